@@ -28,11 +28,14 @@ Vector parse_list(const std::string& option, const std::string& text) {
   return values;
 }
 
+/// Of the coordinates of a motion.
 Vector parse_wrench(const std::string& option, const std::string& text) {
   Vector values = parse_list(option, text);
-  if (values.size() != kPlanar && values.size() != kSpatial) {
-    throw UsageError{option + ": " + quote(text) +
-                     " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ"};
+  if (values.size() > kMostCoordinates) {
+    throw UsageError{
+        option + ": " + quote(text) +
+        " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ, or of "
+        "several bodies at most 30 numbers"};
   }
   return values;
 }

@@ -80,6 +80,11 @@ Vector normal_at(const ContactBox& c, const Vector& corner) {
 }
 
 Functions functions_of(const ContactBox& c) {
+  if (!is_contact(c.sight)) {
+    Vector normal = seen(c.sight, {1});
+    Vector slip(normal.size());
+    return {{std::move(normal)}, {std::move(slip)}, 0};
+  }
   Functions rows;
   for (Vector p : corners_of(c)) {
     const Vector n = normal_at(c, p);
@@ -95,17 +100,17 @@ Functions functions_of(const ContactBox& c) {
       rows.tilt = std::max(rows.tilt, Rational(dot(n, n) / square - 1));
     }
     p.resize(n.size());
-    rows.normals.push_back(at_point(p, n));
-    for (const Vector& t : across) rows.slips.push_back(at_point(p, t));
+    rows.normals.push_back(seen(c.sight, at_point(p, n)));
+    for (const Vector& t : across) rows.slips.push_back(seen(c.sight, at_point(p, t)));
   }
   return rows;
 }
 
 /// What only signs of slip need: tau_i, and the edges of the friction cone.
-void add_planar(const Functions& at, const Bounds& friction, Row& row) {
+void add_edges(const Functions& at, const Bounds& friction, Row& row) {
   Rational edge_scale;
   for (Vector t : at.slips) {
-    t.resize(kPlanar + 2);
+    t.resize(t.size() + 2);
     add_new(row.tau, t);
   }
   const Rational ends[]{Rational(-friction.high), Rational(-friction.low), friction.low,
@@ -114,7 +119,8 @@ void add_planar(const Functions& at, const Bounds& friction, Row& row) {
   for (std::size_t s = 0; s < 4; ++s) {
     for (std::size_t k = 0; k < at.normals.size(); ++k) {
       edges.push_back(at.normals[k]);
-      for (std::size_t j = 0; j < kPlanar; ++j) edges.back()[j] += ends[s] * at.slips[k][j];
+      Vector& edge = edges.back();
+      for (std::size_t j = 0; j < edge.size(); ++j) edge[j] += ends[s] * at.slips[k][j];
     }
   }
   const std::vector<Form> forms = make_forms(edges, &edge_scale);
@@ -153,7 +159,7 @@ Integer whole(const Rational& x, const Integer& den) {
   return x.get_num() * (den / x.get_den());
 }
 
-/// In the plane, without uncertainty: what make_row says, in integers.
+/// One body in the plane, without uncertainty: what make_row says, in integers.
 Row make_point_row(const ContactBox& c) {
   Rational length;
   const Vector& straight = c.normal;
@@ -210,12 +216,20 @@ Row make_row(const ContactBox& c) {
   const bool certain =
       c.growth.certain() && std::all_of(c.bounds.begin(), c.bounds.end(),
                                         [](const Bounds& bounds) { return bounds.certain(); });
-  if (certain && c.normal.size() == 2) return make_point_row(c);
+  if (certain && c.normal.size() == 2 && !c.sight) return make_point_row(c);
   const Functions at = functions_of(c);
   Row row;
   row.certain = certain;
   row.tilt = at.tilt;
   const std::size_t corners = at.normals.size();
+  const std::vector<Vector> loads = preload_ends(c);
+  const auto same = [](const std::vector<Vector>& vectors) {
+    return vectors == std::vector<Vector>(vectors.size(), vectors[0]);
+  };
+  row.slip_certain = c.normal.size() == 3 ? corners == 1 : same(at.slips);
+  row.v_certain =
+      same(at.normals) && (loads == std::vector<Vector>{Vector(2)} ||
+                           (loads.size() == 1 && c[Parameter::kStiffness].certain()));
   std::vector<Vector> all = at.normals;
   all.insert(all.end(), at.slips.begin(), at.slips.end());
   const std::vector<Form> forms = make_forms(all, &row.scale);
@@ -229,7 +243,7 @@ Row make_row(const ContactBox& c) {
   }
   for (const Vector& n : at.normals) {
     for (const Rational& k : ends(c[Parameter::kStiffness])) {
-      for (const Vector& load : preload_ends(c)) {
+      for (const Vector& load : loads) {
         Vector v = multiple(-k, n);
         v.insert(v.end(), load.begin(), load.end());
         if (row.v.empty()) make_form(v, &row.v_scale);
@@ -239,7 +253,7 @@ Row make_row(const ContactBox& c) {
   }
   row.weight = row.v_scale;
   if (!row.certain) add_pulls(at, c, row);
-  if (c.normal.size() == 2) add_planar(at, c[Parameter::kFriction], row);
+  if (row.has_edges()) add_edges(at, c[Parameter::kFriction], row);
   return row;
 }
 
@@ -257,6 +271,7 @@ Vector at_point(const Vector& p, const Vector& f) {
 }
 
 std::vector<Turn> turns_of(const Vector& normal, const Rational& slope) {
+  if (normal.empty()) return {};
   if (normal.size() == 2) return {{{Rational(-normal[1]), normal[0]}, slope}};
   std::size_t least = 0;
   for (std::size_t j = 1; j < 3; ++j) {
@@ -301,7 +316,10 @@ bool Box::certain() const {
 const Bounds* Box::find(Parameter name, const Integer& index) const {
   const bool of_wrench = name == Parameter::kWrench;
   if (index >= (of_wrench ? wrench.size() : size())) return nullptr;
-  return of_wrench ? &wrench[index.get_ui()] : &contact(index.get_ui())[name];
+  if (of_wrench) return &wrench[index.get_ui()];
+  const ContactBox& c = contact(index.get_ui());
+  const bool of_all = name == Parameter::kPreload || name == Parameter::kStiffness;
+  return of_all || is_contact(c.sight) ? &c[name] : nullptr;
 }
 
 Box Box::with(Parameter name, std::size_t index, Bounds bounds) const {

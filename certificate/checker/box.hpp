@@ -4,9 +4,10 @@
 /// contact: its functions at the corners of the box, of which a contact without uncertainty has
 /// one (§1 and §7, Rows).
 ///
-/// The dimension D of twists and wrenches is 3 in the plane and 6 in space. There is no other
-/// difference between the two than how many coordinates positions have, and slips: 2 and 1, or
-/// 3 and 3.
+/// Of one body the dimension D of twists and wrenches is 3 in the plane and 6 in space. There
+/// is no other difference between the two than how many coordinates positions have, and slips:
+/// 2 and 1, or 3 and 3. Of several bodies (§14) D is any, and an element that is no contact has
+/// a slip as in the plane, which is always 0.
 #pragma once
 
 #include <array>
@@ -17,14 +18,12 @@
 #include <string>
 #include <vector>
 
+#include "bodies.hpp"
 #include "number.hpp"
 
 namespace stickslip_check {
 
-inline constexpr std::size_t kPlanar = 3;   ///< D of translation x, y and rotation
-inline constexpr std::size_t kSpatial = 6;  ///< D of translation x, y, z and rotation x, y, z
-
-/// The coordinates of positions, normals and points where twists have so many.
+/// The coordinates of positions, normals and points where twists of one body have so many.
 constexpr std::size_t coordinates(std::size_t dimension) {
   return dimension == kSpatial ? 3 : 2;
 }
@@ -48,15 +47,15 @@ enum class Parameter : std::int8_t {
 inline constexpr std::array<const char*, 10> kParameterNames{
     "x", "y", "z", "turn", "turn_u", "turn_v", "friction", "preload", "stiffness", "wrench"};
 inline constexpr std::size_t kContactParameters = 9;
-/// Whether there is such a parameter in this dimension.
-constexpr bool is_parameter(Parameter name, std::size_t dimension) {
+/// Whether there is such a parameter in space, or in the plane.
+constexpr bool is_parameter(Parameter name, bool in_space) {
   const bool of_space =
       name == Parameter::kZ || name == Parameter::kTurnU || name == Parameter::kTurnV;
-  return dimension == kSpatial ? name != Parameter::kTurn : !of_space;
+  return in_space ? name != Parameter::kTurn : !of_space;
 }
 
 /// A way in which a normal may turn, and the most: t0 and `slope` in the plane (FORMAT.md §6),
-/// U and V with the bounds of their parameters in space (§7).
+/// U and V with the bounds of their parameters in space (§7). What has no normal has none.
 struct Turn {
   Vector way;
   Rational most;
@@ -65,7 +64,8 @@ std::vector<Turn> turns_of(const Vector& normal, const Rational& slope);
 
 /// The parameters of a contact; one that there is not is 0.
 struct ContactBox {
-  Vector normal;                                  ///< n0
+  Sight sight = nullptr;                          ///< what it sees of several bodies
+  Vector normal;                                  ///< n0; none of a ratchet or a spring
   std::array<Bounds, kContactParameters> bounds;  ///< by Parameter
   Bounds growth;  ///< of a margin: P^u', whose ends go with those of P'
 
@@ -78,7 +78,9 @@ struct ContactBox {
 /// which those that are certain do not count. All forms are of points.
 struct Row {
   bool certain = true;  ///< all parameters are
-  Rational tilt;        ///< in space, delta of §7
+  bool slip_certain = true;
+  bool v_certain = true;
+  Rational tilt;  ///< in space, delta of §7
 
   /// At each corner N, and the rows of the slip: T in the plane, the three of S in space.
   std::vector<Form> normals;
@@ -96,15 +98,18 @@ struct Row {
   Integer preloads[2];         ///< for P'_min, P'_max
   Integer growths[2];          ///< for P^u'_min, P^u'_max
 
-  // In the plane:
+  // In the plane, and of what is no contact:
   std::vector<Form> tau;  ///< at all corners, up to positive factors: one form if certain
   /// N + s T at each corner, for s = -mu_max, -mu_min, mu_min, mu_max; if all is certain, for
   /// the first and the last.
   std::vector<Form> edges[4];
 
-  /// In the plane, v_i(x) (N + s T) is the product of what stands for them here by this; in
+  /// With such edges, v_i(x) (N + s T) is the product of what stands for them here by this; in
   /// space, v_i(x) alone is.
   Rational weight;
+
+  /// Whether the slip has one number, not three.
+  bool has_edges() const { return slips[0].size() == 1; }
 };
 
 /// A contact of a box with what follows for it.
@@ -140,7 +145,8 @@ class Box {
   std::size_t coordinates() const { return dimension() + 1 + growths.size(); }
   /// Whether it is one point.
   bool certain() const;
-  /// The interval of a parameter, or nothing if there is no such contact or component.
+  /// The interval of a parameter, or nothing if there is no such contact or component, or if it
+  /// has no such parameter.
   const Bounds* find(Parameter name, const Integer& index) const;
   /// The part with another interval of a parameter that there is.
   Box with(Parameter name, std::size_t index, Bounds bounds) const;

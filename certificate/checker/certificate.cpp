@@ -14,8 +14,12 @@ constexpr const char* kFormat = "stickslip-certificate/2";
 }  // namespace
 
 CertificateReader::CertificateReader(std::istream& in, const std::string& file,
-                                     std::size_t dimension)
-    : json_(in, file, kCertificateLimits), dimension_(dimension) {}
+                                     const Question& question)
+    : json_(in, file, kCertificateLimits),
+      dimension_(question.dimension()),
+      in_space_(question.in_space),
+      claims_(question.claims()),
+      several_(question.several) {}
 
 Claim CertificateReader::claim() {
   const Value format = take("format");
@@ -43,7 +47,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !plane_ && !rigid_ && (!margin_ || dimension_ == kSpatial)) {
+  if (name == "bits" && !plane_ && !rigid_ && (!margin_ || claims_)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -114,11 +118,10 @@ std::optional<RigidNode> CertificateReader::next_rigid_node() {
     return node;
   }
   const bool touch = value.is_array(2) && value.items[0].is_text("touch");
-  const std::size_t size = dimension_ == kPlanar ? 2 : 3;
+  const std::size_t size = in_space_ ? 3 : 2;
   json_.expect(touch || (value.is_array(size) && value.items[0].is_text("slip")), value, place,
-               dimension_ == kPlanar
-                   ? R"(["touch", i], ["slip", i] or ["leaf", t, y, g, h])"
-                   : R"(["touch", i], ["slip", i, d] or ["leaf", t, y, g, h])");
+               in_space_ ? R"(["touch", i], ["slip", i, d] or ["leaf", t, y, g, h])"
+                         : R"(["touch", i], ["slip", i] or ["leaf", t, y, g, h])");
   node.kind = touch ? RigidNode::Kind::kTouch : RigidNode::Kind::kSlip;
   node.contact = index(value.items[1], place);
   if (!touch && size == 3) node.direction = numbers(value.items[2], place, 0, 3);
@@ -366,7 +369,7 @@ Claim CertificateReader::claim_of(const Value& value) const {
   }
   if (const Value* plane = value.find("plane")) {
     const std::string place = "question.plane";
-    json_.expect(dimension_ == kPlanar && plane->is_array(2), *plane, place,
+    json_.expect(!claims_ && plane->is_array(2), *plane, place,
                  "two directions, of a question about a planar grasp");
     asked.plane.emplace();
     for (const Value& entry : plane->items) {
@@ -374,11 +377,10 @@ Claim CertificateReader::claim_of(const Value& value) const {
     }
   }
   if (const Value* inertia = value.find("inertia")) {
-    const bool is_short = dimension_ == kSpatial && inertia->is_array(6);
-    asked.inertia = numbers(*inertia, "question.inertia", 0,
-                            dimension_ == kPlanar ? 3
-                            : is_short            ? 6
-                                                  : 9);
+    const std::string place = "question.inertia";
+    json_.expect(!several_, *inertia, place, "none, of a question about several bodies");
+    const bool is_short = in_space_ && inertia->is_array(6);
+    asked.inertia = numbers(*inertia, place, 0, !in_space_ ? 3 : is_short ? 6 : 9);
     if (is_short) asked.inertia->resize(9);
   }
   if (const Value* uncertain = value.find("uncertain")) {
@@ -485,7 +487,7 @@ RestProof CertificateReader::at_rest(const Value& value, const std::string& plac
 
 /// A share, or F: one number, or in space three.
 Vector CertificateReader::friction(const Value& value, const std::string& place) const {
-  if (dimension_ == kSpatial) return numbers(value, place, 0, 3);
+  if (in_space_) return numbers(value, place, 0, 3);
   return {number(value, place)};
 }
 
@@ -571,10 +573,9 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
     const auto name = std::find_if(kParameterNames.begin(), kParameterNames.end(),
                                    [&](auto known) { return value.items[1].is_text(known); });
     node.parameter = static_cast<Parameter>(name - kParameterNames.begin());
-    json_.expect(name != kParameterNames.end() && is_parameter(node.parameter, dimension_),
+    json_.expect(name != kParameterNames.end() && is_parameter(node.parameter, in_space_),
                  value.items[1], place,
-                 std::string("x, y, ") +
-                     (dimension_ == kSpatial ? "z, turn_u, turn_v" : "turn") +
+                 std::string("x, y, ") + (in_space_ ? "z, turn_u, turn_v" : "turn") +
                      ", friction, preload, stiffness or wrench");
     node.contact = index(value.items[2], place);
     node.numbers = {number(value.items[3], place)};

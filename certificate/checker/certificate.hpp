@@ -28,8 +28,8 @@ struct Claim {
 
 class CertificateReader {
  public:
-  /// `dimension` is that of the question: so many numbers are in a twist.
-  CertificateReader(std::istream& in, const std::string& file, std::size_t dimension);
+  /// How many numbers a twist or a share has is known by the question.
+  CertificateReader(std::istream& in, const std::string& file, const Question& question);
 
   /// All up to the member `question`.
   Claim claim();
@@ -52,12 +52,12 @@ class CertificateReader {
   Vector acceleration();
   std::optional<RigidNode> next_rigid_node();
 
-  // unstable, region, and margin in the plane
+  // unstable, region, and margin of one body in the plane
   std::vector<Interval> resisted();
   std::optional<Segment> next_segment();
   std::optional<Node> next_node();
 
-  // margin in space
+  // margin in space or of several bodies
   std::optional<RangeProof> next_range();
 
   /// Nothing follows.
@@ -100,6 +100,9 @@ class CertificateReader {
 
   JsonReader json_;
   std::size_t dimension_;
+  bool in_space_;
+  bool claims_;  ///< of a margin, and not segments and a tree
+  bool several_;
   bool margin_ = false;  ///< the question has a direction
   bool plane_ = false;   ///< or a plane
   bool rigid_ = false;   ///< or an inertia

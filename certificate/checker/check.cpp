@@ -132,7 +132,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   Accepted accepted;
   accepted.verdict = certificate.verdict();
   if (question.is_box) enlarge(question, certificate.bits());
-  const bool in_ranges = accepted.verdict == "margin" && question.dimension() == kSpatial;
+  const bool in_ranges = accepted.verdict == "margin" && question.claims();
   std::vector<Root> roots;
   const bool rigid = claim.asked.rigid();
   if (rigid) {
@@ -199,7 +199,7 @@ Answer check(std::istream& grasp, std::istream& certificate, const Options& opti
   const LimitedWork limited;
   try {
     Question question = pose(read_grasp(grasp, grasp_name), options, grasp_name);
-    CertificateReader reader(certificate, certificate_name, question.dimension());
+    CertificateReader reader(certificate, certificate_name, question);
     return read_and_check(reader, std::move(question));
   } catch (const Malformed& malformed) {
     return malformed;

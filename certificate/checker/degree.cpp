@@ -171,6 +171,7 @@ std::optional<std::size_t> opening(const Part& part, const Box& box, const Range
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
   for (std::size_t i = 0; i < box.size(); ++i) {
+    if (is_spring(box.contact(i).sight)) continue;
     for (const Form& v : box.row(i).v) {
       for (const auto& ray : cone.rays()) {
         if (sign_of_dot(v, ray->x) < 0) return i;

@@ -20,6 +20,8 @@ constexpr JsonLimits kGraspLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} 
                                   1U << 16U, true};
 constexpr std::size_t kMaxContacts = 1'000'000;
 constexpr const char* kNeeds2 = R"(it needs "format": "stickslip-grasp/2")";
+constexpr const char* kNeeds3 = R"(it needs "format": "stickslip-grasp/3")";
+constexpr const char* kGround = "ground";
 
 /// Of the outline, in the sense of its ring.
 struct Edge {
@@ -58,17 +60,29 @@ struct Place {
   Rational share;
 };
 
+/// "of" and "by" of a contact.
+struct Pair {
+  std::size_t line;
+  std::optional<std::string> of;
+  std::string by = kGround;
+};
+
 /// Of arrays, first elements within first elements.
 std::size_t depth_of(const Value& value) {
   if (value.kind != Value::Kind::kArray) return 0;
   return 1 + (value.items.empty() ? 0 : depth_of(value.items.front()));
 }
 
-/// The value as the only element of an array.
-Value enclosed(Value value) {
+Value array_at(std::size_t line) {
   Value array;
   array.kind = Value::Kind::kArray;
-  array.line = value.line;
+  array.line = line;
+  return array;
+}
+
+/// The value as the only element of an array.
+Value enclosed(Value value) {
+  Value array = array_at(value.line);
   array.items.push_back(std::move(value));
   return array;
 }
@@ -89,7 +103,7 @@ class GraspReader {
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
             {"format", "name", "units", "outline", "body", "defaults", "contacts", "wrench",
-             "loads", "cases"},
+             "loads", "cases", "bodies", "joints", "tendons", "ratchets"},
             "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
@@ -101,11 +115,10 @@ class GraspReader {
       }
     }
     const auto load = members.find("wrench");
-    if (version2_ && own_.empty() && load != members.end() && load->second.is_array(kSpatial)) {
+    if (version_ == 2 && own_.empty() && load != members.end() &&
+        load->second.is_array(kSpatial)) {
       put_in_space(load->second, "wrench");
     }
-    grasp_.wrench = Wrench(dimension_);
-    for (auto& [key, value] : members) read_member(key, std::move(value));
     const auto has = [&](const char* key) {
       return std::find(seen.begin(), seen.end(), key) != seen.end();
     };
@@ -115,24 +128,49 @@ class GraspReader {
     for (const char* key : {"format", "contacts"}) {
       check(has(key), std::string("the member \"") + key + "\" is missing");
     }
-    for (const char* key : {"units", "outline", "body", "loads", "cases"}) {
-      check(version2_ || !has(key), std::string("the member \"") + key + "\": " + kNeeds2);
-    }
-    check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
+    const auto deny = [&](bool denied, Names keys, const char* why) {
+      for (const char* key : keys) {
+        check(!denied || !has(key), std::string("the member \"") + key + "\": " + why);
+      }
+    };
+    deny(version_ < 3, {"bodies", "joints", "tendons", "ratchets"}, kNeeds3);
+    deny(version_ < 2, {"units", "outline", "body", "loads", "cases"}, kNeeds2);
+    deny(version_ == 3, {"wrench"}, "of several bodies give \"loads\", each with its \"body\"");
+    deny(version_ == 3, {"outline"}, "of several bodies each of \"bodies\" may have one");
+    deny(version_ == 3, {"body"}, "of several bodies each of \"bodies\" may have a \"mesh\"");
+    if (version_ == 3) check(has("bodies"), "the member \"bodies\" is missing");
+    grasp_.wrench = Wrench(dimension_);
+    if (version_ == 3) read_mechanism(members);
+    for (auto& [key, value] : members) read_member(key, std::move(value));
+    const bool loaded = has("wrench") || has("loads") || has("cases");
+    check(loaded || version_ == 3, "the member \"wrench\" is missing");
     check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
-    if (newer_ && !version2_) json_.fail(newer_->first, newer_->second, kNeeds2);
+    if (newer_ && version_ < 2) json_.fail(newer_->first, newer_->second, kNeeds2);
     for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
     for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
+    if (version_ == 3) {
+      for (std::size_t i = 0; i < own_.size(); ++i) put_between_bodies(i);
+      for (const Contact& element : others_) grasp_.contacts.push_back(element);
+      grasp_.several->has_loads = has("loads");
+    } else if (!pairs_.empty()) {
+      const auto& [i, pair] = *pairs_.begin();
+      json_.fail(
+          pair.line, "contacts[" + std::to_string(i) + "]",
+          std::string(pair.of ? "the member \"of\": " : "the member \"by\": ") + kNeeds3);
+    }
     return std::move(grasp_);
   }
 
  private:
   void read_member(const std::string& key, Value value) {
     if (key == "format") {
-      version2_ = value.is_text("stickslip-grasp/2");
-      expect(version2_ || value.is_text("stickslip-grasp/1"), value, key.c_str(),
-             "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"");
+      version_ = 3;
+      while (version_ > 0 && value.text != "stickslip-grasp/" + std::to_string(version_)) {
+        --version_;
+      }
+      expect(value.kind == Value::Kind::kString && version_ > 0, value, key.c_str(),
+             "\"stickslip-grasp/1\", \"stickslip-grasp/2\" or \"stickslip-grasp/3\"");
     } else if (key == "name") {
       expect(value.kind == Value::Kind::kString, value, key.c_str(), "a string");
     } else if (key == "wrench") {
@@ -143,13 +181,13 @@ class GraspReader {
       read_cases(value);
     } else if (key == "outline") {
       expect(dimension_ == kPlanar, value, key.c_str(), "none, as the grasp is in space");
-      read_outline(std::move(value));
+      read_outline(std::move(value), key.c_str());
     } else if (key == "body") {
       expect(dimension_ == kSpatial, value, key.c_str(), "none, as the grasp is in the plane");
-      read_body(value);
+      read_body(value, key.c_str());
     } else if (key == "units") {
       read_units(value);
-    } else {
+    } else if (key == "defaults") {
       expect_object(value, key.c_str(), {"friction", "stiffness", "preload"});
       defaults_ = properties(value, key.c_str());
     }
@@ -174,12 +212,12 @@ class GraspReader {
   }
 
   /// FORMAT.md §7: it has no meaning here.
-  void read_body(const Value& value) const {
-    expect_object(value, "body", {"vertices", "faces"});
-    const Value& vertices = member(value, "body", "vertices");
-    const Value& faces = member(value, "body", "faces");
-    const Where of_vertices("body.vertices");
-    const Where of_faces("body.faces");
+  void read_body(const Value& value, const Where& body) const {
+    expect_object(value, body, {"vertices", "faces"});
+    const Value& vertices = member(value, body, "vertices");
+    const Value& faces = member(value, body, "faces");
+    const Where of_vertices = body + ".vertices";
+    const Where of_faces = body + ".faces";
     expect(vertices.kind == Value::Kind::kArray, vertices, of_vertices, "a list of vertices");
     const std::size_t count = vertices.items.size();
     for (std::size_t i = 0; i < count; ++i) vector(vertices.items[i], of_vertices[i], 3);
@@ -199,12 +237,11 @@ class GraspReader {
   }
 
   /// A list of polygons, a list of rings, or a ring.
-  void read_outline(Value value) {
+  void read_outline(Value value, const Where& outline) {
     constexpr std::size_t kDepth = 4;
-    expect(depth_of(value) > 1, value, "outline", "a list of polygons [[[[x, y], ...]]]");
+    expect(depth_of(value) > 1, value, outline, "a list of polygons [[[[x, y], ...]]]");
     while (depth_of(value) < kDepth) value = enclosed(std::move(value));
     for (const Value& polygon : value.items) {
-      const Where outline("outline");
       const Where place = outline[outline_.size()];
       expect(polygon.kind == Value::Kind::kArray && !polygon.items.empty(), polygon, place,
              "a list of rings, of one or more");
@@ -267,9 +304,11 @@ class GraspReader {
     const auto choose = [&](const auto& list, const Rational& index,
                             const char* what) -> auto& {
       const bool known = index.get_den() == 1 && index >= 0 && index < list.size();
-      if (!known || !version2_) {
+      if (!known || version_ != 2) {
         json_.fail(on.line, "contacts[" + std::to_string(i) + "].on",
-                   !version2_ ? kNeeds2 : "there is no " + (what + (" " + show(index))));
+                   version_ == 3  ? "of several bodies give a \"position\" and a \"normal\""
+                   : version_ < 2 ? kNeeds2
+                                  : "there is no " + (what + (" " + show(index))));
       }
       return list[index.get_num().get_ui()];
     };
@@ -303,8 +342,11 @@ class GraspReader {
              "a string that is not empty");
       const Value* wrench = entry.find("wrench");
       const Value* loads = entry.find("loads");
-      if ((wrench == nullptr) == (loads == nullptr)) {
-        json_.fail(entry.line, place, R"(expected one of the members "wrench" and "loads")");
+      if (version_ == 3 ? wrench != nullptr || loads == nullptr
+                        : (wrench == nullptr) == (loads == nullptr)) {
+        json_.fail(entry.line, place,
+                   version_ == 3 ? R"(expected the members "name" and "loads")"
+                                 : R"(expected one of the members "wrench" and "loads")");
       }
       Wrench own = wrench != nullptr ? uncertain_vector(*wrench, place + ".wrench", dimension_)
                                      : sum_of_loads(*loads, place + ".loads");
@@ -314,13 +356,272 @@ class GraspReader {
     }
   }
 
-  Wrench sum_of_loads(const Value& value, const Where& place) const {
+  Wrench sum_of_loads(const Value& value, const Where& place) {
     expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
-    Wrench sum(dimension_);
+    Wrench sum(mechanism_ ? mechanism_->dimension() : dimension_);
     for (std::size_t k = 0; k < value.items.size(); ++k) {
-      add(sum, wrench_of(value.items[k], place[k]));
+      const Value& load = value.items[k];
+      add(sum, mechanism_ ? load_on_body(load, place[k]) : wrench_of(load, place[k]));
     }
     return sum;
+  }
+
+  /// FORMAT.md §14, `loads`: J_b^T times the wrench.
+  Wrench load_on_body(Value load, const Where& place) {
+    expect(load.kind == Value::Kind::kObject, load, place, "an object {...}");
+    const auto name = std::find(load.keys.begin(), load.keys.end(), "body");
+    if (name == load.keys.end()) member(load, place, "body");
+    const auto value = load.items.begin() + (name - load.keys.begin());
+    const std::size_t b = body_named(*value, place + ".body");
+    load.items.erase(value);
+    load.keys.erase(name);
+    Wrench wrench;
+    if (const Value* given = load.find("wrench")) {
+      expect_object(load, place, {"wrench"});
+      if (bodies_[b].way) {
+        json_.fail(given->line, place,
+                   quote(bodies_[b].name) +
+                       " is a link, which takes a force, a weight or a torque, but no wrench");
+      }
+      wrench = uncertain_vector(*given, place + ".wrench", dimension_);
+    } else {
+      wrench = wrench_of(load, place);
+    }
+    // Where the wrench may be uncertain, J_b has ones alone.
+    const Matrix& motion = mechanism_->motion(b);
+    Wrench result(mechanism_->dimension());
+    for (std::size_t k = 0; k < wrench.size(); ++k) {
+      for (std::size_t j = 0; j < result.size(); ++j) {
+        result[j].low += motion[k][j] * wrench[k].low;
+        result[j].high += motion[k][j] * wrench[k].high;
+      }
+    }
+    return result;
+  }
+
+  std::size_t body_named(const Value& value, const Where& place) const {
+    const auto found =
+        value.kind == Value::Kind::kString ? names_.find(value.text) : names_.end();
+    expect(found != names_.end(), value, place, "the name of one of \"bodies\"");
+    return found->second;
+  }
+
+  /// FORMAT.md §14: bodies, joints, ratchets and tendons; takes them out of `members`.
+  void read_mechanism(std::map<std::string, Value>& members) {
+    const Value none = array_at(json_.line());
+    const auto take = [&](const char* key) {
+      const auto found = members.find(key);
+      Value value = found == members.end() ? none : std::move(found->second);
+      members.erase(key);
+      expect(value.kind == Value::Kind::kArray, value, key, "an array");
+      return value;
+    };
+    read_bodies(take("bodies"));
+    const Value joints = take("joints");
+    std::vector<Turns> all_turns;
+    const Where in_joints("joints");
+    for (std::size_t q = 0; q < joints.items.size(); ++q) {
+      const Value& joint = joints.items[q];
+      const Where place = in_joints[q];
+      expect_object(joint, place, {"turns", "name", "stiffness", "torque"});
+      read_name(joint, place);
+      all_turns.push_back(read_turns(member(joint, place, "turns"), place + ".turns"));
+    }
+    for (const auto& [name, b] : names_) {
+      const auto turns = [b = b](const Turns& turned) { return turned.count(b) > 0; };
+      if (!bodies_[b].way || std::any_of(all_turns.begin(), all_turns.end(), turns)) continue;
+      throw Malformed{json_.file(), "bodies[" + std::to_string(b) + "]",
+                      "no joint turns the link " + quote(name) +
+                          R"(; expected its name in "turns" of one of "joints")"};
+    }
+    const bool in_space = dimension_ == kSpatial;
+    const std::size_t dimension = dimension_of(bodies_, all_turns.size(), in_space);
+    if (dimension > kMostCoordinates) {
+      throw Malformed{json_.file(), "bodies",
+                      "found " + std::to_string(dimension) + " coordinates, " +
+                          std::to_string(dimension_) +
+                          " for each body that is no link and one for each joint; expected "
+                          "at most " +
+                          std::to_string(kMostCoordinates)};
+    }
+    mechanism_.emplace(bodies_, std::move(all_turns), in_space);
+    grasp_.wrench = Wrench(dimension);
+    name_coordinates(joints);
+    read_over(take("ratchets"), "ratchets", Element::Kind::kRatchet, "preload");
+    for (std::size_t q = 0; q < joints.items.size(); ++q) {
+      const Value& joint = joints.items[q];
+      if (joint.find("stiffness") == nullptr && joint.find("torque") == nullptr) continue;
+      read_element(joint, in_joints[q],
+                   {Element::Kind::kSpring, {mechanism_->row_of_joint(q)}, "", "torque"});
+    }
+    read_over(take("tendons"), "tendons", Element::Kind::kSpring, "tension");
+  }
+
+  void read_bodies(const Value& list) {
+    expect(!list.items.empty(), list, "bodies", "a list of bodies, of one or more");
+    const Where in_bodies("bodies");
+    for (std::size_t b = 0; b < list.items.size(); ++b) {
+      const Value& entry = list.items[b];
+      const Where place = in_bodies[b];
+      expect_object(entry, place, {"name", "hinge", "slide", "on", "outline", "mesh"});
+      const Value& name = member(entry, place, "name");
+      expect(name.kind == Value::Kind::kString && !name.text.empty() && name.text != kGround,
+             name, place + ".name", "a string that is not empty, and not \"ground\"");
+      Body body{name.text, {}, {}};
+      const Value* hinge = entry.find("hinge");
+      const Value* slide = entry.find("slide");
+      if (hinge != nullptr && slide != nullptr) {
+        json_.fail(entry.line, place, R"(both "hinge" and "slide"; give one of them)");
+      }
+      if (hinge != nullptr) body.way = read_hinge(*hinge, place + ".hinge");
+      if (slide != nullptr) body.way = way_of_slide(axis(*slide, place + ".slide"));
+      if (const Value* on = entry.find("on")) {
+        expect(body.way.has_value(), *on, place + ".on",
+               "none, as there is neither a \"hinge\" nor a \"slide\"");
+        const bool known = on->kind == Value::Kind::kString && names_.count(on->text) > 0;
+        expect(known || on->is_text(kGround), *on, place + ".on",
+               "the name of a body that stands before this one, or \"ground\"");
+        if (known) body.on = names_.at(on->text);
+      }
+      if (const Value* outline = entry.find("outline")) {
+        expect(dimension_ == kPlanar, *outline, place + ".outline",
+               "none, as the grasp is in space");
+        read_outline(*outline, place + ".outline");
+        outline_.clear();
+      }
+      if (const Value* mesh = entry.find("mesh")) {
+        expect(dimension_ == kSpatial, *mesh, place + ".mesh",
+               "none, as the grasp is in the plane");
+        read_body(*mesh, place + ".mesh");
+      }
+      if (!names_.emplace(name.text, b).second) {
+        json_.fail(name.line, place, "the name " + quote(name.text) + " appears twice");
+      }
+      bodies_.push_back(std::move(body));
+    }
+  }
+
+  /// A point, or in space a point and an axis.
+  Vector read_hinge(const Value& value, const Where& place) const {
+    if (dimension_ == kPlanar) return way_of_hinge(vector(value, place, 2), {});
+    expect_object(value, place, {"at", "axis"});
+    return way_of_hinge(vector(member(value, place, "at"), place + ".at", 3),
+                        axis(member(value, place, "axis"), place + ".axis"));
+  }
+
+  Vector axis(const Value& value, const Where& place) const {
+    Vector g = vector(value, place, coordinates());
+    expect(g != Vector(g.size()), value, place, "a vector other than 0");
+    return g;
+  }
+
+  /// `turns` or `over`.
+  Turns read_turns(const Value& value, const Where& place) const {
+    const char* const what = "an object of one number or more, each by the name of a link";
+    expect(value.kind == Value::Kind::kObject && !value.items.empty(), value, place, what);
+    Turns turns;
+    for (std::size_t k = 0; k < value.items.size(); ++k) {
+      const std::string& name = value.keys[k];
+      const auto found = names_.find(name);
+      if (found == names_.end() || !bodies_[found->second].way) {
+        json_.fail(value.line, place,
+                   "found " + quote(name) +
+                       R"(, expected a link, which is a body with a "hinge" or a "slide")");
+      }
+      const Where member = place + ".";
+      const Rational c = number(value.items[k], member + name.c_str());
+      expect(c != 0, value.items[k], member + name.c_str(), "a number other than 0");
+      turns.emplace(found->second, c);
+    }
+    return turns;
+  }
+
+  /// It has no meaning here.
+  void read_name(const Value& object, const Where& place) const {
+    const Value* name = object.find("name");
+    if (name == nullptr) return;
+    expect(name->kind == Value::Kind::kString, *name, place + ".name", "a string");
+  }
+
+  void name_coordinates(const Value& joints) {
+    grasp_.several.emplace();
+    grasp_.several->in_space = dimension_ == kSpatial;
+    std::vector<std::string>& names = grasp_.several->coordinates;
+    std::vector<const char*> ways{" x", " y", " turn"};
+    if (dimension_ == kSpatial) ways = {" x", " y", " z", " turn x", " turn y", " turn z"};
+    for (const Body& body : bodies_) {
+      if (body.way) continue;
+      for (const char* way : ways) names.push_back(body.name + way);
+    }
+    for (std::size_t q = 0; q < joints.items.size(); ++q) {
+      const Value* name = joints.items[q].find("name");
+      names.push_back(name != nullptr ? name->text : "joint " + std::to_string(q));
+    }
+  }
+
+  /// Ratchets or tendons.
+  void read_over(const Value& list, const char* key, Element::Kind kind, const char* preload) {
+    const Where in_list(key);
+    for (std::size_t k = 0; k < list.items.size(); ++k) {
+      const Value& entry = list.items[k];
+      const Where place = in_list[k];
+      expect_object(entry, place, {"over", "name", "stiffness", preload});
+      read_name(entry, place);
+      if (kind == Element::Kind::kRatchet) member(entry, place, "stiffness");
+      const Value& over = member(entry, place, "over");
+      Vector row = mechanism_->row(read_turns(over, place + ".over"));
+      expect(row != Vector(row.size()), over, place + ".over",
+             "links that some joint turns, so that its length changes");
+      read_element(entry, place, {kind, {std::move(row)}, "", preload});
+    }
+  }
+
+  void read_element(const Value& value, const Where& place, Element element) {
+    const bool spring = element.kind == Element::Kind::kSpring;
+    const auto read = [&](const char* key, Least least) {
+      const Value* found = value.find(key);
+      const Where member = place + ".";
+      return found != nullptr ? at_least(*found, member + key, least) : Bounds(0);
+    };
+    Contact contact;
+    contact.stiffness = read("stiffness", spring ? Least::kZero : Least::kAboveZero);
+    contact.preload = read(element.preload.c_str(), spring ? Least::kAny : Least::kZero);
+    element.place = place;
+    contact.sight = std::make_shared<const Element>(std::move(element));
+    others_.push_back(std::move(contact));
+  }
+
+  /// Contact i is between the bodies that it names.
+  void put_between_bodies(std::size_t i) {
+    const auto pair = pairs_.find(i);
+    const std::string place = "contacts[" + std::to_string(i) + "]";
+    if (pair == pairs_.end() || !pair->second.of) {
+      throw Malformed{json_.file(), place,
+                      "the member \"of\" is missing, the name of the body"};
+    }
+    const auto& [line, of, by] = pair->second;
+    const auto require = [&, line = line](bool good, const char* key, const std::string& name,
+                                          const char* what) {
+      if (good) return;
+      json_.fail(line, place + key, "found " + quote(name) + ", expected the name of " + what);
+    };
+    require(names_.count(*of) > 0, ".of", *of, "one of \"bodies\"");
+    require(by == kGround || (names_.count(by) > 0 && by != *of), ".by", by,
+            "another of \"bodies\", or \"ground\"");
+    Sight& sight = sights_[{*of, by}];
+    if (!sight) {
+      Matrix rows = mechanism_->motion(names_.at(*of));
+      const Matrix& under = mechanism_->motion(
+          by == kGround ? std::nullopt : std::optional<std::size_t>(names_.at(by)));
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t j = 0; j < rows[k].size(); ++j) rows[k][j] -= under[k][j];
+      }
+      sight = std::make_shared<const Element>(
+          Element{Element::Kind::kContact, std::move(rows), "", ""});
+    }
+    Contact contact = grasp_.contacts[i];
+    contact.sight = sight;
+    grasp_.contacts.set(i, contact);
   }
 
   /// The wrench of a force at a point, of a torque or of a weight.
@@ -367,11 +668,20 @@ class GraspReader {
     const Where place = contacts[own_.size()];
     if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
     expect_object(value, place,
-                  {"position", "normal", "on", "friction", "stiffness", "preload"});
+                  {"position", "normal", "on", "of", "by", "friction", "stiffness", "preload"});
     Contact contact;
     const Value* first = own_.empty() ? value.find("position") : nullptr;
-    if (version2_ && first != nullptr && first->is_array(3)) {
+    if (version_ > 1 && first != nullptr && first->is_array(3)) {
       put_in_space(*first, place + ".position");
+    }
+    const Value* of = value.find("of");
+    const Value* by = value.find("by");
+    for (const Value* name : {of, by}) {
+      if (name == nullptr) continue;
+      expect(name->kind == Value::Kind::kString, *name, place + (name == of ? ".of" : ".by"),
+             "the name of a body");
+      Pair& pair = pairs_.try_emplace(own_.size(), Pair{value.line, {}}).first->second;
+      (name == of ? pair.of.emplace() : pair.by) = name->text;
     }
     if (const Value* on = value.find("on")) {
       expect(dimension_ == kPlanar, *on, place + ".on",
@@ -538,27 +848,41 @@ class GraspReader {
       if (value == nullptr) continue;
       const Where member = place + ".";
       const Where where = member + kProperties[k];
-      Bounds read = bounds(*value, where);
       const bool above = value == object.find("stiffness");
-      if (read.low < 0 || (above && read.low == 0)) {
-        json_.fail(value->line, where,
-                   "found " + show(read.low) + ", expected a number " +
-                       (above ? "above 0" : "of 0 or more"));
-      }
-      result[k] = std::move(read);
+      result[k] = at_least(*value, where, above ? Least::kAboveZero : Least::kZero);
     }
     return result;
+  }
+
+  enum class Least : std::int8_t { kAny, kZero, kAboveZero };
+  Bounds at_least(const Value& value, const Where& place, Least least) {
+    Bounds read = bounds(value, place);
+    const bool above = least == Least::kAboveZero;
+    if (least != Least::kAny && (read.low < 0 || (above && read.low == 0))) {
+      json_.fail(value.line, place,
+                 "found " + show(read.low) + ", expected a number " +
+                     (above ? "above 0" : "of 0 or more"));
+    }
+    return read;
   }
 
   JsonReader json_;
   Grasp grasp_;
   std::size_t dimension_ = kPlanar;
-  bool version2_ = true;                                      ///< until the file says
+  int version_ = 2;                                           ///< until the file says
   std::optional<std::pair<std::size_t, std::string>> newer_;  ///< line and place, the first
   std::vector<std::vector<Edge>> outline_;                    ///< by polygon
   std::map<std::size_t, Place> places_;                       ///< by contact
   std::vector<std::uint8_t> own_;  ///< by contact, which of kProperties it gives: bits
   Properties defaults_;
+
+  // Of several bodies:
+  std::vector<Body> bodies_;
+  std::map<std::string, std::size_t> names_;  ///< of bodies
+  std::optional<Mechanism> mechanism_;
+  std::map<std::size_t, Pair> pairs_;  ///< by contact
+  std::map<std::pair<std::string, std::string>, Sight> sights_;
+  std::vector<Contact> others_;  ///< ratchets and springs
 };
 
 }  // namespace
@@ -597,7 +921,8 @@ void Contacts::push_back(const Contact& contact) {
 void Contacts::set(std::size_t i, const Contact& contact) {
   Short numbers;
   auto next = numbers.begin();
-  bool fits = contact.slope == 0 && contact.position.size() == contact.normal.size() &&
+  bool fits = !contact.sight && contact.slope == 0 &&
+              contact.position.size() == contact.normal.size() &&
               (contact.normal.size() == 2 || contact.normal.size() == 3);
   const auto put = [&](const Rational& x) {
     fits = fits && x.get_num().fits_slong_p() && x.get_den().fits_slong_p();

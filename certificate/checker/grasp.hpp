@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The grasp file, `stickslip-grasp/1` or `/2` (FORMAT.md §1, §6 and §7, docs/grasp_file.md).
+/// The grasp file, `stickslip-grasp/1`, `/2` or `/3` (FORMAT.md §1, §6, §7 and §14,
+/// docs/grasp_file.md).
 #pragma once
 
 #include <array>
@@ -9,27 +10,32 @@
 #include <initializer_list>
 #include <istream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bodies.hpp"
 #include "number.hpp"
 
 namespace stickslip_check {
 
 using Wrench = std::vector<Bounds>;  ///< its components
 
-/// A contact as the grasp file gives it; what it gives as one number is certain.
+/// A contact as the grasp file gives it; what it gives as one number is certain. Or a ratchet
+/// or a spring, without position and normal.
 struct Contact {
   std::vector<Bounds> position;
   Vector normal;  ///< n0, of any length but 0
   Bounds friction;
   Bounds stiffness;
   Bounds preload;
-  Rational slope = 0;  ///< the most that n = n0 + e t0 is turned
+  Rational slope = 0;     ///< the most that n = n0 + e t0 is turned
+  Sight sight = nullptr;  ///< what it sees of several bodies
 };
 
-/// The contacts of a grasp, in order. Those without uncertainty whose numbers are short, which
-/// are nearly all of a large grasp, are kept in 144 bytes each.
+/// The contacts of a grasp, in order; of several bodies, all elements. Those of one body
+/// without uncertainty whose numbers are short, which are nearly all of a large grasp, are kept
+/// in 144 bytes each.
 class Contacts {
  public:
   Contacts() = default;
@@ -52,13 +58,22 @@ class Contacts {
   std::map<std::size_t, Contact> others_;  ///< by index
 };
 
+/// What is to be known of several bodies besides their elements.
+struct Bodies {
+  bool in_space;
+  std::vector<std::string> coordinates;  ///< names of them, for whoever reads
+  bool has_loads;                        ///< then no case has to be chosen
+};
+
 struct Grasp {
   Contacts contacts;
   Wrench wrench;                             ///< with cases, what is common to them
   std::map<std::string, Wrench> cases = {};  ///< the wrench of each, by name
+  std::optional<Bodies> several = {};        ///< of version 3
 
-  /// 3 in the plane, 6 in space.
+  /// D: of one body 3 in the plane, 6 in space.
   std::size_t dimension() const { return wrench.size(); }
+  bool in_space() const { return several ? several->in_space : dimension() == kSpatial; }
 };
 
 /// Throws Malformed, with `file` in it.

@@ -23,7 +23,7 @@ Rational short_above(const Rational& x) {
   return result;
 }
 
-/// U_s of FORMAT.md §6 as the largest of linear functions of (d, h), up to a factor: adds
+/// U_s of FORMAT.md §6 as the largest of linear functions of (d, h, l), up to a factor: adds
 /// them. `alpha` is alpha_s by corner.
 void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<Form>& bounds) {
   // Corners are numbered in binary, sums of two corners, k, by the same digits in base 3.
@@ -35,26 +35,31 @@ void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<F
   }
   for (const std::vector<Form>& pulls : row.pulls) {
     if (pulls.empty()) continue;
-    std::vector<Form> sums(digits.back() * 2 + 1, Form(kPlanar + 1));
+    const std::size_t dimension = pulls[0].size();
+    std::vector<Form> sums(digits.back() * 2 + 1, Form(dimension + 1));
     std::vector<unsigned> pairs(sums.size());
     for (std::size_t c = 0; c < corners; ++c) {
       for (std::size_t other = 0; other < corners; ++other) {
         const std::size_t k = digits[c] + digits[other];
-        for (std::size_t j = 0; j < kPlanar; ++j) sums[k][j] += alpha[c] * pulls[other][j];
-        sums[k][kPlanar] += alpha[c];
+        for (std::size_t j = 0; j < dimension; ++j) sums[k][j] += alpha[c] * pulls[other][j];
+        sums[k][dimension] += alpha[c];
         ++pairs[k];
       }
     }
     for (std::size_t k = 0; k < sums.size(); ++k) {
-      Integer& last = sums[k].back();
-      last *= row.preloads[last >= 0 ? 1 : 0];
+      // h and l are nowhere below 0, and the ends of both preloads go together.
+      const Integer most = sums[k].back();
+      const std::size_t end = most >= 0 ? 1 : 0;
+      sums[k].back() *= row.preloads[end];
+      sums[k].push_back(most * row.growths[end]);
       for (Integer& c : sums[k]) c *= static_cast<unsigned>(corners) / pairs[k];
       bounds.push_back(std::move(sums[k]));
     }
   }
 }
 
-/// The same for the product of the largest alpha_s and the largest v_i.
+/// The same for the product of the largest alpha_s and the largest v_i. (Of a margin there is
+/// one alpha_s, so this is about verdicts, where nothing grows.)
 void add_products(const Row& row, const std::vector<Integer>& alpha,
                   std::vector<Form>& bounds) {
   const Integer most =
@@ -85,8 +90,8 @@ struct Bound {
 };
 
 /// In the plane, of an uncertain contact with this sign.
-void add_planar(const Row& row, int sign, bool mixed, const Form& y, const Rational& scale,
-                Bound& bound) {
+void add_edges(const Row& row, int sign, bool mixed, const Form& y, const Rational& scale,
+               Bound& bound) {
   Bend bend{scale * row.weight / static_cast<unsigned>(row.pulls[0].size()), {}, mixed};
   const std::size_t ends[]{sign < 0 ? 2U : 0U, sign > 0 ? 1U : 3U};
   for (const std::size_t s : ends) {
@@ -213,8 +218,9 @@ Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, 
   return *alpha;
 }
 
-/// g. It grows with every alpha_i; with `rounded` each is replaced by something shorter that is
-/// not smaller, so that nothing is as good as it stands.
+/// g. It grows with every alpha_i but those of springs, whose v may be below 0; with `rounded`
+/// each that it grows with is replaced by something shorter that is not smaller, so that
+/// nothing is as good as it stands.
 Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bool rounded) {
   const std::size_t dimension = box.dimension();
   Rational scale;
@@ -231,22 +237,23 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
   work.assign(work.size(), 0);
   for (std::size_t i = 0; i < box.size(); ++i) {
     const Row& row = box.row(i);
-    const int v_side = side(region, row.v);
+    const bool spring = is_spring(box.contact(i).sight);
+    const int v_side = spring ? 1 : side(region, row.v);
     if (v_side < 0) continue;  // max(0, v_i) = 0
-    if (dimension == kPlanar && !row.certain) {
+    if (row.has_edges() && !row.certain) {
       bool barred = false;
       const int slip = side(region, row.tau, &barred);
-      add_planar(row, barred ? slip : 0, v_side == 0, y, scale, bound);
+      add_edges(row, barred ? slip : 0, v_side == 0, y, scale, bound);
       continue;
     }
-    const Rational alpha = dimension == kPlanar ? planar_alpha(row, region, y, scale)
-                                                : spatial_alpha(box, i, region, y, scale);
+    const Rational alpha = row.has_edges() ? planar_alpha(row, region, y, scale)
+                                           : spatial_alpha(box, i, region, y, scale);
     if (!row.certain) {
       add_spatial(row, alpha, v_side == 0, bound);
       continue;
     }
     const Rational exact = alpha * row.weight;
-    const Rational factor = rounded ? short_above(exact) : exact;
+    const Rational factor = rounded && !spring ? short_above(exact) : exact;
     if (v_side > 0) {
       for (std::size_t j = 0; j < row.v[0].size(); ++j) work[j] = factor * row.v[0][j];
       terms.add(work);

@@ -36,27 +36,31 @@ int exit_code_of(const Answer& answer) {
 const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
 
-Checks a proof that a frictional grasp, in the plane or in space, is stable, or unstable, under
-a wrench; or, with a direction, a proof of which multiples of the direction it resists; or, with
-a plane, a proof of which wrenches of the plane it resists.
-GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
+Checks a proof that a frictional grasp, in the plane or in space, of one body or of several that
+links and joints hold, is stable, or unstable, under a wrench; or, with a direction, a proof of
+which multiples of the direction it resists; or, with a plane, a proof of which wrenches of the
+plane it resists.
+GRASP is the grasp file (version 1, 2, or of several bodies 3), CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
 rebuilds every contact row and recomputes every bound; no rounding decides anything.
 
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque; in space
-                           WX,WY,WZ,TX,TY,TZ: force x, y, z and torque x, y, z
+                           WX,WY,WZ,TX,TY,TZ: force x, y, z and torque x, y, z; of several
+                           bodies these of each that is no link, in their order, then a number
+                           for each joint (the answer says of what each is), as is --direction
   --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
-  --preload P              one preload for all contacts
+  --preload P              one preload for all contacts (not for ratchets and springs)
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
                            stable under wrench + f direction, where the wrench is 0 unless
                            given by --wrench or --case; in space WX,WY,WZ,TX,TY,TZ
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
-                           each contact, which f times is added to its preload; or the word
-                           scale: f times the preloads, that is, which multiples of them hold
+                           each contact (of several bodies then one for each ratchet and each
+                           spring), which f times is added to its preload; or the word scale:
+                           f times the preloads, that is, which multiples of them hold
   --plane UX,UY,UT,VX,VY,VT
                            ask for the region: all (s, t) for which the (planar) grasp is stable
                            under wrench + s U + t V, where the wrench is 0 unless given by
@@ -83,8 +87,8 @@ Numbers are exact: 1, -0.25, 1e-3, 3/5.
 
 Answers and exit codes:
   accepted   0   the certificate proves the verdict about the question that is printed;
-                 of a margin, that exactly the factors printed as "resisted" are; in space,
-                 that those are, that those printed as "refuted" are not, and nothing of others;
+                 of a margin, that exactly the factors printed as "resisted" are; in space or
+                 of several bodies, that those are, that those printed as "refuted" are not, and nothing of others;
                  of a region, that exactly the (s, t) in the certificate's pieces are
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error; of a

@@ -112,16 +112,33 @@ std::string json_question(const Question& question) {
          (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") + "}";
 }
 
+/// How many there are; of several bodies, which elements, and the coordinates of their motion.
+std::string contacts_of(const Question& question) {
+  const std::size_t m = question.contacts.size();
+  if (!question.several) return std::to_string(m);
+  std::size_t kinds[3]{};
+  for (std::size_t i = 0; i < m; ++i) {
+    const Sight sight = question.contacts[i].sight;
+    ++kinds[is_contact(sight) ? 0 : is_spring(sight) ? 2 : 1];
+  }
+  std::string text = std::to_string(kinds[0]) + "; ratchets: " + std::to_string(kinds[1]) +
+                     "; springs: " + std::to_string(kinds[2]) + "\ncoordinates ";
+  for (const std::string& name : question.several->coordinates) {
+    text += (text.back() == ' ' ? "" : ", ") + printable(name);
+  }
+  return text;
+}
+
 std::string text_of(const Accepted& a) {
   const Options& asked = a.question.asked;
   const auto& growth = asked.preload_direction;
   const bool margin = a.verdict == "margin";
-  const bool in_space = a.question.dimension() == kSpatial;
+  const bool in_ranges = margin && a.question.claims();
   const auto list_or = [](const std::string& listed, const char* none) {
     return listed.empty() ? none : listed;
   };
   std::string text = "accepted\n";
-  if (margin && in_space) {
+  if (in_ranges) {
     text += "resisted    " + list_or(in_words(a.resisted), "none claimed") + "\nrefuted     " +
             list_or(in_words(a.refuted), "none claimed") + "\nelsewhere   nothing is claimed";
   } else if (margin) {
@@ -134,7 +151,7 @@ std::string text_of(const Accepted& a) {
     text += "verdict     " + a.verdict;
     if (a.question.is_box) text += ", for every grasp in the box";
   }
-  text += "\ncontacts    " + std::to_string(a.question.contacts.size());
+  text += "\ncontacts    " + contacts_of(a.question);
   text += "\nwrench      " + text_of(a.question.wrench);
   if (asked.direction) text += "\ndirection   " + list(*asked.direction, "(", ")", false);
   if (asked.plane) {
@@ -152,7 +169,7 @@ std::string text_of(const Accepted& a) {
   text += "\nproof       ";
   const std::string tree =
       std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves";
-  if (margin && in_space) {
+  if (in_ranges) {
     text += "intervals by degree: " + std::to_string(a.parts) +
             (a.rests > 0 ? ", at rest: " + std::to_string(a.rests) : "") +
             ", refuted: " + std::to_string(a.trees) + "; trees of " + tree;
@@ -228,7 +245,7 @@ std::string as_json(const Answer& answer) {
          R"(, "nodes": )" + number(tree, tree ? a->nodes : 0) + R"(, "leaves": )" +
          number(tree, tree ? a->leaves : 0) + R"(, "resisted": )" +
          (margin ? json_intervals(a->resisted) : "null") + R"(, "refuted": )" +
-         (margin && a->question.dimension() == kSpatial ? json_ranges(a->refuted) : "null") +
+         (margin && a->question.claims() ? json_ranges(a->refuted) : "null") +
          R"(, "question": )" + (a != nullptr ? json_question(a->question) : "null") +
          (region ? R"(, "pieces": )" + std::to_string(a->pieces) : "") + "}\n";
 }

@@ -13,17 +13,23 @@ namespace {
   throw Malformed{"the question", part, problem};
 }
 
-/// FORMAT.md §7: as many numbers as the grasp has.
+/// FORMAT.md §7 and §14: as many numbers as the grasp has.
 void check_dimension(const Grasp& grasp, const Options& options) {
   const auto check = [&](const std::optional<Vector>& vector, const char* part) {
     if (!vector || vector->size() == grasp.dimension()) return;
     refuse(part, "found " + std::to_string(vector->size()) + " numbers, expected " +
-                     std::to_string(grasp.dimension()) + ", as the grasp is " +
-                     (grasp.dimension() == kSpatial ? "in space" : "planar"));
+                     std::to_string(grasp.dimension()) +
+                     (grasp.several      ? ", one for each coordinate of its bodies and joints"
+                      : grasp.in_space() ? ", as the grasp is in space"
+                                         : ", as the grasp is planar"));
   };
   check(options.wrench, "wrench");
   check(options.direction, "direction");
-  if (options.plane && grasp.dimension() == kSpatial) {
+  if (grasp.several && (options.plane || options.inertia)) {
+    refuse(options.plane ? "plane" : "inertia",
+           "the grasp is of several bodies; expected a question about a wrench or a direction");
+  }
+  if (options.plane && grasp.in_space()) {
     refuse("plane", "the grasp is in space; a region is about a planar grasp");
   }
 }
@@ -41,7 +47,8 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
     refuse("case", "the grasp has no case " + quote(*options.case_name));
   }
   if (options.direction || options.plane) return Wrench(grasp.dimension());
-  if (!grasp.cases.empty()) {
+  const bool may_be_none = grasp.several && grasp.several->has_loads;
+  if (!grasp.cases.empty() && !may_be_none) {
     refuse("case", "the grasp has " + std::to_string(grasp.cases.size()) +
                        " cases, and none is chosen; expected the name of one, such as " +
                        quote(grasp.cases.begin()->first));
@@ -74,7 +81,7 @@ void check_inertia(const Grasp& grasp, const Options& options) {
   if (options.margin() || options.plane) {
     refuse("inertia", "a direction or a plane is given as well; expected one of them");
   }
-  const bool in_space = grasp.dimension() == kSpatial;
+  const bool in_space = grasp.in_space();
   if (m.size() != (in_space ? 9 : 3)) {
     refuse("inertia", in_space ? "the grasp is in space; expected 6 or 9 numbers"
                                : "the grasp is in the plane; expected 3 numbers");
@@ -93,10 +100,6 @@ void check_inertia(const Grasp& grasp, const Options& options) {
   }
 }
 
-bool below_zero(const Rational& x) {
-  return x < 0;
-}
-
 /// The numbers of each kind, widened.
 void widen(Bounds& bounds, const Tolerance& tolerance) {
   const auto by = [&](const Rational& end) {
@@ -106,9 +109,10 @@ void widen(Bounds& bounds, const Tolerance& tolerance) {
 }
 
 void widen(Contact& contact, const std::string& kind, const Tolerance& tolerance) {
-  if (kind == "friction") widen(contact.friction, tolerance);
   if (kind == "stiffness") widen(contact.stiffness, tolerance);
   if (kind == "preload") widen(contact.preload, tolerance);
+  if (!is_contact(contact.sight)) return;
+  if (kind == "friction") widen(contact.friction, tolerance);
   if (kind == "normal") contact.slope += tolerance.size;
   if (kind != "position") return;
   for (Bounds& p : contact.position) widen(p, tolerance);
@@ -136,7 +140,7 @@ void apply_uncertain(Question& question, Contacts& contacts) {
   for (std::size_t i = 0; i < contacts.size() && (asked.preload || !asked.uncertain.empty());
        ++i) {
     Contact contact = contacts[i];
-    if (asked.preload) contact.preload = *asked.preload;
+    if (asked.preload && is_contact(contact.sight)) contact.preload = *asked.preload;
     for (const auto& [kind, tolerance] : asked.uncertain) widen(contact, kind, tolerance);
     contacts.set(i, contact);
   }
@@ -155,17 +159,20 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
   };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact contact = contacts[i];
-    const auto place = [i](const char* name) {
-      return "contacts[" + std::to_string(i) + "]." + name;
+    const auto place = [i, &sight = contact.sight](const std::string& name) {
+      if (is_contact(sight)) return "contacts[" + std::to_string(i) + "]." + name;
+      return sight->place + "." + (name == "preload" ? sight->preload : name);
     };
     const auto require = [&](bool good, const char* name, const Rational& found,
                              const char* expected) {
       if (good) return;
       throw Malformed{file, place(name), "it may be " + show(found) + ", expected " + expected};
     };
+    const bool spring = is_spring(contact.sight);
     require(contact.friction.low >= 0, "friction", contact.friction.low, "0 or more");
-    require(contact.preload.low >= 0, "preload", contact.preload.low, "0 or more");
-    require(contact.stiffness.low > 0, "stiffness", contact.stiffness.low, "above 0");
+    require(contact.preload.low >= 0 || spring, "preload", contact.preload.low, "0 or more");
+    require(contact.stiffness.low > 0 || (spring && contact.stiffness.low == 0), "stiffness",
+            contact.stiffness.low, spring ? "0 or more" : "above 0");
     require(contact.slope < 1, "normal.slope", contact.slope, "a slope below 1");
     check(contact.friction, [&] { return place("friction"); });
     check(contact.preload, [&] { return place("preload"); });
@@ -175,9 +182,10 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
       check(Bounds(-contact.slope, contact.slope), [&] { return place("normal.slope"); });
     }
     const bool loaded = contact.preload.high != 0 || (!growth.empty() && growth[i] != 0);
-    if (!loaded || exact_sqrt(dot(contact.normal, contact.normal))) continue;
+    const bool has_length = is_contact(contact.sight);
+    if (!loaded || !has_length || exact_sqrt(dot(contact.normal, contact.normal))) continue;
     question.is_box = true;
-    if (question.asked.family() && question.dimension() == kPlanar) {
+    if (question.asked.family() && !question.claims()) {
       throw Malformed{
           file, place("normal"),
           "the contact has a preload and a normal of irrational length, so there is "
@@ -188,11 +196,13 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
 }
 
 ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bits) {
-  const Rational square = dot(contact.normal, contact.normal);
+  const bool has_length = is_contact(contact.sight);
+  const Rational square = has_length ? dot(contact.normal, contact.normal) : Rational(1);
   const Rational turned = contact.slope * contact.slope;
   const bool loaded = contact.preload.high != 0 || growth != 0;
   const Bounds inverse = loaded ? root_bounds(Rational(1 / square), bits) : Bounds(1);
   ContactBox box;
+  box.sight = contact.sight;
   box.normal = contact.normal;
   const auto set = [&box](Parameter name, std::size_t after, Bounds bounds) {
     box.bounds[static_cast<std::size_t>(name) + after] = std::move(bounds);
@@ -225,6 +235,8 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   check_inertia(grasp, options);
   Question question;
   question.asked = options;
+  question.several = grasp.several;
+  question.in_space = grasp.in_space();
   if (options.preload && *options.preload < 0) {
     refuse("preload", "found " + show(*options.preload) + ", expected 0 or more");
   }
@@ -234,9 +246,15 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   Vector growth;
   if (options.preload_direction && !scaled) {
     growth = options.preload_direction->values;
-    if (growth.size() != m || std::any_of(growth.begin(), growth.end(), below_zero)) {
-      refuse("preload direction", "found " + show(growth) + ", expected " + std::to_string(m) +
-                                      " numbers of 0 or more, one for each contact");
+    bool good = growth.size() == m;
+    for (std::size_t i = 0; good && i < m; ++i) {
+      good = growth[i] >= 0 || is_spring(contacts[i].sight);
+    }
+    if (!good) {
+      refuse("preload direction",
+             "found " + show(growth) + ", expected " + std::to_string(m) +
+                 " numbers of 0 or more, one for each contact" +
+                 (grasp.several ? ", then ratchet, then spring, of which any number" : ""));
     }
   }
   check_uncertain(question, contacts, growth, file);

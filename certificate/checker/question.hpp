@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The question (FORMAT.md §1 and §6): what the grasp file says, what whoever asks replaces,
-/// and the box that follows from it. The certificate plays no part here.
+/// The question (FORMAT.md §1, §6 and §14): what the grasp file says, what whoever asks
+/// replaces, and the box that follows from it. The certificate plays no part here.
 ///
 /// A *point* x = (d, h, l) is a motion d with two more coordinates, h = 1 and l = lambda. All
 /// conditions are homogeneous in it; a point of a verdict has l = 0. A point of a region is
@@ -38,7 +38,7 @@ struct Tolerance {
   }
 };
 
-/// How the preloads grow: by these numbers, one for each contact, or in proportion to
+/// How the preloads grow: by these numbers, one for each element, or in proportion to
 /// themselves.
 struct PreloadDirection {
   bool scale = false;
@@ -52,7 +52,7 @@ struct PreloadDirection {
 /// What whoever asks may choose. Unset members leave the grasp file's own values.
 struct Options {
   std::optional<Vector> wrench;
-  std::optional<Rational> preload;  ///< for all contacts, >= 0
+  std::optional<Rational> preload;  ///< for all contacts, >= 0; not for other elements
   bool bilateral = false;           ///< the normal law
   std::optional<Vector> direction;  ///< of wrenches
   std::optional<PreloadDirection> preload_direction;
@@ -85,6 +85,8 @@ class Fixed {
 
 struct Question {
   Options asked;
+  std::optional<Bodies> several;
+  bool in_space = false;
   Fixed<Contacts> contacts;        ///< with what was replaced and widened
   Wrench wrench;                   ///< w, before it was widened
   Wrench widened;                  ///< w
@@ -94,6 +96,8 @@ struct Question {
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 
   std::size_t dimension() const { return wrench.size(); }
+  /// Whether a margin would be a list of claims (FORMAT.md §7), not all that is resisted (§5).
+  bool claims() const { return in_space || several; }
 };
 
 /// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "work.hpp"
+
 namespace stickslip_check {
 namespace {
 
@@ -23,13 +25,15 @@ using Friction = std::map<std::size_t, std::vector<Vector>>;
 void take(const RestProof::Forces& list, std::size_t first, const Box& box,
           const std::string& place, Friction& friction) {
   const char* const rule = "rest-share";
-  const std::size_t numbers = box.dimension() == kSpatial ? 3 : 1;
   Integer above = -1;
   for (const auto& [contact, forces] : list) {
     if (contact <= above)
       break_rule(rule, place, contact_name(contact) + "not above the one before");
-    if (contact >= box.size()) break_rule(rule, place, contact_name(contact) + "there is none");
     const std::size_t i = contact.get_ui();
+    if (contact >= box.size() || !is_contact(box.contact(i).sight)) {
+      break_rule(rule, place, contact_name(contact) + "there is none");
+    }
+    const std::size_t numbers = forces[0].size();
     for (const Vector& f : forces) {
       if (numbers == 3 && dot(f, box.contact(i).normal) != 0) {
         break_rule(rule, place, contact_name(contact) + show(f) + " is not across its normal");
@@ -54,6 +58,7 @@ std::vector<Bounds> wrenches_of(const Row& row, const Bounds& preload,
                                 const std::vector<Vector>* friction) {
   const std::size_t dimension = row.normals[0].size();
   std::vector<Bounds> result;
+  spend(2 * kStepsOfRational * dimension * (dimension + 1) * row.normals.size());
   for (std::size_t l = 0; l <= dimension; ++l) {
     for (std::size_t k = 0; k < dimension; ++k) {
       Vector values;
@@ -94,7 +99,7 @@ Vector largest_left(const Box& box, const Rational& multiple, const Friction& fr
     const auto contact = box.passing(i);
     const auto stated = friction.find(i);
     const Bounds preload = preload_of(contact->box, multiple);
-    if (preload.high == 0 && stated == friction.end()) continue;
+    if (preload == Bounds(0) && stated == friction.end()) continue;
     const auto bounds = wrenches_of(contact->row, preload,
                                     stated == friction.end() ? nullptr : &stated->second);
     Vector entry(2 * entries);
@@ -127,9 +132,9 @@ void check_reach(const Vector& left, const Vector& reach, const std::string& pla
 void check_cones(const Box& box, const Rational& multiple, const Friction& friction,
                  const Vector& reach, const std::string& place) {
   constexpr unsigned kRootBits = 64;
-  const bool in_space = box.dimension() == kSpatial;
   for (const auto& [i, forces] : friction) {
     const ContactBox& contact = box.contact(i);
+    const bool in_space = forces[0].size() == 3;
     Rational most = contact[Parameter::kFriction].low * preload_of(contact, multiple).low;
     if (in_space) most *= root_bounds(dot(contact.normal, contact.normal), kRootBits).low;
     Rational needed;

@@ -224,7 +224,8 @@ std::shared_ptr<const BoxDoubles> make_doubles(const Box& box) {
   auto result = std::make_shared<BoxDoubles>();
   result->rows.reserve(box.size());
   for (std::size_t i = 0; i < box.size(); ++i) {
-    const auto doubles = in_doubles(box.passing(i)->row);
+    const auto contact = box.passing(i);
+    const auto doubles = contact->box.sight ? std::nullopt : in_doubles(contact->row);
     if (!doubles) return nullptr;
     result->rows.push_back(*doubles);
   }

@@ -61,8 +61,8 @@ struct BoxDoubles {
   std::array<double, kPlanar> growth;  ///< u
 };
 
-/// Nothing for a box that is more than a point or in space, for a plane of loads, or where
-/// numbers differ too much in size.
+/// Nothing for a box that is more than a point or in space, for a plane of loads, for several
+/// bodies, or where numbers differ too much in size.
 std::shared_ptr<const BoxDoubles> make_doubles(const Box& box);
 
 /// For sums of many terms. More than doubles where the machine has it, which is asked of the

@@ -12,11 +12,6 @@ namespace {
 constexpr std::size_t kMoreDepth = 256;  // FORMAT.md `node-depth`
 constexpr std::size_t kSettleEvery = 4;
 
-/// A v_i or tau_i that a node splits, up to a positive factor.
-const Form* certain_one(const std::vector<Form>& corners) {
-  return corners.size() == 1 ? &corners[0] : nullptr;
-}
-
 }  // namespace
 
 std::size_t most_depth(const Box& box) {
@@ -134,7 +129,9 @@ TreeWalk::Region TreeWalk::begin(const Root& root) {
     region.cone = cut_by_normal_law(region.cone, *root.box, *doubles_);
   } else if (root.bilateral) {
     for (std::size_t i = 0; i < root.box->size(); ++i) {
-      if (const Form* v = certain_one(root.box->row(i).v)) region.cone = region.cone.cut(*v);
+      const Row& row = root.box->row(i);
+      const bool may_open = !is_spring(root.box->contact(i).sight);
+      if (may_open && row.v_certain) region.cone = region.cone.cut(row.v[0]);
     }
   }
   return region;
@@ -233,21 +230,25 @@ void TreeWalk::push(const Node& node, Region region) {
                                           ", but the grasp has " + std::to_string(box.size()));
     }
     const Row& row = box.row(node.contact.get_ui());
+    const Sight& sight = box.contact(node.contact.get_ui()).sight;
     const bool slip = node.kind == NodeKind::kSlip;
-    const bool in_space = box.dimension() == kSpatial;
-    const Form* cut = certain_one(slip ? row.tau : row.v);
-    if (slip && in_space ? row.slips.size() != 1 : cut == nullptr) {
+    if (slip ? !is_contact(sight) : is_spring(sight)) {
+      throw rejection("node-contact", node.contact.get_str() + " is " +
+                                          (is_spring(sight) ? "a spring" : "a ratchet") +
+                                          ", which does not " + (slip ? "slip" : "open"));
+    }
+    if (slip ? !row.slip_certain : !row.v_certain) {
       throw rejection("node-certain", (slip ? "T of contact " : "v of contact ") +
                                           node.contact.get_str() + " is uncertain");
     }
-    if (slip && in_space) {
+    if (slip && !row.has_edges()) {
       // n.s = 0, so where n_j is not 0 the other two components are enough.
       const Vector& n = box.contact(node.contact.get_ui()).normal;
       const auto j = std::find_if(n.begin(), n.end(), [](const Rational& c) { return c != 0; });
       frame.slip = row.slips[0];
       frame.slip.erase(frame.slip.begin() + (j - n.begin()));
     } else {
-      frame.cut = *cut;
+      frame.cut = slip ? row.tau[0] : row.v[0];
       if (slip) frame.children = 3;
     }
   }

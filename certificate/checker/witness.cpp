@@ -51,7 +51,8 @@ void take_shares(const Box& box, const Witness& witness, std::vector<ContactForc
       if (!good) reject("witness-share", name_of(i) + found);
     };
     require(contact > above, "not above the one before");
-    require(contact < forces.size(), "there is none");
+    require(contact < forces.size() && is_contact(box.contact(contact.get_ui()).sight),
+            "there is none");
     ContactForce& force = forces[contact.get_ui()];
     require(!force.slips(), "it slips");
     const Vector& normal = box.contact(contact.get_ui()).normal;
@@ -122,9 +123,10 @@ Vector ForceSum::total(const Box& box, const Form& x, const std::vector<ContactF
     const auto& [v, slip, share] = forces[i];
     const Row& row = box.row(i);
     const Rational& friction = box.contact(i)[Parameter::kFriction].low;
+    const bool acts = v > 0 || is_spring(box.contact(i).sight);
     std::optional<int> held;
-    if (v > 0 && share.size() == 1 && share[0].get_den() == 1) held = sgn(share[0]);
-    if (v > 0 && !held) {
+    if (acts && share.size() == 1 && share[0].get_den() == 1) held = sgn(share[0]);
+    if (acts && !held) {
       wrenches.add(wrench_of(row, friction, share, row.v_scale * row.scale * v));
     }
     if (v == 0 || held == held_[i]) continue;
@@ -162,7 +164,8 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
   std::vector<ContactForce> forces = motion_of(box, x);
   take_shares(box, witness, forces);
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    if (question.asked.bilateral && forces[i].v < 0) {
+    const bool opens = forces[i].v < 0 && !is_spring(box.contact(i).sight);
+    if (question.asked.bilateral && opens) {
       reject("witness-normal", name_of(i) + "v is below 0");
     }
   }
@@ -185,8 +188,10 @@ std::optional<std::string> mode_refusal(const Question& question,
   for (std::size_t i = 0; i < question.box->size(); ++i) {
     const ContactForce& p = first[i];
     const ContactForce& q = second[i];
-    if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
-    const Rational& friction = question.box->contact(i)[Parameter::kFriction].high;
+    const ContactBox& contact = question.box->contact(i);
+    const bool opens = opposite(p.v, q.v) && !is_spring(contact.sight);
+    if (opens) return name_of(i) + "v has opposite signs";
+    const Rational& friction = contact[Parameter::kFriction].high;
     if (friction == 0 || (p.v <= 0 && q.v <= 0)) continue;
     if (p.slip.size() == 1) {  // the same in the plane, where a direction is a sign
       if (opposite(p.slip[0], q.slip[0])) return name_of(i) + slips;
@@ -201,7 +206,7 @@ std::optional<std::string> mode_refusal(const Question& question,
     }
     Vector slip;
     for (std::size_t k = 0; k < p.slip.size(); ++k) slip.emplace_back(p.slip[k] + q.slip[k]);
-    const Rational largest = longest_square(question.box->contact(i)) * dot(slip, slip);
+    const Rational largest = longest_square(contact) * dot(slip, slip);
     for (const ContactForce* end : {&p, &q}) {
       if (end->v > 0 && !is_largest(-dot(end->share, slip), largest)) {
         return name_of(i) + shares;

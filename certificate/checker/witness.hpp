@@ -27,8 +27,8 @@ struct Witness {
 /// each up to one of its own.
 struct ContactForce {
   Integer v;
-  Form slip;     ///< T_i.d, or in space S_i d
-  Vector share;  ///< friction over mu a, of which a = max(0, v)
+  Form slip;     ///< T_i.d, or in space S_i d; 0 of what is no contact
+  Vector share;  ///< friction over mu a, of which a = max(0, v), and v of a spring
 
   bool slips() const { return sign_of_dot(slip, slip) != 0; }
 };

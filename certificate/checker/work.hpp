@@ -25,6 +25,9 @@ void note_byte();
 /// Throws NotJudged beyond the limit, if there is one.
 void spend(std::uint64_t steps);
 
+/// Of a product or a sum of two short rationals.
+inline constexpr std::uint64_t kStepsOfRational = 20;
+
 /// The words of its longest coordinate, 1 or more: products cost those of one factor times
 /// those of the other.
 std::uint64_t words(const Form& x);

@@ -128,6 +128,33 @@ TEST(Hostile, MoreWorkThanTheFilesAllow) {
             "tree-short");
 }
 
+/// The walls of a parallelepiped in 30 coordinates have 2^29 vertices each.
+TEST(Hostile, ManyCoordinates) {
+  constexpr std::size_t kMany = 30;
+  std::string bodies;
+  std::string joints;
+  std::string zeros;
+  std::string unit;
+  for (std::size_t i = 0; i < kMany; ++i) {
+    const std::string comma = i == 0 ? "" : ", ";
+    const std::string name = "\"l" + std::to_string(i) + "\"";
+    bodies += comma + "{\"name\": " + name + ", \"slide\": [0, 1]}";
+    joints += comma + "{\"turns\": {" + name + ": 1}, \"stiffness\": 1}";
+    zeros += comma + "0";
+    unit += comma + "[";
+    for (std::size_t j = 0; j < kMany; ++j)
+      unit += (j == 0 ? "" : ", ") + std::to_string(i == j);
+    unit += "]";
+  }
+  const std::string grasp = R"({"format": "stickslip-grasp/3", "contacts": [], "bodies": [)" +
+                            bodies + "], \"joints\": [" + joints + "]}";
+  const Answer answer =
+      ask(grasp, header(kMany, zeros) + R"("verdict": "stable", "parts": [{"twist": [)" +
+                     zeros + "], \"walls\": [" + unit + "], \"direction\": [" + unit +
+                     "], \"tree\": [[\"leaf\", " + zeros + "]]}]}");
+  EXPECT_EQ(outcome(answer), "not judged") << explain(answer);
+}
+
 TEST(Hostile, StreamsThatFail) {
   std::istringstream grasp(fig1("0", "0, 1, 0"));
   std::istream broken(nullptr);

@@ -4,6 +4,8 @@
 /// conditions: the twin that TreeWalk is compared with.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -18,13 +20,16 @@ namespace stickslip_check {
 
 constexpr std::size_t kN = kPlanar + 2;
 
-/// FORMAT.md §1, of a contact without uncertainty.
+/// FORMAT.md §1, of a contact without uncertainty; of what is none, T is 0.
 struct NaiveRow {
   Vector normal;   ///< N
   Vector tangent;  ///< T
   Rational friction;
   Vector v;
+  bool slips = true;
+  bool spring = false;
 
+  NaiveRow() = default;
   explicit NaiveRow(const ContactBox& c) : friction(c[Parameter::kFriction].low) {
     const Rational& px = c[Parameter::kX].low;
     const Rational& py = c[Parameter::kY].low;
@@ -45,20 +50,26 @@ struct NaiveQuestion {
     for (const Bounds& w : question.box->wrench) wrench.push_back(w.low);
   }
 
+  NaiveQuestion(Question asked, Range of, std::vector<NaiveRow> naive)
+      : question(std::move(asked)), range(std::move(of)), rows(std::move(naive)) {
+    for (const Bounds& w : question.box->wrench) wrench.push_back(w.low);
+  }
+
   Question question;
   Range range;
   std::vector<NaiveRow> rows;
   Vector wrench;
 
   std::size_t size() const { return rows.size(); }
+  std::size_t n() const { return wrench.size() + 2; }
   Vector v(std::size_t i) const { return rows[i].v; }
   Vector tau(std::size_t i) const {
     Vector tau = rows[i].tangent;
-    tau.resize(kN);
+    tau.resize(n());
     return tau;
   }
   Rational power(const Vector& y, const Vector& x) const {
-    return x[3] * dot(y, wrench) + x[4] * dot(y, question.growth);
+    return x[n() - 2] * dot(y, wrench) + x[n() - 1] * dot(y, question.growth);
   }
 };
 
@@ -68,15 +79,23 @@ struct NaiveRegion {
   std::vector<Vector> strict;
 
   static NaiveRegion root(const NaiveQuestion& q) {
-    NaiveRegion region{&q, Cone(kN), {}};
+    NaiveRegion region{&q, Cone(q.n()), {}};
     const auto cut = [&](const Vector& a, bool strictly) {
       region.cone = region.cone.cut(make_form(a));
       if (strictly) region.strict.push_back(a);
     };
-    cut({0, 0, 0, 1, 0}, true);
-    cut({0, 0, 0, Rational(-q.range.low), 1}, q.range.open_low);
-    if (q.range.high) cut({0, 0, 0, *q.range.high, -1}, q.range.open_high);
-    for (std::size_t i = 0; q.question.asked.bilateral && i < q.size(); ++i) cut(q.v(i), false);
+    const auto of_h_and_l = [&](const Rational& h, const Rational& l) {
+      Vector a(q.n());
+      a[q.n() - 2] = h;
+      a[q.n() - 1] = l;
+      return a;
+    };
+    cut(of_h_and_l(1, 0), true);
+    cut(of_h_and_l(-q.range.low, 1), q.range.open_low);
+    if (q.range.high) cut(of_h_and_l(*q.range.high, -1), q.range.open_high);
+    for (std::size_t i = 0; q.question.asked.bilateral && i < q.size(); ++i) {
+      if (!q.rows[i].spring) cut(q.v(i), false);
+    }
     return region;
   }
 
@@ -139,8 +158,9 @@ struct NaiveRegion {
       const Rational minus = dot(y, row.normal) + row.friction * dot(y, row.tangent);
       const char s = sign(i);
       const Rational alpha = s == '+' ? plus : (s == '-' ? minus : std::max(plus, minus));
-      const bool closed = std::all_of(all.begin(), all.end(),
-                                      [&](const Vector& r) { return dot(row.v, r) >= 0; });
+      const bool closed =
+          row.spring || std::all_of(all.begin(), all.end(),
+                                    [&](const Vector& r) { return dot(row.v, r) >= 0; });
       for (std::size_t k = 0; k < all.size(); ++k) {
         const Rational at = dot(row.v, all[k]);
         const Rational zero = 0;
@@ -161,6 +181,71 @@ struct NaiveRegion {
 inline TreeWalk walk_of(const NaiveQuestion& q) {
   return TreeWalk(roots_of(q.question, {q.range}));
 }
+
+inline Node random_leaf(Random& random, std::size_t dimension) {
+  Node node;
+  for (std::size_t j = 0; j < dimension; ++j) node.numbers.emplace_back(between(random, -2, 2));
+  if (between(random, 0, 4) == 0) node.numbers.assign(dimension, 0);
+  return node;
+}
+
+inline Node random_split(Random& random, const NaiveQuestion& q) {
+  const int m = static_cast<int>(q.size());
+  const int kind = between(random, 0, 4);
+  Node node;
+  if (kind == 0 || m == 0) {
+    node.kind = NodeKind::kPlane;
+    for (std::size_t j = 0; j < q.n(); ++j) node.numbers.emplace_back(between(random, -1, 1));
+    return node;
+  }
+  node.kind = kind <= 2 ? NodeKind::kSlip : NodeKind::kSeparation;
+  node.contact = between(random, 0, m - 1);
+  const NaiveRow& row = q.rows[node.contact.get_ui()];
+  if (node.kind == NodeKind::kSlip ? !row.slips : row.spring) return random_split(random, q);
+  return node;
+}
+
+inline std::string rule_of(TreeWalk& walk, const Node& node) {
+  try {
+    walk.visit(node);
+    return "";
+  } catch (const Rejected& rejected) {
+    return rejected.rule;
+  }
+}
+
+/// Visits a random tree, asking for a random leaf wherever it ends.
+class RandomTree {
+ public:
+  RandomTree(Random& random, const NaiveQuestion& q)
+      : random_(random), q_(q), walk_(walk_of(q)) {
+    grow(NaiveRegion::root(q), 0);
+    EXPECT_NO_THROW(walk_.finish());
+  }
+
+  std::size_t accepted = 0;
+  std::size_t rejected = 0;
+
+ private:
+  void grow(const NaiveRegion& region, int depth) {
+    if (depth < 6 && between(random_, 0, 5) != 0) {
+      const Node node = random_split(random_, q_);
+      EXPECT_EQ(rule_of(walk_, node), "");
+      for (unsigned k = 0; k < (node.kind == NodeKind::kSlip ? 3U : 2U); ++k) {
+        grow(region.child(node, k), depth + 1);
+      }
+      return;
+    }
+    const Node node = random_leaf(random_, q_.n() - 2);
+    const bool holds = region.leaf_holds(node.numbers);
+    EXPECT_EQ(rule_of(walk_, node), holds ? "" : "leaf-bound");
+    ++(holds ? accepted : rejected);
+  }
+
+  Random& random_;
+  const NaiveQuestion& q_;
+  TreeWalk walk_;
+};
 
 /// A small random contact: degenerate cases are frequent.
 inline Contact random_contact(Random& random) {

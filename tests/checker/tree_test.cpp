@@ -38,69 +38,6 @@ NaiveQuestion random_question(Random& random, int max_contacts) {
   return NaiveQuestion(pose(grasp, options, ""), range);
 }
 
-Node leaf(Random& random) {
-  Node node;
-  for (int j = 0; j < 3; ++j) node.numbers.emplace_back(between(random, -2, 2));
-  if (between(random, 0, 4) == 0) node.numbers.assign(3, 0);
-  return node;
-}
-
-Node random_split(Random& random, const NaiveQuestion& q) {
-  const int m = static_cast<int>(q.size());
-  const int kind = between(random, 0, 4);
-  Node node;
-  if (kind == 0 || m == 0) {
-    node.kind = NodeKind::kPlane;
-    for (std::size_t j = 0; j < kN; ++j) node.numbers.emplace_back(between(random, -1, 1));
-    return node;
-  }
-  node.kind = kind <= 2 ? NodeKind::kSlip : NodeKind::kSeparation;
-  node.contact = between(random, 0, m - 1);
-  return node;
-}
-
-std::string rule_of(TreeWalk& walk, const Node& node) {
-  try {
-    walk.visit(node);
-    return "";
-  } catch (const Rejected& rejected) {
-    return rejected.rule;
-  }
-}
-
-/// Visits a random tree, asking for a random leaf wherever it ends.
-class RandomTree {
- public:
-  RandomTree(Random& random, const NaiveQuestion& q)
-      : random_(random), q_(q), walk_(walk_of(q)) {
-    grow(NaiveRegion::root(q), 0);
-    EXPECT_NO_THROW(walk_.finish());
-  }
-
-  std::size_t accepted = 0;
-  std::size_t rejected = 0;
-
- private:
-  void grow(const NaiveRegion& region, int depth) {
-    if (depth < 6 && between(random_, 0, 5) != 0) {
-      const Node node = random_split(random_, q_);
-      EXPECT_EQ(rule_of(walk_, node), "");
-      for (unsigned k = 0; k < (node.kind == NodeKind::kSlip ? 3U : 2U); ++k) {
-        grow(region.child(node, k), depth + 1);
-      }
-      return;
-    }
-    const Node node = leaf(random_);
-    const bool holds = region.leaf_holds(node.numbers);
-    EXPECT_EQ(rule_of(walk_, node), holds ? "" : "leaf-bound");
-    ++(holds ? accepted : rejected);
-  }
-
-  Random& random_;
-  const NaiveQuestion& q_;
-  TreeWalk walk_;
-};
-
 TEST(Tree, AgreesWithTheNaiveTwin) {
   Random random(4711);
   std::size_t accepted = 0;
@@ -151,7 +88,7 @@ TEST(Tree, WhatIsSettledIsInherited) {
       }
       ASSERT_EQ(both, directly.unsettled()) << "trial " << trial;
       for (int leaves = 0; leaves < 3; ++leaves) {
-        const Vector y = leaf(random).numbers;
+        const Vector y = random_leaf(random, kPlanar).numbers;
         const bool holds = !leaf_refusal(box, region, y);
         holding += holds ? 1 : 0;
         for (const Settled& settled : {inherited, directly}) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The C++ checker. An input is the options of its command line, separated by blanks, a line
 // feed, a grasp file, a NUL byte and a certificate. The checker answers, whatever it is given;
-// a refusal says why; what it prints is plain; and what is accepted is true: the engines, which
-// see no certificate, say the same; of a margin in space, about some of its multiples.
+// a refusal says why; what it prints is plain; and what is accepted of one body is true: the
+// engines, which see no certificate, say the same; of a margin in space, about some of its
+// multiples. (What is true of several bodies tests/checker and tests/rules know.)
 //
 // With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
 // together with the answer that it must give (tests/support/batch.py).
@@ -176,10 +177,10 @@ void run(const Input& input) {
   if (!arguments.help && !arguments.json) leave_for_python(input, answer);
   const auto* accepted = std::get_if<Accepted>(&answer);
   if (accepted == nullptr || accepted->question.contacts.size() > 6 ||
-      accepted->question.is_box) {
+      accepted->question.is_box || accepted->question.several) {
     return;
   }
-  if (accepted->question.dimension() == kSpatial) {
+  if (accepted->question.in_space) {
     expect_true_in_space(input, *accepted);
     return;
   }
@@ -214,7 +215,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem::path& corpus) {
   const std::string ending = ".grasp.json";
   std::vector<Seed> files = files_below(corpus / "certificates");
-  for (Seed& file : files_below(corpus / "space")) files.push_back(std::move(file));
+  for (const char* folder : {"space", "bodies"}) {
+    for (Seed& file : files_below(corpus / folder)) files.push_back(std::move(file));
+  }
   std::vector<Seed> result;
   for (const Seed& grasp : files) {
     if (grasp.name.find(ending) == std::string::npos) continue;
@@ -226,8 +229,9 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
       const std::string question =
           certificate.bytes.substr(0, certificate.bytes.find("\"verdict\""));
       const std::string direction = vector_in(question, "direction");
+      const std::string wrench = vector_in(grasp.bytes, "wrench");
       if (!direction.empty()) {
-        words += " --wrench " + vector_in(grasp.bytes, "wrench") + " --direction " + direction;
+        words += (wrench.empty() ? "" : " --wrench " + wrench) + " --direction " + direction;
       }
       const std::string growth = vector_in(question, "preload_direction");
       if (!growth.empty()) words += " --preload-direction " + growth;

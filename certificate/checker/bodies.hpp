@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Bodies, links and joints, and what an element of several bodies sees of their motion
+/// (FORMAT.md §14).
+///
+/// The motion of one body is d: 3 numbers in the plane, 6 in space. The motion of all of them
+/// has D numbers, the state z; body b moves by J_b z.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "number.hpp"
+
+namespace stickslip_check {
+
+inline constexpr std::size_t kPlanar = 3;   ///< of one body: translation x, y and rotation
+inline constexpr std::size_t kSpatial = 6;  ///< translation x, y, z and rotation x, y, z
+inline constexpr std::size_t kMostCoordinates = 30;  ///< the largest D
+
+using Matrix = std::vector<Vector>;  ///< by rows
+
+/// A body as the grasp file gives it.
+struct Body {
+  std::string name;
+  std::optional<Vector> way;  ///< of a link: eta, its motion as its joint turns by 1
+  std::optional<std::size_t>
+      on;  ///< of a link: the body before it that it is on, or the ground
+};
+
+/// Of a slide along g; and of a hinge at a point, about an axis, which the plane has none of.
+Vector way_of_slide(const Vector& g);
+Vector way_of_hinge(const Vector& point, const Vector& axis);
+
+/// The numbers of `turns` or `over`, by the number of a link.
+using Turns = std::map<std::size_t, Rational>;
+
+/// D.
+std::size_t dimension_of(const std::vector<Body>& bodies, std::size_t joints, bool in_space);
+
+class Mechanism {
+ public:
+  Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space);
+
+  std::size_t dimension() const { return dimension_; }
+  /// J_b; nothing is the ground.
+  const Matrix& motion(std::optional<std::size_t> body) const {
+    return body ? motions_[*body] : ground_;
+  }
+  /// e_q.
+  Vector row_of_joint(std::size_t q) const;
+  /// That of `over`.
+  Vector row(const Turns& over) const;
+
+ private:
+  std::vector<Turns> joints_;
+  std::size_t dimension_;
+  Matrix ground_;
+  std::vector<Matrix> motions_;
+};
+
+/// What makes a contact one of several bodies; or what an element is that is no contact.
+struct Element {
+  enum class Kind : std::int8_t { kContact, kRatchet, kSpring };
+
+  Kind kind;
+  Matrix rows;          ///< G of a contact; of the others the one row
+  std::string place;    ///< of the others in the grasp file, such as joints[0],
+  std::string preload;  ///< and the name that P' has there
+};
+/// Nothing for a contact of the one body of versions 1 and 2.
+using Sight = std::shared_ptr<const Element>;
+
+inline bool is_contact(const Sight& sight) {
+  return !sight || sight->kind == Element::Kind::kContact;
+}
+inline bool is_spring(const Sight& sight) {
+  return sight && sight->kind == Element::Kind::kSpring;
+}
+
+/// G^T row.
+Vector seen(const Sight& sight, const Vector& row);
+
+}  // namespace stickslip_check

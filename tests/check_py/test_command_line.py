@@ -127,15 +127,17 @@ class CommandLineTest(Case):
 
     def test_usage(self):
         for arguments in ([], ["g"], ["g", "c", "d"], ["-", "-"], ["g", "c", "--bogus"],
-                          ["g", "c", "--wrench"], ["g", "c", "--wrench", "1,2"],
-                          ["g", "c", "--wrench", "1,2,x"], ["g", "c", "--wrench", "1,2,3,4"],
-                          ["g", "c", "--wrench", ""], ["g", "c", "--direction", "1"],
+                          ["g", "c", "--wrench"], ["g", "c", "--wrench", "1,2,x"],
+                          ["g", "c", "--wrench", ""],
                           ["g", "c", "--preload", "nan"], ["g", "c", "--normal-law", "none"],
                           ["g", "c", "--preload-direction", "Scale"],
                           ["g", "c", "--preload-direction", ""],
                           ["g", "c", "--snap-normals", "1e-9"], ["g", "c", "--js"], ["g", "c", "-x"],
                           ["g", "c", "--json=1"], ["g", "c", "--help=1"], ["g", "c", "--=1"]):
             self.both(arguments, 2, "; try ")
+        # So many numbers as the grasp has coordinates.
+        for arguments in (["--wrench", "1,2"], ["--wrench", "1,2,3,4"], ["--direction", "1"]):
+            self.both([self.g, self.c, *arguments], 2)
 
     def test_help_is_asked_for_before_the_files(self):
         for arguments in (["-h"], ["--help"], ["--json", "--help", "g"], [*UP, "-h", "g", "c"]):

@@ -151,7 +151,7 @@ test('the bound of a contact is not below what it bounds, anywhere in its box, a
   for (let k = 0; k < 400; ++k) {
     const wide = () => k % 4 !== 0 && random.from(0, 1) === 0;
     const e = fraction(wide() ? random.from(0, 2) : 0, 8), push = interval(0, 8, wide());
-    const contact = new Contact({space: false, n: [fraction(random.from(1, 3)), fraction(random.from(-2, 2))],
+    const contact = new Contact({motion: null, n: [fraction(random.from(1, 3)), fraction(random.from(-2, 2))],
       geometry: [interval(-8, 8, wide()), interval(-8, 8, wide()), [e.negated(), e]], mu: interval(0, 4, wide()),
       push: push.map((x) => [x, fraction(0)]), k: interval(1, 8, wide())});
     const y = big([random.from(-3, 3), random.from(-3, 3), random.from(-3, 3)]);

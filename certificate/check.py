@@ -762,7 +762,8 @@ def read_contact(source: Source, fields: Dict[str, Any], place: str, defaults: D
 def read_grasp(name: str) -> Grasp:
     """§1, §14: what the grasp file says."""
     source = Source(name, GRASP)
-    if type(source.root) is Members and ("format", GRASP.formats[2]) in source.root.pairs:
+    given = dict(source.root.pairs) if type(source.root) is Members else {}
+    if given.get("format") == GRASP.formats[2] or "bodies" in given:
         return read_several(source)
     top = source.members(source.root, "",
                          "format name? units? outline? body? defaults? contacts wrench? loads? "
@@ -904,6 +905,8 @@ def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector,
 def read_several(source: Source) -> Grasp:
     top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
                                           "contacts loads? cases?")
+    if top["format"] != GRASP.formats[2]:
+        source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
     defaults = read_defaults(source, top)
     lists = {}
     for key, members in (("joints", "turns name? stiffness? torque?"),
@@ -1121,7 +1124,8 @@ def pose(grasp_file: str, asked: Options) -> Question:
         growth = asked.preload_direction
     if len(growth) != m or any(p < 0 and not one.spring for p, one in zip(growth, contacts)):
         raise Malformed("the question", "preload direction",
-                        f"found {show(growth)}, must be {m} numbers >= 0, one for each contact")
+                        f"found {show(growth)}, must be {m} numbers, one for each contact, and >= 0"
+                        + " but those of springs" * grasp.several)
     wrench = wrench_asked(grasp, asked)
     tolerance = (asked.uncertain or {}).get("wrench")
     loads = tuple(map(tolerance.widen, wrench)) if tolerance else wrench

@@ -753,12 +753,12 @@ function read_head(file, version) {
   return {space, size: space ? 6 : 3, defaults, contacts};
 }
 
-/** A contact; more: the members that it has besides. */
-function read_contact(value, place, {space, defaults}, version, more = [], outline = null) {
+/** A contact, in version 3 without its bodies. */
+function read_contact(value, place, {space, defaults}, version, outline = null) {
   object_at(value, place);
   const on = version === 2 && !space && value.has('on');
-  const where = [...more.filter((name) => name !== 'by'), ...(on ? ['on'] : ['position', 'normal'])];
-  known_members(value, place, [...more, ...where, 'friction', 'stiffness', 'preload'], where);
+  const needed = [...(version === 3 ? ['of'] : []), ...(on ? ['on'] : ['position', 'normal'])];
+  known_members(value, place, [...needed, ...(version === 3 ? ['by'] : []), 'friction', 'stiffness', 'preload'], needed);
   const range = (name) => {
     if (value.has(name)) return read_range(value, name, place, version);
     if (!defaults.has(name)) throw new Malformed(place, `the member "${name}" is missing`);
@@ -786,6 +786,7 @@ function read_grasp(text) {
     expected('"stickslip-grasp/1", "stickslip-grasp/2" or "stickslip-grasp/3"', file.get('format'), 'format');
   }
   if (version === 3) return read_several(file);
+  if (file.has('bodies')) throw new Malformed('format', 'must be "stickslip-grasp/3", as the file has bodies');
   if (file.has('normals')) {
     throw new Malformed('normals', 'unknown; stickslip snap GRASP -o FILE writes normals of rational length');
   }
@@ -802,7 +803,7 @@ function read_grasp(text) {
     if (!space) throw new Malformed('body', 'a grasp in the plane has none');
     check_mesh(file.get('body'), 'body');
   }
-  const contacts = head.contacts.map((value, i) => read_contact(value, `contacts[${i}]`, head, version, [], outline));
+  const contacts = head.contacts.map((value, i) => read_contact(value, `contacts[${i}]`, head, version, outline));
   const wrench = read_wrench(file, '', size, version);
   if (!file.has('cases')) {
     if (wrench === null) throw new Malformed('', 'neither wrench nor loads nor cases');
@@ -930,7 +931,7 @@ function read_several(file) {
     return row;
   };
   const contacts = head.contacts.map((value, i) => {
-    const place = `contacts[${i}]`, contact = read_contact(value, place, head, 3, ['of', 'by']);
+    const place = `contacts[${i}]`, contact = read_contact(value, place, head, 3);
     const of = named_motion(bodies, value.get('of'), `${place}.of`, false);
     const by = value.has('by') ? named_motion(bodies, value.get('by'), `${place}.by`, true) : bodies.motions.get(GROUND);
     if (of === by) throw new Malformed(`${place}.by`, 'a contact of a body with itself');

@@ -798,163 +798,6 @@ def read_grasp(name: str) -> Grasp:
     return Grasp(contacts, None if cases else common, cases, source.space, False, source.dimension)
 
 
-# ---- §14 The grasp file of several bodies ------------------------------------------------------
-
-def unit(size: int, j: int) -> Vector:
-    return tuple(Fraction(j == k) for k in range(size))
-
-
-class Body(NamedTuple):
-    name: str
-    on: str                   # of links
-    turn: Optional[Vector]    # η of links
-
-
-def read_body(source: Source, entry: Any, place: str, before: Sequence[str]) -> Body:
-    fields = source.members(entry, place, "name hinge? slide? on? outline? mesh?")
-    name, on = fields["name"], fields.get("on", GROUND)
-    if type(name) is not str or not name or name == GROUND or name in before:
-        source.fail(f"{place}.name", f"must be a string, not empty, not '{GROUND}', and of this body alone")
-    if "outline" in fields:
-        if source.space:
-            source.fail(f"{place}.outline", "the grasp is in space, and has none; give a mesh")
-        read_outline(source, fields["outline"], f"{place}.outline")
-    if "mesh" in fields:
-        if not source.space:
-            source.fail(f"{place}.mesh", "the grasp is in the plane, and has none; give an outline")
-        check_body(source, fields["mesh"], f"{place}.mesh")
-    if "hinge" in fields and "slide" in fields:
-        source.fail(place, "both 'hinge' and 'slide'; give one of them")
-    if "hinge" not in fields and "slide" not in fields:
-        if "on" in fields:
-            source.fail(f"{place}.on", "only a link, with 'hinge' or 'slide', is on a body")
-        return Body(name, on, None)
-    if type(on) is not str or on not in (*before, GROUND):
-        source.fail(f"{place}.on", f"must be '{GROUND}' or a body that stands before this one, so that no links "
-                                   "are in a loop")
-    if "slide" in fields:
-        axis, where = read_point_of(source, fields["slide"], f"{place}.slide"), "slide"
-        turn = axis + zeros(source.dimension - len(axis))
-    elif source.space:
-        hinge = source.members(fields["hinge"], f"{place}.hinge", "at axis")
-        point, axis = (read_point_of(source, hinge[key], f"{place}.hinge.{key}") for key in ("at", "axis"))
-        turn, where = cross(point, axis) + axis, "hinge.axis"
-    else:
-        x, y = read_point_of(source, fields["hinge"], f"{place}.hinge")
-        turn = (y, -x, Fraction(1))
-    if not any(turn):
-        source.fail(f"{place}.{where}", "must not be zero")
-    return Body(name, on, turn)
-
-
-def read_over(source: Source, value: Any, place: str, links: Sequence[str]) -> Dict[str, Fraction]:
-    """An object of `turns` or `over`: numbers for links."""
-    if type(value) is not Members or not value.pairs:
-        source.fail(place, "must be an object of one link or more, such as {\"tip\": 1}")
-    found: Dict[str, Fraction] = {}
-    for name, entry in value.pairs:
-        if name not in links or name in found:
-            source.fail(place, f"'{show(name)}' is " + ("repeated" if name in found else
-                               f"no link (known: {', '.join(map(show, links)) or 'none'})"))
-        found[name] = source.number(entry, f"{place}.{show(name)}")
-        if not found[name]:
-            source.fail(f"{place}.{show(name)}", "must not be 0; leave the link out")
-    return found
-
-
-def read_bodies(source: Source, top: Dict[str, Any], joints: Sequence[Dict[str, Any]]) -> Bodies:
-    """J of each."""
-    bodies: List[Body] = []
-    for k, entry in enumerate(source.array(top["bodies"], "bodies")):
-        bodies.append(read_body(source, entry, f"bodies[{k}]", [body.name for body in bodies]))
-    if not bodies:
-        source.fail("bodies", "must not be empty")
-    links, size = [body.name for body in bodies if body.turn], source.dimension
-    turned = [read_over(source, joint["turns"], f"joints[{q}].turns", links) for q, joint in enumerate(joints)]
-    first = size * (len(bodies) - len(links))  # coordinate of a joint
-    dimension = first + len(joints)
-    if dimension > MAX_DIMENSION:
-        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {MAX_DIMENSION}")
-    turns = {link: zeros(first) + tuple(joint.get(link, Fraction(0)) for joint in turned) for link in links}
-    motions, begin_ = {GROUND: (zeros(size),) * dimension}, 0
-    for k, (name, on, turn) in enumerate(bodies):
-        if turn is None:
-            motions[name] = tuple(unit(size, q - begin_) for q in range(dimension))
-            begin_ += size
-            continue
-        if not any(turns[name]):
-            source.fail(f"bodies[{k}]", f"no joint turns the link '{show(name)}'; name it in 'turns' of one")
-        motions[name] = tuple(plus(column, c, turn) for column, c in zip(motions[on], turns[name]))
-    return Bodies(motions, turns, dimension)
-
-
-def element(place: str, row: Vector, stiffness: Bounds, preload: Bounds, spring: str = "") -> Contact:
-    """What acts along a row: a ratchet or a spring."""
-    return Contact((), (Fraction(1),), Fraction(0), exactly(Fraction(0)), stiffness, preload, place,
-                   tuple((c,) for c in row), spring)
-
-
-def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector, force: str) -> Contact:
-    stiffness, pull = (read_bounds(source, fields[key], f"{place}.{key}") if key in fields else
-                       exactly(Fraction(0)) for key in ("stiffness", force))
-    if stiffness.low < 0:
-        source.fail(f"{place}.stiffness", f"{show(stiffness.low)} is out of range, must be >= 0")
-    return element(place, row, stiffness, pull, force)
-
-
-def read_several(source: Source) -> Grasp:
-    top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
-                                          "contacts loads? cases?")
-    if top["format"] != GRASP.formats[2]:
-        source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
-    defaults = read_defaults(source, top)
-    lists = {}
-    for key, members in (("joints", "turns name? stiffness? torque?"),
-                         ("tendons", "over name? stiffness? tension?"),
-                         ("ratchets", "over name? stiffness preload?")):
-        lists[key] = [source.members(entry, f"{key}[{k}]", members)
-                      for k, entry in enumerate(source.array(top.get(key, []), key))]
-        for k, fields in enumerate(lists[key]):
-            if type(fields.get("name", "")) is not str:
-                source.fail(f"{key}[{k}].name", "must be a string")
-    joints = lists["joints"]
-    bodies = read_bodies(source, top, joints)
-
-    def row_over(fields: Dict[str, Any], place: str) -> Vector:
-        row = zeros(bodies.dimension)
-        for name, r in read_over(source, fields["over"], f"{place}.over", list(bodies.turns)).items():
-            row = plus(row, r, bodies.turns[name])
-        if not any(row):
-            source.fail(f"{place}.over", "its numbers cancel, so that no joint moves it")
-        return row
-
-    elements = []
-    for i, entry in enumerate(top["contacts"]):
-        place = f"contacts[{i}]"
-        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload?")
-        of = bodies.motion(source, fields["of"], f"{place}.of")
-        by = bodies.motion(source, fields.get("by", GROUND), f"{place}.by", True)
-        if fields["of"] == fields.get("by"):
-            source.fail(f"{place}.by", f"must be another body than that of 'of', or '{GROUND}'")
-        motion = tuple(plus(a, Fraction(-1), b) for a, b in zip(of, by))
-        elements.append(read_contact(source, fields, place, defaults)._replace(motion=motion))
-    for k, fields in enumerate(lists["ratchets"]):
-        place = f"ratchets[{k}]"
-        stated = {"preload": exactly(Fraction(0)), **coefficients(source, fields, place)}
-        elements.append(element(place, row_over(fields, place), stated["stiffness"], stated["preload"]))
-    for q, fields in enumerate(joints):
-        if "stiffness" in fields or "torque" in fields:
-            row = unit(bodies.dimension, bodies.dimension - len(joints) + q)
-            elements.append(read_spring(source, fields, f"joints[{q}]", row, "torque"))
-    for k, fields in enumerate(lists["tendons"]):
-        place = f"tendons[{k}]"
-        elements.append(read_spring(source, fields, place, row_over(fields, place), "tension"))
-    common = read_load(source, top, "", False, bodies)
-    cases = read_cases(source, top["cases"], common, bodies) if "cases" in top else {}
-    return Grasp(elements, None if cases and "loads" not in top else common, cases, source.space, True,
-                 bodies.dimension)
-
-
 def make_row(contact: Contact, growth: Fraction) -> Row:
     """§1, Rows, of a contact without uncertainty."""
     point, n = tuple(p.low for p in contact.position), contact.normal
@@ -1144,6 +987,163 @@ def pose(grasp_file: str, asked: Options) -> Question:
     rows = [] if is_box else list(map(make_row, contacts, growth))
     return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box, grasp.space,
                     grasp.several)
+
+
+# ---- §14 The grasp file of several bodies ------------------------------------------------------
+
+def unit(size: int, j: int) -> Vector:
+    return tuple(Fraction(j == k) for k in range(size))
+
+
+class Body(NamedTuple):
+    name: str
+    on: str                   # of links
+    turn: Optional[Vector]    # η of links
+
+
+def read_body(source: Source, entry: Any, place: str, before: Sequence[str]) -> Body:
+    fields = source.members(entry, place, "name hinge? slide? on? outline? mesh?")
+    name, on = fields["name"], fields.get("on", GROUND)
+    if type(name) is not str or not name or name == GROUND or name in before:
+        source.fail(f"{place}.name", f"must be a string, not empty, not '{GROUND}', and of this body alone")
+    if "outline" in fields:
+        if source.space:
+            source.fail(f"{place}.outline", "the grasp is in space, and has none; give a mesh")
+        read_outline(source, fields["outline"], f"{place}.outline")
+    if "mesh" in fields:
+        if not source.space:
+            source.fail(f"{place}.mesh", "the grasp is in the plane, and has none; give an outline")
+        check_body(source, fields["mesh"], f"{place}.mesh")
+    if "hinge" in fields and "slide" in fields:
+        source.fail(place, "both 'hinge' and 'slide'; give one of them")
+    if "hinge" not in fields and "slide" not in fields:
+        if "on" in fields:
+            source.fail(f"{place}.on", "only a link, with 'hinge' or 'slide', is on a body")
+        return Body(name, on, None)
+    if type(on) is not str or on not in (*before, GROUND):
+        source.fail(f"{place}.on", f"must be '{GROUND}' or a body that stands before this one, so that no links "
+                                   "are in a loop")
+    if "slide" in fields:
+        axis, where = read_point_of(source, fields["slide"], f"{place}.slide"), "slide"
+        turn = axis + zeros(source.dimension - len(axis))
+    elif source.space:
+        hinge = source.members(fields["hinge"], f"{place}.hinge", "at axis")
+        point, axis = (read_point_of(source, hinge[key], f"{place}.hinge.{key}") for key in ("at", "axis"))
+        turn, where = cross(point, axis) + axis, "hinge.axis"
+    else:
+        x, y = read_point_of(source, fields["hinge"], f"{place}.hinge")
+        turn = (y, -x, Fraction(1))
+    if not any(turn):
+        source.fail(f"{place}.{where}", "must not be zero")
+    return Body(name, on, turn)
+
+
+def read_over(source: Source, value: Any, place: str, links: Sequence[str]) -> Dict[str, Fraction]:
+    """An object of `turns` or `over`: numbers for links."""
+    if type(value) is not Members or not value.pairs:
+        source.fail(place, "must be an object of one link or more, such as {\"tip\": 1}")
+    found: Dict[str, Fraction] = {}
+    for name, entry in value.pairs:
+        if name not in links or name in found:
+            source.fail(place, f"'{show(name)}' is " + ("repeated" if name in found else
+                               f"no link (known: {', '.join(map(show, links)) or 'none'})"))
+        found[name] = source.number(entry, f"{place}.{show(name)}")
+        if not found[name]:
+            source.fail(f"{place}.{show(name)}", "must not be 0; leave the link out")
+    return found
+
+
+def read_bodies(source: Source, top: Dict[str, Any], joints: Sequence[Dict[str, Any]]) -> Bodies:
+    """J of each."""
+    bodies: List[Body] = []
+    for k, entry in enumerate(source.array(top["bodies"], "bodies")):
+        bodies.append(read_body(source, entry, f"bodies[{k}]", [body.name for body in bodies]))
+    if not bodies:
+        source.fail("bodies", "must not be empty")
+    links, size = [body.name for body in bodies if body.turn], source.dimension
+    turned = [read_over(source, joint["turns"], f"joints[{q}].turns", links) for q, joint in enumerate(joints)]
+    first = size * (len(bodies) - len(links))  # coordinate of a joint
+    dimension = first + len(joints)
+    if dimension > MAX_DIMENSION:
+        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {MAX_DIMENSION}")
+    turns = {link: zeros(first) + tuple(joint.get(link, Fraction(0)) for joint in turned) for link in links}
+    motions, begin_ = {GROUND: (zeros(size),) * dimension}, 0
+    for k, (name, on, turn) in enumerate(bodies):
+        if turn is None:
+            motions[name] = tuple(unit(size, q - begin_) for q in range(dimension))
+            begin_ += size
+            continue
+        if not any(turns[name]):
+            source.fail(f"bodies[{k}]", f"no joint turns the link '{show(name)}'; name it in 'turns' of one")
+        motions[name] = tuple(plus(column, c, turn) for column, c in zip(motions[on], turns[name]))
+    return Bodies(motions, turns, dimension)
+
+
+def element(place: str, row: Vector, stiffness: Bounds, preload: Bounds, spring: str = "") -> Contact:
+    """What acts along a row: a ratchet or a spring."""
+    return Contact((), (Fraction(1),), Fraction(0), exactly(Fraction(0)), stiffness, preload, place,
+                   tuple((c,) for c in row), spring)
+
+
+def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector, force: str) -> Contact:
+    stiffness, pull = (read_bounds(source, fields[key], f"{place}.{key}") if key in fields else
+                       exactly(Fraction(0)) for key in ("stiffness", force))
+    if stiffness.low < 0:
+        source.fail(f"{place}.stiffness", f"{show(stiffness.low)} is out of range, must be >= 0")
+    return element(place, row, stiffness, pull, force)
+
+
+def read_several(source: Source) -> Grasp:
+    top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
+                                          "contacts loads? cases?")
+    if top["format"] != GRASP.formats[2]:
+        source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
+    defaults = read_defaults(source, top)
+    lists = {}
+    for key, members in (("joints", "turns name? stiffness? torque?"),
+                         ("tendons", "over name? stiffness? tension?"),
+                         ("ratchets", "over name? stiffness preload?")):
+        lists[key] = [source.members(entry, f"{key}[{k}]", members)
+                      for k, entry in enumerate(source.array(top.get(key, []), key))]
+        for k, fields in enumerate(lists[key]):
+            if type(fields.get("name", "")) is not str:
+                source.fail(f"{key}[{k}].name", "must be a string")
+    joints = lists["joints"]
+    bodies = read_bodies(source, top, joints)
+
+    def row_over(fields: Dict[str, Any], place: str) -> Vector:
+        row = zeros(bodies.dimension)
+        for name, r in read_over(source, fields["over"], f"{place}.over", list(bodies.turns)).items():
+            row = plus(row, r, bodies.turns[name])
+        if not any(row):
+            source.fail(f"{place}.over", "its numbers cancel, so that no joint moves it")
+        return row
+
+    elements = []
+    for i, entry in enumerate(top["contacts"]):
+        place = f"contacts[{i}]"
+        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload?")
+        of = bodies.motion(source, fields["of"], f"{place}.of")
+        by = bodies.motion(source, fields.get("by", GROUND), f"{place}.by", True)
+        if fields["of"] == fields.get("by"):
+            source.fail(f"{place}.by", f"must be another body than that of 'of', or '{GROUND}'")
+        motion = tuple(plus(a, Fraction(-1), b) for a, b in zip(of, by))
+        elements.append(read_contact(source, fields, place, defaults)._replace(motion=motion))
+    for k, fields in enumerate(lists["ratchets"]):
+        place = f"ratchets[{k}]"
+        stated = {"preload": exactly(Fraction(0)), **coefficients(source, fields, place)}
+        elements.append(element(place, row_over(fields, place), stated["stiffness"], stated["preload"]))
+    for q, fields in enumerate(joints):
+        if "stiffness" in fields or "torque" in fields:
+            row = unit(bodies.dimension, bodies.dimension - len(joints) + q)
+            elements.append(read_spring(source, fields, f"joints[{q}]", row, "torque"))
+    for k, fields in enumerate(lists["tendons"]):
+        place = f"tendons[{k}]"
+        elements.append(read_spring(source, fields, place, row_over(fields, place), "tension"))
+    common = read_load(source, top, "", False, bodies)
+    cases = read_cases(source, top["cases"], common, bodies) if "cases" in top else {}
+    return Grasp(elements, None if cases and "loads" not in top else common, cases, source.space, True,
+                 bodies.dimension)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------

@@ -89,11 +89,11 @@ def check_js(lines):
 
 
 def is_covered(question):
-    """Whether stickslip-proved judges this: no proof by degree, and no margin in space."""
+    """Whether stickslip-proved judges this: no proof by degree, no margin in space, and not several bodies."""
     try:
-        certificate = json.loads(question["certificate"])
+        certificate, grasp = json.loads(question["certificate"]), json.loads(question["grasp"])
         segments = certificate.get("segments", [])
-        return ("parts" not in certificate and "intervals" not in certificate
+        return ("bodies" not in grasp and "parts" not in certificate and "intervals" not in certificate
                 and not any(isinstance(segment, dict) for segment in segments))
     except (ValueError, TypeError, AttributeError, RecursionError):
         return True

@@ -404,8 +404,8 @@ class Grasp(NamedTuple):
     wrench: Optional[Wrench]  # None if a case has to be chosen
     cases: Dict[str, Wrench]  # the wrench of each, by name
     space: bool
-    several: bool             # of version 3
     dimension: int            # D
+    names: Tuple[str, ...] = ()  # §14: of the coordinates, if the grasp is of several bodies
 
 
 KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
@@ -471,11 +471,15 @@ class Question(NamedTuple):
     rows: List[Row]
     is_box: bool
     space: bool = False
-    several: bool = False     # §14
+    names: Tuple[str, ...] = ()  # §14: of the coordinates
 
     def slipping(self) -> int:
         """How many are contacts; other elements follow."""
         return sum(contact.is_contact() for contact in self.contacts)
+
+    def springs(self) -> int:
+        """They are the last."""
+        return sum(bool(contact.spring) for contact in self.contacts)
 
     def w(self) -> Vector:
         """Of one grasp."""
@@ -795,7 +799,7 @@ def read_grasp(name: str) -> Grasp:
     cases = read_cases(source, top["cases"], common) if "cases" in top else {}
     if source.uncertain and top["format"] == GRASP.formats[0]:
         source.fail(source.uncertain, f"an object here needs \"format\": \"{GRASP.formats[1]}\"")
-    return Grasp(contacts, None if cases else common, cases, source.space, False, source.dimension)
+    return Grasp(contacts, None if cases else common, cases, source.space, source.dimension)
 
 
 def make_row(contact: Contact, growth: Fraction) -> Row:
@@ -864,7 +868,7 @@ def check_plane(asked: Options, grasp: Grasp) -> None:
         return
     u, v = asked.plane
     problem = ("the grasp is in space" if grasp.space else
-               "the grasp is of several bodies" if grasp.several else
+               "the grasp is of several bodies" if grasp.names else
                "a direction is given as well" if asked.margin() else
                "its directions are multiples of one another"
                if all(u[j] * v[k] == u[k] * v[j] for j in range(PLANE) for k in range(j)) else "")
@@ -877,7 +881,7 @@ def check_inertia(asked: Options, grasp: Grasp) -> None:
     if asked.inertia is None:
         return
     m, space = asked.inertia, grasp.space
-    problem = ("the grasp is of several bodies" if grasp.several else
+    problem = ("the grasp is of several bodies" if grasp.names else
                "a direction or a plane is given as well" if asked.margin() or asked.plane else
                f"expected {'6 or 9' if space else '3'} numbers" if len(m) != (9 if space else 3) else
                "the squared radius of gyration must be > 0" if not space and m[2] <= 0 else "")
@@ -968,7 +972,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
     if len(growth) != m or any(p < 0 and not one.spring for p, one in zip(growth, contacts)):
         raise Malformed("the question", "preload direction",
                         f"found {show(growth)}, must be {m} numbers, one for each contact, and >= 0"
-                        + " but those of springs" * grasp.several)
+                        + " but those of springs" * bool(grasp.names))
     wrench = wrench_asked(grasp, asked)
     tolerance = (asked.uncertain or {}).get("wrench")
     loads = tuple(map(tolerance.widen, wrench)) if tolerance else wrench
@@ -986,7 +990,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
     rows = [] if is_box else list(map(make_row, contacts, growth))
     return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box, grasp.space,
-                    grasp.several)
+                    grasp.names)
 
 
 # ---- §14 The grasp file of several bodies ------------------------------------------------------
@@ -1142,8 +1146,11 @@ def read_several(source: Source) -> Grasp:
         elements.append(read_spring(source, fields, place, row_over(fields, place), "tension"))
     common = read_load(source, top, "", False, bodies)
     cases = read_cases(source, top["cases"], common, bodies) if "cases" in top else {}
-    return Grasp(elements, None if cases and "loads" not in top else common, cases, source.space, True,
-                 bodies.dimension)
+    moves = ("x", "y", "z", "turn x", "turn y", "turn z") if source.space else ("x", "y", "turn")
+    names = [f"{body} {move}" for body in bodies.motions if body != GROUND and body not in bodies.turns for move in moves]
+    names += [joint.get("name", f"joint {q}") for q, joint in enumerate(joints)]
+    return Grasp(elements, None if cases and "loads" not in top else common, cases, source.space, bodies.dimension,
+                 tuple(names))
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -1258,8 +1265,8 @@ class Certificate(NamedTuple):
 def read_certificate(name: str, question: Question) -> Certificate:
     """All of the syntax comes before any rule."""
     source, dimension = Source(name, CERTIFICATE), len(question.wrench)
-    source.dimension, source.space, source.several = dimension, question.space, question.several
-    by_segments = not (question.space or question.several)  # margins
+    source.dimension, source.space, source.several = dimension, question.space, bool(question.names)
+    by_segments = not (question.space or question.names)  # margins
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
@@ -3175,8 +3182,14 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     else:
         lines += [f"verdict     {certificate.verdict}"
                   + ", for every grasp in the box" * question.is_box]
-    lines += [f"contacts    {len(question.contacts)}",
-              f"wrench      ({', '.join(map(str, question.wrench))})"]
+    if question.names:
+        contacts, springs = question.slipping(), question.springs()
+        ratchets = len(question.contacts) - contacts - springs
+        lines += [f"contacts    {contacts}; ratchets: {ratchets}; springs: {springs}",
+                  f"coordinates {', '.join(map(printable, question.names))}"]
+    else:
+        lines += [f"contacts    {len(question.contacts)}"]
+    lines.append(f"wrench      ({', '.join(map(str, question.wrench))})")
     if asked.direction is not None:
         lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
     if asked.plane is not None:

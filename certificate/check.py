@@ -3063,6 +3063,13 @@ def number_option(name: str, text: str) -> Fraction:
         raise UsageError(f"{name}: {error}") from None
 
 
+def wrench_option(name: str, text: str) -> Vector:
+    """So many numbers as a grasp can have coordinates; which it has is known later."""
+    if text.count(",") >= MAX_DIMENSION:
+        raise UsageError(f"{name}: '{show(text)}' has more than {MAX_DIMENSION} numbers")
+    return list_option(name, text)
+
+
 def list_option(name: str, text: str) -> Vector:
     return tuple(number_option(name, part) for part in text.split(","))
 
@@ -3105,9 +3112,9 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
                 raise UsageError(f"{name} needs a value")
             value = waiting.pop()
         if name == "--wrench":
-            options = options._replace(wrench=list_option(name, value))
+            options = options._replace(wrench=wrench_option(name, value))
         elif name == "--direction":
-            options = options._replace(direction=list_option(name, value))
+            options = options._replace(direction=wrench_option(name, value))
         elif name == "--plane":
             values = list_option(name, value)
             if len(values) != 2 * PLANE:

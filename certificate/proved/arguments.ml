@@ -29,6 +29,12 @@ let number option text =
 
 let list option text = List.map (number option) (String.split_on_char ',' text)
 
+(* How many numbers it has to have is known with the grasp. *)
+let wrench option text =
+  let numbers = list option text in
+  if List.length numbers <= 30 then numbers
+  else usage option text " has more than 30 numbers"
+
 let tolerances option text =
   let add found part =
     let wrong () =
@@ -75,7 +81,7 @@ let parse words =
         let valued set = with_value (fun value -> { a with options = set value }) in
         let o = a.options in
         match name, attached with
-        | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (list name v) })
+        | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench name v) })
         | "--torque", _ ->
           valued (fun v -> { o with asked_wrench = Some (List.map (number name) [ "0"; "0"; v ]) })
         | "--plane", _ ->
@@ -95,7 +101,7 @@ let parse words =
               if v <> "unilateral" && v <> "bilateral" then
                 usage name v " is not unilateral or bilateral";
               { o with asked_bilateral = v = "bilateral" })
-        | "--direction", _ -> valued (fun v -> { o with asked_direction = Some (list name v) })
+        | "--direction", _ -> valued (fun v -> { o with asked_direction = Some (wrench name v) })
         | "--preload-direction", _ ->
           valued (fun v ->
               { o with asked_growth = Some (if v = "scale" then Scale else By (list name v)) })

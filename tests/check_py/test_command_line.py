@@ -127,17 +127,19 @@ class CommandLineTest(Case):
 
     def test_usage(self):
         for arguments in ([], ["g"], ["g", "c", "d"], ["-", "-"], ["g", "c", "--bogus"],
-                          ["g", "c", "--wrench"], ["g", "c", "--wrench", "1,2,x"],
-                          ["g", "c", "--wrench", ""],
+                          ["g", "c", "--wrench"], ["g", "c", "--wrench", ",".join(["1"] * 31)],
+                          ["g", "c", "--wrench", "1,2,x"], ["g", "c", "--wrench", ""],
                           ["g", "c", "--preload", "nan"], ["g", "c", "--normal-law", "none"],
                           ["g", "c", "--preload-direction", "Scale"],
                           ["g", "c", "--preload-direction", ""],
                           ["g", "c", "--snap-normals", "1e-9"], ["g", "c", "--js"], ["g", "c", "-x"],
                           ["g", "c", "--json=1"], ["g", "c", "--help=1"], ["g", "c", "--=1"]):
             self.both(arguments, 2, "; try ")
-        # So many numbers as the grasp has coordinates.
-        for arguments in (["--wrench", "1,2"], ["--wrench", "1,2,3,4"], ["--direction", "1"]):
-            self.both([self.g, self.c, *arguments], 2)
+
+    def test_as_many_numbers_as_the_grasp_has(self):
+        for numbers in ("1", "1,2", "1,2,3,4", "1,2,3,4,5,6"):
+            for option in ("--wrench", "--direction"):
+                self.both([self.g, self.c, option, numbers], 2, option[2:])
 
     def test_help_is_asked_for_before_the_files(self):
         for arguments in (["-h"], ["--help"], ["--json", "--help", "g"], [*UP, "-h", "g", "c"]):

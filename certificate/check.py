@@ -27,7 +27,9 @@ from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, S
 Vector = Tuple[Fraction, ...]
 Integers = Tuple[int, ...]
 
-PLANE, SPACE = 3, 6  # §1, §7: D, the dimension of motions and wrenches
+Matrix = Tuple[Vector, ...]  # by columns
+
+PLANE, SPACE = 3, 6  # §1, §7: the dimension of a body's motions and wrenches; of several D is another (§14)
 
 
 class Malformed(Exception):
@@ -92,14 +94,11 @@ def printable(text: str) -> str:
                    for byte in text.encode("utf-8", "surrogateescape"))
 
 
-def coordinates(dimension: int) -> int:
-    """Of positions, normals and points."""
-    return 2 if dimension == PLANE else 3
-
-
 def at(point: Sequence[Fraction], force: Sequence[Fraction]) -> Vector:
-    """The wrench of a force at a point."""
-    if len(point) == 2:
+    """The wrench of a force at a point; what acts along a coordinate has no point, and one number (§14)."""
+    if len(force) == 1:
+        return tuple(force)
+    if len(force) == 2:
         return (*force, point[0] * force[1] - point[1] * force[0])
     return (*force, *(point[j - 2] * force[j - 1] - point[j - 1] * force[j - 2] for j in range(3)))
 
@@ -107,6 +106,11 @@ def at(point: Sequence[Fraction], force: Sequence[Fraction]) -> Vector:
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
     """The sum of products of as many coordinates as the shorter of the two has."""
     return sum(map(operator.mul, a, b))
+
+
+def pulled(motion: Optional[Matrix], row: Vector) -> Vector:
+    """§14: Gᵀ times the row. One body has no G, and then it is the row."""
+    return row if motion is None else tuple(dot(row, column) for column in motion)
 
 
 def pairwise_sum(terms: List[Sequence[Fraction]]) -> Vector:
@@ -144,8 +148,8 @@ class FileKind(NamedTuple):
     number: "re.Pattern[str]"  # [0-9], because \d and int() take other scripts' digits too
 
 
-GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2"), True, 1 << 28, 32, 1 << 28, 16_384,
-                 16_384, 1 << 16, ("contacts",), re.compile(
+GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2", "stickslip-grasp/3"), True, 1 << 28, 32,
+                 1 << 28, 16_384, 16_384, 1 << 16, ("contacts",), re.compile(
                      r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
 CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 4_000, 65_536,
                        1 << 22, ("segments", "tree", "parts", "intervals", "pieces"),
@@ -153,6 +157,7 @@ CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
 MAX_CONTACTS = 1_000_000
+MAX_DIMENSION, GROUND = 30, "ground"  # §14
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
 STRING_OR_BRACKET = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
@@ -196,7 +201,9 @@ class Source:
     def __init__(self, name: str, kind: FileKind) -> None:
         self.name, self.kind = "<stdin>" if name == "-" else name, kind
         self.uncertain = ""  # where an interval or a slope was found first
-        self.dimension = PLANE
+        self.dimension = PLANE  # D of a certificate; in a grasp file that of one body
+        self.space = False
+        self.several = False    # is a certificate about several bodies?
         text = self.read(name)
         self.limit(text)
         try:
@@ -262,6 +269,11 @@ class Source:
                     problem = f"a string of more than {self.kind.max_string} bytes"
             if problem:
                 self.fail(f"line {text.count(chr(10), 0, match.start()) + 1}", problem)
+
+    @property
+    def coordinates(self) -> int:
+        """Of positions, normals and points."""
+        return 3 if self.space else 2
 
     def fail(self, place: str, problem: str) -> NoReturn:
         raise Malformed(self.name, place, problem)
@@ -371,23 +383,29 @@ def exact_wrench(wrench: Sequence[Fraction]) -> Wrench:
 
 
 class Contact(NamedTuple):
-    """A contact as the grasp file gives it; its normal n⁰ has any length but 0."""
+    """A contact as the grasp file gives it; its normal n⁰ has any length but 0. Or another element of
+    §14, with its row for `motion`: it has no position, and one number as normal, 1."""
     position: Tuple[Bounds, ...]
     normal: Vector
     slope: Fraction
     friction: Bounds
     stiffness: Bounds
     preload: Bounds
+    place: str = ""         # in the grasp file
+    motion: Optional[Matrix] = None  # §14: G, if the grasp is of several bodies
+    spring: str = ""        # what a spring's τ is called in the grasp file; "" of all others
+
+    def is_contact(self) -> bool:
+        return bool(self.position)
 
 
 class Grasp(NamedTuple):
-    contacts: List[Contact]
-    wrench: Wrench            # with cases, what is common to them
+    contacts: List[Contact]   # or elements
+    wrench: Optional[Wrench]  # None if a case has to be chosen
     cases: Dict[str, Wrench]  # the wrench of each, by name
-
-    @property
-    def dimension(self) -> int:
-        return len(self.wrench)
+    space: bool
+    dimension: int            # D
+    names: Tuple[str, ...] = ()  # §14: of the coordinates, if the grasp is of several bodies
 
 
 KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
@@ -434,6 +452,7 @@ class Row(NamedTuple):
     friction: Fraction
     v: Vector  # v_i(x) = v·x for a point x = (d, h, ℓ)
     normal: Vector
+    spring: bool
 
     @property
     def longest(self) -> Fraction:
@@ -451,6 +470,16 @@ class Question(NamedTuple):
     preload_growth: Vector    # Pᵘ
     rows: List[Row]
     is_box: bool
+    space: bool = False
+    names: Tuple[str, ...] = ()  # §14: of the coordinates
+
+    def slipping(self) -> int:
+        """How many are contacts; other elements follow."""
+        return sum(contact.is_contact() for contact in self.contacts)
+
+    def springs(self) -> int:
+        """They are the last."""
+        return sum(bool(contact.spring) for contact in self.contacts)
 
     def w(self) -> Vector:
         """Of one grasp."""
@@ -493,7 +522,7 @@ def read_normal(source: Source, value: Any, place: str) -> Tuple[Vector, Fractio
 
 def read_point_of(source: Source, value: Any, place: str) -> Vector:
     """So many numbers as a point has."""
-    return source.vector(value, place, coordinates(source.dimension))
+    return source.vector(value, place, source.coordinates)
 
 
 def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Bounds]:
@@ -513,34 +542,59 @@ def add(a: Wrench, b: Wrench) -> Wrench:
     return tuple(Bounds(x.low + y.low, x.high + y.high) for x, y in zip(a, b))
 
 
-def read_one_load(source: Source, value: Any, place: str) -> Wrench:
-    """The wrench of a force at a point, of a torque or of a weight."""
+class Bodies(NamedTuple):
+    """§14."""
+    motions: Dict[str, Matrix]  # J of each, and of the ground
+    turns: Dict[str, Vector]    # of links: Σ c_bq e_q
+    dimension: int
+
+    def motion(self, source: Source, name: Any, place: str, ground: bool = False) -> Matrix:
+        if type(name) is not str or name not in self.motions or (name == GROUND and not ground):
+            source.fail(place, "must be the name of a body" + f" or '{GROUND}'" * ground)
+        return self.motions[name]
+
+
+def read_one_load(source: Source, value: Any, place: str, bodies: Optional[Bodies]) -> Wrench:
+    """The wrench of a force at a point, of a torque or of a weight; of several bodies in Q^D."""
     kinds = [key for key, _ in value.pairs] if type(value) is Members else []
+    body = "body " if bodies else ""
     if "torque" in kinds:
-        torque = source.members(value, place, "torque")["torque"]
-        place = f"{place}.torque"
-        found = ((source.number(torque, place),) if source.dimension == PLANE else
-                 source.vector(torque, place, 3))
-        return exact_wrench(zeros(source.dimension - len(found)) + found)
-    if "weight" in kinds:
-        fields = source.members(value, place, "weight at direction?")
+        torque = source.members(value, place, body + "torque")["torque"]
+        found = ((source.number(torque, f"{place}.torque"),) if not source.space else
+                 source.vector(torque, f"{place}.torque", 3))
+        wrench = exact_wrench(zeros(source.dimension - len(found)) + found)
+    elif "weight" in kinds:
+        fields = source.members(value, place, body + "weight at direction?")
         weight = source.number(fields["weight"], f"{place}.weight")
         if weight < 0:
             source.fail(f"{place}.weight", f"{show(weight)} is out of range, must be >= 0")
-        down = [Numeral("0")] * (coordinates(source.dimension) - 1) + [Numeral("-1")]
+        down = [Numeral("0")] * (source.coordinates - 1) + [Numeral("-1")]
         direction = read_point_of(source, fields.get("direction", down), f"{place}.direction")
         length = rational_root(dot(direction, direction))
         if not length:
             source.fail(f"{place}.direction",
                         "must have a rational length that is not 0, as [3, -4] has")
         force = tuple(weight * c / length for c in direction)
+        wrench = exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), force))
+    elif "wrench" in kinds and bodies:
+        fields = source.members(value, place, "body wrench")
+        wrench = read_vector_of_bounds(source, fields["wrench"], f"{place}.wrench", source.dimension)
+        if fields["body"] in bodies.turns:
+            source.fail(f"{place}.wrench", f"{show(fields['body'])} is a link; give a force at a point, a weight or a torque")
     else:
-        fields = source.members(value, place, "force at")
+        fields = source.members(value, place, body + "force at")
         force = read_point_of(source, fields["force"], f"{place}.force")
-    return exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), force))
+        wrench = exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), force))
+    if not bodies:
+        return wrench
+    motion = bodies.motion(source, dict(value.pairs)["body"], f"{place}.body")
+    # Where an end is not the other, J has ones and zeros alone.
+    lows, highs = zip(*wrench)
+    return tuple(map(Bounds, pulled(motion, lows), pulled(motion, highs)))
 
 
-def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) -> Wrench:
+def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool,
+              bodies: Optional[Bodies] = None) -> Wrench:
     """§1: "wrench", or the sum of "loads"."""
     given = [key for key in ("wrench", "loads") if key in fields]
     if len(given) > 1 or (needed and not given):
@@ -549,19 +603,21 @@ def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) 
     if "wrench" in fields:
         return read_vector_of_bounds(source, fields["wrench"], place + "wrench", source.dimension)
     loads = source.array(fields.get("loads", []), place + "loads")
-    return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]")
-                                  for k, load in enumerate(loads)), exact_wrench(zeros(source.dimension)))
+    none = exact_wrench(zeros(bodies.dimension if bodies else source.dimension))
+    return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]", bodies)
+                                  for k, load in enumerate(loads)), none)
 
 
-def read_cases(source: Source, value: Any, common: Wrench) -> Dict[str, Wrench]:
+def read_cases(source: Source, value: Any, common: Wrench,
+               bodies: Optional[Bodies] = None) -> Dict[str, Wrench]:
     cases: Dict[str, Wrench] = {}
     for k, entry in enumerate(source.array(value, "cases")):
         place = f"cases[{k}]"
-        fields = source.members(entry, place, "name wrench? loads?")
+        fields = source.members(entry, place, "name loads" if bodies else "name wrench? loads?")
         name = fields["name"]
         if type(name) is not str or not name or name in cases:
             source.fail(f"{place}.name", "must be a string, not empty, and of this case alone")
-        cases[name] = add(common, read_load(source, fields, place + ".", True))
+        cases[name] = add(common, read_load(source, fields, place + ".", True, bodies))
     if not cases:
         source.fail("cases", "must not be empty")
     return cases
@@ -601,16 +657,16 @@ def read_ring(source: Source, value: Any, place: str, hole: bool) -> List[Edge]:
     return edges
 
 
-def read_outline(source: Source, value: Any) -> List[List[Edge]]:
+def read_outline(source: Source, value: Any, where: str = "outline") -> List[List[Edge]]:
     """The edges of each polygon. A list of polygons, a list of rings, or a ring."""
     depth = depth_of(value)
     if depth < 2:
-        source.fail("outline", "must be a list of polygons [[[[x, y], ...]]]")
+        source.fail(where, "must be a list of polygons [[[[x, y], ...]]]")
     for _ in range(4 - depth):
         value = [value]
     outline = []
     for j, polygon in enumerate(value):
-        place = f"outline[{j}]"
+        place = f"{where}[{j}]"
         if not source.array(polygon, place):
             source.fail(place, "must have one ring or more")
         outline.append([edge for k, ring in enumerate(polygon)
@@ -618,17 +674,17 @@ def read_outline(source: Source, value: Any) -> List[List[Edge]]:
     return outline
 
 
-def check_body(source: Source, value: Any) -> None:
+def check_body(source: Source, value: Any, where: str = "body") -> None:
     """§7: it has no meaning here."""
-    fields = source.members(value, "body", "vertices faces")
-    vertices = source.array(fields["vertices"], "body.vertices")
+    fields = source.members(value, where, "vertices faces")
+    vertices = source.array(fields["vertices"], f"{where}.vertices")
     for i, vertex in enumerate(vertices):
-        source.vector(vertex, f"body.vertices[{i}]", 3)
-    faces = source.array(fields["faces"], "body.faces")
+        source.vector(vertex, f"{where}.vertices[{i}]", 3)
+    faces = source.array(fields["faces"], f"{where}.faces")
     if not faces:
-        source.fail("body.faces", "must have one face or more")
+        source.fail(f"{where}.faces", "must have one face or more")
     for j, face in enumerate(faces):
-        place = f"body.faces[{j}]"
+        place = f"{where}.faces[{j}]"
         if len(source.array(face, place)) < 3:
             source.fail(place, "must have three vertices or more")
         for k, entry in enumerate(face):
@@ -638,7 +694,7 @@ def check_body(source: Source, value: Any) -> None:
 
 
 def read_place(source: Source, value: Any, place: str,
-               outline: List[List[Edge]]) -> Tuple[Vector, Vector]:
+               outline: Sequence[List[Edge]]) -> Tuple[Vector, Vector]:
     """§1: position and normal of a contact on the outline."""
     polygon = Fraction(0)
     if type(value) is list:
@@ -668,20 +724,12 @@ def show_dimension(source: Source, top: Dict[str, Any]) -> None:
         first = contacts[0] if type(contacts) is list else None
         length = 3
         shown = dict(first.pairs).get("position") if type(first) is Members else None
-    if top["format"] == GRASP.formats[1] and type(shown) is list and len(shown) == length:
-        source.dimension = SPACE
+    if top["format"] != GRASP.formats[0] and type(shown) is list and len(shown) == length:
+        source.dimension, source.space = SPACE, True
 
 
-def read_grasp(name: str) -> Grasp:
-    """§1: what the grasp file says."""
-    source = Source(name, GRASP)
-    top = source.members(source.root, "",
-                         "format name? units? outline? body? defaults? contacts wrench? loads? "
-                         "cases?")
-    source.check_format(top["format"])
-    for key in ("units", "outline", "body", "loads", "cases"):
-        if key in top and top["format"] == GRASP.formats[0]:
-            source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
+def read_defaults(source: Source, top: Dict[str, Any]) -> Dict[str, Bounds]:
+    """And what all versions have."""
     if type(top.get("name", "")) is not str:
         source.fail("name", "must be a string")
     if "units" in top:
@@ -690,48 +738,68 @@ def read_grasp(name: str) -> Grasp:
                 source.fail(f"units.{key}", "must be a string of 1 to 16 bytes")
     stated = source.members(top.get("defaults", Members([])), "defaults",
                             "friction? stiffness? preload?")
-    defaults = {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)),
-                **coefficients(source, stated, "defaults")}
+    if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
+        source.fail("contacts", "too many contacts")
     show_dimension(source, top)
-    if "outline" in top and source.dimension == SPACE:
+    return {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)),
+            **coefficients(source, stated, "defaults")}
+
+
+def read_contact(source: Source, fields: Dict[str, Any], place: str, defaults: Dict[str, Bounds],
+                 outline: Sequence[List[Edge]] = ()) -> Contact:
+    values = {**defaults, **coefficients(source, fields, place)}
+    if "friction" not in values:
+        source.fail(place, "'friction' is missing, here and in defaults")
+    if "on" in fields:
+        point, normal = read_place(source, fields["on"], f"{place}.on", outline)
+        position, slope = tuple(map(exactly, point)), Fraction(0)
+    else:
+        position = read_vector_of_bounds(source, fields["position"], f"{place}.position",
+                                         source.coordinates)
+        normal, slope = read_normal(source, fields["normal"], f"{place}.normal")
+    if not any(normal):
+        source.fail(f"{place}.normal", "must not be zero")
+    return Contact(position, normal, slope, values["friction"], values["stiffness"],
+                   values["preload"], place)
+
+
+def read_grasp(name: str) -> Grasp:
+    """§1, §14: what the grasp file says."""
+    source = Source(name, GRASP)
+    given = dict(source.root.pairs) if type(source.root) is Members else {}
+    if given.get("format") == GRASP.formats[2] or "bodies" in given:
+        return read_several(source)
+    top = source.members(source.root, "",
+                         "format name? units? outline? body? defaults? contacts wrench? loads? "
+                         "cases?")
+    source.check_format(top["format"])
+    for key in ("units", "outline", "body", "loads", "cases"):
+        if key in top and top["format"] == GRASP.formats[0]:
+            source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
+    defaults = read_defaults(source, top)
+    if "outline" in top and source.space:
         source.fail("outline", "the grasp is in space, and has none")
     if "body" in top:
-        if source.dimension == PLANE:
+        if not source.space:
             source.fail("body", "the grasp is in the plane, and has none")
         check_body(source, top["body"])
     outline = read_outline(source, top["outline"]) if "outline" in top else []
     contacts = []
-    if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
-        source.fail("contacts", "too many contacts")
     for i, entry in enumerate(top["contacts"]):
-        place = f"contacts[{i}]"
-        where = "position normal "
+        place, where = f"contacts[{i}]", "position normal "
         if type(entry) is Members and any(key == "on" for key, _ in entry.pairs):
             where = "on "  # and no position, no normal
-        fields = source.members(entry, place, where + "friction? stiffness? preload?")
-        values = {**defaults, **coefficients(source, fields, place)}
-        if "friction" not in values:
-            source.fail(place, "'friction' is missing, here and in defaults")
-        if "on" in fields:
-            if source.dimension == SPACE:
+            if source.space:
                 source.fail(f"{place}.on", "the grasp is in space; give position and normal")
             if top["format"] == GRASP.formats[0]:
                 source.fail(place, f"'on' needs \"format\": \"{GRASP.formats[1]}\"")
-            point, normal = read_place(source, fields["on"], f"{place}.on", outline)
-            position, slope = tuple(map(exactly, point)), Fraction(0)
-        else:
-            position = read_vector_of_bounds(source, fields["position"], f"{place}.position",
-                                             coordinates(source.dimension))
-            normal, slope = read_normal(source, fields["normal"], f"{place}.normal")
-        if not any(normal):
-            source.fail(f"{place}.normal", "must not be zero")
-        contacts.append(Contact(position, normal, slope, values["friction"], values["stiffness"],
-                                values["preload"]))
+        fields = source.members(entry, place, where + "friction? stiffness? preload?")
+        contacts.append(read_contact(source, fields, place, defaults, outline))
     common = read_load(source, top, "", "cases" not in top)
     cases = read_cases(source, top["cases"], common) if "cases" in top else {}
     if source.uncertain and top["format"] == GRASP.formats[0]:
         source.fail(source.uncertain, f"an object here needs \"format\": \"{GRASP.formats[1]}\"")
-    return Grasp(contacts, common, cases)
+    return Grasp(contacts, None if cases else common, cases, source.space, source.dimension)
 
 
 def make_row(contact: Contact, growth: Fraction) -> Row:
@@ -741,15 +809,17 @@ def make_row(contact: Contact, growth: Fraction) -> Row:
     square = dot(n, n)
     length = rational_root(square) if preload or growth else Fraction(1)
     assert length is not None
-    normal = at(point, n)
-    return Row(normal, [at(point, t) for t in across(n)], contact.friction.low,
+    normal = pulled(contact.motion, at(point, n))
+    return Row(normal, [pulled(contact.motion, at(point, t)) for t in across(n)], contact.friction.low,
                times(-contact.stiffness.low / square, normal) + (preload / length, growth / length),
-               n)
+               n, bool(contact.spring))
 
 
 def across(n: Vector, straight: Optional[Vector] = None) -> List[Vector]:
     """What the slip of §1 and §7 is measured along: t, or the rows of the projection along n on the
-    plane across n⁰, which is n unless it is given."""
+    plane across n⁰, which is n unless it is given. Along a coordinate nothing slips (§14)."""
+    if len(n) == 1:
+        return []
     if len(n) == 2:
         return [(-n[1], n[0])]
     straight = straight or n
@@ -759,8 +829,8 @@ def across(n: Vector, straight: Optional[Vector] = None) -> List[Vector]:
 
 def turns(n: Vector) -> List[Vector]:
     """The ways in which the normal n⁰ may turn: t⁰ of §6, or U and V of §7."""
-    if len(n) == 2:
-        return [(-n[1], n[0])]
+    if len(n) < 3:
+        return across(n)
     least = min(range(3), key=lambda j: abs(n[j]))
     u = cross(n, tuple(Fraction(j == least) for j in range(3)))
     return [u, cross(n, u)]
@@ -778,26 +848,27 @@ def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
         return grasp.cases[asked.case]
     if asked.direction is not None or asked.plane:
         return exact_wrench(zeros(grasp.dimension))
-    if grasp.cases:
+    if grasp.wrench is None:
         raise Malformed("the question", "case", f"the grasp has {len(grasp.cases)} cases, and none "
                                                 "is chosen; give the name of one")
     return grasp.wrench
 
 
-def check_dimension(asked: Options, dimension: int) -> None:
+def check_dimension(asked: Options, grasp: Grasp) -> None:
     """§7: so many numbers as the grasp has."""
     for part, vector in (("wrench", asked.wrench), ("direction", asked.direction)):
-        if vector is not None and len(vector) != dimension:
+        if vector is not None and len(vector) != grasp.dimension:
             raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
-                                                  f"{dimension} as the grasp has")
+                                                  f"{grasp.dimension} as the grasp has")
 
 
-def check_plane(asked: Options, dimension: int) -> None:
+def check_plane(asked: Options, grasp: Grasp) -> None:
     """§12: which plane cannot be asked about."""
     if asked.plane is None:
         return
     u, v = asked.plane
-    problem = ("the grasp is in space" if dimension == SPACE else
+    problem = ("the grasp is in space" if grasp.space else
+               "the grasp is of several bodies" if grasp.names else
                "a direction is given as well" if asked.margin() else
                "its directions are multiples of one another"
                if all(u[j] * v[k] == u[k] * v[j] for j in range(PLANE) for k in range(j)) else "")
@@ -805,12 +876,13 @@ def check_plane(asked: Options, dimension: int) -> None:
         raise Malformed("the question", "plane", problem)
 
 
-def check_inertia(asked: Options, dimension: int) -> None:
+def check_inertia(asked: Options, grasp: Grasp) -> None:
     """§13: which class cannot be asked about."""
     if asked.inertia is None:
         return
-    m, space = asked.inertia, dimension == SPACE
-    problem = ("a direction or a plane is given as well" if asked.margin() or asked.plane else
+    m, space = asked.inertia, grasp.space
+    problem = ("the grasp is of several bodies" if grasp.names else
+               "a direction or a plane is given as well" if asked.margin() or asked.plane else
                f"expected {'6 or 9' if space else '3'} numbers" if len(m) != (9 if space else 3) else
                "the squared radius of gyration must be > 0" if not space and m[2] <= 0 else "")
     if space and not problem:
@@ -839,9 +911,11 @@ def check_tolerances(asked: Options) -> None:
 
 def widened(contact: Contact, asked: Options) -> Contact:
     """§6: with the tolerances, after what was replaced."""
-    if asked.preload is not None:
+    if asked.preload is not None and contact.is_contact():
         contact = contact._replace(preload=exactly(asked.preload))
     for kind, tolerance in (asked.uncertain or {}).items():
+        if not contact.is_contact() and kind not in ("stiffness", "preload"):
+            continue
         if kind == "normal":
             contact = contact._replace(slope=contact.slope + tolerance.size)
         elif kind == "position":
@@ -851,8 +925,9 @@ def widened(contact: Contact, asked: Options) -> Contact:
     return contact
 
 
-def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, family: str) -> bool:
+def check_contact(grasp_file: str, contact: Contact, grows: bool, family: str) -> bool:
     """§6: what cannot be asked of a contact; and whether it makes the question a box."""
+    place = contact.place + "."
     numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
                "preload": contact.preload, "normal": Bounds(-contact.slope, contact.slope),
                **{f"position[{j}]": p for j, p in enumerate(contact.position)}}
@@ -860,17 +935,20 @@ def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, fa
         raise Malformed(grasp_file, place + "normal", f"slope {show(contact.slope)}, must be < 1")
     for name in ("friction", "stiffness", "preload"):
         low = numbers[name].low
+        if contact.spring and (name == "preload" or low == 0):
+            continue
         if low < 0 or (name == "stiffness" and low == 0):
             raise Malformed(grasp_file, place + name, f"it may be {show(low)}, must be "
                                                       + ("> 0" if name == "stiffness" else ">= 0"))
     if family:
         for name, number in numbers.items():
             if not number.certain:
+                name = contact.spring if contact.spring and name == "preload" else name
                 raise Malformed(grasp_file, place + name, f"found {show(number)}, but {family} is "
                                                           "about one grasp; give a number")
     irrational = (contact.preload.high or grows) and not rational_root(dot(contact.normal,
                                                                            contact.normal))
-    if irrational and family and len(contact.normal) == 2:
+    if irrational and family and len(contact.normal) == 2 and contact.motion is None:
         raise Malformed(grasp_file, place + "normal",
                         "the contact has a preload and a normal of irrational length, so there "
                         "is no exact question; run stickslip snap GRASP -o FILE, and ask about FILE")
@@ -883,17 +961,18 @@ def pose(grasp_file: str, asked: Options) -> Question:
     m = len(grasp.contacts)
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
-    check_dimension(asked, grasp.dimension)
-    check_plane(asked, grasp.dimension)
-    check_inertia(asked, grasp.dimension)
+    check_dimension(asked, grasp)
+    check_plane(asked, grasp)
+    check_inertia(asked, grasp)
     check_tolerances(asked)
     contacts = [widened(contact, asked) for contact in grasp.contacts]
     growth = zeros(m)
     if asked.preload_direction not in (None, "scale"):
         growth = asked.preload_direction
-    if len(growth) != m or any(p < 0 for p in growth):
+    if len(growth) != m or any(p < 0 and not one.spring for p, one in zip(growth, contacts)):
         raise Malformed("the question", "preload direction",
-                        f"found {show(growth)}, must be {m} numbers >= 0, one for each contact")
+                        f"found {show(growth)}, must be {m} numbers, one for each contact, and >= 0"
+                        + " but those of springs" * bool(grasp.names))
     wrench = wrench_asked(grasp, asked)
     tolerance = (asked.uncertain or {}).get("wrench")
     loads = tuple(map(tolerance.widen, wrench)) if tolerance else wrench
@@ -901,8 +980,8 @@ def pose(grasp_file: str, asked: Options) -> Question:
     if is_box and asked.family():
         raise Malformed(grasp_file, "wrench", f"found {show(loads)}, but {asked.family()} is about "
                                               "one grasp; give numbers")
-    for i, (contact, grown) in enumerate(zip(contacts, growth)):
-        is_box |= check_contact(grasp_file, f"contacts[{i}].", contact, bool(grown), asked.family())
+    for contact, grown in zip(contacts, growth):
+        is_box |= check_contact(grasp_file, contact, bool(grown), asked.family())
     if asked.preload_direction == "scale":
         growth = tuple(contact.preload.low for contact in contacts)
         contacts = [contact._replace(preload=exactly(Fraction(0))) for contact in contacts]
@@ -910,7 +989,168 @@ def pose(grasp_file: str, asked: Options) -> Question:
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
     rows = [] if is_box else list(map(make_row, contacts, growth))
-    return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box)
+    return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box, grasp.space,
+                    grasp.names)
+
+
+# ---- §14 The grasp file of several bodies ------------------------------------------------------
+
+def unit(size: int, j: int) -> Vector:
+    return tuple(Fraction(j == k) for k in range(size))
+
+
+class Body(NamedTuple):
+    name: str
+    on: str                   # of links
+    turn: Optional[Vector]    # η of links
+
+
+def read_body(source: Source, entry: Any, place: str, before: Sequence[str]) -> Body:
+    fields = source.members(entry, place, "name hinge? slide? on? outline? mesh?")
+    name, on = fields["name"], fields.get("on", GROUND)
+    if type(name) is not str or not name or name == GROUND or name in before:
+        source.fail(f"{place}.name", f"must be a string, not empty, not '{GROUND}', and of this body alone")
+    if "outline" in fields:
+        if source.space:
+            source.fail(f"{place}.outline", "the grasp is in space, and has none; give a mesh")
+        read_outline(source, fields["outline"], f"{place}.outline")
+    if "mesh" in fields:
+        if not source.space:
+            source.fail(f"{place}.mesh", "the grasp is in the plane, and has none; give an outline")
+        check_body(source, fields["mesh"], f"{place}.mesh")
+    if "hinge" in fields and "slide" in fields:
+        source.fail(place, "both 'hinge' and 'slide'; give one of them")
+    if "hinge" not in fields and "slide" not in fields:
+        if "on" in fields:
+            source.fail(f"{place}.on", "only a link, with 'hinge' or 'slide', is on a body")
+        return Body(name, on, None)
+    if type(on) is not str or on not in (*before, GROUND):
+        source.fail(f"{place}.on", f"must be '{GROUND}' or a body that stands before this one, so that no links "
+                                   "are in a loop")
+    if "slide" in fields:
+        axis, where = read_point_of(source, fields["slide"], f"{place}.slide"), "slide"
+        turn = axis + zeros(source.dimension - len(axis))
+    elif source.space:
+        hinge = source.members(fields["hinge"], f"{place}.hinge", "at axis")
+        point, axis = (read_point_of(source, hinge[key], f"{place}.hinge.{key}") for key in ("at", "axis"))
+        turn, where = cross(point, axis) + axis, "hinge.axis"
+    else:
+        x, y = read_point_of(source, fields["hinge"], f"{place}.hinge")
+        turn = (y, -x, Fraction(1))
+    if not any(turn):
+        source.fail(f"{place}.{where}", "must not be zero")
+    return Body(name, on, turn)
+
+
+def read_over(source: Source, value: Any, place: str, links: Sequence[str]) -> Dict[str, Fraction]:
+    """An object of `turns` or `over`: numbers for links."""
+    if type(value) is not Members or not value.pairs:
+        source.fail(place, "must be an object of one link or more, such as {\"tip\": 1}")
+    found: Dict[str, Fraction] = {}
+    for name, entry in value.pairs:
+        if name not in links or name in found:
+            source.fail(place, f"'{show(name)}' is " + ("repeated" if name in found else
+                               f"no link (known: {', '.join(map(show, links)) or 'none'})"))
+        found[name] = source.number(entry, f"{place}.{show(name)}")
+        if not found[name]:
+            source.fail(f"{place}.{show(name)}", "must not be 0; leave the link out")
+    return found
+
+
+def read_bodies(source: Source, top: Dict[str, Any], joints: Sequence[Dict[str, Any]]) -> Bodies:
+    """J of each."""
+    bodies: List[Body] = []
+    for k, entry in enumerate(source.array(top["bodies"], "bodies")):
+        bodies.append(read_body(source, entry, f"bodies[{k}]", [body.name for body in bodies]))
+    if not bodies:
+        source.fail("bodies", "must not be empty")
+    links, size = [body.name for body in bodies if body.turn], source.dimension
+    turned = [read_over(source, joint["turns"], f"joints[{q}].turns", links) for q, joint in enumerate(joints)]
+    first = size * (len(bodies) - len(links))  # coordinate of a joint
+    dimension = first + len(joints)
+    if dimension > MAX_DIMENSION:
+        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {MAX_DIMENSION}")
+    turns = {link: zeros(first) + tuple(joint.get(link, Fraction(0)) for joint in turned) for link in links}
+    motions, begin_ = {GROUND: (zeros(size),) * dimension}, 0
+    for k, (name, on, turn) in enumerate(bodies):
+        if turn is None:
+            motions[name] = tuple(unit(size, q - begin_) for q in range(dimension))
+            begin_ += size
+            continue
+        if not any(turns[name]):
+            source.fail(f"bodies[{k}]", f"no joint turns the link '{show(name)}'; name it in 'turns' of one")
+        motions[name] = tuple(plus(column, c, turn) for column, c in zip(motions[on], turns[name]))
+    return Bodies(motions, turns, dimension)
+
+
+def element(place: str, row: Vector, stiffness: Bounds, preload: Bounds, spring: str = "") -> Contact:
+    """What acts along a row: a ratchet or a spring."""
+    return Contact((), (Fraction(1),), Fraction(0), exactly(Fraction(0)), stiffness, preload, place,
+                   tuple((c,) for c in row), spring)
+
+
+def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector, force: str) -> Contact:
+    stiffness, pull = (read_bounds(source, fields[key], f"{place}.{key}") if key in fields else
+                       exactly(Fraction(0)) for key in ("stiffness", force))
+    if stiffness.low < 0:
+        source.fail(f"{place}.stiffness", f"{show(stiffness.low)} is out of range, must be >= 0")
+    return element(place, row, stiffness, pull, force)
+
+
+def read_several(source: Source) -> Grasp:
+    top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
+                                          "contacts loads? cases?")
+    if top["format"] != GRASP.formats[2]:
+        source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
+    defaults = read_defaults(source, top)
+    lists = {}
+    for key, members in (("joints", "turns name? stiffness? torque?"),
+                         ("tendons", "over name? stiffness? tension?"),
+                         ("ratchets", "over name? stiffness preload?")):
+        lists[key] = [source.members(entry, f"{key}[{k}]", members)
+                      for k, entry in enumerate(source.array(top.get(key, []), key))]
+        for k, fields in enumerate(lists[key]):
+            if type(fields.get("name", "")) is not str:
+                source.fail(f"{key}[{k}].name", "must be a string")
+    joints = lists["joints"]
+    bodies = read_bodies(source, top, joints)
+
+    def row_over(fields: Dict[str, Any], place: str) -> Vector:
+        row = zeros(bodies.dimension)
+        for name, r in read_over(source, fields["over"], f"{place}.over", list(bodies.turns)).items():
+            row = plus(row, r, bodies.turns[name])
+        if not any(row):
+            source.fail(f"{place}.over", "its numbers cancel, so that no joint moves it")
+        return row
+
+    elements = []
+    for i, entry in enumerate(top["contacts"]):
+        place = f"contacts[{i}]"
+        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload?")
+        of = bodies.motion(source, fields["of"], f"{place}.of")
+        by = bodies.motion(source, fields.get("by", GROUND), f"{place}.by", True)
+        if fields["of"] == fields.get("by"):
+            source.fail(f"{place}.by", f"must be another body than that of 'of', or '{GROUND}'")
+        motion = tuple(plus(a, Fraction(-1), b) for a, b in zip(of, by))
+        elements.append(read_contact(source, fields, place, defaults)._replace(motion=motion))
+    for k, fields in enumerate(lists["ratchets"]):
+        place = f"ratchets[{k}]"
+        stated = {"preload": exactly(Fraction(0)), **coefficients(source, fields, place)}
+        elements.append(element(place, row_over(fields, place), stated["stiffness"], stated["preload"]))
+    for q, fields in enumerate(joints):
+        if "stiffness" in fields or "torque" in fields:
+            row = unit(bodies.dimension, bodies.dimension - len(joints) + q)
+            elements.append(read_spring(source, fields, f"joints[{q}]", row, "torque"))
+    for k, fields in enumerate(lists["tendons"]):
+        place = f"tendons[{k}]"
+        elements.append(read_spring(source, fields, place, row_over(fields, place), "tension"))
+    common = read_load(source, top, "", False, bodies)
+    cases = read_cases(source, top["cases"], common, bodies) if "cases" in top else {}
+    moves = ("x", "y", "z", "turn x", "turn y", "turn z") if source.space else ("x", "y", "turn")
+    names = [f"{body} {move}" for body in bodies.motions if body != GROUND and body not in bodies.turns for move in moves]
+    names += [joint.get("name", f"joint {q}") for q, joint in enumerate(joints)]
+    return Grasp(elements, None if cases and "loads" not in top else common, cases, source.space, bodies.dimension,
+                 tuple(names))
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -1022,15 +1262,16 @@ class Certificate(NamedTuple):
         return nodes + [node for claim in self.claims or [] for node in claim.tree]
 
 
-def read_certificate(name: str, dimension: int) -> Certificate:
+def read_certificate(name: str, question: Question) -> Certificate:
     """All of the syntax comes before any rule."""
-    source = Source(name, CERTIFICATE)
-    source.dimension = dimension
+    source, dimension = Source(name, CERTIFICATE), len(question.wrench)
+    source.dimension, source.space, source.several = dimension, question.space, bool(question.names)
+    by_segments = not (question.space or question.names)  # margins
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
     evidence = {"region": "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
-                "margin": "resisted segments tree" if dimension == PLANE else "intervals",
+                "margin": "resisted segments tree" if by_segments else "intervals",
                 "must move": "twist", "must hold": "rest tree",
                 "open": "rest acceleration forces"}.get(
                     claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
@@ -1042,7 +1283,7 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     margin, plane = claim.asked.margin(), claim.asked.plane is not None
     rigid = claim.asked.inertia is not None and not margin and not plane
     bits = source.index(top["bits"], "bits") if "bits" in top else 128
-    if (margin and dimension == PLANE or plane or rigid) and "bits" in top:
+    if (margin and by_segments or plane or rigid) and "bits" in top:
         source.fail("bits", "not where the question has a direction, a plane or an inertia")
     if not 64 <= bits <= 4096:
         source.fail("bits", "must be from 64 to 4096")
@@ -1100,7 +1341,7 @@ def read_certificate(name: str, dimension: int) -> Certificate:
 
 def read_across(source: Source, value: Any, place: str) -> Vector:
     """§13: a force across n, in the plane one number."""
-    return source.vector(value, place, 3) if source.dimension == SPACE else (source.number(value, place),)
+    return source.vector(value, place, 3) if source.space else (source.number(value, place),)
 
 
 def read_forces(source: Source, value: Any, place: str) -> List[RigidForce]:
@@ -1113,7 +1354,7 @@ def read_forces(source: Source, value: Any, place: str) -> List[RigidForce]:
 def read_rigid_node(source: Source, value: Any, place: str) -> Node:
     """§13, the table of nodes."""
     kind, *rest = source.array(value, place) or [None]
-    space = source.dimension == SPACE
+    space = source.space
     if (kind, len(rest)) in (("touch", 1), ("slip", 2 if space else 1)):
         return Node(kind, source.index(rest[0], place),
                     source.vector(rest[1], place, 3) if len(rest) == 2 else ())
@@ -1129,7 +1370,8 @@ def read_rigid_node(source: Source, value: Any, place: str) -> Node:
 def read_claim(source: Source, value: Any) -> Claim:
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
-                           + "plane? " * (source.dimension == PLANE) + "inertia? uncertain?", True)
+                           + "plane? " * (not source.space and not source.several)
+                           + "inertia? " * (not source.several) + "uncertain?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -1150,7 +1392,7 @@ def read_claim(source: Source, value: Any) -> Claim:
     inertia = None
     if "inertia" in fields:
         inertia = source.vector(fields["inertia"], "question.inertia")
-        if len(inertia) not in ((6, 9) if source.dimension == SPACE else (3,)):
+        if len(inertia) not in ((6, 9) if source.space else (3,)):
             source.fail("question.inertia", "must be as the option --inertia has it")
         inertia = in_full(inertia)
     wrench = [read_load_entry(source, entry, "question.wrench")
@@ -1183,7 +1425,7 @@ def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Toleran
 
 def read_friction(source: Source, value: Any, place: str) -> Vector:
     """A share, or F."""
-    return (source.vector(value, place, 3) if source.dimension == SPACE else
+    return (source.vector(value, place, 3) if source.space else
             (source.number(value, place),))
 
 
@@ -1218,10 +1460,10 @@ def read_load_point(source: Source, value: Any, place: str) -> Witness:
                    read_shares(source, shares, place))
 
 
-TURNS = {PLANE: ("turn",), SPACE: ("turn_u", "turn_v")}
-GEOMETRY = {PLANE: ("x", "y") + TURNS[PLANE], SPACE: ("x", "y", "z") + TURNS[SPACE]}
-PARAMETERS = {dimension: names + ("friction", "preload", "stiffness")  # of a contact
-              for dimension, names in GEOMETRY.items()}
+# By the numbers of a normal: of what acts along a coordinate, and of contacts in the plane and in space.
+GEOMETRY = {1: (), 2: ("x", "y", "turn"), 3: ("x", "y", "z", "turn_u", "turn_v")}
+PARAMETERS = {numbers: names + ("friction",) * (numbers > 1) + ("preload", "stiffness")
+              for numbers, names in GEOMETRY.items()}
 
 
 def read_tree(source: Source, value: Any, place: str, more: int) -> List[Node]:
@@ -1314,7 +1556,7 @@ def read_node(source: Source, value: Any, place: str, more: int) -> Node:
     if kind == "part" and not more:
         name, i, cut = source.array(rest, place, 3)
         return Node(kind, source.index(i, place), (source.number(cut, place),),
-                    source.choice(name, place, PARAMETERS[dimension] + ("wrench",)))
+                    source.choice(name, place, PARAMETERS[source.coordinates] + ("wrench",)))
     if kind in ("slip", "separation") and len(rest) == 1:
         return Node(kind, source.index(rest[0], place))
     if kind == "held" and more == 2 and len(rest) == 1:
@@ -1367,10 +1609,10 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
     forces = []
     for row in question.rows:
         v, slip = dot(row.v, witness.x), tuple(dot(s, witness.x) for s in row.slip)
-        forces.append(ContactForce(v, slip, max(Fraction(0), v), zeros(len(slip))))
+        forces.append(ContactForce(v, slip, v if row.spring else max(Fraction(0), v), zeros(len(slip))))
     last = -1
     for i, share in witness.shares:
-        if not last < i < len(forces):
+        if not last < i < question.slipping():
             raise Rejected("witness-share", f"contact {show(i)}, which is not there or not in order")
         row, last = question.rows[i], i
         if any(forces[i].slip):
@@ -1379,7 +1621,7 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
             raise Rejected("witness-share", f"contact {i}, share {show(share)}")
         forces[i] = forces[i]._replace(b=times(row.friction * forces[i].a, share))
     for i, force in enumerate(forces):
-        if question.asked.law == "bilateral" and force.v < 0:
+        if question.asked.law == "bilateral" and force.v < 0 and not question.rows[i].spring:
             raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
     for i, (row, force) in enumerate(zip(question.rows, forces)):
         if any(force.slip) and row.friction * force.a:
@@ -1429,7 +1671,7 @@ def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
 
 def reduced(vector: Integers) -> Integers:
     divisor = math.gcd(*vector)
-    return vector if divisor == 1 else tuple(c // divisor for c in vector)
+    return vector if divisor <= 1 else tuple(c // divisor for c in vector)
 
 
 def negated(vector: Integers) -> Integers:
@@ -1490,42 +1732,46 @@ class Cone:
 class Parameters(NamedTuple):
     """§6: of one contact, and its preload's growth in a margin, whose ends go with the preload's."""
     normal: Vector             # n⁰
-    bounds: Dict[str, Bounds]  # by PARAMETERS of the dimension
+    bounds: Dict[str, Bounds]  # by PARAMETERS
     growth: Bounds             # Pᵘ'
-
-    def geometry(self) -> Tuple[str, ...]:
-        return GEOMETRY[PLANE if len(self.normal) == 2 else SPACE]
+    motion: Optional[Matrix] = None  # §14: G
+    spring: bool = False
 
 
 class Terms:
     """What trees need of a contact: N and the slip at all corners (of one that is certain, there is
-    one), v_i in integers, up to positive factors; and what goes into the bounds of a leaf."""
+    one), v_i in integers, up to positive factors; and what goes into the bounds of a leaf. As it stands, of
+    one without friction."""
 
     def __init__(self, c: Parameters) -> None:
         x = c.bounds
-        self.normal, self.friction = c.normal, x["friction"]
+        self.normal, self.friction, self.spring = c.normal, x.get("friction", exactly(Fraction(0))), c.spring
         self.certain = c.growth.certain and all(number.certain for number in x.values())
         # Corners of positions and e: as 0s and 1s, without those that are certain.
-        uncertain = [name for name in c.geometry() if not x[name].certain]
+        geometry = GEOMETRY[len(c.normal)]
+        uncertain = [name for name in geometry if not x[name].certain]
         self.corners = list(itertools.product((0, 1), repeat=len(uncertain)))
         self.N: List[Vector] = []
         self.rows: List[List[Vector]] = []  # of the slip
         self.tilt = Fraction(0)             # δ of §7
         for corner in self.corners:
             here = [x[name][corner[uncertain.index(name)] if name in uncertain else 0]
-                    for name in c.geometry()]
+                    for name in geometry]
             n = c.normal
             for e, way in zip(here[len(n):], turns(n)):
                 n = plus(n, e, way)
             here = here[:len(n)]
             self.tilt = max(self.tilt, dot(n, n) / dot(c.normal, c.normal) - 1)
-            self.N.append(at(here, n))
-            self.rows.append([at(here, t) for t in across(n, c.normal)])
-        values = [times(-k, n) + load for n in self.N for k in set(x["stiffness"])
-                  for load in set(zip(x["preload"], c.growth))]
+            self.N.append(pulled(c.motion, at(here, n)))
+            self.rows.append([pulled(c.motion, at(here, t)) for t in across(n, c.normal)])
+        self.dimension = len(self.N[0])
+        pushes = set(zip(x["preload"], c.growth))
+        values = [times(-k, n) + push for n in self.N for k in set(x["stiffness"]) for push in pushes]
         forms, self.v_factor = integers([entry for value in values for entry in value])
         self.all_v = [forms[k:k + len(values[0])] for k in range(0, len(forms), len(values[0]))]
         self.v = list(dict.fromkeys(map(reduced, self.all_v)))
+        self.certain_v = len(set(self.N)) == 1 and (
+            not any(map(any, pushes)) or (x["stiffness"].certain and len(pushes) == 1))
         self.slip = [[integers(row)[0] + (0, 0) for row in rows] for rows in self.rows]
         # What one ray costs in a leaf.
         self.steps = sum(map(weight, itertools.chain(self.all_v, *self.slip)))
@@ -1546,7 +1792,22 @@ class Terms:
              mixed: bool) -> Union[Fraction, List[Fraction]]:
         """α_i of a contact without uncertainty but of its preload in the plane; of others the
         bounds b_i, one for each point."""
-        raise NotImplementedError
+        alpha = self.alpha(region, points, y)
+        if self.certain:
+            return alpha
+        if mixed and alpha <= 0:
+            return [Fraction(0)] * len(points)
+        # α v is largest where v is, or where it is least.
+        extreme = max if alpha > 0 else min
+        found = [extreme(dot(v, x) for v in self.all_v) for x in points]
+        if mixed:
+            found = [max(0, v) for v in found]
+        weight_ = alpha / self.v_factor
+        return [weight_ * v for v in found]
+
+    def alpha(self, region: Region, points: Sequence[Integers], y: Vector) -> Fraction:
+        """α_i, the same at all corners."""
+        return Fraction(dot(y, self.N[0]))
 
 
 class PlanarTerms(Terms):
@@ -1556,7 +1817,7 @@ class PlanarTerms(Terms):
         super().__init__(c)
         x, preload, stiffness = c.bounds, c.bounds["preload"], c.bounds["stiffness"]
         normals, tangents = self.N, [rows[0] for rows in self.rows]
-        self.tau = list(dict.fromkeys(reduced(integers(t)[0]) + (0, 0) for t in tangents))
+        self.tau = [reduced(integers(t)[0]) + (0, 0) for t in dict.fromkeys(tangents)]
         # N + s T by corner, for the ends of ±μ: all by one factor.
         ends = {s: [plus(n, s, t) for n, t in zip(normals, tangents)]
                 for s in (-x["friction"].high, -x["friction"].low, *x["friction"])}
@@ -1568,7 +1829,7 @@ class PlanarTerms(Terms):
         self.by_preload = (len(self.corners) == 1 and x["friction"].certain
                            and stiffness.certain)
         if self.by_preload:
-            self.all_v.sort(key=lambda v: v[PLANE:])
+            self.all_v.sort(key=lambda v: v[-2:])  # by the end of P', or of c of §7
             return
         self.normals, normal_factor = [], integers([z for n in normals for z in n])[1]
         self.normals = [tuple(int(z * normal_factor) for z in n) for n in normals]
@@ -1601,7 +1862,7 @@ class PlanarTerms(Terms):
         # v = P' h − k' N·d, at all ends: what P' and N·d are largest or least is the same for all.
         lows, highs = [], []
         for x in points:
-            pushes, (least, most, _) = [p * x[PLANE] for p in self.preload], self.heights(x)
+            pushes, (least, most, _) = [p * x[self.dimension] for p in self.preload], self.heights(x)
             lows.append(min(pushes) - max(k * most for k in self.stiffness))
             highs.append(max(pushes) - min(k * least for k in self.stiffness))
         return lows, highs
@@ -1647,7 +1908,7 @@ class PlanarTerms(Terms):
 
     def largest(self, at_first: Sequence[Sequence[int]], pushes: Sequence[int], x: Integers) -> int:
         """U_s(r), times the denominator of the weight."""
-        (_, _, at_second), h, (low, high) = self.heights(x), x[PLANE], self.stiffness
+        (_, _, at_second), h, (low, high) = self.heights(x), x[self.dimension], self.stiffness
         found = []
         for (_, _, repeat), alpha, height, push in zip(self.cells, at_first, at_second, pushes):
             pull = dot(alpha, height)
@@ -1726,26 +1987,12 @@ class SpatialTerms(Terms):
         super().__init__(c)
         # S at all corners by one factor.
         flat, _ = integers([entry for rows in self.rows for row in rows for entry in row])
-        self.S = [[flat[k:k + SPACE] for k in range(start, start + 3 * SPACE, SPACE)]
-                  for start in range(0, len(flat), 3 * SPACE)]
+        size = self.dimension
+        self.S = [[flat[k:k + size] for k in range(start, start + 3 * size, size)]
+                  for start in range(0, len(flat), 3 * size)]
 
     def slip_rows(self) -> Optional[List[Integers]]:
         return self.slip[0] if len(self.corners) == 1 else None
-
-    def work(self, region: Region, points: Sequence[Integers], y: Vector,
-             mixed: bool) -> Union[Fraction, List[Fraction]]:
-        alpha = self.alpha(region, points, y)
-        if self.certain:
-            return alpha
-        if mixed and alpha <= 0:
-            return [Fraction(0)] * len(points)
-        # α v is largest where v is, or where it is least.
-        extreme = max if alpha > 0 else min
-        found = [extreme(dot(v, x) for v in self.all_v) for x in points]
-        if mixed:
-            found = [max(0, v) for v in found]
-        weight_ = alpha / self.v_factor
-        return [weight_ * v for v in found]
 
     def alpha(self, region: Region, points: Sequence[Integers], y: Vector) -> Fraction:
         slips = [[tuple(dot(row, x) for row in rows) for x in points] for rows in self.S]
@@ -1771,7 +2018,7 @@ class SpatialTerms(Terms):
 
 
 def terms_of(c: Parameters) -> Terms:
-    return PlanarTerms(c) if len(c.normal) == 2 else SpatialTerms(c)
+    return (Terms, PlanarTerms, SpatialTerms)[len(c.normal) - 1](c)
 
 
 class Box:
@@ -1794,7 +2041,8 @@ class Box:
     def halves(self, part: Node) -> Tuple[Box, Box]:
         """`part-contact`, `part-inside`."""
         i, (cut,) = part.contact, part.numbers
-        if i >= (self.dimension if part.name == "wrench" else len(self.contacts)):
+        if i >= (self.dimension if part.name == "wrench" else len(self.contacts)) or (
+                part.name != "wrench" and part.name not in self.contacts[i].bounds):
             raise Rejected("part-contact", f"there is no {part.name} {show(i)}")
         whole = self.wrench[i] if part.name == "wrench" else self.contacts[i].bounds[part.name]
         if not whole.low < cut < whole.high:
@@ -1813,9 +2061,8 @@ class Box:
 
     def middle(self) -> Box:
         """q⁰."""
-        return Box([Parameters(contact.normal, {name: number.middle for name, number
-                                                in contact.bounds.items()}, contact.growth.middle)
-                    for contact in self.contacts],
+        return Box([contact._replace(bounds={name: number.middle for name, number in contact.bounds.items()},
+                                     growth=contact.growth.middle) for contact in self.contacts],
                    tuple(load.middle for load in self.wrench), self.growths)
 
 
@@ -1831,13 +2078,14 @@ def enlarged(question: Question, bits: int) -> Box:
         turned = contact.slope ** 2
         most = [root_bounds(turned * square / dot(way, way), ROOT_BITS).high
                 for way in turns(contact.normal)]
-        bounds = (*contact.position, *(Bounds(-e, e) for e in most), contact.friction,
+        bounds = (*contact.position, *(Bounds(-e, e) for e in most),
+                  *(contact.friction,) * contact.is_contact(),
                   Bounds(preload.low * (1 - turned / 2) * inverse.low,
                          preload.high * inverse.high),
                   Bounds(contact.stiffness.low * (1 - turned) / square,
                          contact.stiffness.high / square))
-        names = PARAMETERS[len(question.wrench)]
-        contacts.append(Parameters(contact.normal, dict(zip(names, bounds)), growth))
+        contacts.append(Parameters(contact.normal, dict(zip(PARAMETERS[len(contact.normal)], bounds)), growth,
+                                   contact.motion, bool(contact.spring)))
     return Box(contacts, question.widened, question.growths)
 
 
@@ -1929,7 +2177,8 @@ def begin(root: Root) -> Region:
     region.cone = all_points(root.box.coordinates)
     conditions = list(root.conditions)
     if root.bilateral:
-        conditions += [(term.v[0], False, False) for term in root.box.terms if len(term.v) == 1]
+        conditions += [(term.v[0], False, False) for term in root.box.terms
+                       if term.certain_v and not term.spring]
     for row, equality, strict in conditions:
         region.strict |= strict << region.cone.cuts
         region.cone = region.cone.cut(integers(row)[0], equality)
@@ -1989,8 +2238,7 @@ def leaf_refusal(region: Region, y: Vector,
     bends, bounds = [], []
     for term in box.terms:
         Work.spend(term.steps * region.cone.weight * len(points))
-        lows, highs = term.extremes(points)
-        v_side = side(lows, highs)
+        v_side = 1 if term.spring else side(*term.extremes(points))  # §14: a spring is closed
         if v_side < 0:
             continue  # max(0, v_i) = 0
         found = term.work(region, points, y, v_side == 0)
@@ -1998,7 +2246,8 @@ def leaf_refusal(region: Region, y: Vector,
             bounds.append(list(map(shorten, found)))
             continue
         v = term.all_v[-1 if found > 0 else 0]
-        weight = shorten(found / term.v_factor)
+        # v of a spring may be below 0, so that a larger α serves for it no more than a smaller one.
+        weight = found / term.v_factor if term.spring else shorten(found / term.v_factor)
         if v_side > 0:
             linear.append(tuple(weight * c for c in v) + zeros(box.coordinates - len(v)))
         elif weight > 0:
@@ -2045,16 +2294,19 @@ def children(region: Region, node: Node) -> List[Region]:
     if i >= len(box.terms):
         raise Rejected("node-contact", f"contact {show(i)}, the grasp has {len(box.terms)}")
     term = box.terms[i]
-    rows = term.slip_rows()
+    if term.spring or (node.kind == "slip" and not term.rows[0]):
+        raise Rejected("node-contact", f"there is no {node.kind} of element {i}, a spring or ratchet")
     if node.kind == "separation":
-        rows = term.v if len(term.v) == 1 else None
+        rows = term.v if term.certain_v else None
+    else:
+        rows = term.slip_rows()
     if rows is None:
         raise Rejected("node-certain", f"contact {i} is uncertain there")
     below = [negated(rows[0])]
     if node.kind == "separation":
         return [Region(region, f"separation {i} closed", rows),
                 Region(region, f"separation {i} open", below, strict=True)]
-    if box.dimension == SPACE:
+    if len(rows) == 3:
         return [Region(region, f"slip {i} 0", rows, equality=True),
                 Region(region, f"slip {i} not 0", slips=(i,))]
     return [Region(region, f"slip {i} +", rows, strict=True),
@@ -2128,7 +2380,7 @@ def check_resisted(resisted: Sequence[Interval]) -> None:
 
 def multiple(point: Witness) -> Optional[Fraction]:
     """λ; None for a ray."""
-    return point.x[PLANE + 1] if point.x[PLANE] else None
+    return point.x[-1] if point.x[-2] else None
 
 
 def check_segments(segments: Sequence[Segment], resisted: Sequence[Interval],
@@ -2187,7 +2439,7 @@ def check_mode(question: Question, first: Sequence[ContactForce], second: Sequen
                place: str) -> None:
     """`segment-mode`."""
     for i, (row, p, q) in enumerate(zip(question.rows, first, second)):
-        if p.v < 0 < q.v or q.v < 0 < p.v:
+        if not row.spring and (p.v < 0 < q.v or q.v < 0 < p.v):
             raise Rejected("segment-mode", f"contact {i}: v = {show(p.v)} and {show(q.v)}", place)
         if row.friction == 0 or p.a + q.a == 0:
             continue
@@ -2223,18 +2475,21 @@ def gaps(resisted: Sequence[Interval]) -> List[Range]:
 # ---- §6 Stable: at rest -----------------------------------------------------------------------
 
 
+def no_friction(term: Terms) -> List[Vector]:
+    return [zeros(len(term.rows[0]))] * (1 + term.dimension)
+
+
 def friction_of(proof: RestProof, box: Box, place: str) -> Dict[int, List[Vector]]:
     """`rest-share`: f⁰ and G_1, …, G_D of each contact that is listed; 0 where they are not stated."""
     found: Dict[int, List[Vector]] = {}
-    zero = zeros(3 if box.dimension == SPACE else 1)
     for entries, first in ((proof.rest, 0), (proof.answers, 1)):
         before = -1
         for i, forces in entries:
-            if not before < i < len(box.contacts):
+            if not before < i < len(box.contacts) or not box.terms[i].rows[0]:
                 raise Rejected("rest-share", f"contact {show(i)} after {show(before)}", place)
-            if box.dimension == SPACE and any(dot(f, box.contacts[i].normal) for f in forces):
+            if len(forces[0]) == 3 and any(dot(f, box.contacts[i].normal) for f in forces):
                 raise Rejected("rest-share", f"contact {i}: not across its normal", place)
-            found.setdefault(i, [zero] * (1 + box.dimension))[first:first + len(forces)] = forces
+            found.setdefault(i, no_friction(box.terms[i]))[first:first + len(forces)] = forces
             before = i
     return found
 
@@ -2243,7 +2498,7 @@ def rest_wrenches(term: Terms, push: Bounds, forces: Sequence[Vector]) -> List[V
     """Of one contact: P' N + Sᵀ f⁰, Sᵀ G_1, …, Sᵀ G_D in one, the least and the largest entries."""
     found = []
     for normal, rows in zip(term.N, term.rows):
-        columns = [tuple(dot(force, entries) for entries in zip(*rows)) for force in forces]
+        columns = [tuple(dot(force, entries) for _, *entries in zip(normal, *rows)) for force in forces]
         found += [sum(columns[1:], plus(columns[0], p, normal)) for p in set(push)]
     return [tuple(map(end, zip(*found))) for end in (min, max)]
 
@@ -2252,7 +2507,6 @@ def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fract
     """A part at rest, for all λ between two."""
     size = box.dimension
     friction = friction_of(proof, box, place)
-    none = [zeros(3 if size == SPACE else 1)] * (1 + size)
     unit = tuple(Fraction(-(k == l)) for l in range(size) for k in range(size))
     for multiple in multiples:
         pushes = [Bounds(*(p + multiple * grown for p, grown in zip(c.bounds["preload"], c.growth)))
@@ -2262,8 +2516,8 @@ def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fract
             load = tuple(w[end] + multiple * u for w, u in zip(box.wrench, box.growths[0]))
             ends.append([load + unit])
         for i, (term, push) in enumerate(zip(box.terms, pushes)):
-            if push.high or i in friction:
-                for terms, wrenches in zip(ends, rest_wrenches(term, push, friction.get(i, none))):
+            if any(push) or i in friction:
+                for terms, wrenches in zip(ends, rest_wrenches(term, push, friction.get(i) or no_friction(term))):
                     terms.append(wrenches)
         left = [max(-low, high) for low, high in zip(*map(pairwise_sum, ends))]
         factors = (Fraction(1), *proof.reach)
@@ -2272,7 +2526,7 @@ def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fract
                 raise Rejected("rest-reach", f"Z_{k + 1} = {show(reach)} is too small", place)
         for i, forces in sorted(friction.items()):
             most, lengths = box.contacts[i].bounds["friction"].low * pushes[i].low, []
-            if size == SPACE:
+            if len(forces[0]) == 3:
                 most *= root_bounds(dot(box.contacts[i].normal, box.contacts[i].normal), ROOT_BITS).low
                 lengths = [root_bounds(dot(f, f), ROOT_BITS).high for f in forces]
             else:
@@ -2380,7 +2634,7 @@ def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str,
         region = begin(Root(box, cell.cone(cell.multiples)))
         for i, term in enumerate(box.terms):
             lows, _ = term.extremes([x for x, _ in region.cone.generators])
-            if min(lows) < 0:
+            if min(lows) < 0 and not term.spring:
                 raise Rejected("degree-law", f"v of contact {i} may be below 0", place)
     direction = [cell.about(row) for row in part.direction]
     if low == high:
@@ -2763,7 +3017,8 @@ USAGE = """check.py GRASP CERTIFICATE [options]
 
 Checks a stickslip certificate, as FORMAT.md says. GRASP is the grasp file, CERTIFICATE the proof;
 one of them may be - for standard input. Give the same options as to the program that made it:
-  --wrench WX,WY,T         replaces the file's; in space WX,WY,WZ,TX,TY,TZ
+  --wrench WX,WY,T         replaces the file's; in space WX,WY,WZ,TX,TY,TZ; of several bodies a number
+                           for each coordinate, as in --direction
   --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
@@ -2808,12 +3063,15 @@ def number_option(name: str, text: str) -> Fraction:
         raise UsageError(f"{name}: {error}") from None
 
 
-def list_option(name: str, text: str, lengths: Sequence[int] = ()) -> Vector:
-    parts = text.split(",")
-    if lengths and len(parts) not in lengths:
-        raise UsageError(f"{name}: '{show(text)}' is not WX,WY,T, such as 0,-11/10,0, or in space "
-                         "WX,WY,WZ,TX,TY,TZ")
-    return tuple(number_option(name, part) for part in parts)
+def wrench_option(name: str, text: str) -> Vector:
+    """So many numbers as a grasp can have coordinates; which it has is known later."""
+    if text.count(",") >= MAX_DIMENSION:
+        raise UsageError(f"{name}: '{show(text)}' has more than {MAX_DIMENSION} numbers")
+    return list_option(name, text)
+
+
+def list_option(name: str, text: str) -> Vector:
+    return tuple(number_option(name, part) for part in text.split(","))
 
 
 def tolerances_option(name: str, text: str) -> Dict[str, Tolerance]:
@@ -2854,9 +3112,9 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
                 raise UsageError(f"{name} needs a value")
             value = waiting.pop()
         if name == "--wrench":
-            options = options._replace(wrench=list_option(name, value, (PLANE, SPACE)))
+            options = options._replace(wrench=wrench_option(name, value))
         elif name == "--direction":
-            options = options._replace(direction=list_option(name, value, (PLANE, SPACE)))
+            options = options._replace(direction=wrench_option(name, value))
         elif name == "--plane":
             values = list_option(name, value)
             if len(values) != 2 * PLANE:
@@ -2931,8 +3189,14 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     else:
         lines += [f"verdict     {certificate.verdict}"
                   + ", for every grasp in the box" * question.is_box]
-    lines += [f"contacts    {len(question.contacts)}",
-              f"wrench      ({', '.join(map(str, question.wrench))})"]
+    if question.names:
+        contacts, springs = question.slipping(), question.springs()
+        ratchets = len(question.contacts) - contacts - springs
+        lines += [f"contacts    {contacts}; ratchets: {ratchets}; springs: {springs}",
+                  f"coordinates {', '.join(map(printable, question.names))}"]
+    else:
+        lines += [f"contacts    {len(question.contacts)}"]
+    lines.append(f"wrench      ({', '.join(map(str, question.wrench))})")
     if asked.direction is not None:
         lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
     if asked.plane is not None:
@@ -2973,7 +3237,7 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
                                             "refuted", "question"))
     try:
         question = pose(arguments.files[0], arguments.options)
-        certificate = read_certificate(arguments.files[1], len(question.wrench))
+        certificate = read_certificate(arguments.files[1], question)
         check_question(question, certificate.question)
         ranges = [VERDICT]
         bilateral = question.asked.law == "bilateral"

@@ -12,7 +12,8 @@ const HELP = `check_node.js GRASP CERTIFICATE [options]
 Checks a stickslip certificate with the checker of the page, page/web/check.js. Arguments, answers and exit
 codes are those of stickslip-check; see certificate/FORMAT.md.
 
-  --wrench WX,WY,T         wrench applied to the object; in space WX,WY,WZ,TX,TY,TZ
+  --wrench WX,WY,T         wrench applied to the object; in space WX,WY,WZ,TX,TY,TZ; of several bodies a
+                           number for each coordinate, as in --direction
   --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
@@ -36,17 +37,17 @@ class Usage extends Error {}
 // As check.js takes them. A number has at least a digit; whether it is one is found out later, but for usage.
 const NUMBER = /^[+-]?[0-9]+(?:\/[0-9]+|(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)$/;
 
-function numbers(text, lengths, what) {
+function numbers(text, lengths, what, most = Infinity) {
   const list = text.split(',');
-  if (!list.every((x) => NUMBER.test(x)) || (lengths !== null && !lengths.includes(list.length))) {
+  if (!list.every((x) => NUMBER.test(x)) || (lengths !== null && !lengths.includes(list.length)) || list.length > most) {
     throw new Usage(`${shown(text)} is not ${what}`);
   }
   return list;
 }
 
-const WRENCH = 'WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ';
+const WRENCH = 'WX,WY,T, such as 0,-11/10,0, or as many numbers as the grasp has coordinates, at most 30';
 const OPTIONS = {
-  '--wrench': (o, text) => { o.wrench = numbers(text, [3, 6], WRENCH); },
+  '--wrench': (o, text) => { o.wrench = numbers(text, null, WRENCH, 30); },
   '--torque': (o, text) => { o.wrench = ['0', '0', ...numbers(text, [1], 'a number')]; },
   '--case': (o, text) => { o.case = text; },
   '--preload': (o, text) => { [o.preload] = numbers(text, [1], 'a number'); },
@@ -54,7 +55,7 @@ const OPTIONS = {
     if (text !== 'unilateral' && text !== 'bilateral') throw new Usage(`${shown(text)} is not unilateral or bilateral`);
     o.normal_law = text;
   },
-  '--direction': (o, text) => { o.direction = numbers(text, [3, 6], WRENCH); },
+  '--direction': (o, text) => { o.direction = numbers(text, null, WRENCH, 30); },
   '--preload-direction': (o, text) => {
     o.preload_direction = text === 'scale' ? text : text === '' ? (() => { throw new Usage('no number'); })()
       : numbers(text, null, 'P0,P1,... or scale');

@@ -29,10 +29,11 @@ let number option text =
 
 let list option text = List.map (number option) (String.split_on_char ',' text)
 
+(* How many numbers it has to have is known with the grasp. *)
 let wrench option text =
   let numbers = list option text in
-  if List.mem (List.length numbers) [ 3; 6 ] then numbers
-  else usage option text " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ"
+  if List.length numbers <= 30 then numbers
+  else usage option text " has more than 30 numbers"
 
 let tolerances option text =
   let add found part =

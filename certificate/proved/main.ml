@@ -50,7 +50,8 @@ Answers and exit codes:
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
                   stability by degree or at rest, of uncertain normals and margins in space,
-                  and of regions; or it takes more work than the files' length allows
+                  of regions and of several bodies; or it takes more work than the files'
+                  length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -121,6 +122,11 @@ let tokens file limits text =
   with Tokenise.Not_json { line; column; problem } ->
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
+(* Of several bodies nothing is judged, whatever else is asked. *)
+let is_of_several_bodies = function
+  | Object members -> List.mem ("format", Text "stickslip-grasp/3") members
+  | _ -> false
+
 let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate_name, certificate) =
   let options = arguments.options in
   Work.begin_question ();
@@ -131,8 +137,10 @@ let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate
   else if arguments.inertia then
     Print.Not_judged "classes of rigid contacts: stickslip-check judges them"
   else try
-    let asked =
-      or_illegible grasp_name (ask options (read grasp_name Tokenise.of_grasp (grasp ()))) in
+    let file = read grasp_name Tokenise.of_grasp (grasp ()) in
+    if is_of_several_bodies file then Print.Not_judged "several bodies: stickslip-check judges them"
+    else
+    let asked = or_illegible grasp_name (ask options file) in
     let answer, certificate =
       or_illegible certificate_name
         (judge Oracle.oracle asked (read certificate_name Tokenise.of_certificate (certificate ()))) in

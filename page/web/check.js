@@ -278,7 +278,7 @@ const CERTIFICATE_LIMITS = {bytes: 2 ** 30, depth: 8, string: 65536, numeral: 40
   members: new Set(['segments', 'tree', 'parts', 'intervals', 'contacts'])};
 const GRASP_LIMITS = {bytes: 2 ** 28, depth: 32, string: 2 ** 28, numeral: 16384, values: 2 ** 16,
   members: new Set(['segments', 'tree', 'parts', 'intervals', 'contacts'])};
-const MOST_CONTACTS = 1000000, LONGEST_GRASP_NUMBER = 16384, MOST_EXPONENT = 4096;
+const MOST_CONTACTS = 1000000, MOST_COORDINATES = 30, GROUND = 'ground', LONGEST_GRASP_NUMBER = 16384, MOST_EXPONENT = 4096;
 
 const utf8_length = (text) => new TextEncoder().encode(text).length;
 
@@ -546,6 +546,8 @@ function grasp_string(value, place) {
   return value;
 }
 
+const zeros = (count) => Array(count).fill(ZERO);
+
 /** Rings with their edges: of each polygon a list of {a, b, inward}, where inward is the edge's normal. */
 function read_outline(value, place) {
   const is_vertex = (v) => Array.isArray(v) && !Array.isArray(v[0]);
@@ -587,15 +589,15 @@ function named_by(number, list, place, what) {
   return list[Number(k.n)];
 }
 
-/** FORMAT.md §7: it has no meaning here. */
-function check_body(value) {
-  known_members(value, 'body', ['vertices', 'faces'], ['vertices', 'faces']);
-  const vertices = array_of(value.get('vertices'), 'body.vertices')
-      .map((vertex, i) => grasp_numbers(vertex, `body.vertices[${i}]`, 3));
-  const faces = array_of(value.get('faces'), 'body.faces');
-  if (faces.length === 0) throw new Malformed('body.faces', 'no face');
+/** FORMAT.md §7, §14: a mesh, which has no meaning here. */
+function check_mesh(value, where) {
+  known_members(value, where, ['vertices', 'faces'], ['vertices', 'faces']);
+  const vertices = array_of(value.get('vertices'), `${where}.vertices`)
+      .map((vertex, i) => grasp_numbers(vertex, `${where}.vertices[${i}]`, 3));
+  const faces = array_of(value.get('faces'), `${where}.faces`);
+  if (faces.length === 0) throw new Malformed(`${where}.faces`, 'no face');
   faces.forEach((face, j) => {
-    const place = `body.faces[${j}]`;
+    const place = `${where}.faces[${j}]`;
     if (array_of(face, place).length < 3) throw new Malformed(place, 'fewer than three vertices');
     for (const number of face) named_by(number, vertices, place, 'vertex');
   });
@@ -617,48 +619,83 @@ function read_place(value, place, outline) {
   return [a.map((x, j) => x.plus(t.times(b[j].minus(x)))), normal];
 }
 
-/** The wrench of a force f at p: plane (f, p × f), space likewise with three numbers each. */
+/**
+ * The wrench of a force f at p: plane (f, p × f), space likewise with three numbers each. What acts along a coordinate (§14)
+ * has one number and no place.
+ */
 function wrench_at(f, p) {
+  if (f.length === 1) return f;
   return f.length === 2 ? [...f, p[0].times(f[1]).minus(p[1].times(f[0]))] : [...f, ...cross_product(p, f)];
 }
 
-function read_load(value, place, size) {
-  const dimension = size === 3 ? 2 : 3;
-  object_at(value, place);
-  if (value.has('force')) {
-    known_members(value, place, ['force', 'at'], ['at']);
-    return wrench_at(grasp_numbers(value.get('force'), `${place}.force`, dimension),
-        grasp_numbers(value.get('at'), `${place}.at`, dimension));
+/** Gᵀ times a row (§14), G by its columns. One body has no G. */
+const pulled = (motion, row) => (motion === null ? row : motion.map((column) => dot_fractions(column, row)));
+
+/** The wrench of a load, as intervals. Of several bodies it is about its `body`, and in Q^D. */
+function read_load(value, place, size, bodies) {
+  const dimension = size === 3 ? 2 : 3, body = bodies === null ? [] : ['body'];
+  const known = (required, optional = []) => known_members(value, place, [...body, ...required, ...optional], [...body, ...required]);
+  const vector = (name) => grasp_numbers(value.get(name), `${place}.${name}`, dimension);
+  let wrench;
+  if (object_at(value, place).has('force')) {
+    known(['force', 'at']);
+    wrench = wrench_at(vector('force'), vector('at'));
+  } else if (value.has('torque')) {
+    known(['torque']);
+    const torque = dimension === 2 ? [grasp_number(value.get('torque'), `${place}.torque`)] : vector('torque');
+    wrench = [...zeros(dimension), ...torque];
+  } else if (value.has('wrench') && bodies !== null) {
+    known(['wrench']);
+    wrench = grasp_intervals(value.get('wrench'), `${place}.wrench`, size, 3);
+    if (bodies.turns.has(value.get('body'))) {
+      throw new Malformed(`${place}.wrench`, 'its body is a link; give a force at a point, a weight or a torque');
+    }
+  } else {
+    known(['weight', 'at'], ['direction']);
+    const weight = grasp_number(value.get('weight'), `${place}.weight`);
+    if (weight.sign() < 0) throw new Malformed(`${place}.weight`, 'a weight must not be below 0');
+    let down = [...zeros(dimension - 1), ONE.negated()];
+    if (value.has('direction')) down = vector('direction');
+    const length = rational_root(dot_fractions(down, down));
+    if (length === null || length.isZero()) {
+      throw new Malformed(`${place}.direction`, 'the length must be rational and not 0');
+    }
+    wrench = wrench_at(down.map((x) => weight.times(x).over(length)), vector('at'));
   }
-  if (value.has('torque')) {
-    known_members(value, place, ['torque']);
-    const torque = dimension === 2 ? [grasp_number(value.get('torque'), `${place}.torque`)]
-                                   : grasp_numbers(value.get('torque'), `${place}.torque`, 3);
-    return [...Array(dimension).fill(ZERO), ...torque];
-  }
-  known_members(value, place, ['weight', 'at', 'direction'], ['weight', 'at']);
-  const weight = grasp_number(value.get('weight'), `${place}.weight`);
-  if (weight.sign() < 0) throw new Malformed(`${place}.weight`, 'a weight must not be below 0');
-  let down = Array(dimension).fill(ZERO);
-  down[dimension - 1] = ONE.negated();
-  if (value.has('direction')) down = grasp_numbers(value.get('direction'), `${place}.direction`, dimension);
-  const length = rational_root(dot_fractions(down, down));
-  if (length === null || length.isZero()) {
-    throw new Malformed(`${place}.direction`, 'the length must be rational and not 0');
-  }
-  return wrench_at(down.map((x) => weight.times(x).over(length)), grasp_numbers(value.get('at'), `${place}.at`, dimension));
+  const ends = wrench.map((x) => (Array.isArray(x) ? x : [x, x]));
+  if (bodies === null) return ends;
+  // Where one end is not the other, J has ones and zeros alone.
+  const motion = named_motion(bodies, value.get('body'), `${place}.body`, false);
+  const [low, high] = [0, 1].map((end) => pulled(motion, ends.map((x) => x[end])));
+  return low.map((x, j) => [x, high[j]]);
 }
 
 const add_intervals = (a, b) => a.map(([low, high], j) => [low.plus(b[j][0]), high.plus(b[j][1])]);
 
 /** The wrench of a file or a case, as intervals; null if it has neither `wrench` nor `loads`. */
-function read_wrench(object, place, size, version) {
+function read_wrench(object, place, size, version, bodies = null) {
   if (object.has('wrench') && object.has('loads')) throw new Malformed(place, 'both wrench and loads');
   if (object.has('wrench')) return grasp_intervals(object.get('wrench'), inside(place, 'wrench'), size, version);
   if (!object.has('loads')) return null;
   return array_of(object.get('loads'), inside(place, 'loads'))
-      .map((load, j) => read_load(load, `${inside(place, 'loads')}[${j}]`, size).map((x) => [x, x]))
-      .reduce(add_intervals, Array(size).fill([ZERO, ZERO]));
+      .map((load, j) => read_load(load, `${inside(place, 'loads')}[${j}]`, size, bodies))
+      .reduce(add_intervals, Array(bodies === null ? size : bodies.dimension).fill([ZERO, ZERO]));
+}
+
+/** The wrenches of `cases`, by name. */
+function read_cases(value, common, size, version, bodies = null) {
+  const cases = new Map();
+  if (array_of(value, 'cases').length === 0) throw new Malformed('cases', 'the list is empty');
+  value.forEach((one, j) => {
+    const place = `cases[${j}]`;
+    known_members(one, place, ['name', ...(bodies === null ? ['wrench'] : []), 'loads'], ['name']);
+    const name = grasp_string(one.get('name'), `${place}.name`);
+    if (name === '' || cases.has(name)) throw new Malformed(`${place}.name`, 'empty, or that of another case');
+    const own = read_wrench(one, place, size, version, bodies);
+    if (own === null) throw new Malformed(place, bodies === null ? 'neither wrench nor loads' : 'no loads');
+    cases.set(name, add_intervals(own, common));
+  });
+  return cases;
 }
 
 const RANGES = {friction: (x) => x.sign() >= 0, stiffness: (x) => x.sign() > 0, preload: (x) => x.sign() >= 0};
@@ -686,14 +723,70 @@ function read_normal(value, place, dimension, version) {
   return [normal, slope];
 }
 
+/** What all versions have: {space, size, defaults, contacts}, where size is the dimension of one body's motions. */
+function read_head(file, version) {
+  if (file.has('name')) grasp_string(file.get('name'), 'name');
+  const contacts = array_of(file.get('contacts'), 'contacts');
+  if (contacts.length > MOST_CONTACTS) throw new Malformed('contacts', `more than ${MOST_CONTACTS}`);
+
+  const length_in = (value, key) => {
+    const list = value instanceof Map ? value.get(key) : undefined;
+    return Array.isArray(list) ? list.length : 0;
+  };
+  const space = version >= 2 &&
+      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : length_in(file, 'wrench') === 6);
+
+  if (file.has('units')) {
+    known_members(file.get('units'), 'units', ['length', 'force'], ['length', 'force']);
+    for (const [key, value] of file.get('units')) {
+      const bytes = utf8_length(grasp_string(value, `units.${key}`));
+      if (bytes < 1 || bytes > 16) throw new Malformed(`units.${key}`, 'must be of 1 to 16 bytes');
+    }
+  }
+  const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]]]);
+  if (file.has('defaults')) {
+    known_members(file.get('defaults'), 'defaults', ['friction', 'stiffness', 'preload']);
+    for (const name of file.get('defaults').keys()) {
+      defaults.set(name, read_range(file.get('defaults'), name, 'defaults', version));
+    }
+  }
+  return {space, size: space ? 6 : 3, defaults, contacts};
+}
+
+/** A contact, in version 3 without its bodies. */
+function read_contact(value, place, {space, defaults}, version, outline = null) {
+  object_at(value, place);
+  const on = version === 2 && !space && value.has('on');
+  const needed = [...(version === 3 ? ['of'] : []), ...(on ? ['on'] : ['position', 'normal'])];
+  known_members(value, place, [...needed, ...(version === 3 ? ['by'] : []), 'friction', 'stiffness', 'preload'], needed);
+  const range = (name) => {
+    if (value.has(name)) return read_range(value, name, place, version);
+    if (!defaults.has(name)) throw new Malformed(place, `the member "${name}" is missing`);
+    return defaults.get(name);
+  };
+  let p, n, slope = ZERO;
+  if (on) {
+    [p, n] = read_place(value.get('on'), `${place}.on`, outline);
+    p = p.map((x) => [x, x]);
+  } else {
+    p = grasp_intervals(value.get('position'), `${place}.position`, space ? 3 : 2, version);
+    [n, slope] = read_normal(value.get('normal'), `${place}.normal`, space ? 3 : 2, version);
+  }
+  return {place, p, n, slope, mu: range('friction'), k: range('stiffness'), preload: range('preload'), motion: null, spring: false};
+}
+
 /**
- * {space, size, contacts, wrench, cases}: each contact with p, mu, k, preload as intervals, n, slope;
- * wrench as intervals, or null where only cases have one.
+ * {space, several, size, contacts, wrench, cases}: each contact with p, mu, k, preload as intervals, n, slope, and of several
+ * bodies motion (G by its columns) and spring; wrench as intervals, or null where only cases have one. size is D.
  */
 function read_grasp(text) {
   const file = object_at(new JsonReader(text, GRASP_LIMITS).whole(), '');
-  const version = {'stickslip-grasp/1': 1, 'stickslip-grasp/2': 2}[file.get('format')];
-  if (version === undefined) expected('"stickslip-grasp/1" or "stickslip-grasp/2"', file.get('format'), 'format');
+  const version = {'stickslip-grasp/1': 1, 'stickslip-grasp/2': 2, 'stickslip-grasp/3': 3}[file.get('format')];
+  if (version === undefined) {
+    expected('"stickslip-grasp/1", "stickslip-grasp/2" or "stickslip-grasp/3"', file.get('format'), 'format');
+  }
+  if (version === 3) return read_several(file);
+  if (file.has('bodies')) throw new Malformed('format', 'must be "stickslip-grasp/3", as the file has bodies');
   if (file.has('normals')) {
     throw new Malformed('normals', 'unknown; stickslip snap GRASP -o FILE writes normals of rational length');
   }
@@ -703,81 +796,157 @@ function read_grasp(text) {
   }
   known_members(file, '', ['format', 'name', 'defaults', 'contacts', 'wrench', ...more],
       version === 1 ? ['contacts', 'wrench'] : ['contacts']);
-  if (file.has('name')) grasp_string(file.get('name'), 'name');
-  const contacts = array_of(file.get('contacts'), 'contacts');
-  if (contacts.length > MOST_CONTACTS) throw new Malformed('contacts', `more than ${MOST_CONTACTS}`);
-
-  const length_in = (value, key) => {
-    const list = value instanceof Map ? value.get(key) : undefined;
-    return Array.isArray(list) ? list.length : 0;
-  };
-  const space = version === 2 &&
-      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : length_in(file, 'wrench') === 6);
-  const dimension = space ? 3 : 2, size = space ? 6 : 3;
-
-  if (file.has('units')) {
-    known_members(file.get('units'), 'units', ['length', 'force'], ['length', 'force']);
-    for (const [key, value] of file.get('units')) {
-      const bytes = utf8_length(grasp_string(value, `units.${key}`));
-      if (bytes < 1 || bytes > 16) throw new Malformed(`units.${key}`, 'must be of 1 to 16 bytes');
-    }
-  }
+  const head = read_head(file, version), {space, size} = head;
   if (space && file.has('outline')) throw new Malformed('outline', 'a grasp in space has none');
   const outline = file.has('outline') ? read_outline(file.get('outline'), 'outline') : null;
   if (file.has('body')) {
     if (!space) throw new Malformed('body', 'a grasp in the plane has none');
-    check_body(file.get('body'));
+    check_mesh(file.get('body'), 'body');
   }
+  const contacts = head.contacts.map((value, i) => read_contact(value, `contacts[${i}]`, head, version, outline));
+  const wrench = read_wrench(file, '', size, version);
+  if (!file.has('cases')) {
+    if (wrench === null) throw new Malformed('', 'neither wrench nor loads nor cases');
+    return {space, several: false, size, contacts, wrench, cases: null};
+  }
+  const cases = read_cases(file.get('cases'), wrench ?? Array(size).fill([ZERO, ZERO]), size, version);
+  return {space, several: false, size, contacts, wrench: null, cases};
+}
 
-  const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]]]);
-  if (file.has('defaults')) {
-    known_members(file.get('defaults'), 'defaults', ['friction', 'stiffness', 'preload']);
-    for (const name of file.get('defaults').keys()) {
-      defaults.set(name, read_range(file.get('defaults'), name, 'defaults', version));
-    }
+// ---------------------------------------------------------------------------- Several bodies (§14)
+
+/** A list of objects with these members, which may be left out; `name` in all of them is a string without meaning. */
+function read_list(file, key, required, optional) {
+  if (!file.has(key)) return [];
+  return array_of(file.get(key), key).map((value, k) => {
+    const place = `${key}[${k}]`;
+    known_members(value, place, [...required, 'name', ...optional], required);
+    if (value.has('name')) grasp_string(value.get('name'), `${place}.name`);
+    return {place, value};
+  });
+}
+
+/** A body: {name, on, turn}, where turn is η of a link, else null. */
+function read_body(value, place, before, {space, size}) {
+  known_members(value, place, ['name', 'hinge', 'slide', 'on', 'outline', 'mesh'], ['name']);
+  const name = value.get('name'), dimension = space ? 3 : 2;
+  if (typeof name !== 'string' || name === '' || name === GROUND || before.includes(name)) {
+    expected(`a string that is not empty, not "${GROUND}", and not the name of another body`, name, `${place}.name`);
   }
-  const read_contact = (value, place) => {
-    object_at(value, place);
-    const on = version === 2 && !space && value.has('on');
-    const where = on ? ['on'] : ['position', 'normal'];
-    known_members(value, place, [...where, 'friction', 'stiffness', 'preload'], where);
-    const range = (name) => {
-      if (value.has(name)) return read_range(value, name, place, version);
-      if (!defaults.has(name)) throw new Malformed(place, `the member "${name}" is missing`);
-      return defaults.get(name);
-    };
-    let p, n, slope = ZERO;
-    if (on) {
-      [p, n] = read_place(value.get('on'), `${place}.on`, outline);
-      p = p.map((x) => [x, x]);
-    } else {
-      p = grasp_intervals(value.get('position'), `${place}.position`, dimension, version);
-      [n, slope] = read_normal(value.get('normal'), `${place}.normal`, dimension, version);
-    }
-    return {p, n, slope, mu: range('friction'), k: range('stiffness'), preload: range('preload')};
+  const [drawn, other] = space ? ['mesh', 'outline'] : ['outline', 'mesh'];
+  if (value.has(other)) throw new Malformed(`${place}.${other}`, `the grasp is ${space ? 'in space' : 'in the plane'}; give ${drawn}`);
+  if (value.has(drawn)) (space ? check_mesh : read_outline)(value.get(drawn), `${place}.${drawn}`);
+  if (value.has('hinge') && value.has('slide')) throw new Malformed(place, 'both hinge and slide');
+  if (!value.has('hinge') && !value.has('slide')) {
+    if (value.has('on')) throw new Malformed(`${place}.on`, 'only a link, with hinge or slide, is on a body');
+    return {name, on: null, turn: null};
+  }
+  const on = value.has('on') ? value.get('on') : GROUND;
+  if (on !== GROUND && !before.includes(on)) {
+    expected(`"${GROUND}" or a body that stands before this one, so that links are in no loop`, on, `${place}.on`);
+  }
+  const not_zero = (axis, where) => {
+    if (all_zero(axis)) throw new Malformed(where, 'the direction is zero');
+    return axis;
   };
-  const read_contacts = contacts.map((value, i) => read_contact(value, `contacts[${i}]`));
-
-  let wrench = read_wrench(file, '', size, version);
-  let cases = null;
-  if (file.has('cases')) {
-    cases = new Map();
-    const common = wrench ?? Array(size).fill([ZERO, ZERO]);
-    if (array_of(file.get('cases'), 'cases').length === 0) throw new Malformed('cases', 'the list is empty');
-    file.get('cases').forEach((value, j) => {
-      const place = `cases[${j}]`;
-      known_members(value, place, ['name', 'wrench', 'loads'], ['name']);
-      const name = grasp_string(value.get('name'), `${place}.name`);
-      if (name === '' || cases.has(name)) throw new Malformed(`${place}.name`, 'empty, or that of another case');
-      const own = read_wrench(value, place, size, version);
-      if (own === null) throw new Malformed(place, 'neither wrench nor loads');
-      cases.set(name, add_intervals(own, common));
-    });
-    wrench = null;
-  } else if (wrench === null) {
-    throw new Malformed('', 'neither wrench nor loads nor cases');
+  if (value.has('slide')) {
+    const axis = not_zero(grasp_numbers(value.get('slide'), `${place}.slide`, dimension), `${place}.slide`);
+    return {name, on, turn: [...axis, ...zeros(size - dimension)]};
   }
-  return {space, size, contacts: read_contacts, wrench, cases};
+  const hinge = value.get('hinge'), where = `${place}.hinge`;
+  if (!space) {
+    const [x, y] = grasp_numbers(hinge, where, 2);
+    return {name, on, turn: [y, x.negated(), ONE]};
+  }
+  known_members(hinge, where, ['at', 'axis'], ['at', 'axis']);
+  const axis = not_zero(grasp_numbers(hinge.get('axis'), `${where}.axis`, 3), `${where}.axis`);
+  return {name, on, turn: [...cross_product(grasp_numbers(hinge.get('at'), `${where}.at`, 3), axis), ...axis]};
+}
+
+/** An object of `turns` or `over`, as a Map from links to numbers. */
+function read_over(value, place, links) {
+  if (object_at(value, place).size === 0) throw new Malformed(place, 'no link');
+  return new Map([...value].map(([link, number]) => {
+    const where = `${place}.${printable(link)}`, c = links.includes(link) ? grasp_number(number, where) : null;
+    if (c === null) throw new Malformed(where, `there is no such link; they are ${links.map(quoted).join(', ') || 'none'}`);
+    if (c.isZero()) throw new Malformed(where, 'must not be 0');
+    return [link, c];
+  }));
+}
+
+/** {motions, turns, dimension}: J of each body by its columns, and of each link Σ c_bq e_q. */
+function read_bodies(value, joints, head) {
+  const bodies = [];
+  array_of(value, 'bodies').forEach((one, k) => bodies.push(read_body(one, `bodies[${k}]`, bodies.map((b) => b.name), head)));
+  if (bodies.length === 0) throw new Malformed('bodies', 'the list is empty');
+  const {size} = head, links = bodies.filter((b) => b.turn !== null).map((b) => b.name);
+  const by_joint = joints.map(({place, value: joint}) => read_over(joint.get('turns'), `${place}.turns`, links));
+  const first = size * (bodies.length - links.length), dimension = first + joints.length;
+  if (dimension > MOST_COORDINATES) throw new Malformed('bodies', `${dimension} coordinates, at most ${MOST_COORDINATES} may be`);
+  const turns = new Map(links.map((link) => [link, [...zeros(first), ...by_joint.map((c) => c.get(link) ?? ZERO)]]));
+  const motions = new Map([[GROUND, Array(dimension).fill(zeros(size))]]);
+  let begin = 0;
+  bodies.forEach(({name, on, turn}, k) => {
+    if (turn === null) {
+      const own = begin;
+      motions.set(name, Array.from({length: dimension}, (_, q) => Array.from({length: size}, (__, j) => (q === own + j ? ONE : ZERO))));
+      begin += size;
+      return;
+    }
+    if (all_zero(turns.get(name))) throw new Malformed(`bodies[${k}]`, `no joint turns the link ${quoted(name)}`);
+    motions.set(name, motions.get(on).map((column, q) => column.map((x, j) => x.plus(turns.get(name)[q].times(turn[j])))));
+  });
+  return {motions, turns, dimension};
+}
+
+/** J of a body, by its columns. */
+function named_motion(bodies, name, place, ground) {
+  if (!bodies.motions.has(name) || (name === GROUND && !ground)) expected(`the name of a body${ground ? `, or "${GROUND}"` : ''}`, name, place);
+  return bodies.motions.get(name);
+}
+
+/** What acts along a row: a ratchet, or a spring. It has no place, and 1 as its normal. */
+const along_row = (place, row, k, preload, spring) =>
+  ({place, p: [], n: [ONE], slope: ZERO, mu: [ZERO, ZERO], k, preload, motion: row.map((x) => [x]), spring});
+
+function read_spring({place, value}, row, force) {
+  const interval = (name) => (value.has(name) ? grasp_interval(value.get(name), `${place}.${name}`, 3) : [ZERO, ZERO]);
+  const k = interval('stiffness');
+  if (k[0].sign() < 0) throw new Malformed(`${place}.stiffness`, `${printable(k[0])} is out of range`);
+  return along_row(place, row, k, interval(force), true);
+}
+
+function read_several(file) {
+  known_members(file, '', ['format', 'name', 'units', 'bodies', 'defaults', 'joints', 'tendons', 'ratchets', 'contacts', 'loads', 'cases'],
+      ['bodies', 'contacts']);
+  const head = read_head(file, 3), {space, size} = head;
+  const joints = read_list(file, 'joints', ['turns'], ['stiffness', 'torque']);
+  const tendons = read_list(file, 'tendons', ['over'], ['stiffness', 'tension']);
+  const ratchets = read_list(file, 'ratchets', ['over', 'stiffness'], ['preload']);
+  const bodies = read_bodies(file.get('bodies'), joints, head), {dimension} = bodies;
+  const row_over = ({place, value}) => {
+    const over = read_over(value.get('over'), `${place}.over`, [...bodies.turns.keys()]);
+    const row = [...over].reduce((sum, [link, r]) => sum.map((x, q) => x.plus(r.times(bodies.turns.get(link)[q]))), zeros(dimension));
+    if (all_zero(row)) throw new Malformed(`${place}.over`, 'its numbers cancel: no joint moves it');
+    return row;
+  };
+  const contacts = head.contacts.map((value, i) => {
+    const place = `contacts[${i}]`, contact = read_contact(value, place, head, 3);
+    const of = named_motion(bodies, value.get('of'), `${place}.of`, false);
+    const by = value.has('by') ? named_motion(bodies, value.get('by'), `${place}.by`, true) : bodies.motions.get(GROUND);
+    if (of === by) throw new Malformed(`${place}.by`, 'a contact of a body with itself');
+    return {...contact, motion: of.map((column, q) => column.map((x, j) => x.minus(by[q][j])))};
+  });
+  const elements = [...contacts,
+    ...ratchets.map((one) => along_row(one.place, row_over(one), read_range(one.value, 'stiffness', one.place, 3),
+        one.value.has('preload') ? read_range(one.value, 'preload', one.place, 3) : [ZERO, ZERO], false)),
+    ...joints.map((one, q) => [one, [...zeros(dimension - joints.length), ...joints.map((_, j) => (j === q ? ONE : ZERO))]])
+        .filter(([{value}]) => value.has('stiffness') || value.has('torque'))
+        .map(([one, row]) => read_spring(one, row, 'torque')),
+    ...tendons.map((one) => read_spring(one, row_over(one), 'tension'))];
+  const wrench = read_wrench(file, '', size, 3, bodies), none = Array(dimension).fill([ZERO, ZERO]);
+  const cases = file.has('cases') ? read_cases(file.get('cases'), wrench ?? none, size, 3, bodies) : null;
+  return {space, several: true, size: dimension, contacts: elements, wrench: wrench ?? (cases === null ? none : null), cases};
 }
 
 // ---------------------------------------------------------------------------- The question (§1, §6)
@@ -809,7 +978,7 @@ function widened([low, high], tolerance) {
  * growth is Pᵘ; length is |n⁰|, null if irrational.
  */
 function ask(grasp, options) {
-  const {space, size} = grasp;
+  const {space, several, size} = grasp;
   const asked = 'the question';
   const vector = (value, name) => {
     const numbers = value.map((x) => option_number(x, `${asked}: ${name}`));
@@ -826,8 +995,8 @@ function ask(grasp, options) {
   let growth = null;
   if (given('preload_direction') && !scale) {
     growth = options.preload_direction.map((x) => option_number(x, `${asked}: preload direction`));
-    if (growth.length !== grasp.contacts.length || growth.some((x) => x.sign() < 0)) {
-      throw new Malformed(`${asked}: preload direction`, 'it must have one number >= 0 for each contact');
+    if (growth.length !== grasp.contacts.length || growth.some((x, i) => x.sign() < 0 && !grasp.contacts[i].spring)) {
+      throw new Malformed(`${asked}: preload direction`, 'it must have one number for each contact, of all but springs >= 0');
     }
   }
   const margin = direction !== null || scale || growth !== null;
@@ -863,19 +1032,20 @@ function ask(grasp, options) {
   if (slopes !== undefined && slopes.percent) throw new Malformed(`${asked}: uncertain normal`, 'it must not be a percentage');
 
   const contacts = grasp.contacts.map((contact, i) => {
-    const own = preload === null ? contact.preload : [preload, preload];
+    const {n, motion, spring} = contact, touches = n.length > 1;  // else a ratchet or a spring
+    const own = preload === null || !touches ? contact.preload : [preload, preload];
     const one = {
-      n: contact.n,
+      n, motion, spring,
       p: contact.p.map((x) => widened(x, uncertain.get('position'))),
-      slope: slopes === undefined ? contact.slope : contact.slope.plus(slopes.value),
-      mu: widened(contact.mu, uncertain.get('friction')),
+      slope: slopes === undefined || !touches ? contact.slope : contact.slope.plus(slopes.value),
+      mu: touches ? widened(contact.mu, uncertain.get('friction')) : contact.mu,
       k: widened(contact.k, uncertain.get('stiffness')),
       preload: widened(scale ? [ZERO, ZERO] : own, uncertain.get('preload')),
       growth: scale ? own[0] : growth === null ? ZERO : growth[i],
     };
-    for (const [name, ok] of [['friction', one.mu[0].sign() >= 0], ['stiffness', one.k[0].sign() > 0],
-      ['preload', one.preload[0].sign() >= 0], ['slope', one.slope.compare(ONE) < 0]]) {
-      if (!ok) throw new Malformed(`contacts[${i}]`, `the ${name} may be out of range within its tolerance`);
+    for (const [name, ok] of [['friction', one.mu[0].sign() >= 0], ['stiffness', one.k[0].sign() >= (spring ? 0 : 1)],
+      ['preload', spring || one.preload[0].sign() >= 0], ['slope', one.slope.compare(ONE) < 0]]) {
+      if (!ok) throw new Malformed(contact.place, `the ${name} may be out of range within its tolerance`);
     }
     one.square = dot_fractions(one.n, one.n);
     one.length = rational_root(one.square);
@@ -892,14 +1062,14 @@ function ask(grasp, options) {
     if ((direction === null || all_zero(direction)) && contacts.every((c) => c.growth.isZero())) {
       throw new Malformed(asked, 'the direction is 0');
     }
-    const bad = space ? -1 : contacts.findIndex((c) => c.pressed && c.length === null);
+    const bad = space || several ? -1 : contacts.findIndex((c) => c.pressed && c.length === null);
     if (bad >= 0) {
       throw new Malformed(`contacts[${bad}].normal`, 'its length is irrational, and a margin needs a rational one where there is ' +
           'preload; stickslip snap GRASP -o FILE writes a grasp file of rational normals');
     }
   }
   const enclosed = contacts.some((c) => c.pressed && c.length === null);
-  return {space, size, m: contacts.length, law, bilateral: law === 'bilateral', preload, direction, scale, growth, margin, uncertain,
+  return {space, several, size, m: contacts.length, touching: contacts.filter((c) => c.n.length > 1).length, law, bilateral: law === 'bilateral', preload, direction, scale, growth, margin, uncertain,
     wrench, load, contacts, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
 }
 
@@ -940,10 +1110,11 @@ function members_in_order(value, place, names) {
 }
 
 class CertificateReader {
-  constructor(space) {
+  constructor({space, several, size}) {
     this.space = space;
-    this.size = space ? 6 : 3;
-    this.names = [...geometry_names(space), 'friction', 'preload', 'stiffness', 'wrench'];
+    this.size = size;
+    this.by_claims = space || several;  // margins
+    this.names = [...parameter_names(space ? 3 : 2), 'wrench'];
   }
 
   read(text) {
@@ -958,10 +1129,10 @@ class CertificateReader {
     if (margin ? verdict !== 'margin' : verdict !== 'stable' && verdict !== 'unstable') {
       expected(margin ? '"margin"' : '"stable" or "unstable"', verdict, 'verdict');
     }
-    const evidence = margin ? (this.space ? ['intervals'] : ['resisted', 'segments', 'tree'])
+    const evidence = margin ? (this.by_claims ? ['intervals'] : ['resisted', 'segments', 'tree'])
       : verdict === 'unstable' ? ['tree'] : file.has('parts') ? ['parts'] : ['twist', 'shares'];
     const found = members_in_order(file, '', ['format', 'producer?', 'question',
-      ...(margin && !this.space ? [] : ['bits?']), 'verdict', ...evidence]);
+      ...(margin && !this.by_claims ? [] : ['bits?']), 'verdict', ...evidence]);
 
     const result = {question, verdict, bits: 128};
     if ('bits' in found) {
@@ -1186,10 +1357,13 @@ const corners_of = (intervals) => intervals.reduce(
     (lists, interval) => lists.flatMap((list) => (is_point(interval) ? [interval[0]] : interval).map((x) => [...list, x])), [[]]);
 const has_sign = (row, sign) => row.every((x) => (sign > 0 ? x >= 0n : x <= 0n));
 
-const geometry_names = (space) => (space ? ['x', 'y', 'z', 'turn_u', 'turn_v'] : ['x', 'y', 'turn']);
+/** By the numbers of a normal: of a ratchet or spring one, of contacts in the plane two, in space three. */
+const geometry_names = (numbers) => [[], ['x', 'y', 'turn'], ['x', 'y', 'z', 'turn_u', 'turn_v']][numbers - 1];
+const parameter_names = (numbers) => [...geometry_names(numbers), ...(numbers > 1 ? ['friction'] : []), 'preload', 'stiffness'];
 
 /** The ways in which a normal n⁰ may turn: t⁰ = (−n_y, n_x) of §6, or U and V of §7. */
 function turns_of(n) {
+  if (n.length === 1) return [];
   if (n.length === 2) return [[n[1].negated(), n[0]]];
   const cross = (a, b) => [[1, 2], [2, 0], [0, 1]].map(([j, k]) => a[j].times(b[k]).minus(a[k].times(b[j])));
   const sizes = n.map((x) => x.magnitude());
@@ -1200,7 +1374,7 @@ function turns_of(n) {
 
 /** By how much, each way: E in the plane, E_u and E_v in space. */
 function most_turns({n, slope, square}) {
-  if (n.length === 2) return [slope];
+  if (n.length < 3) return Array(n.length - 1).fill(slope);
   return turns_of(n).map((way) => root_above(slope.times(slope).times(square).over(dot_fractions(way, way)), 1));
 }
 
@@ -1221,7 +1395,7 @@ class Contact {
     const push = [[contact.preload[0].times(ONE.minus(square.half())).times(low), contact.growth.times(low)],
       [contact.preload[1].times(high), contact.growth.times(high)]];
     const k = [contact.k[0].times(ONE.minus(square)).over(contact.square), contact.k[1].over(contact.square)];
-    return new Contact({space: question.space, n: contact.n, square: contact.square,
+    return new Contact({n: contact.n, motion: contact.motion, spring: contact.spring, square: contact.square,
       geometry: [...contact.p, ...most_turns(contact).map((most) => [most.negated(), most])], mu: contact.mu, push, k});
   }
 
@@ -1242,13 +1416,13 @@ class Contact {
   }
 
   parameter(name) {
-    const j = geometry_names(this.space).indexOf(name);
+    const j = geometry_names(this.n.length).indexOf(name);
     return j >= 0 ? this.geometry[j] : name === 'preload' ? this.push.map((x) => x[0]) : name === 'stiffness' ? this.k : this.mu;
   }
 
   /** The same contact with another interval of one parameter. */
   cut(name, interval) {
-    const j = geometry_names(this.space).indexOf(name);
+    const j = geometry_names(this.n.length).indexOf(name);
     if (j >= 0) return new Contact({...this, geometry: this.geometry.map((x, l) => (l === j ? interval : x))});
     if (name === 'preload') return new Contact({...this, push: interval.map((x) => [x, ZERO])});
     return new Contact({...this, [name === 'stiffness' ? 'k' : 'mu']: interval});
@@ -1272,10 +1446,16 @@ class Contact {
 
   /** N and the rows of T or S at one corner of the geometry, as fractions. */
   rowsAt(corner) {
+    const [normal, slips] = this.ownRowsAt(corner);
+    return [pulled(this.motion, normal), slips.map((row) => pulled(this.motion, row))];
+  }
+
+  /** N⁰ and those of T⁰ or S⁰, which are about one body. */
+  ownRowsAt(corner) {
     const n = this.normalAt(corner);
-    if (!this.space) {
+    if (n.length < 3) {
       const p = corner.slice(0, 2);
-      return [wrench_at(n, p), [wrench_at(turns_of(n)[0], p)]];
+      return [wrench_at(n, p), turns_of(n).map((t) => wrench_at(t, p))];
     }
     // u = (d₁, d₂, d₃) + (d₄, d₅, d₆) × p, and S d = u − (n⁰·u / L²) n.
     const [x, y, z] = corner, minus = (a) => a.negated();
@@ -1358,7 +1538,7 @@ const same_direction = (a, b) => dot(a, b) > 0n
  */
 function check_witness(question, box, {twist, shares}, h, factor, place) {
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
-  const {space, size, m} = question;
+  const {size} = question;
   if (question.box) refuse('witness-box', 'the question is a box, of which a witness proves nothing');
   const x = integral([...twist, h, factor]), ray = {d: x.slice(0, size), h: x[size], l: x[size + 1]};
   const states = box.contacts.map((contact) => ({v: pressures(contact.rows, ray)[0],
@@ -1367,8 +1547,8 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
   let before = -1;
   for (const [i, share] of shares) {
     const wrong = (found) => refuse('witness-share', `contact ${printable(i)}: ${found}`);
-    if (i <= before || i >= m) wrong(`out of order, or not one of ${m}`);
-    const {n, square} = box.contacts[i];
+    if (i <= before || i >= question.touching) wrong(`out of order, or not one of ${question.touching}`);
+    const {n, square} = box.contacts[i], space = n.length === 3;
     if (states[i].slip.some((s) => s !== 0n)) wrong('it slips, and a share needs a slip of 0');
     if (dot_fractions(share, share).compare(space ? square : ONE) > 0) wrong('the share is too large');
     if (space && !dot_fractions(share, n).isZero()) wrong('the share has a part along n');
@@ -1376,18 +1556,18 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
     before = i;
   }
   if (question.bilateral) {
-    const pulled = states.findIndex(({v}) => v < 0n);
-    if (pulled >= 0) refuse('witness-normal', `v is below 0 at contact ${pulled}`);
+    const i = states.findIndex(({v}, j) => v < 0n && !box.contacts[j].spring);
+    if (i >= 0) refuse('witness-normal', `v is below 0 at contact ${i}`);
   }
   const sum = new Sum(size);
   sum.add_fractions(box.wrench.map(([w], j) => Fraction.of(ray.h).times(w).plus(Fraction.of(ray.l).times(question.u[j]))));
   states.forEach((state, i) => {
-    const {v, slip} = state, {rows, square} = box.contacts[i], {normals: [normal], slips: [tangents], friction: [mu]} = rows;
+    const {v, slip} = state, {rows, n, square, spring} = box.contacts[i], {normals: [normal], slips: [tangents], friction: [mu]} = rows;
     state.unit = listed.get(i) ?? slip.map(() => ZERO);
-    if (v <= 0n) return;
+    if (v === 0n || (v < 0n && !spring)) return;
     if (mu !== 0n && slip.some((s) => s !== 0n)) {
       // −L s/|s|, where L is 1 in the plane, as b goes with T. A positive multiple of s serves.
-      const s = primitive(slip), root = space ? rational_root(square.over(Fraction.of(dot(s, s)))) : ONE;
+      const s = primitive(slip), root = n.length === 3 ? rational_root(square.over(Fraction.of(dot(s, s)))) : ONE;
       if (root === null) refuse('witness-root', `contact ${i}: the slip's length over that of n is irrational`);
       state.unit = s.map((c) => root.times(Fraction.of(-c)));
     }
@@ -1404,10 +1584,11 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
 }
 
 /** segment-mode, of the plane and of space. */
-function check_mode(box, first, second, space, place) {
+function check_mode(box, first, second, place) {
   const refuse = (i, found) => { throw new Rejected('segment-mode', `contact ${i}: ${found}`, place); };
   box.contacts.forEach((contact, i) => {
     const points = [first[i], second[i]], [one, two] = points;
+    if (contact.spring) return;
     if ((one.v > 0n && two.v < 0n) || (one.v < 0n && two.v > 0n)) refuse(i, 'v is of opposite signs');
     if (contact.mu[0].isZero() || (one.v <= 0n && two.v <= 0n)) return;
     // Both are multiples >= 0 of their sum.
@@ -1416,7 +1597,7 @@ function check_mode(box, first, second, space, place) {
     if (slip === undefined) return;
     for (const {v, unit} of points) {
       if (v <= 0n) continue;
-      const opposite = negative(integral(unit)), longest = space ? contact.square : ONE;
+      const opposite = negative(integral(unit)), longest = contact.n.length === 3 ? contact.square : ONE;
       if (!dot_fractions(unit, unit).equals(longest) || !same_direction(opposite, slip)) {
         refuse(i, 'the friction is not that of the slip between');
       }
@@ -1582,15 +1763,17 @@ class Region {
    */
   get contacts() {
     if (this.found !== null) return this.found;
-    const {m, space} = this.question;
+    const {m} = this.question;
     const known = this.above !== null && this.above.found !== null ? this.above.found : null;
     const found = known === null ? {press: new Uint8Array(m), side: new Int8Array(m)}
       : {press: known.press.slice(), side: known.side.slice()};
     for (let i = 0; i < m; ++i) {
+      const {n, spring} = this.box.contacts[i];
+      if (spring) found.press[i] = CLOSED;
       if (found.press[i] === UNKNOWN || found.press[i] === MIXED) found.press[i] = this.press(this.box.contacts[i].rows);
       if (found.press[i] === OPEN || found.side[i] !== 0) continue;
       const {slips, friction} = this.box.contacts[i].rows;
-      if (friction[1] !== 0n) found.side[i] = space ? (this.moves(i, slips) ? 1 : 0) : this.sign(slips);
+      if (friction[1] !== 0n) found.side[i] = n.length === 3 ? (this.moves(i, slips) ? 1 : 0) : this.sign(slips);
     }
     this.found = found;
     return found;
@@ -1681,8 +1864,8 @@ function leaf_refusal(region, y) {
   for (let i = 0; i < question.m; ++i) {
     if (press[i] === OPEN) continue;
     const contact = box.contacts[i], closed = press[i] === CLOSED;
-    const {alpha, d, term} = question.space ? space_bound(region, contact, i, y, side[i], closed)
-      : plane_bound(contact, y, side[i], closed);
+    const {alpha, d, term} = contact.n.length === 2 ? plane_bound(contact, y, side[i], closed)
+      : space_bound(region, contact, i, y, side[i], closed);
     if (term !== undefined) {
       terms.push({term, d});
     } else if (closed) {
@@ -1782,7 +1965,7 @@ function root_above(q, sign) {
   return sign > 0 ? high : low.negated();
 }
 
-/** In space: one α for all corners, over both ends of μ. Fractions are not in lowest terms: that would take most of the time. */
+/** In space, and without friction: one α for all corners, over both ends of μ. Fractions are not in lowest terms: that would take most of the time. */
 function space_bound(region, contact, i, y, moves, closed) {
   const rows = contact.rows;
   const signed_square = (slip) => {  // M², times d², with the sign of M
@@ -1862,7 +2045,8 @@ function walk(nodes, roots, m, where, visit) {
 }
 
 const part_children = (node, box, refuse, m, size) => {
-  if (node.i >= (node.name === 'wrench' ? size : m)) refuse('part-contact', `there is no ${node.name} ${printable(node.i)}`);
+  if (node.name === 'wrench' ? node.i >= size
+    : node.i >= m || !parameter_names(box.contacts[node.i].n.length).includes(node.name)) refuse('part-contact', `there is no ${node.name} ${printable(node.i)}`);
   const [low, high] = box.interval(node);
   if (node.at.compare(low) <= 0 || node.at.compare(high) >= 0) {
     refuse('part-inside', `${printable(node.at)} is not inside ${printable(interval_text([low, high]))}`);
@@ -1873,14 +2057,15 @@ const part_children = (node, box, refuse, m, size) => {
 
 /** Trees of regions. turned: of a tree of list 2, the function y·A(d − h d⁰) of y. Adds to tally. */
 function check_trees(question, nodes, roots, tree_place, tally) {
-  const {m, size, space} = question;
+  const {m, size} = question;
   const where = (path, number) => [path === null ? tree_place : path.toString() || 'root', number];
   walk(nodes, roots, m, where, (node, {region, turned}, refuse) => {
     ++tally.nodes;
     const child = (step, make) => [step, () => ({region: make(), turned})];
     if (node.kind === 'slip' || node.kind === 'separation') {
       if (node.i >= m) refuse('node-contact', `there is no contact ${printable(node.i)}`);
-      const contact = region.box.contacts[node.i], step = `${node.kind} ${node.i}`;
+      const contact = region.box.contacts[node.i], step = `${node.kind} ${node.i}`, space = contact.n.length === 3;
+      if (node.kind === 'slip' ? contact.n.length === 1 : contact.spring) refuse('node-contact', `there is no ${step}`);
       if (!(node.kind === 'separation' ? contact.certain_pressure
         : space ? contact.geometry.every(is_point) : contact.rows.certain_slip)) {
         refuse('node-certain', `${node.kind === 'slip' ? (space ? 'the position' : 'T') : 'v'} of contact ${node.i} is uncertain`);
@@ -1938,7 +2123,7 @@ function range_root(question, box, range) {
   }
   if (question.bilateral) {
     for (const contact of box.contacts) {
-      if (contact.certain_pressure) region = region.cut(contact.pressureRow(coordinates));
+      if (contact.certain_pressure && !contact.spring) region = region.cut(contact.pressureRow(coordinates));
     }
   }
   return region;
@@ -1948,7 +2133,7 @@ function range_root(question, box, range) {
 
 /** A part at rest, for the multiples from factors[0] to factors[1], or for the only one. */
 function check_rest(question, box, {rest, answers, reach}, place, tally, factors) {
-  const {m, size, space} = question, none = Array(space ? 3 : 1).fill(ZERO);
+  const {size, space, touching} = question, none = zeros(space ? 3 : 1);
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
   // f⁰ and G_1, ..., G_D of contacts: the column l is multiplied by scales[l].
   const columns = new Map(), scales = [ONE, ...reach];
@@ -1956,7 +2141,7 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
     let before = -1;
     for (const [i, forces] of list) {
       const wrong = (found) => refuse('rest-share', `contact ${printable(i)}: ${found}`);
-      if (i <= before || i >= m) wrong(`out of order, or not one of ${m}`);
+      if (i <= before || i >= touching) wrong(`out of order, or not one of ${touching}`);
       if (space && !forces.every((force) => dot_fractions(force, box.contacts[i].n).isZero())) wrong('a force has a part along n');
       if (!columns.has(i)) columns.set(i, Array(1 + size).fill(none));
       columns.get(i).splice(first, forces.length, ...forces);
@@ -1974,11 +2159,11 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
       sum.add_fractions([...load, ...unit]);
     });
     box.contacts.forEach((contact, i) => {
-      if (pushes[i][1].isZero() && !columns.has(i)) return;
+      if (all_zero(pushes[i]) && !columns.has(i)) return;
       const forces = columns.get(i) ?? Array(1 + size).fill(none);
       const corners = corners_of(contact.geometry).flatMap((corner) => {
         const [normal, slips] = contact.rowsAt(corner);
-        const [first, ...others] = forces.map((force) => normal.map((_, k) => dot_fractions(force, slips.map((row) => row[k]))));
+        const [first, ...others] = forces.map((force) => normal.map((_, k) => dot_fractions(slips.map((row) => row[k]), force)));
         return pushes[i].map((push) => [...first.map((x, k) => x.plus(push.times(normal[k]))), ...others.flat()]);
       });
       lows.add_fractions(corners[0].map((_, k) => least(corners.map((values) => values[k]))));
@@ -2096,8 +2281,8 @@ function check_degree(question, box, part, place, tally, of) {
   };
   if (question.bilateral) {
     const whole = region_on(box, null, false);
-    box.contacts.forEach(({rows}, i) => {
-      if (whole.generators.some((ray) => pressures(rows, ray)[0] < 0n)) refuse('degree-law', `v may be below 0 at contact ${i}`);
+    box.contacts.forEach(({rows, spring}, i) => {
+      if (!spring && whole.generators.some((ray) => pressures(rows, ray)[0] < 0n)) refuse('degree-law', `v may be below 0 at contact ${i}`);
     });
   }
   // y·A e, a multiple above 0 of it.
@@ -2172,7 +2357,7 @@ function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
         const [h, factor] = point.factor === null ? [ZERO, ONE] : [ONE, point.factor];
         return check_witness(question, box, point, h, factor, `${place}, ${name} point`);
       });
-      check_mode(box, ...states, false, place);
+      check_mode(box, ...states, place);
     }
     [interval, reached] = ends ? [interval + 1, null] : [interval, to];
   });
@@ -2221,7 +2406,7 @@ function check_space_margin(question, box, claims, tally) {
       const factors = high === null ? [ONE] : [low, high].slice(0, points.length);
       const states = points.map((point, j) =>
         check_witness(question, box, point, ONE, factors[j], `${place}, ${j === 0 ? 'first' : 'second'} point`));
-      if (states.length === 2) check_mode(box, ...states, true, place);
+      if (states.length === 2) check_mode(box, ...states, place);
     }
     const last = resisted[resisted.length - 1];
     if (last !== undefined && last[1].equals(low)) last[1] = high;
@@ -2272,7 +2457,7 @@ function check(grasp, certificate, options = {}) {
     const question = ask(read, options);
     question.coordinates = question.size + (question.margin ? 2 : 1);
     file = 'certificate';
-    const proof = new CertificateReader(question.space).read(text_of(certificate, CERTIFICATE_LIMITS, false));
+    const proof = new CertificateReader(question).read(text_of(certificate, CERTIFICATE_LIMITS, false));
     agree(question, proof.question);
 
     const tally = {nodes: 0, leaves: 0, rests: 0, degrees: 0, trees: 0, segments: 0};

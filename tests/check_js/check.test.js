@@ -151,7 +151,7 @@ test('the bound of a contact is not below what it bounds, anywhere in its box, a
   for (let k = 0; k < 400; ++k) {
     const wide = () => k % 4 !== 0 && random.from(0, 1) === 0;
     const e = fraction(wide() ? random.from(0, 2) : 0, 8), push = interval(0, 8, wide());
-    const contact = new Contact({space: false, n: [fraction(random.from(1, 3)), fraction(random.from(-2, 2))],
+    const contact = new Contact({motion: null, n: [fraction(random.from(1, 3)), fraction(random.from(-2, 2))],
       geometry: [interval(-8, 8, wide()), interval(-8, 8, wide()), [e.negated(), e]], mu: interval(0, 4, wide()),
       push: push.map((x) => [x, fraction(0)]), k: interval(1, 8, wide())});
     const y = big([random.from(-3, 3), random.from(-3, 3), random.from(-3, 3)]);
@@ -199,6 +199,40 @@ test('bytes serve as well as text; what is not UTF-8 is malformed', () => {
   bytes[3] = 255;
   const answer = check(bytes, certificate);
   assert.deepStrictEqual([answer.answer, answer.file], ['malformed', 'grasp']);
+});
+
+test('grasp files of several bodies that are malformed name their place', () => {
+  const hand = () => ({format: 'stickslip-grasp/3',
+    bodies: [{name: 'palm', slide: [0, 1]}, {name: 'tip', hinge: [1, 0], on: 'palm'}, {name: 'box'}],
+    joints: [{turns: {palm: 1}, stiffness: 1}, {turns: {tip: 1}}], tendons: [{over: {palm: 1, tip: 2}}],
+    contacts: [{of: 'box', by: 'tip', position: [0, 0], normal: [0, 1], friction: 1}], loads: []});
+  const [, certificate] = asked([], [0, 0, 0, 0, 0], 'stable', {twist: [0, 0, 0, 0, 0], shares: []});
+  const stated = certificate.replace('"contacts":0', '"contacts":3');
+  assert.strictEqual(check(JSON.stringify(hand()), stated).answer, 'accepted');
+  for (const [place, found, change] of [
+    ['bodies[0].on', /stands before this one, so that links are in no loop/, (file) => { file.bodies[0].on = 'tip'; }],
+    ['bodies[2].on', /only a link/, (file) => { file.bodies[2].on = 'tip'; }],
+    ['bodies[1]', /no joint turns the link "tip"/, (file) => { file.joints.pop(); file.tendons.pop(); }],
+    ['bodies', /31 coordinates, at most 30/, (file) => { file.joints.push(...Array(26).fill({turns: {palm: 1}})); }],
+    ['bodies[1].hinge', /expected an array of 2/, (file) => { file.bodies[1].hinge = {at: [1, 0, 0], axis: [0, 0, 1]}; }],
+    ['joints[1].turns.box', /no such link; they are "palm", "tip"/, (file) => { file.joints[1].turns = {box: 1}; }],
+    ['tendons[0].over', /cancel/, (file) => {
+      file.joints = [{turns: {palm: 1, tip: -1}}];
+      file.tendons[0].over = {palm: 1, tip: 1};
+    }],
+    ['contacts[0].by', /with itself/, (file) => { file.contacts[0].by = 'box'; }],
+    ['contacts[0].of', /expected the name of a body/, (file) => { file.contacts[0].of = 'ground'; }],
+    ['contacts[0].normal', /expected an array of 2/, (file) => { file.contacts[0].normal = [0, 1, 0]; }],
+    ['loads[0].wrench', /its body is a link/, (file) => { file.loads.push({body: 'tip', wrench: [0, 0, 0]}); }],
+    ['loads[0]', /"body" is missing/, (file) => { file.loads.push({torque: 1}); }],
+    ['format', /must be "stickslip-grasp\/3", as the file has bodies/, (file) => { file.format = 'stickslip-grasp/2'; }],
+  ]) {
+    const file = hand();
+    change(file);
+    const answer = check(JSON.stringify(file), stated);
+    assert.deepStrictEqual([answer.answer, answer.file, answer.place], ['malformed', 'grasp', place]);
+    assert.match(answer.found, found);
+  }
 });
 
 test('a plain script: in a browser it needs TextDecoder, and leaves one global', () => {

@@ -32,7 +32,8 @@ import os
 import re
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "plane_class", "space", "space_box", "space_margin", "space_class")
+KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "plane_class", "space", "space_box", "space_margin", "space_class",
+         "bodies", "bodies_margin", "bodies_space")  # of several bodies: boxes too
 QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "inertia", "uncertain")
 
 # `rule` is None of a proof; `node` and `path` as checkers report them; `says` and `prints` are of proofs.
@@ -86,7 +87,7 @@ def where(text):
 
 
 def entry(kind, name, files, rule=None, place=None, says=None, prints=()):
-    grasp = {"format": "stickslip-grasp/2", **files["grasp"]}
+    grasp = {"format": "stickslip-grasp/" + ("3" if kind.startswith("bodies") else "2"), **files["grasp"]}
     certificate = {"format": "stickslip-certificate/2", **files["certificate"]}
     return Entry(kind, name, rule, *where(place), says or {}, prints, files["options"], grasp, certificate)
 

@@ -25,10 +25,11 @@ STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
 # Where each rule can fail first.
 ALL = set(corpus.KINDS)
 PLANE = {"plane", "plane_box", "plane_margin", "plane_region", "plane_class"}
-BOXES = {"plane_box", "space_box", "space_margin"}  # normals of irrational length make a margin in space a box
-WITNESSES = {"plane", "plane_margin", "plane_region", "space", "space_margin"}
+BODIES = {"bodies", "bodies_margin", "bodies_space"}
+BOXES = {"plane_box", "space_box", "space_margin"} | BODIES  # normals of irrational length make a margin in space a box
+WITNESSES = {"plane", "plane_margin", "plane_region", "space", "space_margin"} | BODIES
 CLASSES = {"plane_class", "space_class"}
-CUT = {"plane", "plane_box", "space", "space_box"}
+CUT = {"plane", "plane_box", "space", "space_box", "bodies", "bodies_space"}
 BY_DEGREE = ALL - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
@@ -36,7 +37,7 @@ WHERE = {
                      "question-preload-direction", "question-uncertain"], ALL),
     "question-plane": PLANE - {"plane_margin"},  # there question-direction fails before
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
-    "witness-root": {"space", "space_margin"},
+    "witness-root": {"space", "space_margin", "bodies_space"},
     "witness-box": BOXES,
     **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], ALL),
     "leaf-bound": ALL - CLASSES,
@@ -46,8 +47,8 @@ WHERE = {
     **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
     "degree-free": PARTS,
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
-    "segment-mode": {"plane_margin", "space_margin"},
-    **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin"}),
+    "segment-mode": {"plane_margin", "space_margin", "bodies_margin"},
+    **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin", "bodies_margin"}),
     **dict.fromkeys(["question-inertia", "class-twist", "class-force", "class-balance", "class-motion", "class-leaf"],
                     CLASSES),
     "class-slip": {"space_class"},
@@ -62,8 +63,11 @@ def judged_by_all(entry):
 
 
 def is_proved(entry):
-    """The theorem of stickslip-proved is not about proofs by degree and at rest, margins in space, and uncertain normals in space."""
+    """The theorem of stickslip-proved is not about proofs by degree and at rest, margins in space, uncertain normals in space, and
+    several bodies."""
     certificate = entry.certificate
+    if entry.kind in BODIES:
+        return False
     in_space = entry.kind.startswith("space")
     turns = "normal" in certificate["question"].get("uncertain", {}) or any(
         isinstance(contact["normal"], dict) for contact in entry.grasp["contacts"] if "normal" in contact)
@@ -73,6 +77,59 @@ def is_proved(entry):
 
 def question_of(entry):
     return {"grasp": json.dumps(entry.grasp), "certificate": json.dumps(entry.certificate), "options": entry.options}
+
+
+def loads_of(content, body):
+    """`wrench` or `loads` of a file or a case, as loads of a body; None if there is neither."""
+    if "wrench" in content:
+        return [{"body": body, "wrench": content["wrench"]}]
+    return [{"body": body, **load} for load in content["loads"]] if "loads" in content else None
+
+
+def as_several(entry):
+    """The same question about a body that is the only one of several; None if version 3 has no such question."""
+    grasp = entry.grasp
+    contacts, cases = grasp["contacts"], grasp.get("cases", [])
+    margin = "resisted" in entry.certificate or any(word.startswith(("--direction", "--preload-direction")) for word in entry.options)
+    if not judged_by_all(entry) or {"outline", "body"} & set(grasp) or any("on" in contact for contact in contacts) or not contacts or (
+            cases and "--case" not in " ".join(entry.options)) or (margin and entry.kind.startswith("plane")):
+        return None
+    several = {"bodies": [{"name": "it"}], **{key: grasp[key] for key in ("name", "units", "defaults") if key in grasp},
+               "contacts": [{"of": "it", **contact} for contact in contacts]}
+    loads = loads_of(grasp, "it")
+    if loads is not None:
+        several["loads"] = loads
+    if "cases" in grasp:
+        several["cases"] = [{"name": case["name"], "loads": loads_of(case, "it")} for case in cases]
+    return entry._replace(grasp={"format": "stickslip-grasp/3", **several})
+
+
+def on_joints(entry):
+    """Of what as_several gives: the body as the last of links whose joints move it by the coordinates of one that is no link. None if
+    a wrench is uncertain, which is not of a link."""
+    grasp = entry.grasp
+    space = len(grasp["contacts"][0]["position"]) == 3
+    unit = [[int(j == k) for k in range(3)] for j in range(3)]
+    turns = [{"slide": unit[j][:3 if space else 2]} for j in range(3 if space else 2)]
+    turns += [{"hinge": {"at": [0, 0, 0], "axis": axis}} for axis in unit] if space else [{"hinge": [0, 0]}]
+    bodies = [{"name": str(j), **turn, **({"on": str(j - 1)} if j else {})} for j, turn in enumerate(turns)]
+    last, at = bodies[-1]["name"], [0] * (3 if space else 2)
+
+    def moved(loads):
+        for load in loads:
+            if "wrench" in load:
+                force, torque = load["wrench"][:len(at)], load["wrench"][len(at):]
+                yield {"body": last, "force": force, "at": at}
+                yield {"body": last, "torque": torque if space else torque[0]}
+            else:
+                yield {**load, "body": last}
+
+    changed = {**grasp, "bodies": bodies, "joints": [{"turns": {body["name"]: 1}} for body in bodies],
+               "contacts": [{**contact, "of": last} for contact in grasp["contacts"]], "loads": list(moved(grasp.get("loads", [])))}
+    if "cases" in grasp:
+        changed["cases"] = [{**case, "loads": list(moved(case["loads"]))} for case in grasp["cases"]]
+    return None if '"wrench": [{' in json.dumps(grasp) or '"min"' in json.dumps([grasp.get("loads"), grasp.get("cases")]) else \
+        entry._replace(grasp=changed)
 
 
 def in_batch(command, entries):
@@ -132,10 +189,13 @@ class RulesTest(unittest.TestCase):
 
     def test_files_hold_their_kind(self):
         for entry in self.entries:
-            kind = [("space" if "intervals" in entry.certificate or len(entry.certificate["question"]["wrench"]) == 6 else
-                     "plane"), {"margin": "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
-                         entry.certificate["verdict"])]
             if entry.rule is None:
+                contacts, several = entry.grasp["contacts"], "bodies" in entry.grasp
+                in_space = bool(contacts) and len(contacts[0]["position"]) == 3 if several else (
+                    "intervals" in entry.certificate or len(entry.certificate["question"]["wrench"]) == 6)
+                kind = ["bodies" if several else None, "space" if in_space else None if several else "plane", {
+                    "margin": "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
+                        entry.certificate["verdict"])]
                 self.assertEqual("_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
     def test_check_py(self):
@@ -143,6 +203,30 @@ class RulesTest(unittest.TestCase):
         for entry in self.entries:
             lines = self.check_py[entry[:2]][1].split("\n")
             self.assertEqual([line for line in entry.prints if line not in lines], [], (entry.name, lines))
+
+    def same_of_several(self, answers_to):
+        """What is true of one body is answered alike where it is one of several, and where links and joints move it."""
+        pairs = [(entry, as_several(entry)) for entry in self.entries if entry.kind in ("plane", "plane_box", "space", "space_box", "space_margin")]
+        pairs = [(entry, other) for entry, several in pairs if several is not None
+                 for other in (several, on_joints(several)) if other is not None]
+        self.assertGreater(len(pairs), 1000)
+        for (entry, other), report in zip(pairs, answers_to([other for _, other in pairs])):
+            expected = self.check_py[entry[:2]][0]
+            same = set(expected) - ({"path", "found"} if expected["result"] == "malformed" else {"found"})
+            self.assertEqual({key: report[key] for key in same}, {key: expected[key] for key in same}, (entry.name, other.grasp, report))
+
+    def test_check_py_on_several(self):
+        with tempfile.TemporaryDirectory() as folder:
+            asker = batch.Asker(folder)
+            self.same_of_several(lambda entries: [asker.answer(question_of(entry)) for entry in entries])
+
+    @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
+    def test_check_js_on_several(self):
+        self.same_of_several(lambda entries: in_batch([batch.NODE, os.path.join(ROOT, "page", "check_node.js"), "--batch"], entries))
+
+    @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
+    def test_stickslip_check_on_several(self):
+        self.same_of_several(lambda entries: in_batch([STICKSLIP_CHECK, "--batch"], entries))
 
     @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
     def test_stickslip_check(self):
@@ -163,7 +247,9 @@ class RulesTest(unittest.TestCase):
         self.expect(*zip(*judged), says=("result", "rule"))
         self.expect_texts(batch.PROVED, [entry for entry, _ in judged])
         for entry, answer in zip(entries, answers):
-            if not is_proved(entry):
+            if entry.grasp["format"].endswith("3"):
+                self.assertEqual(answer["result"], "not judged", entry.name)
+            elif not is_proved(entry):
                 self.assertIn(answer["result"], ("not judged", "rejected", "malformed"), entry.name)
 
 

@@ -167,7 +167,7 @@ class SpatialMarginSearch {
     // With l in place of h, which is in none of the laws.
     for (TreeNode& node : tree) {
       if (auto* split = std::get_if<PlaneCut>(&node)) {
-        std::swap(split->plane[6], split->plane[7]);
+        std::swap(split->plane[model_.motions], split->plane[model_.motions + 1]);
       }
     }
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
@@ -306,10 +306,10 @@ class SpatialMarginSearch {
   }
 
   /// The tree of both sides of a multiple, the upper of which has it.
-  static Trees joined(const Rational& multiple, const Trees& below, const Trees& above) {
-    Row plane(8);
-    plane[6] = -numerator(multiple);
-    plane[7] = denominator(multiple);
+  Trees joined(const Rational& multiple, const Trees& below, const Trees& above) const {
+    Row plane(model_.coordinates());
+    plane[model_.motions] = -numerator(multiple);
+    plane[model_.motions + 1] = denominator(multiple);
     Trees both{PlaneCut{plane}};
     both.insert(both.end(), above.begin(), above.end());
     both.insert(both.end(), below.begin(), below.end());

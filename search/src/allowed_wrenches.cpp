@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "stickslip/motion/dense.hpp"
+
 namespace stickslip::search_detail {
 Actions::Actions(const Law& law, const MotionRegion& region, const Reals& y)
     : law_(law), region_(region), all_(law.contacts.size()), pairs_(law.contacts.size()) {
@@ -178,7 +180,7 @@ void Actions::add_force(std::size_t contact, std::size_t generator, double& norm
 
 AllowedWrenches::AllowedWrenches(const Law& law, const MotionRegion& region,
                                  const PullRule* pull)
-    : law_(law), region_(region) {
+    : law_(law), region_(region), lines_(law, region) {
   // Comparable sizes of the wrenches at the generators, and where there are any.
   const auto d = static_cast<Eigen::Index>(law.motions);
   for (std::size_t g = 0; g < region.generators().size(); ++g) {
@@ -317,6 +319,10 @@ Reals AllowedWrenches::load_at(std::size_t generator, const Reals& y) const {
 
 std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   const Actions actions(law_, region_, y);
+  // No twist that matters sees what springs do along lines.
+  const auto is_left_out = [&](std::size_t contact, std::size_t generator) {
+    return law_.contacts[contact].is_spring && lines_.has_line(generator);
+  };
   AllowedWrench best;
   best.work = -HUGE_VAL;
   for (std::size_t g = 0; g < scales_.size(); ++g) {
@@ -324,7 +330,10 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
     const Reals load = load_at(g, y);
     double work = load.dot(y);
     bool acts = load.squaredNorm() > 0;
-    for (std::size_t i = 0; i < law_.contacts.size(); ++i) work += actions.work(i, g, acts);
+    for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+      if (is_left_out(i, g)) continue;
+      work += actions.work(i, g, acts);
+    }
     work /= scales_[g];
     // Without any wrench an equilibrium is here, unless none may be.
     if (work > best.work && (acts || !region_.bars_point(g))) {
@@ -335,7 +344,7 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   for (const Reals& against : against_) {
     if (against.squaredNorm() == 0) continue;  // a free motion
     const double work = against.dot(y);
-    if (work > best.work) best = {work, against, 0, true};
+    if (work > best.work) best = {work, against, {}, 0, true};
   }
   if (best.work == -HUGE_VAL) return std::nullopt;  // nothing acts
   if (best.against) return best;
@@ -344,10 +353,43 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   best.friction.resize(m);
   best.wrench = load_at(best.generator, y);
   for (std::size_t i = 0; i < m; ++i) {
+    if (is_left_out(i, best.generator)) continue;
     actions.add_force(i, best.generator, best.normal[i], best.friction[i], best.wrench);
   }
+  best.whole = best.wrench;
+  lines_.project(best.wrench);
   best.wrench /= scales_[best.generator];
   return best;
+}
+
+/// What is left over is what springs do along lines: by how much it moves along these.
+void AllowedWrenches::balance_along_lines(Relaxation& relaxed, const Reals& wrench) const {
+  const auto d = static_cast<Eigen::Index>(law_.motions);
+  const auto count = static_cast<Eigen::Index>(region_.cone().lines().size());
+  const auto line = [&](Eigen::Index k) -> const Reals& {  // (both ways stand among them)
+    return region_.generators()[static_cast<std::size_t>(2 * k)];
+  };
+  Eigen::MatrixXd answers = Eigen::MatrixXd::Zero(d, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    for (const LawContact& c : law_.contacts) {
+      if (!c.is_spring) continue;
+      const Reals& normal = c.corners.front().normal_rounded;
+      const double stiffness = (c.stiffnesses[0] + c.stiffnesses[1]) / 2;
+      answers.col(k) -= stiffness * normal.dot(line(k).head(d)) * normal;
+    }
+  }
+  const Eigen::VectorXd parts = -least_squares(answers, wrench);
+  if (!parts.allFinite()) return;
+  for (Eigen::Index k = 0; k < count; ++k) relaxed.motion += parts[k] * line(k);
+  for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+    const LawContact& c = law_.contacts[i];
+    if (!c.is_spring) continue;
+    const double stiffness = (c.stiffnesses[0] + c.stiffnesses[1]) / 2;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      relaxed.normal[i] -=
+          stiffness * parts[k] * c.corners.front().normal_rounded.dot(line(k).head(d));
+    }
+  }
 }
 
 Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& found) const {
@@ -356,15 +398,18 @@ Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& f
   result.motion = Reals::Zero(static_cast<Eigen::Index>(law_.coordinates()));
   result.normal.resize(m);
   result.friction.resize(m);
+  Reals wrench = Reals::Zero(static_cast<Eigen::Index>(law_.motions));
   for (const auto& [part, s] : found.parts) {
     if (s.against) continue;
     const double weight = part / scales_[s.generator];
+    wrench += weight * s.whole;
     result.motion += weight * region_.generators()[s.generator];
     for (std::size_t i = 0; i < m; ++i) {
       result.normal[i] += weight * s.normal[i];
       for (std::size_t j = 0; j < 3; ++j) result.friction[i][j] += weight * s.friction[i][j];
     }
   }
+  if (!lines_.empty()) balance_along_lines(result, wrench);
   std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> pairs;
   for (std::size_t a = 0; a < found.parts.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {

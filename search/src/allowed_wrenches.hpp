@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "spring_lines.hpp"
 #include "stickslip/motion/nearest_wrench.hpp"
 #include "stickslip/search/law_forces.hpp"
 
@@ -63,16 +64,20 @@ class AllowedWrenches {
   /// The rule of the leaf for this twist, by rounded numbers and a bound on their errors;
   /// nothing if they do not decide. In space they only say no.
   std::optional<bool> are_refuted_by(const Row& y) const;
+  /// What springs do along the region's lines.
+  const SpringLines& lines() const { return lines_; }
   /// Of wrenches that add up to 0.
   Relaxation combine(const NearestWrench<Reals, AllowedWrench>& found) const;
 
  private:
   Reals load_at(std::size_t generator, const Reals& y) const;
+  void balance_along_lines(Relaxation& relaxed, const Reals& wrench) const;
   bool are_small(const std::vector<Row>& points) const;
   const std::vector<double>& sizes() const;
 
   const Law& law_;
   const MotionRegion& region_;
+  SpringLines lines_;
   std::vector<double> scales_;
   std::vector<Reals> against_;         ///< of AllowedWrench::against
   mutable std::vector<double> sizes_;  ///< once they are needed

@@ -16,6 +16,11 @@ ForceSpan::ForceSpan(const Law& law) : motions_(law.motions) {
   }
 }
 
+ForceSpan::ForceSpan(std::size_t motions, const std::vector<RationalRow>& wrenches)
+    : motions_(motions) {
+  for (const RationalRow& wrench : wrenches) add(wrench);
+}
+
 ForceSpan::ForceSpan(const Problem& problem) : motions_(3) {
   for (const ContactRow& row : problem.rows()) {
     if (rank() == motions_) return;

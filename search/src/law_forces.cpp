@@ -146,6 +146,7 @@ LawForces::Found LawForces::nearest(bool again) {
   for (std::size_t j = 0; j < law_.motions; ++j) {
     start[static_cast<Eigen::Index>(j)] -= law_.load[j][0] + law_.load[j][1];
   }
+  wrenches_->lines().project(start);
   const auto worst = [&](const Reals& y) { return wrenches_->worst(y); };
   Found found = nearest_wrench(start, worst, again);
   separated_ = found.separated;
@@ -163,7 +164,8 @@ std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
   Reals y = twist;
   law_.scale_function(y);
   const auto found =
-      in_fewest_bits(y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
+      in_fewest_bits(y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& rounded) {
+        const Row candidate = wrenches_->lines().twist_near(rounded);
         if (const std::optional<bool> known = wrenches_->are_refuted_by(candidate)) {
           ++work_.filter_hits;
           return *known;
@@ -171,8 +173,10 @@ std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
         ++work_.exact_checks;
         return region_->is_refuted(candidate, pull_);
       });
-  if (found) note_bits(work_.twist_bits, *found);
-  return found;
+  if (!found) return std::nullopt;
+  Row exact = wrenches_->lines().twist_near(*found);
+  note_bits(work_.twist_bits, exact);
+  return exact;
 }
 
 /// Of a leaf a twist in fewer bits, if these serve.

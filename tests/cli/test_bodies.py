@@ -145,8 +145,8 @@ class ClosedForms(Bodies):
         self.assertEqual([self.verdict(link(f)) for f in (-10**6, 0, F(1, 10**6))], ["stable", "stable", "unstable"])
 
     def test_a_two_finger_gripper_lifts_as_its_tendon_pulls(self):
-        # Both links press the disc with N at the height of their hinges + 2: the tendon of arm 1 pulls with T = 2N; the
-        # disc hangs by friction alone, mu N on either side.
+        # Both links press the disc with N, 2 above their hinges, where the tendon of arm 1
+        # pulls with T; the disc hangs by friction alone, mu N on either side.
         def gripper(tension, mu=F(1, 3), w=1):
             links = [{"name": n, "hinge": [s * 2, -2]} for n, s in (("l", -1), ("r", 1))]
             return grasp(["disc", *links],
@@ -155,28 +155,29 @@ class ClosedForms(Bodies):
                          [weight("disc", w, (0, 0))],
                          joints=[{"turns": {"l": -1, "r": 1}}],
                          tendons=[{"over": {"l": -1, "r": 1}, "tension": str(F(tension))}])
-        # Friction turns the links too, by the arm 1: 2T = 2N 2 -+ (1/2) 1 2 of the disc's weight.
-        least = (F(3, 2) * 2 + F(1, 2))
+        # Friction helps the tendon turn the links, by the arm 1: T = 2N - w/2.
+        least = 2 * F(3, 2) - F(1, 2)
         for t in (least * F(99, 100), least * F(101, 100)):
             expected = "stable" if t > least else "unstable"
             self.assertEqual(self.verdict(gripper(t)), expected, t)
 
     def test_a_hand_of_three_fingers_holds_a_ball_in_space(self):
-        # Each finger has two hinges across its own plane; the upper link presses at the equator with N. By symmetry the
-        # ball is held while its weight is at most 3 mu N; torques N h on the hinges give N.
-        directions = ((1, 0), (F(-3, 5), F(4, 5)), (F(-5, 13), F(-12, 13)))
+        # Each finger has two hinges below the point where it presses the ball's equator, so that friction does not turn it,
+        # and motors that press with P. The P balance, and friction holds a weight of mu (P + P + P).
+        fingers = ((1, 0, F(12, 5)), (F(-3, 5), F(4, 5), 2), (F(-3, 5), F(-4, 5), 2))
+
         def hand(w):
             bodies, joints, contacts = ["ball"], [], []
-            for k, (x, y) in enumerate(directions):
-                axis = [str(F(-y)), str(F(x)), "0"]
-                base = {"name": f"low{k}", "hinge": {"at": text((3 * x, 3 * y, -4)), "axis": axis}}
-                tip = {"name": f"up{k}", "on": f"low{k}", "hinge": {"at": text((2 * x, 2 * y, -2)), "axis": axis}}
-                bodies += [base, tip]
-                joints += [{"turns": {f"low{k}": -1}, "stiffness": 10}, {"turns": {f"up{k}": -1}, "stiffness": 10}]
-                contacts.append(contact("ball", (x, y, 0), (-x, -y, 0), by=f"up{k}", friction=F(1, 2), preload=2))
+            for k, (x, y, preload) in enumerate(fingers):
+                on = None
+                for name, depth in ((f"low{k}", 4), (f"up{k}", 2)):
+                    bodies.append({"name": name, "hinge": {"at": text((x, y, -depth)), "axis": text((-y, x, 0))},
+                                   **({"on": on} if on else {})})
+                    joints.append({"turns": {name: -1}, "stiffness": 10, "torque": str(preload * depth)})
+                    on = name
+                contacts.append(contact("ball", (x, y, 0), (-x, -y, 0), by=on, friction=F(1, 2), preload=preload))
             return grasp(bodies, contacts, [weight("ball", w, (0, 0, 0))], joints=joints)
-        self.assertIn(self.verdict(hand(F(1, 10))), ("stable", "unstable"))
-        self.assertEqual(self.verdict(hand(10)), "unstable")
+        self.assert_threshold(hand, F(16, 5))
 
 
 class AgainstZ3(Bodies):

@@ -18,6 +18,8 @@ class ForceSpan {
   /// Of all of its contacts.
   explicit ForceSpan(const Law& law);
   explicit ForceSpan(const Problem& problem);  ///< likewise
+  /// Of these wrenches.
+  ForceSpan(std::size_t motions, const std::vector<RationalRow>& wrenches);
 
   /// Independent rows that span it, in reduced echelon form: each is 1 in a column of its own
   /// and 0 in those of the others.

@@ -321,7 +321,7 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   const Actions actions(law_, region_, y);
   // No twist that matters sees what springs do along lines.
   const auto is_left_out = [&](std::size_t contact, std::size_t generator) {
-    return law_.contacts[contact].is_spring && lines_.has_line(generator);
+    return law_.contacts[contact].is_spring && lines_.has(generator);
   };
   AllowedWrench best;
   best.work = -HUGE_VAL;
@@ -362,12 +362,27 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   return best;
 }
 
+bool AllowedWrenches::are_of_springs(const NearestWrench<Reals, AllowedWrench>& found) {
+  constexpr double kTakesPart = 1e-9;
+  const auto d = static_cast<Eigen::Index>(law_.motions);
+  std::vector<std::size_t> generators;
+  for (const auto& [part, s] : found.parts) {
+    if (part < kTakesPart) continue;
+    if (s.against || region_.generators()[s.generator][d] != 0) return false;
+    for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+      if (!law_.contacts[i].is_spring && s.normal[i] != 0) return false;
+    }
+    generators.push_back(s.generator);
+  }
+  return lines_.add(generators);
+}
+
 /// What is left over is what springs do along lines: by how much it moves along these.
 void AllowedWrenches::balance_along_lines(Relaxation& relaxed, const Reals& wrench) const {
   const auto d = static_cast<Eigen::Index>(law_.motions);
-  const auto count = static_cast<Eigen::Index>(region_.cone().lines().size());
-  const auto line = [&](Eigen::Index k) -> const Reals& {  // (both ways stand among them)
-    return region_.generators()[static_cast<std::size_t>(2 * k)];
+  const auto count = static_cast<Eigen::Index>(lines_.generators().size());
+  const auto line = [&](Eigen::Index k) -> const Reals& {
+    return region_.generators()[lines_.generators()[static_cast<std::size_t>(k)]];
   };
   Eigen::MatrixXd answers = Eigen::MatrixXd::Zero(d, count);
   for (Eigen::Index k = 0; k < count; ++k) {

@@ -66,6 +66,9 @@ class AllowedWrenches {
   std::optional<bool> are_refuted_by(const Row& y) const;
   /// What springs do along the region's lines.
   const SpringLines& lines() const { return lines_; }
+  /// Wrenches that add up to 0 are those of springs alone, at infinity, which is taken note of;
+  /// false if it was known or is not so.
+  bool are_of_springs(const NearestWrench<Reals, AllowedWrench>& found);
   /// Of wrenches that add up to 0.
   Relaxation combine(const NearestWrench<Reals, AllowedWrench>& found) const;
 

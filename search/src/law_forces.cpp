@@ -149,6 +149,10 @@ LawForces::Found LawForces::nearest(bool again) {
   wrenches_->lines().project(start);
   const auto worst = [&](const Reals& y) { return wrenches_->worst(y); };
   Found found = nearest_wrench(start, worst, again);
+  while (!found.separated && wrenches_->are_of_springs(found)) {
+    wrenches_->lines().project(start);
+    found = nearest_wrench(start, worst, again);
+  }
   separated_ = found.separated;
   return found;
 }

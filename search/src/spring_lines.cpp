@@ -6,39 +6,66 @@
 namespace stickslip::search_detail {
 
 SpringLines::SpringLines(const Law& law, const MotionRegion& region)
-    : lines_(2 * region.cone().lines().size()) {
-  if (lines_ == 0) return;
-  std::vector<RationalRow> seen;
-  for (const Row& line : region.cone().lines()) {
-    RationalRow sum(law.motions);
-    for (const LawContact& c : law.contacts) {
-      if (!c.is_spring) continue;
-      const RationalRow& normal = c.corners.front().normal;
-      Rational along = 0;
-      for (std::size_t j = 0; j < law.motions; ++j) along += normal[j] * Rational(line[j]);
-      if (along.is_zero()) continue;
-      if (!c.stiffness.is_point()) {
-        seen.push_back(normal);
-        continue;
-      }
-      along *= c.stiffness.low;
-      for (std::size_t j = 0; j < law.motions; ++j) sum[j] += along * normal[j];
-    }
-    seen.push_back(std::move(sum));
+    : law_(law), region_(region), is_in_(region.points().size(), 0) {
+  const bool has_springs = std::any_of(law.contacts.begin(), law.contacts.end(),
+                                       [](const LawContact& c) { return c.is_spring; });
+  if (!has_springs) return;
+  const std::size_t lines = region.cone().lines().size();
+  for (std::size_t k = 0; k < lines; ++k) {  // both ways stand side by side
+    note(2 * k);
+    is_in_[2 * k + 1] = 1;
   }
-  const ForceSpan span(law.motions, seen);
+  if (lines > 0) find_twists();
+}
+
+bool SpringLines::add(const std::vector<std::size_t>& generators) {
+  bool is_new = false;
+  for (const std::size_t g : generators) {
+    if (is_in_[g] != 0) continue;
+    note(g);
+    is_new = true;
+  }
+  if (is_new) find_twists();
+  return is_new;
+}
+
+void SpringLines::note(std::size_t generator) {
+  is_in_[generator] = 1;
+  generators_.push_back(generator);
+  const Row& x = region_.points()[generator];
+  RationalRow sum(law_.motions);
+  for (const LawContact& c : law_.contacts) {
+    if (!c.is_spring) continue;
+    const RationalRow& normal = c.corners.front().normal;
+    Rational along = 0;
+    for (std::size_t j = 0; j < law_.motions; ++j) along += normal[j] * Rational(x[j]);
+    if (along.is_zero()) continue;
+    if (!c.stiffness.is_point()) {
+      seen_.push_back(normal);
+      continue;
+    }
+    along *= c.stiffness.low;
+    for (std::size_t j = 0; j < law_.motions; ++j) sum[j] += along * normal[j];
+  }
+  seen_.push_back(std::move(sum));
+}
+
+void SpringLines::find_twists() {
+  const ForceSpan span(law_.motions, seen_);
+  across_.clear();
+  columns_.clear();
   if (span.rank() == 0) return;
   basis_ = span.free_motions();
-  for (std::size_t j = 0; j < law.motions; ++j) {
+  for (std::size_t j = 0; j < law_.motions; ++j) {
     const auto& taken = span.columns();
     if (std::find(taken.begin(), taken.end(), j) == taken.end()) columns_.push_back(j);
   }
   for (const RationalRow& row : span.rows()) {
-    Reals wrench(static_cast<Eigen::Index>(law.motions));
-    for (std::size_t j = 0; j < law.motions; ++j) {
+    Reals wrench(static_cast<Eigen::Index>(law_.motions));
+    for (std::size_t j = 0; j < law_.motions; ++j) {
       wrench[static_cast<Eigen::Index>(j)] = to_double(row[j]);
     }
-    law.scale_function(wrench);
+    law_.scale_function(wrench);
     for (const int round : {0, 1}) {  // the second mends what rounding left
       project(wrench);
       if (round == 0) wrench.normalize();

@@ -601,7 +601,8 @@ def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool,
         source.fail(place.rstrip("."), "both 'wrench' and 'loads'; give one of them" if given else
                                        "'wrench' is missing (in version 2, that or 'loads')")
     if "wrench" in fields:
-        return read_vector_of_bounds(source, fields["wrench"], place + "wrench", source.dimension)
+        return read_vector_of_bounds(source, fields["wrench"], place + "wrench",
+                                     bodies.dimension if bodies else source.dimension)
     loads = source.array(fields.get("loads", []), place + "loads")
     none = exact_wrench(zeros(bodies.dimension if bodies else source.dimension))
     return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]", bodies)
@@ -613,7 +614,7 @@ def read_cases(source: Source, value: Any, common: Wrench,
     cases: Dict[str, Wrench] = {}
     for k, entry in enumerate(source.array(value, "cases")):
         place = f"cases[{k}]"
-        fields = source.members(entry, place, "name loads" if bodies else "name wrench? loads?")
+        fields = source.members(entry, place, "name wrench? loads?")
         name = fields["name"]
         if type(name) is not str or not name or name in cases:
             source.fail(f"{place}.name", "must be a string, not empty, and of this case alone")
@@ -1099,7 +1100,7 @@ def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector,
 
 def read_several(source: Source) -> Grasp:
     top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
-                                          "contacts loads? cases?")
+                                          "contacts wrench? loads? cases?")
     if top["format"] != GRASP.formats[2]:
         source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
     defaults = read_defaults(source, top)
@@ -1149,7 +1150,7 @@ def read_several(source: Source) -> Grasp:
     moves = ("x", "y", "z", "turn x", "turn y", "turn z") if source.space else ("x", "y", "turn")
     names = [f"{body} {move}" for body in bodies.motions if body != GROUND and body not in bodies.turns for move in moves]
     names += [joint.get("name", f"joint {q}") for q, joint in enumerate(joints)]
-    return Grasp(elements, None if cases and "loads" not in top else common, cases, source.space, bodies.dimension,
+    return Grasp(elements, None if cases and not {"loads", "wrench"} & set(top) else common, cases, source.space, bodies.dimension,
                  tuple(names))
 
 

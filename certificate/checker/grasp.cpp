@@ -135,7 +135,6 @@ class GraspReader {
     };
     deny(version_ < 3, {"bodies", "joints", "tendons", "ratchets"}, kNeeds3);
     deny(version_ < 2, {"units", "outline", "body", "loads", "cases"}, kNeeds2);
-    deny(version_ == 3, {"wrench"}, "of several bodies give \"loads\", each with its \"body\"");
     deny(version_ == 3, {"outline"}, "of several bodies each of \"bodies\" may have one");
     deny(version_ == 3, {"body"}, "of several bodies each of \"bodies\" may have a \"mesh\"");
     if (version_ == 3) check(has("bodies"), "the member \"bodies\" is missing");
@@ -152,7 +151,7 @@ class GraspReader {
     if (version_ == 3) {
       for (std::size_t i = 0; i < own_.size(); ++i) put_between_bodies(i);
       for (const Contact& element : others_) grasp_.contacts.push_back(element);
-      grasp_.several->has_loads = has("loads");
+      grasp_.several->has_loads = has("loads") || has("wrench");
     } else if (!pairs_.empty()) {
       const auto& [i, pair] = *pairs_.begin();
       json_.fail(
@@ -174,7 +173,7 @@ class GraspReader {
     } else if (key == "name") {
       expect(value.kind == Value::Kind::kString, value, key.c_str(), "a string");
     } else if (key == "wrench") {
-      grasp_.wrench = uncertain_vector(value, key.c_str(), dimension_);
+      grasp_.wrench = uncertain_vector(value, key.c_str(), load_numbers());
     } else if (key == "loads") {
       grasp_.wrench = sum_of_loads(value, key.c_str());
     } else if (key == "cases") {
@@ -342,23 +341,24 @@ class GraspReader {
              "a string that is not empty");
       const Value* wrench = entry.find("wrench");
       const Value* loads = entry.find("loads");
-      if (version_ == 3 ? wrench != nullptr || loads == nullptr
-                        : (wrench == nullptr) == (loads == nullptr)) {
-        json_.fail(entry.line, place,
-                   version_ == 3 ? R"(expected the members "name" and "loads")"
-                                 : R"(expected one of the members "wrench" and "loads")");
+      if ((wrench == nullptr) == (loads == nullptr)) {
+        json_.fail(entry.line, place, R"(expected one of the members "wrench" and "loads")");
       }
-      Wrench own = wrench != nullptr ? uncertain_vector(*wrench, place + ".wrench", dimension_)
-                                     : sum_of_loads(*loads, place + ".loads");
+      Wrench own = wrench != nullptr
+                       ? uncertain_vector(*wrench, place + ".wrench", load_numbers())
+                       : sum_of_loads(*loads, place + ".loads");
       if (!grasp_.cases.emplace(name.text, std::move(own)).second) {
         json_.fail(name.line, place, "the name " + quote(name.text) + " appears twice");
       }
     }
   }
 
+  /// D, of the numbers of a wrench of the file.
+  std::size_t load_numbers() const { return mechanism_ ? mechanism_->dimension() : dimension_; }
+
   Wrench sum_of_loads(const Value& value, const Where& place) {
     expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
-    Wrench sum(mechanism_ ? mechanism_->dimension() : dimension_);
+    Wrench sum(load_numbers());
     for (std::size_t k = 0; k < value.items.size(); ++k) {
       const Value& load = value.items[k];
       add(sum, mechanism_ ? load_on_body(load, place[k]) : wrench_of(load, place[k]));

@@ -675,7 +675,7 @@ const add_intervals = (a, b) => a.map(([low, high], j) => [low.plus(b[j][0]), hi
 /** The wrench of a file or a case, as intervals; null if it has neither `wrench` nor `loads`. */
 function read_wrench(object, place, size, version, bodies = null) {
   if (object.has('wrench') && object.has('loads')) throw new Malformed(place, 'both wrench and loads');
-  if (object.has('wrench')) return grasp_intervals(object.get('wrench'), inside(place, 'wrench'), size, version);
+  if (object.has('wrench')) return grasp_intervals(object.get('wrench'), inside(place, 'wrench'), bodies === null ? size : bodies.dimension, version);
   if (!object.has('loads')) return null;
   return array_of(object.get('loads'), inside(place, 'loads'))
       .map((load, j) => read_load(load, `${inside(place, 'loads')}[${j}]`, size, bodies))
@@ -688,11 +688,11 @@ function read_cases(value, common, size, version, bodies = null) {
   if (array_of(value, 'cases').length === 0) throw new Malformed('cases', 'the list is empty');
   value.forEach((one, j) => {
     const place = `cases[${j}]`;
-    known_members(one, place, ['name', ...(bodies === null ? ['wrench'] : []), 'loads'], ['name']);
+    known_members(one, place, ['name', 'wrench', 'loads'], ['name']);
     const name = grasp_string(one.get('name'), `${place}.name`);
     if (name === '' || cases.has(name)) throw new Malformed(`${place}.name`, 'empty, or that of another case');
     const own = read_wrench(one, place, size, version, bodies);
-    if (own === null) throw new Malformed(place, bodies === null ? 'neither wrench nor loads' : 'no loads');
+    if (own === null) throw new Malformed(place, 'neither wrench nor loads');
     cases.set(name, add_intervals(own, common));
   });
   return cases;
@@ -917,7 +917,7 @@ function read_spring({place, value}, row, force) {
 }
 
 function read_several(file) {
-  known_members(file, '', ['format', 'name', 'units', 'bodies', 'defaults', 'joints', 'tendons', 'ratchets', 'contacts', 'loads', 'cases'],
+  known_members(file, '', ['format', 'name', 'units', 'bodies', 'defaults', 'joints', 'tendons', 'ratchets', 'contacts', 'wrench', 'loads', 'cases'],
       ['bodies', 'contacts']);
   const head = read_head(file, 3), {space, size} = head;
   const joints = read_list(file, 'joints', ['turns'], ['stiffness', 'torque']);

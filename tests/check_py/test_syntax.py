@@ -233,7 +233,7 @@ class GraspFileTest(Case):
         self.assertIsNotNone(self.wrench('"0.' + "1" * 16_382 + '"'))
 
     def test_structure(self):
-        self.bad("format", self.file(format="stickslip-grasp/3"))
+        self.bad("format", self.file(format="stickslip-grasp/4"))
         self.bad("'wrench' is missing", {k: v for k, v in self.file().items() if k != "wrench"})
         self.bad("'contacts' is missing", {k: v for k, v in self.file().items() if k != "contacts"})
         self.bad("unknown member 'frictoin'", self.file(frictoin=1))

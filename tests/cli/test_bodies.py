@@ -138,6 +138,66 @@ class ClosedForms(Bodies):
         self.assertEqual(self.verdict(finger(F(501, 1000))), "unstable")
         self.assertEqual(self.verdict(finger(F(1, 3), extra=-1)), "stable")  # 3 and 1
 
+    def test_a_wrench_of_all_coordinates_is_as_the_loads(self):
+        least, by_loads = stack((1, 1), (1, 1), (F(1, 2), F(1, 2)), (1, 1), F(1, 4), F(3, 2))
+        by_wrench = {k: v for k, v in by_loads.items() if k != "loads"}
+        by_wrench["wrench"] = text((0, -1, 0, F(1, 4), -1, -F(3, 8)))
+        self.assertLess(F(1, 4), least)
+        self.assertEqual(self.decide(by_wrench)["wrench"], self.decide(by_loads)["wrench"])
+        by_wrench["wrench"][3] = {"min": "0", "max": "1/4"}
+        self.assertEqual(self.verdict(by_wrench), "stable")
+        cases = {**by_wrench, "wrench": text((0, -1, 0, 0, -1, 0)),
+                 "cases": [{"name": "c", "wrench": text((0, 0, 0, F(1, 4), 0, -F(3, 8)))}]}
+        self.assertEqual(self.verdict(cases, "--case", "c"), "stable")
+
+    def test_a_fragile_box_has_two_examples_that_are_files(self):
+        content = stack((1, 1), (1, 1), (F(1, 2), F(1, 2)), (1, 1), F(1, 2), F(3, 2))[1]
+        file, folder = self.write("g.json", content), self.path("examples")
+        answer = self.json("decide", file, "--uncertain", "friction=10%,wrench=0.001", "--examples", folder)
+        self.assertEqual(answer["verdict"], "fragile")
+        for verdict in ("stable", "unstable"):
+            with open(os.path.join(folder, verdict + ".json"), encoding="utf-8") as example:
+                self.assertEqual(self.verdict(json.load(example)), verdict)
+
+    def test_margins(self):
+        least, content = stack((1, 1), (1, 1), (F(1, 2), F(1, 3)), (1, 2), 0, F(3, 2))
+        file, proof = self.write("g.json", content), self.path("m.json")
+        words = ("--direction", "0,0,0,1,0,-3/2", "--wrench", "0,-1,0,0,-2,0")
+        answer = self.json("margin", file, *words, "--certificate", proof, "--accuracy", "1/1000")
+        low, high = answer["resisted"][0]
+        self.assertEqual(F(low), 0)
+        self.assertLess(F(high), least)
+        self.assertGreater(F(high), least * F(99, 100))
+        self.assertGreater(F(answer["refuted"][0][0]), least)
+        for checker in checkers(proof):
+            self.assertEqual(run(*checker, file, proof, *words)[0], 0)
+
+    def test_how_hard_must_the_tendon_pull(self):
+        # As below: T >= 2 w/(2 mu) - w/2 with w = 1, mu = 1/3: 5/2; scaled from 5 by 1/2.
+        links = [{"name": n, "hinge": [s * 2, -2]} for n, s in (("l", -1), ("r", 1))]
+        content = grasp(["disc", *links],
+                        [contact("disc", (-1, 0), (1, 0), by="l", friction=F(1, 3), stiffness=1000),
+                         contact("disc", (1, 0), (-1, 0), by="r", friction=F(1, 3), stiffness=1000)],
+                        [weight("disc", 1, (0, 0))], joints=[{"turns": {"l": -1, "r": 1}}],
+                        tendons=[{"over": {"l": -1, "r": 1}, "tension": 5}])
+        file, proof = self.write("g.json", content), self.path("m.json")
+        words = ("--preload-direction", "scale")
+        answer = self.json("margin", file, *words, "--certificate", proof, "--accuracy", "1/1000")
+        low = F(answer["resisted"][0][0])
+        self.assertGreaterEqual(low, F(1, 2))
+        self.assertLess(low, F(51, 100))
+        for checker in checkers(proof):
+            self.assertEqual(run(*checker, file, proof, *words)[0], 0)
+
+    def test_what_is_for_one_body_says_so(self):
+        file = self.write("g.json", stack((1, 1), (1, 1), (1, 1), (1, 1), 0, F(3, 2))[1])
+        for words in (("compare",), ("region",), ("export", "--smt2", "-o", "-"), ("plot", "grasp", "-o", "-"),
+                      ("page", "-o", "-")):
+            command = (words[0], words[1], file, *words[2:]) if words[0] == "plot" else (words[0], file, *words[1:])
+            code, out, err = stickslip(*command)
+            self.assertEqual((code, out), (2, ""), command)
+            self.assertIn("several bodies", err)
+
     def test_a_ratchet_pushes_and_does_not_pull(self):
         def link(f):
             return grasp([{"name": "l", "slide": [0, 1]}], [], [force("l", (0, f), (0, 0))],

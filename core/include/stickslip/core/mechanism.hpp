@@ -73,9 +73,9 @@ struct Joint {
 
 /// Bodies and joints. O(D) for each link to follow.
 struct Mechanism {
-  bool in_space = false;
-  std::vector<Body> bodies{};
-  std::vector<Joint> joints{};
+  bool in_space = false;        ///< of three coordinates
+  std::vector<Body> bodies{};   ///< links after those that they are on
+  std::vector<Joint> joints{};  ///< each turns a link, and each link is turned
 
   /// D, the number of coordinates of states.
   std::size_t coordinates() const;
@@ -108,14 +108,14 @@ struct Spring {
   /// What it is in the file.
   enum class Kind { kRatchet, kJoint, kTendon };
 
-  Kind kind = Kind::kTendon;
-  std::string place{};    ///< in its file, "joints[1]"
-  std::string name{};     ///< may be empty
-  std::size_t joint = 0;  ///< of a joint its own index
-  LinkRates over{};       ///< of all others
-  RationalRow row{};      ///< not 0
-  Interval stiffness{};   ///< k >= 0, above 0 of a ratchet
-  Interval force{};       ///< P: torque or tension, of a ratchet the preload, >= 0
+  Kind kind = Kind::kTendon;  ///< of its list
+  std::string place{};        ///< in its file, "joints[1]"
+  std::string name{};         ///< may be empty
+  std::size_t joint = 0;      ///< of a joint its own index
+  LinkRates over{};           ///< of all others
+  RationalRow row{};          ///< not 0
+  Interval stiffness{};       ///< k >= 0, above 0 of a ratchet
+  Interval force{};           ///< P: torque or tension, of a ratchet the preload, >= 0
 
   /// Whether it pushes only.
   bool is_ratchet() const { return kind == Kind::kRatchet; }

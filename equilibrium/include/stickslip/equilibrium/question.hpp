@@ -78,11 +78,12 @@ Question ask(GraspFile file, const QuestionOptions& options);
 /// space where numbers are uncertain.
 void require_one_grasp(const Question& question);
 
-/// Throws InputError if there are several bodies: `what` is not done for them.
+/// \{ Throws InputError if there are several bodies: `what` is not done for them.
 void require_one_body(const AnyGrasp& grasp, const std::string& what);
 inline void require_one_body(const Question& question, const std::string& what) {
   require_one_body(question.grasp, what);
 }
+/// \}
 
 /// What an engine in the plane answers; of a margin, the family. Throws InputError
 /// ("contacts[i].normal") when a contact whose preload is not 0 or grows has a normal of

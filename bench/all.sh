@@ -29,6 +29,7 @@ measure space space_bench --contacts 8
 measure space_grasps /usr/bin/python3 "$root/bench/space/grasps.py" "$build/space_grasps"
 measure space_targets /usr/bin/python3 "$root/bench/space/targets.py" --programs "$build/bin" "$build"/space_grasps/*.json
 measure space_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --program "$build/bin/stickslip" "$build"/space_grasps/*.json
+measure bodies /usr/bin/python3 "$root/bench/bodies/bodies_bench.py"
 measure batch batch_bench "$build/bin/stickslip"
 measure one_call /usr/bin/python3 "$root/bench/batch/one_call_bench.py" "$build/bin"
 measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bin"

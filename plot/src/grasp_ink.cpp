@@ -49,7 +49,10 @@ class GraspReader {
     scene_.contacts = contact_ink(grasp_, frame_);
     scene_.outline = body_outline(grasp_, frame_, scene_.contacts);
     ink_.marks.assign(grasp_.size(), ContactMark::kUnknown);
-    for (std::size_t i = 0; i < grasp_.size(); ++i) scene_.cones.push_back(cone(i));
+    for (std::size_t i = 0; i < grasp_.size(); ++i) {
+      scene_.cones.push_back(
+          planar_cone(scene_.contacts[i], grasp_.contacts()[i].friction, ink_.cone_length));
+    }
     choose_force_unit();
     add_load();
     if (const auto* stable = std::get_if<Stable>(&verdict_)) {
@@ -240,20 +243,6 @@ class GraspReader {
            " " + (contacts.size() == 1 ? one : many);
   }
 
-  /// A sector, so that wide cones look wide.
-  std::vector<InkPoint> cone(std::size_t i) const {
-    constexpr int kSteps = 12;
-    const ContactInk& c = scene_.contacts[i];
-    const double half_angle = std::atan(to_double(grasp_.contacts()[i].friction));
-    std::vector<InkPoint> sector{c.at};
-    for (int step = -kSteps; step <= kSteps; ++step) {
-      const double angle = half_angle * step / kSteps;
-      sector.push_back(c.at + ink_.cone_length * std::cos(angle) * c.normal +
-                       ink_.cone_length * std::sin(angle) * c.tangent);
-    }
-    return sector;
-  }
-
   const Question& question_;
   const Verdict& verdict_;
   const Grasp& grasp_;
@@ -265,6 +254,19 @@ class GraspReader {
 };
 
 }  // namespace
+
+std::vector<InkPoint> planar_cone(const ContactInk& c, const Rational& friction,
+                                  double length) {
+  constexpr int kSteps = 12;
+  const double half_angle = std::atan(to_double(friction));
+  std::vector<InkPoint> sector{c.at};
+  for (int step = -kSteps; step <= kSteps; ++step) {
+    const double angle = half_angle * step / kSteps;
+    sector.push_back(c.at + length * std::cos(angle) * c.normal +
+                     length * std::sin(angle) * c.tangent);
+  }
+  return sector;
+}
 
 double GraspInk::force_length(const Rational& size) const {
   return size.is_zero() ? 0 : kLongestForce * to_double(size / force_unit);

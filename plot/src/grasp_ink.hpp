@@ -71,6 +71,10 @@ struct GraspInk {
                        const std::string& of_forces);
 };
 
+/// In the plane: a sector, so that wide cones look wide.
+std::vector<InkPoint> planar_cone(const ContactInk& contact, const Rational& friction,
+                                  double length);
+
 /// A round factor for motions whose largest component is this, in a scene of this radius; 0 if
 /// nothing moves.
 Rational enlargement(const Rational& largest, const Rational& radius);
@@ -78,6 +82,7 @@ Rational enlargement(const Rational& largest, const Rational& radius);
 /// \{ Throws as plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
 GraspInk spatial_ink(const Question& question, const Verdict& verdict);
+GraspInk bodies_ink(const Question& question, const Verdict& verdict);
 /// \}
 
 }  // namespace stickslip::plot_detail

@@ -338,7 +338,9 @@ class GraspPlot {
 
 std::string plot_grasp(const Question& question, const Verdict& verdict) {
   const bool is_exact = question.box() == nullptr;
-  return GraspPlot(is_exact ? grasp_ink(question, verdict) : spatial_ink(question, verdict),
+  return GraspPlot(is_exact                          ? grasp_ink(question, verdict)
+                   : question.mechanism() != nullptr ? bodies_ink(question, verdict)
+                                                     : spatial_ink(question, verdict),
                    name_of(verdict))
       .draw();
 }

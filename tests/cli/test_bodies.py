@@ -189,13 +189,22 @@ class ClosedForms(Bodies):
         for checker in checkers(proof):
             self.assertEqual(run(*checker, file, proof, *words)[0], 0)
 
+    def test_a_picture_has_all_bodies_and_the_forces_between_them(self):
+        file = self.write("g.json", stack((1, 1), (1, 1), (1, 1), (1, 1), F(1, 8), F(3, 2))[1])
+        code, out, err = stickslip("plot", "grasp", file)
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn('data-verdict="stable"', out)
+        forces = [F(c["force"][1]) for c in self.json("decide", file)["contacts"]]
+        self.assertEqual((sum(forces[:2]), sum(forces[2:])), (2, 1))
+        for k, f in enumerate(self.json("decide", file)["contacts"]):
+            self.assertIn(f'data-contact="{k}" data-value="{f["force"][0]},{f["force"][1]}"', out)
+
     def test_what_is_for_one_body_says_so(self):
         file = self.write("g.json", stack((1, 1), (1, 1), (1, 1), (1, 1), 0, F(3, 2))[1])
-        for words in (("compare",), ("region",), ("export", "--smt2", "-o", "-"), ("plot", "grasp", "-o", "-"),
-                      ("page", "-o", "-")):
-            command = (words[0], words[1], file, *words[2:]) if words[0] == "plot" else (words[0], file, *words[1:])
-            code, out, err = stickslip(*command)
-            self.assertEqual((code, out), (2, ""), command)
+        for words in (("compare",), ("region",), ("export", "--smt2", "-o", "-"), ("page", "-o", "-")):
+            words = [words] if isinstance(words, str) else words
+            code, out, err = stickslip(words[0], file, *words[1:])
+            self.assertEqual((code, out), (2, ""), words)
             self.assertIn("several bodies", err)
 
     def test_a_ratchet_pushes_and_does_not_pull(self):

@@ -24,6 +24,8 @@ namespace stickslip::python {
 
 /// A grasp in space, which has a class of its own in Python.
 struct SpatialGraspFile : GraspFile {};
+/// One of several bodies, in the plane or in space, which is a box as one in space is.
+struct BodiesFile : SpatialGraspFile {};
 
 void bind_grasp(pybind11::module_& module);       ///< grasp.cpp
 void bind_questions(pybind11::module_& module);   ///< questions.cpp
@@ -85,7 +87,7 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options);
 Question question_in_box(const GraspFile& grasp, QuestionOptions options,
                          const std::string& uncertain = "");
 
-/// The same of one in space, whose lengths may be irrational.
+/// The same of one in space or of several bodies, whose lengths may be irrational.
 Question question_about(const GraspFile& grasp, const QuestionOptions& options);
 
 /// The fields of results.Decision but the warnings; with the certificate unless it is empty.

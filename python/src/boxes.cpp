@@ -102,10 +102,8 @@ py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof)
 py::dict map(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
              const py::object& wrench, const py::object& preload, bool bilateral,
              unsigned depth, std::size_t node_limit, bool proofs) {
-  const QuestionOptions options_asked = question_options(wrench, preload, bilateral);
   // In the plane with rational lengths.
-  const Question asked = in_space(grasp.content) ? question_in_box(grasp, options_asked)
-                                                 : question_of(grasp, options_asked);
+  const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
   const GraspBox centre = box_of(asked.grasp);
   const MapAxis x = parse_axis(centre, x_text, "x");
   const MapAxis y = parse_axis(centre, y_text, "y");

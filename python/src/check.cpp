@@ -91,7 +91,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
   options.bilateral = bilateral;
-  // Of three numbers, or six.
+  // Of three numbers, or six, or of several bodies one for each coordinate.
   const auto read = [](const py::object& values, const char* name) {
     std::optional<stickslip_check::Vector> result;
     if (values.is_none()) return result;

@@ -159,6 +159,9 @@ GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& fric
 }
 
 py::object in_its_class(GraspFile grasp) {
+  if (mechanism_of(grasp.content) != nullptr) {
+    return py::cast(BodiesFile{{std::move(grasp)}});
+  }
   if (in_space(grasp.content)) return py::cast(SpatialGraspFile{std::move(grasp)});
   return py::cast(std::move(grasp));
 }

@@ -62,14 +62,15 @@ void for_all(std::size_t count, std::size_t threads, Work work) {
 }
 
 /// Each list has one entry for all questions or one for each; of the last three an empty one
-/// leaves the grasps' own. The grasps are all in the plane, or all in space.
+/// leaves the grasps' own. The grasps are all of one kind, with as many coordinates.
 Decisions decide_many(std::size_t count, const py::list& grasps, const py::list& wrenches,
                       const py::list& frictions, const py::list& preloads, bool bilateral,
                       const std::string& engine, std::size_t node_limit, std::size_t threads) {
   const auto of = [](const py::list& list, std::size_t i) -> py::object {
     return list.empty() ? py::object(py::none()) : entry(list, i);
   };
-  const bool in_space = !grasps.empty() && py::isinstance<SpatialGraspFile>(grasps[0]);
+  const std::size_t coordinates =
+      grasps.empty() ? 3 : wrench_of(grasps[0].cast<const GraspFile&>().content).size();
   std::vector<std::vector<Rational>> friction;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     friction.push_back(numbers(frictions[i],
@@ -84,7 +85,7 @@ Decisions decide_many(std::size_t count, const py::list& grasps, const py::list&
     questions.push_back(one_question(entry(grasps, i), asked, bilateral, engine, node_limit));
   }
   return without_gil([&] {
-    Decisions result{std::vector<ManyAnswer>(count), in_space ? std::size_t{6} : 3};
+    Decisions result{std::vector<ManyAnswer>(count), coordinates};
     for_all(count, threads, [&](std::size_t i) {
       try {
         result.answers[i] = questions[i]();

@@ -35,6 +35,11 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
   result["closed"] = closed;
 }
 
+/// Of a vector in the plane or in space.
+RationalRow coordinates_of(const Answer& about, const Vector3& v) {
+  return {v.begin(), v.begin() + (about.question.in_space() ? 3 : 2)};
+}
+
 /// What is known of an equilibrium.
 struct EquilibriumFields {
   const Answer& answer;
@@ -47,10 +52,15 @@ struct EquilibriumFields {
   void operator()(const ShareWitness& witness) const {
     const auto forces = forces_of(*answer.question.box(), witness.twist, witness.shares);
     result["twist"] = tuple_of(witness.twist, fraction);
-    result["forces"] =
-        tuple_of(forces, [](const SpatialForce& f) { return tuple_of(f.force, fraction); });
+    result["forces"] = tuple_of(forces, [this](const SpatialForce& f) {
+      return tuple_of(coordinates_of(answer, f.force), fraction);
+    });
     result["closed"] =
         tuple_of(forces, [](const SpatialForce& f) { return py::bool_(f.normal.sign() > 0); });
+    if (answer.question.mechanism() != nullptr) {
+      result["springs"] =
+          tuple_of(spring_forces_of(*answer.question.box(), witness.twist), fraction);
+    }
   }
   void operator()(const StabilityProof& /*proof*/) const {
     result["near"] = tuple_of(stable.motion, fraction);
@@ -74,7 +84,7 @@ struct AddDoubles {
     add(answer.twist, witness.twist);
     for (const SpatialForce& f :
          forces_of(*about.question.box(), witness.twist, witness.shares)) {
-      add(answer.forces, f.force);
+      add(answer.forces, coordinates_of(about, f.force));
     }
   }
   void operator()(const StabilityProof& /*proof*/) const {}
@@ -87,9 +97,13 @@ struct AddDoubles {
 };
 
 Engine engine_for(const GraspFile& grasp, const std::string& name) {
-  if (in_space(grasp.content) && name != "auto") {
-    throw InputError("", "engine", "the grasp is in space, for which there is one engine",
-                     "leave it out");
+  const bool several = mechanism_of(grasp.content) != nullptr;
+  if ((several || in_space(grasp.content)) && name != "auto") {
+    throw InputError(
+        "", "engine",
+        std::string(several ? "there are several bodies" : "the grasp is in space") +
+            ", for which there is one engine",
+        "leave it out");
   }
   return engine_named(name);
 }
@@ -97,6 +111,7 @@ Engine engine_for(const GraspFile& grasp, const std::string& name) {
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
+  if (warnings) require_one_body(grasp.content, "looking for traps of the model");
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   AnswerOptions options{engine_for(grasp, engine), node_limit, warnings};
   // Warnings need an exact equilibrium.
@@ -331,8 +346,9 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
 }
 
 Question question_about(const GraspFile& grasp, const QuestionOptions& options) {
-  return in_space(grasp.content) ? question_in_box(grasp, options)
-                                 : question_of(grasp, options);
+  return in_space(grasp.content) || mechanism_of(grasp.content) != nullptr
+             ? question_in_box(grasp, options)
+             : question_of(grasp, options);
 }
 
 Question question_in_box(const GraspFile& grasp, QuestionOptions options,

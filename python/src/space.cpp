@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grasps in space: the class beside GraspData, and the questions that it answers to. The
-// functions have the names and arguments of those of the plane.
+// Grasps in space, and of several bodies: the classes beside GraspData, and the questions that
+// they answer to. The functions have the names and arguments of those of the plane.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -146,6 +146,7 @@ py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& dire
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
                            std::size_t node_limit, bool warnings, const py::object& accuracy) {
+  if (warnings) require_one_body(grasp.content, "looking for traps of the model");
   const Question question = question_in_box(
       grasp, question_options(wrench, preload, bilateral, direction, preload_direction));
   SpatialMarginOptions options;
@@ -184,11 +185,34 @@ py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& dire
   return result;
 }
 
+py::tuple pickled(const SpatialGraspFile& grasp) {
+  return py::make_tuple(py::bytes(write_grasp_file(grasp)));
+}
+
 SpatialGraspFile unpickled(const py::tuple& state) {
   return {parse_any_grasp(state[0].cast<std::string>(), "<pickle>", Intervals::kRefused)};
 }
 
-/// Of either class.
+const Mechanism& mechanism_in(const BodiesFile& file) {
+  return *box_in(file).mechanism;
+}
+
+/// Names, or where those are that have none.
+py::tuple spring_names(const BodiesFile& file) {
+  return tuple_of(box_in(file).springs, [](const Spring& spring) {
+    return text(spring.name.empty() ? spring.place : spring.name);
+  });
+}
+
+/// Of which body and by which, of each contact.
+py::tuple pairs_of(const BodiesFile& file) {
+  return tuple_of(box_in(file).contacts, [&file](const UncertainContact& contact) {
+    return py::make_tuple(text(mechanism_in(file).name_of(contact.of)),
+                          text(mechanism_in(file).name_of(contact.by)));
+  });
+}
+
+/// Of any class.
 py::object parse(const std::string& content, const std::string& name) {
   GraspFile file =
       without_gil([&] { return parse_any_grasp(content, name, Intervals::kRefused); });
@@ -204,8 +228,8 @@ void bind_space(py::module_& module) {
       .def("text", &text_of)
       .def("with_friction",
            [](const SpatialGraspFile& g, const py::object& friction) {
-             return SpatialGraspFile{
-                 with_friction(g, numbers(friction, box_in(g).contacts.size(), "friction"))};
+             return in_its_class(
+                 with_friction(g, numbers(friction, box_in(g).contacts.size(), "friction")));
            })
       .def("size", [](const SpatialGraspFile& g) { return box_in(g).contacts.size(); })
       .def("name", [](const SpatialGraspFile& g) { return text(g.description().name); })
@@ -232,11 +256,21 @@ void bind_space(py::module_& module) {
              return py::make_tuple(std::move(grasp),
                                    moved_normals(result.snapped, fractions_of<Vector3>));
            })
-      .def(py::pickle(
-          [](const SpatialGraspFile& g) {
-            return py::make_tuple(py::bytes(write_grasp_file(g)));
-          },
-          &unpickled));
+      .def(py::pickle(&pickled, &unpickled));
+  py::class_<BodiesFile, SpatialGraspFile, std::shared_ptr<BodiesFile>>(module, "BodiesData")
+      .def("in_space", [](const BodiesFile& f) { return mechanism_in(f).in_space; })
+      .def("bodies",
+           [](const BodiesFile& f) {
+             return tuple_of(mechanism_in(f).bodies,
+                             [](const Body& body) { return text(body.name); });
+           })
+      .def(
+          "coordinates",
+          [](const BodiesFile& f) { return tuple_of(coordinate_names(mechanism_in(f)), text); })
+      .def("springs", &spring_names)
+      .def("pairs", &pairs_of)
+      .def(py::pickle([](const BodiesFile& f) { return pickled(f); },
+                      [](const py::tuple& state) { return BodiesFile{unpickled(state)}; }));
   module.def("parse_grasp", &parse);
   // Before that of the plane, which takes any grasp.
   module.def("margin", &find_grasp_margin, py::prepend());

@@ -15,7 +15,7 @@ wrench is the one applied to the body. See docs/python.md.
 
 from . import _core
 from .errors import ContractError, InputError, LimitReached
-from .grasp import Body, Grasp, MeshGrasp, PlacedGrasp, SnappedNormal, SnapResult
+from .grasp import Assembly, Body, Grasp, MeshGrasp, PlacedGrasp, SnappedNormal, SnapResult
 from .loads import wrench_of
 from .questions import (
     check,
@@ -62,6 +62,7 @@ from .views import Page, Picture
 __version__: str = _core.version
 
 __all__ = [
+    "Assembly",
     "Body",
     "BoxDecision",
     "Cell",

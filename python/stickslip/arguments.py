@@ -17,6 +17,8 @@ from . import _core
 from .errors import InputError
 
 AXES = {2: "x, y", 3: "x, y, z"}
+WRENCHES = {2: (3, "force x, force y and torque"), 3: (6, "force x, y, z and torque x, y, z")}
+"""By coordinates: how many numbers a wrench has, and what they are."""
 _ENOUGH_BYTES = 2**30 + 1  # more than a grasp file or a certificate may have
 
 
@@ -93,13 +95,34 @@ def as_numbers(values: Any, name: str, count: int) -> Any:
 
 def as_wrench(values: Any, name: str, n: int = 2) -> List[Any]:
     """Of a grasp with n coordinates."""
-    if n == 2:
-        return as_list(values, name, (3,), "force x, force y and torque")
-    return as_list(values, name, (6,), "force x, y, z and torque x, y, z")
+    count, meaning = WRENCHES[n]
+    return as_list(values, name, (count,), meaning)
 
 
-def as_wrench_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
-    return None if values is None else as_wrench(values, "wrench", n)
+def as_row_or_none(values: Any, name: str, row: Optional[Tuple[int, str]]) -> Optional[List[Any]]:
+    """Of so many numbers with this meaning; or of any number, which somebody else knows."""
+    if values is None:
+        return None
+    count, meaning = row or (len(np.atleast_1d(as_array(values, name))), "one row of numbers")
+    return as_list(values, name, (count,), meaning)
+
+
+def as_file(value: Any, place: str = "") -> Any:
+    """What may stand in a file for JSON, with its numbers taken exactly."""
+    if isinstance(value, Mapping):
+        return {as_text(key, f"a key of {place or 'the file'}"): as_file(
+            entry, f"{place}.{key}" if place else key) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim > 0):
+        _refuse_masked(value, place, ())
+        return [as_file(entry, f"{place}[{i}]") for i, entry in enumerate(value)]
+    if isinstance(value, bool):
+        return value  # which the reader refuses
+    if isinstance(value, str):
+        return as_text(value, place)
+    number = _core.exact(value, place)
+    # Large integers as strings, which no reader rounds.
+    whole = number.denominator == 1 and abs(number) < 2**53
+    return number.numerator if whole else str(number)
 
 
 def as_inertia(values: Any, n: int = 2) -> List[Any]:
@@ -108,10 +131,6 @@ def as_inertia(values: Any, n: int = 2) -> List[Any]:
     count = 9 if as_array(values, "inertia").shape == (9,) else 6
     return as_list(values, "inertia", (count,),
                    "centre x, y, z and tensor xx, yy, zz, perhaps xy, xz, yz")
-
-
-def as_direction_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
-    return None if values is None else as_wrench(values, "direction", n)
 
 
 def as_plane_or_none(values: Any) -> Optional[List[List[Any]]]:

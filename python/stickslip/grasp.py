@@ -3,10 +3,24 @@
 
 from __future__ import annotations
 
+import json
 import os
 from fractions import Fraction
 from types import MappingProxyType
-from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import (
+    Any,
+    List,
+    Mapping,
+    NamedTuple,
+    NoReturn,
+    Optional,
+    Sequence,
+    Tuple,
+    Type,
+    TypeVar,
+    Union,
+    cast,
+)
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,21 +28,24 @@ from numpy.typing import ArrayLike
 from . import _core
 from .arguments import (
     AXES,
+    WRENCHES,
     as_case_name,
     as_content,
     as_count,
+    as_file,
     as_json,
     as_list,
     as_number,
     as_numbers,
     as_outline,
+    as_row_or_none,
     as_rows,
     as_text,
     as_uncertain,
     as_units,
     as_wrench,
-    as_wrench_or_none,
     coordinates_of,
+    found,
     is_bilateral,
 )
 from .contacts import Contacts, from_arrays, on_grid
@@ -46,7 +63,10 @@ Pair = Tuple[Fraction, Fraction]
 Triple = Tuple[Fraction, Fraction, Fraction]
 
 Vector = Tuple[Fraction, ...]
-"""Of 2 numbers in the plane and 3 in space; a wrench or a motion of 3 and 6."""
+"""Of 2 numbers in the plane and 3 in space; a wrench or a motion of 3 and 6, or of several bodies
+one for each of ``Assembly.coordinates``."""
+
+AnyGrasp = TypeVar("AnyGrasp", bound="Grasp")
 
 
 class Grasp:
@@ -396,22 +416,33 @@ class Grasp:
                    name=name)
 
     @classmethod
-    def from_file(cls, path: Union[str, os.PathLike[str]]) -> Grasp:
-        """Reads a grasp file (docs/grasp_file.md)."""
+    def from_file(cls: Type[AnyGrasp], path: Union[str, os.PathLike[str]]) -> AnyGrasp:
+        """Reads a grasp file (docs/grasp_file.md); of several bodies it is an ``Assembly``."""
         content, name = as_content(
             path, "path", "give the path of a grasp file; Grasp.from_text reads its text")
-        return cls._of(_core.parse_grasp(content, name))
+        return cls._read(content, name)
 
     @classmethod
-    def from_text(cls, text: str, name: str = "") -> Grasp:
+    def from_text(cls: Type[AnyGrasp], text: str, name: str = "") -> AnyGrasp:
         """Reads the text of a grasp file. ``name`` stands for its name in errors."""
         content = as_json(text, "text", "give the text of a grasp file; Grasp.from_file reads one")
-        return cls._of(_core.parse_grasp(content, as_text(name, "name").encode()))
+        return cls._read(content, as_text(name, "name").encode())
 
     @classmethod
-    def _of(cls, data: Union[_core.GraspData, _core.SpatialGraspData], loaded: bool = True,
-            doubles: bool = False) -> Grasp:
-        grasp = cls.__new__(cls)
+    def _read(cls: Type[AnyGrasp], content: bytes, name: bytes) -> AnyGrasp:
+        data = _core.parse_grasp(content, name)
+        if issubclass(cls, Assembly) and not isinstance(data, _core.BodiesData):
+            raise InputError(os.fsdecode(name), "format", "this is a grasp of one body",
+                             'read it with stickslip.Grasp; several have "stickslip-grasp/3"')
+        return cls._of(data)
+
+    @classmethod
+    def _of(cls: Type[AnyGrasp], data: Union[_core.GraspData, _core.SpatialGraspData],
+            loaded: bool = True, doubles: bool = False) -> AnyGrasp:
+        kind: Type[Grasp] = cls
+        if isinstance(data, _core.BodiesData) and not issubclass(kind, Assembly):
+            kind = Assembly
+        grasp = cast(AnyGrasp, object.__new__(kind))
         object.__setattr__(grasp, "_data", data)
         object.__setattr__(grasp, "_loaded", loaded)
         object.__setattr__(grasp, "_doubles", doubles)
@@ -420,10 +451,10 @@ class Grasp:
     def _load(self, wrench: Any, needed: bool = True) -> Optional[List[Any]]:
         """That a question is about, by this argument of it; None is the grasp's own."""
         if wrench is None and needed and not self._loaded:
-            n = 6 if self.in_space else 3
+            n, _ = self._components
             raise InputError("", "wrench", "the grasp has no load, and none is given",
                              f"give a wrench of {n} numbers, here or to Grasp; no load is {(0,) * n}")
-        return as_wrench_or_none(wrench, self._coordinates)
+        return as_row_or_none(wrench, "wrench", self._components)
 
     def _asked(self, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal, ...]]:
         """The grasp that a question with this preload is about, and what moved for that.
@@ -440,6 +471,15 @@ class Grasp:
     @property
     def _coordinates(self) -> int:
         return 3 if self.in_space else 2
+
+    @property
+    def _components(self) -> Tuple[int, str]:
+        """Of a wrench: how many there are, and what they are."""
+        return WRENCHES[self._coordinates]
+
+    def _one_body(self) -> Union[_core.GraspData, _core.SpatialGraspData]:
+        """What the questions that are about one body take."""
+        return self._data
 
     def _planar(self) -> _core.GraspData:
         """What the questions that are about the plane alone take."""
@@ -480,11 +520,12 @@ class Grasp:
             return str(_core.exact(as_number(value, name), name))
 
         about, _ = self._asked(None if preload is None else _core.exact(preload, "preload"))
+        data = about._one_body()
         load = (None if case else self._load(wrench)) or []
         if not 0 <= time_limit <= 86400:
             raise InputError("", "time_limit", f"found {time_limit!r}", "give 0 to 86400 seconds")
         page = Page(_core.page(
-            about._data, ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
+            data, ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
             as_text(case, "case"), "" if preload is None else exactly(preload, "preload"),
             is_bilateral(normal_law), "" if uncertain is None else as_uncertain(uncertain),
             as_count("node_limit", node_limit), time_limit))
@@ -598,6 +639,89 @@ class Grasp:
 def _restored(data: Union[_core.GraspData, _core.SpatialGraspData], loaded: bool,
               doubles: bool) -> Grasp:
     return Grasp._of(data, loaded, doubles)
+
+
+class Assembly(Grasp):
+    """Several bodies, with contacts between them, links, joints and springs (docs/bodies.md).
+
+    ``decide`` (also of many at once, and ``uncertain``), ``margin``, ``radius``, ``stability_map`` and
+    ``check`` take it as they take a Grasp; all else is for one body, and says so. A wrench, a
+    direction and a motion have one number for each of ``coordinates``. ``positions`` and the like
+    are those of the contacts, in the frame that all bodies share.
+
+    Args:
+        content: what a grasp file of version 3 holds (docs/grasp_file.md, "Several bodies"), as
+            ``json.load`` gives it, or with numbers of any type that a Grasp takes; ``format`` may be
+            left out.
+
+    >>> blocks = Assembly({
+    ...     "bodies": [{"name": "low"}, {"name": "up"}],
+    ...     "contacts": [{"of": "low", "position": [0, 0], "normal": [0, 1], "friction": 1},
+    ...                  {"of": "up", "by": "low", "position": [0, 1], "normal": [0, 1], "friction": 1}],
+    ...     "loads": [{"body": "up", "weight": 10, "at": [0, 2]}]})
+    >>> blocks.coordinates
+    ('low.x', 'low.y', 'low.turn', 'up.x', 'up.y', 'up.turn')
+    """
+
+    __slots__ = ()
+    _data: _core.BodiesData
+
+    def __init__(self, content: Mapping[str, Any]) -> None:
+        if not isinstance(content, Mapping):
+            raise InputError("", "content", f"this is {found(content)}",
+                             "give a mapping; Assembly.from_file and from_text read a file")
+        text = json.dumps({"format": "stickslip-grasp/3", **as_file(content)})
+        read = Assembly.from_text(text)
+        for name in Grasp.__slots__:
+            object.__setattr__(self, name, getattr(read, name))
+
+    @property
+    def bodies(self) -> Tuple[str, ...]:
+        """Their names."""
+        return self._data.bodies()
+
+    @property
+    def coordinates(self) -> Tuple[str, ...]:
+        """The names of the numbers of a wrench and of a motion: three of each body that is no link,
+        in space six, and one of each joint."""
+        return self._data.coordinates()
+
+    @property
+    def contact_bodies(self) -> Tuple[Tuple[str, str], ...]:
+        """Of each contact the body that is pressed, ``of``, and the one that presses, ``by``."""
+        return self._data.pairs()
+
+    @property
+    def springs(self) -> Tuple[str, ...]:
+        """Ratchets, then joints that have a spring, then tendons: their names, or places in the file."""
+        return self._data.springs()
+
+    @property
+    def in_space(self) -> bool:
+        return self._data.in_space()
+
+    @property
+    def _components(self) -> Tuple[int, str]:
+        return len(self.coordinates), "a force or torque for each of " + ", ".join(self.coordinates)
+
+    def _asked(self, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal, ...]]:
+        return self, ()  # any lengths of normals will do
+
+    def _one_body(self) -> NoReturn:
+        raise InputError("", "grasp", "the grasp has several bodies",
+                         "this is for one body only; decide, margin, radius and stability_map answer "
+                         "for several")
+
+    _planar = _one_body
+
+    def snap(self, within: Any = "1e-9") -> NoReturn:
+        """Not needed: normals of any length will do."""
+        self._one_body()
+
+    def __repr__(self) -> str:
+        return call_of("Assembly", [("name", self.name), ("bodies", self.bodies),
+                                    ("contacts", len(self)), ("springs", self.springs),
+                                    ("wrench", self.wrench)])
 
 
 class PlacedGrasp(NamedTuple):

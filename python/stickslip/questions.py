@@ -17,10 +17,10 @@ import numpy as np
 
 from . import _core
 from .arguments import (
+    WRENCHES,
     as_array,
     as_content,
     as_count,
-    as_direction_or_none,
     as_engine,
     as_inertia,
     as_json,
@@ -30,15 +30,15 @@ from .arguments import (
     as_numbers,
     as_plane_or_none,
     as_preload_direction_or_none,
+    as_row_or_none,
     as_uncertain,
     as_wrench,
-    as_wrench_or_none,
     found,
     is_bilateral,
     one_of,
 )
 from .errors import InputError, LimitReached
-from .grasp import Grasp, SnappedNormal, Vector
+from .grasp import Assembly, Grasp, SnappedNormal, Vector
 from .results import (
     BoxDecision,
     Cell,
@@ -65,7 +65,8 @@ from .results import (
 from .views import Picture
 
 Number = Union[int, float, str, Fraction, Decimal]
-OneWrench = Union[Tuple[Any, Any, Any], Tuple[Any, Any, Any, Any, Any, Any], Vector]
+OneWrench = Union[Tuple[Any, Any, Any], Tuple[Any, Any, Any, Any, Any, Any], Vector,
+                  Tuple[Number, ...]]
 
 
 @overload
@@ -136,7 +137,7 @@ def decide(
         grasp: what is asked about, or a sequence of n grasps.
         wrench: (3,) or (n, 3), force x, force y and torque about the origin, applied to the
             body; the grasp's own if None. In space (6,) or (n, 6), as of a Grasp. ``wrench_of``
-            sums forces at points and weights.
+            sums forces at points and weights. Of an Assembly a number for each of its ``coordinates``.
         uncertain: how far numbers may be off, by kind, such as {"friction": "10%", "wrench": 0.1}
             or "friction=10%": the verdict is then a ``BoxDecision`` about all grasps in the box
             (docs/uncertainty.md). {} encloses the irrational lengths of preloaded normals, and
@@ -147,13 +148,14 @@ def decide(
         normal_law: "unilateral", contacts may open, c_n = max(0, P - k N.d); or "bilateral", the
             paper's Eq. 4 literally, c_n = P - k N.d >= 0.
         engine: "states" solves the systems of all slip states, in groups, "branch-and-bound" is
-            made for many contacts, "auto" takes the one that suits. All are exact. In space
-            there is one.
+            made for many contacts, "auto" takes the one that suits. All are exact. In space, and
+            of several bodies, there is one.
         node_limit: let the engine "branch-and-bound" give up, undecided, after so many nodes; 0 is no limit.
             In space 0 is one with which twelve contacts take about a minute at most.
         threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
-            does not balance (docs/model.md). Takes longer than most verdicts; of one question.
+            does not balance (docs/model.md). Takes longer than most verdicts; of one question and
+            one body.
 
     Raises:
         InputError: an argument is wrong, there is no load, or a preloaded contact has a normal of
@@ -340,7 +342,7 @@ def plot_grasp(
     hold it, or the virtual twist that wins. In space from three sides."""
     about, _ = _asked(grasp, preload)
     return Picture(_core.plot_grasp(
-        about._data, about._load(wrench), as_number_or_none(preload, "preload"),
+        about._one_body(), about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), "auto", None))
 
 
@@ -371,7 +373,7 @@ def compare(
     """
     about, snapped = _asked(grasp, preload)
     answer = _core.compare(
-        about._data, about._load(wrench),
+        about._one_body(), about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law), list(methods),
         as_number(length, "length"),
         None if inertia is None else as_inertia(inertia, about._coordinates), bool(certificate))
@@ -430,7 +432,7 @@ def export(
     """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA, in space QF_NRA; sat means
     stable."""
     about, _ = _asked(grasp, preload)
-    return _core.smtlib(about._data, about._load(wrench), as_number_or_none(preload, "preload"),
+    return _core.smtlib(about._one_body(), about._load(wrench), as_number_or_none(preload, "preload"),
                         is_bilateral(normal_law))
 
 
@@ -454,13 +456,15 @@ def margin(
 
     Args:
         grasp: what is asked about.
-        direction: (3,), in space (6,): the load grows as wrench + l direction.
+        direction: (3,), in space (6,): the load grows as wrench + l direction. Of an Assembly a
+            number for each of its ``coordinates``.
         wrench: what the load starts from. If None it is 0 with a ``direction``, whatever the
             grasp's own, and without one the grasp's own.
         preload: of every contact; the grasp's own if None.
         preload_direction: how preloads grow: "scale", all in proportion, l times what they are;
             or (m,), one number of 0 or more for each contact: by l times these, from what they
-            are. ``least`` of the answer is then the least preload that holds the load.
+            are. ``least`` of the answer is then the least preload that holds the load. Of an Assembly
+            the numbers of its springs follow those of contacts.
         normal_law: as in ``decide``.
         accuracy: in space: which part of a multiple may stay undecided at an end.
         node_limit: give up after so many nodes; 0 is no limit.
@@ -476,7 +480,7 @@ def margin(
                          "give a direction such as (0, 1, 0), or a preload_direction")
     result = _core.margin(
         about._data,
-        as_direction_or_none(direction, about._coordinates),
+        as_row_or_none(direction, "direction", about._components),
         about._load(wrench, needed=direction is None),
         as_number_or_none(preload, "preload"),
         as_preload_direction_or_none(preload_direction),
@@ -521,7 +525,7 @@ def crosscheck(
     """
     about, snapped = _asked(grasp, preload)
     fields = _core.crosscheck(
-        about._data,
+        about._one_body(),
         one_of("verdict", verdict, ("stable", "unstable")) == "stable",
         None if twist is None
         else as_list(twist, "twist", (6,), "translation x, y, z and rotation x, y, z")
@@ -578,15 +582,15 @@ def check(
     if isinstance(grasp, Grasp):
         about, _ = _asked(grasp, preload if preload_direction is None else 1)
         grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
-        n = about._coordinates
+        n, row = about._coordinates, about._components
         load = about._load(wrench, needed=direction is None and plane is None)
     else:
         grasp_bytes, grasp_name = as_content(
             grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
         in_space = any(values is not None and as_array(values, name).shape == (6,)
                        for name, values in (("wrench", wrench), ("direction", direction)))
-        n = 3 if in_space else 2
-        load = as_wrench_or_none(wrench, n)
+        n, row = 3 if in_space else 2, None
+        load = as_row_or_none(wrench, "wrench", row)
     remedy = "give its text as a str, or the path of its file as a pathlib.Path"
     if isinstance(certificate, str):
         certificate_bytes, name = as_json(certificate, "certificate", remedy), b"<certificate>"
@@ -598,7 +602,7 @@ def check(
         load,
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
-        as_direction_or_none(direction, n),
+        as_row_or_none(direction, "direction", row),
         as_preload_direction_or_none(preload_direction),
         as_plane_or_none(plane),
         None if inertia is None else as_inertia(inertia, n),
@@ -611,6 +615,7 @@ def _region(
     grasp: Grasp, torque: Any, origin: Any, u: Any, v: Any, preload: Any, normal_law: str,
     mode_limit: int, pieces: bool, picture: bool, certificate: bool = False, node_limit: int = 0,
 ) -> Any:
+    grasp._one_body()
     if grasp.in_space:
         raise InputError("", "grasp", "the grasp is in space",
                          'ask stability_map(grasp, "1,0,0,0,0,0=-2:2", "0,1,0,0,0,0=-2:2", origin), '
@@ -660,11 +665,14 @@ class Questions:
     def lists(self) -> Tuple[List[Any], List[Any], List[Any], List[Any]]:
         """Grasps, wrenches, frictions and preloads: n or 1 of each, 0 if it was not given."""
         given = list(self._grasps) if "grasp" in self._counts else [self._grasps]
-        dimensions = {_require_grasp(grasp)._coordinates for grasp in given}
-        if len(dimensions) > 1:
+        kinds = {(_require_grasp(grasp)._components, grasp._coordinates) for grasp in given}
+        if len(kinds) > 1 and any(isinstance(grasp, Assembly) for grasp in given):
+            raise InputError("", "grasp", "the grasps differ in their bodies or joints",
+                             "ask about those that have the same coordinates")
+        if len(kinds) > 1:
             raise InputError("", "grasp", "some grasps are in the plane, and some in space",
                              "ask about those in the plane, and about those in space")
-        n = 3 if 3 in dimensions else 2
+        components, meaning = given[0]._components if given else WRENCHES[2]
         preloads = self._numbers("preload", as_number)
         largest = max((_core.exact(value, f"preload[{i}]") for i, value in enumerate(preloads)),
                       default=None)
@@ -673,12 +681,10 @@ class Questions:
             value, name, len(given[0])))
         wrenches: List[Any] = []
         if "wrench" in self._counts:
-            rows, meaning = ((3, "force x, force y and torque") if n == 2
-                             else (6, "force x, y, z and torque x, y, z"))
-            wrenches = as_list(self._given["wrench"], "wrench", (self._counts["wrench"], rows),
-                               meaning + " in each row")
+            wrenches = as_list(self._given["wrench"], "wrench",
+                               (self._counts["wrench"], components), meaning + " in each row")
         elif self._given["wrench"] is not None:
-            wrenches = [as_wrench(self._given["wrench"], "wrench", n)]
+            wrenches = [as_list(self._given["wrench"], "wrench", (components,), meaning)]
         else:
             for grasp in given:
                 grasp._load(None)

@@ -18,10 +18,14 @@ from numpy.typing import NDArray
 
 from . import _core
 from .errors import InputError, LimitReached
-from .grasp import SNAPPED_WITHIN, Grasp, Pair, SnappedNormal, Triple, Vector
+from .grasp import SNAPPED_WITHIN, Assembly, Grasp, Pair, SnappedNormal, Triple, Vector
 from .views import Answer, FloatArray, FloatView, Picture, doubles, nearest_root, table
 
 _MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
+
+
+def _is_shown(grasp: Grasp) -> bool:
+    return not isinstance(grasp, Assembly) and len(grasp) <= _MOST_CONTACTS_TO_SHOW
 
 
 class ModelWarning(NamedTuple):
@@ -51,13 +55,17 @@ class Decision(Answer):
     """The proof (certificate/FORMAT.md), for ``check`` and for both checkers. None if undecided."""
     twist: Optional[Vector] = None
     """The motion (x, y, r) of an equilibrium; there may be others. In space translation x, y, z and
-    rotation x, y, z; None, and so the forces, where no equilibrium in fractions was found."""
+    rotation x, y, z; of an Assembly a number for each of its ``coordinates``. None, and so the forces,
+    where no equilibrium in fractions was found."""
     near: Optional[Vector] = None
     """Stable without a twist: a motion near that of an equilibrium. In space, and in the plane where
     an exact equilibrium would have numbers of many thousand digits (docs/python.md). If undecided, one
     at which the laws seem to hold in doubles."""
     forces: Optional[Tuple[Vector, ...]] = None
-    """The force of each contact on the body, in the frame of the body."""
+    """The force of each contact on the body, in the frame of the body; of an Assembly on the body
+    ``of``."""
+    springs: Optional[Tuple[Fraction, ...]] = None
+    """Of an Assembly: the torque, tension or force of each of its ``springs``."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
     """(a, b) for each contact: the force is a n + b t, with its normal n and the
     tangent t, n turned by +90 degrees. For unit normals, normal and tangential force. None in space,
@@ -87,7 +95,7 @@ class Decision(Answer):
         """The grasp, its load and the evidence, as ``plot_grasp`` draws them; if undecided there is
         none."""
         return Picture(_core.plot_grasp(
-            self.grasp._data, list(self.wrench), self.preload, self.normal_law == "bilateral",
+            self.grasp._one_body(), list(self.wrench), self.preload, self.normal_law == "bilateral",
             self.engine, self.limit))
 
     def check(self) -> CheckResult:
@@ -104,7 +112,7 @@ class Decision(Answer):
             b"<grasp>", b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
-        return self.plot() if len(self.grasp) <= _MOST_CONTACTS_TO_SHOW else None
+        return self.plot() if _is_shown(self.grasp) else None
 
 
 class Proof(NamedTuple):
@@ -182,6 +190,7 @@ class BoxDecision(Answer):
     def plot(self) -> Picture:
         """The grasp in the middle, as ``plot_grasp`` draws it: with its own verdict, which in a
         fragile box is that of some grasps only; if undecided without evidence."""
+        self.grasp._one_body()
         file = json.loads(self.grasp.to_text())
         box = "a fragile box" if self.verdict == "fragile" else "a box"
         file["name"] = f"{self.grasp.name or 'Grasp'}, in the middle of {box}"
@@ -193,7 +202,7 @@ class BoxDecision(Answer):
             self.limit))
 
     def _picture(self) -> Optional[Picture]:
-        return self.plot() if len(self.grasp) <= _MOST_CONTACTS_TO_SHOW else None
+        return self.plot() if _is_shown(self.grasp) else None
 
 
 @dataclass(frozen=True, repr=False)
@@ -302,7 +311,7 @@ class Decisions(Sequence[Decision]):
 
     @property
     def wrench_float(self) -> FloatArray:
-        """(n, 3), in space (n, 6): the loads in the nearest doubles."""
+        """(n, 3), in space (n, 6), or a column for each of ``coordinates``: the loads in the nearest doubles."""
         return self._data.wrenches()
 
     @property
@@ -316,7 +325,7 @@ class Decisions(Sequence[Decision]):
         """(n, m, 2), in space (n, m, 3): the forces of the contacts on the body in the nearest
         doubles; NaN where there are none, or none are known exactly, and beyond the last contact
         of a grasp that has fewer than another."""
-        coordinates = 3 if self.twist_float.shape[1] == 6 else 2
+        coordinates = self._asked[0][0]._coordinates if self._asked else 2
         forces = self._data.forces()
         contacts = max((len(grasp) for grasp, _ in self._asked), default=0)
         result = np.full((len(self), contacts, coordinates), np.nan)
@@ -328,7 +337,10 @@ class Decisions(Sequence[Decision]):
         """A ``pandas.DataFrame`` with a row for each question: verdict, engine, why it is undecided
         (``limit``), and in doubles the load and the motion that holds it."""
         pandas = importlib.import_module("pandas")
+        of = self._asked[0][0] if self._asked else None
         wrench, motion = (
+            tuple(tuple(f"{name}_{c}" for c in of.coordinates) for name in ("load", "motion"))
+            if isinstance(of, Assembly) else
             (("force_x", "force_y", "torque"), ("motion_x", "motion_y", "rotation"))
             if self.twist_float.shape[1] == 3 else
             tuple(tuple(f"{name}_{axis}" for name in names for axis in "xyz")

@@ -36,7 +36,7 @@ def test_crosscheck_numpy():
 
 @pytest.mark.parametrize("module", [stickslip, stickslip.grasp, stickslip.loads])
 def test_docstrings(module):
-    result = doctest.testmod(module, extraglobs={"Grasp": stickslip.Grasp})
+    result = doctest.testmod(module, extraglobs={"Grasp": stickslip.Grasp, "Assembly": stickslip.Assembly})
     assert result.attempted > 0 and result.failed == 0
 
 

@@ -44,6 +44,11 @@ settled: Grasp = Grasp.from_mujoco(object(), object(), "box", fixed=("left",), g
 pushed: Grasp = Grasp.from_drake([], 3, lambda pair: 0.5, stiffness=1)
 on: stickslip.MeshGrasp = Grasp.from_mesh((np.zeros((4, 3)), [[0, 1, 2]]), [[0, 0, 0]], 1, tolerance="1e-3")
 face: int = on.faces[0]
+blocks: stickslip.Assembly = stickslip.Assembly.from_file("blocks.json")
+names: Tuple[str, ...] = blocks.coordinates
+leaning: Decision = stickslip.decide(blocks, (0, 0, 0, 0.5, -10, 0))
+pull: Union[Tuple[Fraction, ...], None] = leaning.springs
+either: Grasp = stickslip.Assembly({"bodies": [{"name": "a"}], "contacts": []})
 factor: Fraction = stickslip.radius(grasp, (0, 1, 0), uncertain="friction=10%").proved
 '''
 

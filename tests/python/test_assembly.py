@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Several bodies: answers that follow from statics by hand, and what is for one body alone."""
+
+import json
+import pickle
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import stickslip
+from conftest import ROOT, check_py, program
+from stickslip import Assembly, Grasp, InputError, decide
+
+EXAMPLES = ROOT / "examples" / "grasps"
+
+
+def blocks(mu="1/2", **members):
+    """One block of weight 10 on another of weight 10 on a table; faces of half-width 1 and 4/5."""
+    return Assembly({
+        "name": "blocks",
+        "bodies": [{"name": "low"}, {"name": "up"}],
+        "defaults": {"friction": mu},
+        "contacts": [
+            {"of": "low", "position": [-1, 0], "normal": [0, 1]},
+            {"of": "low", "position": [1, 0], "normal": [0, 1]},
+            {"of": "up", "by": "low", "position": ["-4/5", 1], "normal": [0, 1]},
+            {"of": "up", "by": "low", "position": ["4/5", 1], "normal": [0, 1]}],
+        "loads": [{"body": "low", "weight": 10, "at": [0, "1/2"]},
+                  {"body": "up", "weight": 10, "at": [0, "3/2"]}], **members})
+
+
+def lever(stiffness=2, torque=0, load=3):
+    """A link that turns about the origin, with a spring and a force at (1, 0)."""
+    return Assembly({
+        "bodies": [{"name": "arm", "hinge": [0, 0]}],
+        "joints": [{"name": "hip", "turns": {"arm": 1}, "stiffness": stiffness, "torque": torque}],
+        "contacts": [], "loads": [{"body": "arm", "force": [0, load], "at": [1, 0]}]})
+
+
+def check_all(tmp_path, answer, **how):
+    """Both checkers accept, and the one of C++ not for another load."""
+    check = answer.check()
+    assert check.accepted and check.verdict == answer.verdict and check.wrench == answer.wrench
+    assert check_py(tmp_path, answer.grasp, answer.certificate,
+                    "--wrench", ",".join(map(str, answer.wrench)))
+    other = (answer.wrench[0] + 1, *answer.wrench[1:])
+    assert not stickslip.check(answer.grasp, answer.certificate, wrench=other, **how).accepted
+
+
+def test_what_it_says():
+    two = blocks()
+    assert (two.name, two.bodies, len(two), two.in_space) == ("blocks", ("low", "up"), 4, False)
+    assert two.coordinates == ("low.x", "low.y", "low.turn", "up.x", "up.y", "up.turn")
+    assert two.contact_bodies == (("low", "ground"),) * 2 + (("up", "low"),) * 2
+    assert two.wrench == (0, -10, 0, 0, -10, 0) and two.springs == ()
+    assert two.positions[2] == (Fraction(-4, 5), 1) and two.friction == (Fraction(1, 2),) * 4
+    assert two.outline == () and two.body is None and two.units == {}
+    assert repr(two) == ("Assembly(name='blocks', bodies=('low', 'up'), contacts=4, "
+                         "wrench=(0, -10, 0, 0, -10, 0))")
+    arm = lever()
+    assert (arm.bodies, arm.coordinates, arm.springs, arm.wrench) == (("arm",), ("hip",), ("hip",), (3,))
+    hand = Grasp.from_file(EXAMPLES / "bodies-hand.json")
+    assert isinstance(hand, Assembly) and hand.in_space and len(hand.positions[0]) == 3
+
+
+@pytest.mark.parametrize("push, verdict", [
+    ((0, 4), "stable"), ((0, 5), "stable"), ((0, "5.01"), "unstable"),
+    ((9, 0), "stable"), ((10, 0), "stable"), ((11, 0), "unstable"), ((6, 5), "unstable")])
+def test_two_blocks(tmp_path, push, verdict):
+    """The upper one slides beyond 1/2 10, both beyond 1/2 20. Pushed at the height of the faces, none tips."""
+    low, up = map(Fraction, push)
+    answer = decide(blocks(), (low, -10, 0, up, -10, -up))
+    assert answer.verdict == verdict
+    check_all(tmp_path, answer)
+    if answer.forces is None:
+        return
+    f = answer.forces
+    assert {len(force) for force in f} == {2} and len(answer.twist) == 6 and answer.springs == ()
+    for on_up, on_low, wrench in ((f[2:], (), (up, -10)), (f[:2], f[2:], (low, -10))):
+        for j in range(2):  # what presses it, less how it presses back
+            assert sum(g[j] for g in on_up) - sum(g[j] for g in on_low) + wrench[j] == 0
+    for x, y in f:
+        assert abs(x) <= y / 2
+
+
+def test_two_blocks_margin(tmp_path):
+    margin = stickslip.margin(blocks(), (0, 0, 0, 1, 0, -1), (0, -10, 0, 0, -10, 0))
+    ((low, high),) = margin.resisted
+    ((end, _),) = margin.refuted
+    assert low == 0 and Fraction(499, 100) < high <= 5 <= end < Fraction(501, 100)
+    check = margin.check()
+    assert check.accepted and check.resisted == margin.resisted
+    assert margin.direction == (0, 0, 0, 1, 0, -1)
+
+
+def test_lever(tmp_path):
+    """k z = P + load: a spring is no contact and pulls as well as it pushes."""
+    for torque, load in ((0, 3), (0, -3), (5, -1), ("-1/2", 0)):
+        answer = decide(lever(2, torque, load))
+        z = (Fraction(torque) + load) / 2
+        assert answer.verdict == "stable" and answer.twist == (z,)
+        assert answer.springs == (-load,) and answer.forces == ()
+        check_all(tmp_path, answer)
+    loose = decide(lever(0, -3, 3))
+    assert loose.verdict == "stable" and loose.springs == (-3,)
+    fell = decide(lever(0, 0, 3))
+    assert fell.verdict == "unstable" and fell.springs is None
+    check_all(tmp_path, fell)
+
+
+def test_tendon(tmp_path):
+    """One tendon with arms 1 and 2 over two levers holds torques in this proportion, and no others."""
+    two = Assembly({
+        "bodies": [{"name": "a", "slide": [1, 0]}, {"name": "b", "slide": [1, 0]}],
+        "joints": [{"turns": {"a": 1}}, {"turns": {"b": 1}}],
+        "tendons": [{"name": "rope", "over": {"a": 1, "b": 2}, "stiffness": 3, "tension": 1}],
+        "contacts": []})
+    assert two.coordinates == ("joint 0", "joint 1") and two.springs == ("rope",)
+    held = decide(two, (-4, -8))
+    assert held.verdict == "stable" and held.springs == (4,)
+    assert held.twist[0] + 2 * held.twist[1] == -1  # 1 - 3 stretch = 4
+    check_all(tmp_path, held)
+    loose = decide(two, (-4, -7))
+    assert loose.verdict == "unstable"
+    check_all(tmp_path, loose)
+
+
+def test_ratchet(tmp_path):
+    """It pushes and never pulls."""
+    arm = Assembly({"bodies": [{"name": "arm", "hinge": [0, 0]}], "joints": [{"turns": {"arm": 1}}],
+                    "ratchets": [{"over": {"arm": 1}, "stiffness": 1000}], "contacts": []})
+    assert arm.springs == ("ratchets[0]",)
+    pushed, pulled = decide(arm, (-5,)), decide(arm, (5,))
+    assert (pushed.verdict, pushed.springs, pushed.twist) == ("stable", (5,), (Fraction(-1, 200),))
+    assert pulled.verdict == "unstable"
+    check_all(tmp_path, pushed)
+    check_all(tmp_path, pulled)
+
+
+def test_box_and_radius():
+    box = decide(blocks(), (0, -10, 0, 4, -10, -4), uncertain={"friction": "10%"})
+    assert box.verdict == "stable" and box.check().accepted
+    fragile = decide(blocks(), (0, -10, 0, 5, -10, -5), uncertain="friction=10%")
+    assert fragile.verdict == "fragile" and fragile.check().accepted
+    radius = stickslip.radius(blocks(), (0, -10, 0, 4, -10, -4), uncertain="friction=10%")
+    # It slides at friction 2/5, a fifth less.
+    assert radius.proved <= 2 <= radius.refuted < radius.proved * Fraction(51, 50)
+    assert radius.proof.check().verdict == "stable"
+    assert radius.counterexample.check().verdict == "unstable"
+
+
+def test_map():
+    cells = stickslip.stability_map(blocks(), "friction=0:1", "0,0,0,1,0,-1=0:10", depth=2,
+                                    proofs=True).cells
+    for cell in cells:
+        if cell.proof is not None:
+            assert cell.proof.check().verdict == cell.verdict
+    assert {"stable", "unstable"} <= {cell.verdict for cell in cells}
+
+
+def test_many():
+    pushes = [3, 5, 6]
+    loads = [(0, -10, 0, push, -10, -push) for push in pushes]
+    many = decide(blocks(), loads)
+    assert many.verdict.tolist() == ["stable", "stable", "unstable"]
+    assert many.wrench_float.tolist() == [list(map(float, load)) for load in loads]
+    assert many.twist_float.shape == (3, 6) and many.forces_float.shape == (3, 4, 2)
+    one = decide(blocks(), loads[0])
+    assert many[0].forces == one.forces and many[0].grasp == one.grasp and many[0].check()
+    assert np.array_equal(many.forces_float[0], one.forces_float)
+    assert np.isnan(many.forces_float[2]).all()
+    assert pickle.loads(pickle.dumps(many)) == many
+    assert decide(blocks(), loads[0], friction=["1/4", "1/2"]).verdict.tolist() == ["unstable", "stable"]
+    columns = many.to_dataframe().columns
+    assert "load_up.x" in columns and "motion_low.turn" in columns
+    levers = decide([lever(1), lever(2)])
+    assert levers.twist_float.tolist() == [[3], [1.5]]
+    with pytest.raises(InputError, match="differ in their bodies or joints"):
+        decide([blocks(), lever()])
+    in_space = Assembly({  # of one coordinate, too
+        "bodies": [{"name": "arm", "hinge": {"at": [0, 0, 0], "axis": [0, 0, 1]}}],
+        "joints": [{"name": "hip", "turns": {"arm": 1}, "stiffness": 1}],
+        "contacts": [{"of": "arm", "position": [0, 0, 9], "normal": [0, 0, 1], "friction": 0}]})
+    assert in_space.in_space and in_space.coordinates == lever().coordinates
+    with pytest.raises(InputError, match="differ in their bodies or joints"):
+        decide([lever(), in_space])
+    planar = Grasp([[0, 0]], [[0, 1]], 1, wrench=(0, -1, 0))
+    with pytest.raises(InputError, match="differ in their bodies or joints"):
+        decide([planar, lever()])
+
+
+def test_friction_and_law(tmp_path):
+    load = (0, -10, 0, 4, -10, -4)
+    slippery = decide(blocks(), load, friction="1/3")
+    assert slippery.verdict == "unstable" and isinstance(slippery.grasp, Assembly)
+    assert slippery.grasp.friction == (Fraction(1, 3),) * 4
+    pressed = decide(blocks(), load, preload=3, normal_law="bilateral")
+    assert pressed.check().accepted and pressed.preload == 3
+
+
+def test_cases(tmp_path):
+    stack = Assembly.from_file(EXAMPLES / "bodies-stack.json")
+    answers = {name: decide(stack, load) for name, load in stack.cases.items()}
+    assert {name: answer.verdict for name, answer in answers.items()} == {
+        "at rest": "stable", "pushed above": "stable", "the upper one slides": "unstable",
+        "pushed below": "stable", "both slide": "unstable"}
+    for answer in answers.values():
+        check_all(tmp_path, answer)
+    with pytest.raises(InputError, match="the grasp has cases"):
+        decide(stack)
+
+
+@pytest.mark.parametrize("name", ["bodies-gripper", "bodies-arch"])
+def test_as_the_program(tmp_path, name):
+    path = EXAMPLES / f"{name}.json"
+    assembly = Assembly.from_file(path)
+    answer, told = decide(assembly), program("decide", path)
+    assert (answer.verdict, answer.engine) == (told["verdict"], told["engine"])
+    assert list(assembly.coordinates) == told["coordinates"]
+
+    def numbers(values):
+        return [[Fraction(v["exact"] if isinstance(v, dict) else v) for v in row] for row in values]
+
+    if answer.twist is not None:
+        assert [list(force) for force in answer.forces] == numbers(
+            [contact["force"] for contact in told["contacts"]])
+        assert [list(answer.springs)] == numbers([told["springs"]])
+    check_all(tmp_path, answer)
+    certificate = tmp_path / "proof.json"
+    certificate.write_text(answer.certificate)
+    assert stickslip.check(path, certificate, wrench=answer.wrench).accepted
+
+
+def test_round_trips():
+    for path in sorted(EXAMPLES.glob("bodies-*.json")):
+        read = Assembly.from_file(path)
+        again = Assembly.from_text(read.to_text())
+        assert again == read == Assembly(json.loads(path.read_text(), parse_float=Decimal))
+        assert hash(again) == hash(read) and type(Grasp.from_text(read.to_text())) is Assembly
+        thawed = pickle.loads(pickle.dumps(read))
+        assert type(thawed) is Assembly and thawed == read and thawed.bodies == read.bodies
+    assert lever(0.5) == lever("1/2") == lever(Fraction(1, 2)) != lever(0.1) != lever("0.1")
+    assert lever(0.1).to_text() == lever(Fraction(0.1)).to_text()
+    answer = decide(blocks())
+    assert pickle.loads(pickle.dumps(answer)) == answer
+
+
+@pytest.mark.parametrize("content, place", [
+    ("{}", "content"),
+    ({"bodies": [], "contacts": []}, "bodies"),
+    ({"bodies": [{"name": "a", "hinge": [0, float("nan")]}], "contacts": []}, "bodies[0].hinge[1]"),
+    ({"bodies": [{"name": "a"}], "contacts": [{"of": "b", "position": [0, 0], "normal": [0, 1],
+                                               "friction": 1}]}, "contacts[0].of"),
+    ({"bodies": [{"name": "a"}], "contacts": [], "wrench": [0, 0]}, "wrench"),
+    ({"bodies": [{"name": "a"}], "contacts": [], 3: 4}, "a key of the file"),
+    ({"format": "stickslip-grasp/2", "contacts": [], "wrench": [0, 0, 0]}, "format"),
+])
+def test_errors_of_content(content, place):
+    with pytest.raises(InputError) as error:
+        Assembly(content)
+    assert error.value.place == place and error.value.remedy
+
+
+def test_errors_of_arguments():
+    with pytest.raises(InputError) as error:
+        decide(blocks(), (0, -10, 0))
+    assert error.value.place == "wrench" and "low.x, low.y" in error.value.remedy
+    with pytest.raises(InputError) as error:
+        stickslip.margin(blocks(), (0, -10, 0))
+    assert error.value.place == "direction"
+    with pytest.raises(InputError, match="several bodies"):
+        decide(blocks(), engine="states")
+    for ask in (lambda: decide(blocks(), warnings=True),
+                lambda: stickslip.margin(blocks(), (0, 0, 0, 1, 0, 0), warnings=True)):
+        with pytest.raises(InputError, match="traps of the model is for one body only"):
+            ask()
+    text = Grasp([[0, 0]], [[0, 1]], 1, wrench=(0, -1, 0)).to_text()
+    assert type(Grasp.from_text(text)) is Grasp
+    with pytest.raises(InputError, match="one body"):
+        Assembly.from_text(text)
+    with pytest.raises(AttributeError):
+        blocks().name = "other"
+
+
+HAND = EXAMPLES / "bodies-hand.json"
+
+
+@pytest.mark.parametrize("ask", [
+    lambda a: stickslip.compare(a),
+    lambda a: stickslip.region(a),
+    lambda a: stickslip.plot_region(a),
+    lambda a: stickslip.plot_grasp(a),
+    lambda a: stickslip.plot_states(a),
+    lambda a: stickslip.slip_states(a),
+    lambda a: stickslip.export(a),
+    lambda a: stickslip.crosscheck(a, "stable"),
+    lambda a: stickslip.class_margin(a, (0, 1, 0)),
+    lambda a: stickslip.friction_margin(a),
+    lambda a: a.snap(),
+    lambda a: a.page(),
+])
+def test_what_is_for_one_body(ask):
+    for assembly in (blocks(), Assembly.from_file(HAND)):
+        with pytest.raises(InputError) as error:
+            ask(assembly)
+        assert error.value.problem == "the grasp has several bodies"
+
+
+def test_in_a_notebook():
+    """Without pictures, which are of one body."""
+    for answer in (decide(blocks()), decide(blocks(), uncertain="friction=1%")):
+        assert answer._repr_svg_() is None and "<table>" in answer._repr_html_()
+        with pytest.raises(InputError, match="several bodies"):
+            answer.plot()

@@ -481,6 +481,10 @@ class Grasp:
         """What the questions that are about one body take."""
         return self._data
 
+    def _drawn(self) -> Union[_core.GraspData, _core.SpatialGraspData]:
+        """What pictures of a verdict take."""
+        return self._data
+
     def _planar(self) -> _core.GraspData:
         """What the questions that are about the plane alone take."""
         if isinstance(self._data, _core.SpatialGraspData):
@@ -645,8 +649,8 @@ class Assembly(Grasp):
     """Several bodies, with contacts between them, links, joints and springs (docs/bodies.md).
 
     ``decide`` (also of many at once, and ``uncertain``), ``margin``, ``radius``, ``stability_map`` and
-    ``check`` take it as they take a Grasp; all else is for one body, and says so. A wrench, a
-    direction and a motion have one number for each of ``coordinates``. ``positions`` and the like
+    ``check`` take it as they take a Grasp, and in the plane ``plot_grasp``; all else is for one body,
+    and says so. A wrench, a direction and a motion have one number for each of ``coordinates``. ``positions`` and the like
     are those of the contacts, in the frame that all bodies share.
 
     Args:
@@ -713,6 +717,12 @@ class Assembly(Grasp):
                          "for several")
 
     _planar = _one_body
+
+    def _drawn(self) -> _core.BodiesData:
+        if self.in_space:
+            raise InputError("", "grasp", "the grasp has several bodies in space",
+                             "pictures of several bodies are of those in the plane")
+        return self._data
 
     def snap(self, within: Any = "1e-9") -> NoReturn:
         """Not needed: normals of any length will do."""

@@ -25,7 +25,8 @@ _MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
 
 
 def _is_shown(grasp: Grasp) -> bool:
-    return not isinstance(grasp, Assembly) and len(grasp) <= _MOST_CONTACTS_TO_SHOW
+    drawn = not (isinstance(grasp, Assembly) and grasp.in_space)
+    return drawn and len(grasp) <= _MOST_CONTACTS_TO_SHOW
 
 
 class ModelWarning(NamedTuple):
@@ -95,7 +96,7 @@ class Decision(Answer):
         """The grasp, its load and the evidence, as ``plot_grasp`` draws them; if undecided there is
         none."""
         return Picture(_core.plot_grasp(
-            self.grasp._one_body(), list(self.wrench), self.preload, self.normal_law == "bilateral",
+            self.grasp._drawn(), list(self.wrench), self.preload, self.normal_law == "bilateral",
             self.engine, self.limit))
 
     def check(self) -> CheckResult:
@@ -190,12 +191,12 @@ class BoxDecision(Answer):
     def plot(self) -> Picture:
         """The grasp in the middle, as ``plot_grasp`` draws it: with its own verdict, which in a
         fragile box is that of some grasps only; if undecided without evidence."""
-        self.grasp._one_body()
+        self.grasp._drawn()
         file = json.loads(self.grasp.to_text())
         box = "a fragile box" if self.verdict == "fragile" else "a box"
         file["name"] = f"{self.grasp.name or 'Grasp'}, in the middle of {box}"
         middle = Grasp.from_text(json.dumps(file))
-        if not middle.in_space:  # lengths may be irrational
+        if not middle.in_space and not isinstance(middle, Assembly):  # lengths may be irrational
             middle = middle.snap(SNAPPED_WITHIN).grasp
         return Picture(_core.plot_grasp(
             middle._data, list(self.wrench), self.preload, self.normal_law == "bilateral", "auto",

@@ -2,7 +2,9 @@
 """Several bodies: answers that follow from statics by hand, and what is for one body alone."""
 
 import json
+import os
 import pickle
+import subprocess
 from decimal import Decimal
 from fractions import Fraction
 
@@ -290,7 +292,6 @@ HAND = EXAMPLES / "bodies-hand.json"
     lambda a: stickslip.compare(a),
     lambda a: stickslip.region(a),
     lambda a: stickslip.plot_region(a),
-    lambda a: stickslip.plot_grasp(a),
     lambda a: stickslip.plot_states(a),
     lambda a: stickslip.slip_states(a),
     lambda a: stickslip.export(a),
@@ -307,9 +308,21 @@ def test_what_is_for_one_body(ask):
         assert error.value.problem == "the grasp has several bodies"
 
 
-def test_in_a_notebook():
-    """Without pictures, which are of one body."""
-    for answer in (decide(blocks()), decide(blocks(), uncertain="friction=1%")):
-        assert answer._repr_svg_() is None and "<table>" in answer._repr_html_()
-        with pytest.raises(InputError, match="several bodies"):
-            answer.plot()
+def test_pictures(tmp_path):
+    """In the plane those of the program."""
+    load = (0, -10, 0, 4, -10, -4)
+    answer = decide(blocks(), load)
+    (tmp_path / "blocks.json").write_text(blocks().to_text())
+    subprocess.run([os.environ["STICKSLIP"], "plot", "grasp", tmp_path / "blocks.json", "-o", tmp_path / "blocks.svg",
+                    "--wrench", ",".join(map(str, load))], check=True, timeout=300)
+    picture = (tmp_path / "blocks.svg").read_text()
+    assert answer.plot() == stickslip.plot_grasp(blocks(), load) == answer._repr_svg_() == picture
+    box = decide(blocks(), load, uncertain="friction=1%")
+    assert "in the middle of a box" in box.plot()[:] and box._repr_svg_() == box.plot()
+
+
+def test_no_picture_in_space():
+    answer = decide(Assembly.from_file(HAND))
+    assert answer._repr_svg_() is None and "<table>" in answer._repr_html_()
+    with pytest.raises(InputError, match="several bodies in space"):
+        answer.plot()

@@ -45,14 +45,15 @@ def stickslip(*words, stdin=None):
     return run(STICKSLIP, *words, stdin=stdin)
 
 
-def checkers(proof):
-    """The programs that have to judge a certificate. Proofs by degree, margins in space and regions
-    are not stickslip-proved's."""
+def checkers(proof, grasp=None):
+    """The programs that have to judge a certificate. Proofs by degree, margins in space, regions and several bodies (in the file
+    of the grasp) are not stickslip-proved's."""
     try:
         certificate = json.loads(read(proof))
         covered = not {"parts", "intervals", "pieces"} & set(certificate)
     except ValueError:
         covered = True  # and malformed
+    covered = covered and not (grasp and "stickslip-grasp/3" in read(grasp))
     return [[CHECK], [sys.executable, "-B", CHECK_PY], *([[PROVED]] if PROVED and covered else [])]
 
 

@@ -121,6 +121,8 @@ std::string wrench_of_checker(const std::string& text) {
   try {
     const auto w =
         *stickslip_check::parse_arguments({"--wrench", text, "g", "c"}).options.wrench;
+    // How many there are to be is for the question, which knows the grasp.
+    if (w.size() != 3) return "refused";
     return w[0].get_str() + "," + w[1].get_str() + "," + w[2].get_str();
   } catch (const stickslip_check::UsageError& error) {
     if (error.problem.empty()) broken("a refusal without a reason");

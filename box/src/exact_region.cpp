@@ -93,17 +93,14 @@ class RelaxedRegion {
         consider(a - std::max<Rational>(0, v), SeparationSplit{ContactId(i)});
       }
       if (c.edges.size() < 2 || a.is_zero()) continue;
-      Rational slip = 0;
-      for (std::size_t j = 0; j < law_.motions; ++j)
-        slip += Rational(row.slip.front()[j]) * x[j];
+      const Rational slip = dot(row.wrench_of({1}), x);
       const Rational share = (solution[c.first] - solution[c.first + 1]) / a;
       if (slip.is_zero()) {
         if (!share.is_zero()) witness.shares.emplace_back(ContactId(i), RationalRow{share});
         continue;
       }
       const Rational lacking = 1 + share * slip.sign();  // of friction against the slip
-      consider(contact.friction.low * a * lacking * slip / row.slip_factor,
-               SlipSplit{ContactId(i)});
+      consider(contact.friction.low * a * lacking * slip, SlipSplit{ContactId(i)});
     }
     if (broken) return *broken;
     return witness;
@@ -135,11 +132,8 @@ class RelaxedRegion {
       c.most.push_back(std::move(v));
     }
     const auto edge = [&](int sign) {
-      RationalRow wrench = row.normal;
-      for (std::size_t j = 0; j < wrench.size(); ++j) {
-        wrench[j] +=
-            sign * contact.friction.low / row.slip_factor * Rational(row.slip.front()[j]);
-      }
+      RationalRow wrench = row.wrench_of({sign * contact.friction.low});
+      for (std::size_t j = 0; j < wrench.size(); ++j) wrench[j] += row.normal[j];
       c.edges.push_back(std::move(wrench));
     };
     if (contact.friction.low.is_zero()) {

@@ -14,10 +14,6 @@ Vector2 in_plane(const Vector3& v) {
   return {v[0], v[1]};
 }
 
-std::string pair_text(const Vector2& v) {
-  return to_string(v.x) + "," + to_string(v.y);
-}
-
 class BodiesReader {
  public:
   BodiesReader(const Question& question, const Verdict& verdict)

@@ -26,10 +26,6 @@ Vector2 displacement(const Vector2& point, const Twist& d) {
   return {d.x - d.r * point.y, d.y + d.r * point.x};
 }
 
-std::string pair_text(const Vector2& v) {
-  return to_string(v.x) + "," + to_string(v.y);
-}
-
 class GraspReader {
  public:
   GraspReader(const Question& question, const Verdict& verdict)
@@ -254,6 +250,10 @@ class GraspReader {
 };
 
 }  // namespace
+
+std::string pair_text(const Vector2& v) {
+  return to_string(v.x) + "," + to_string(v.y);
+}
 
 std::vector<InkPoint> planar_cone(const ContactInk& c, const Rational& friction,
                                   double length) {

@@ -71,6 +71,9 @@ struct GraspInk {
                        const std::string& of_forces);
 };
 
+/// "1/2,-3": a force or a motion as an attribute has it.
+std::string pair_text(const Vector2& v);
+
 /// In the plane: a sector, so that wide cones look wide.
 std::vector<InkPoint> planar_cone(const ContactInk& contact, const Rational& friction,
                                   double length);

@@ -356,8 +356,10 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
     if (is_left_out(i, best.generator)) continue;
     actions.add_force(i, best.generator, best.normal[i], best.friction[i], best.wrench);
   }
-  best.whole = best.wrench;
-  lines_.project(best.wrench);
+  if (!lines_.empty()) {
+    best.whole = best.wrench;
+    lines_.project(best.wrench);
+  }
   best.wrench /= scales_[best.generator];
   return best;
 }
@@ -417,7 +419,7 @@ Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& f
   for (const auto& [part, s] : found.parts) {
     if (s.against) continue;
     const double weight = part / scales_[s.generator];
-    wrench += weight * s.whole;
+    if (s.whole.size() > 0) wrench += weight * s.whole;
     result.motion += weight * region_.generators()[s.generator];
     for (std::size_t i = 0; i < m; ++i) {
       result.normal[i] += weight * s.normal[i];

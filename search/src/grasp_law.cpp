@@ -89,9 +89,11 @@ auto& interval_of(AnyContact& c, Parameter parameter) {
 
 }  // namespace
 
-void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsigned bits) {
+/// `motion` is that of its place.
+void GraspLaw::add_contact(const UncertainContact& c, std::vector<RationalRow> motion,
+                           const Rational& rate, unsigned bits) {
   LawContact& contact = contacts.emplace_back();
-  ContactPlace place{c.position, c.normal, turns_of(c), {}};
+  ContactPlace place{c.position, c.normal, turns_of(c), {}, std::move(motion)};
   for (const Turn& turn : place.turns) place.geometry.push_back({-turn.most, turn.most});
   contact.place = std::move(place);
   contact.friction = c.friction;
@@ -108,7 +110,7 @@ void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsi
     contact.axis = primitive_multiple<3>(vector3(c.normal));
     contact.squared_length = square;
   }
-  if (one_body_) add_corners(contact);
+  add_corners(contact);
 }
 
 void GraspLaw::add_spring(const Spring& spring, const Rational& rate) {
@@ -126,7 +128,6 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
                    const std::optional<GrowthRates>& margin) {
   in_space_ = box.in_space();
   one_body_ = !box.mechanism;
-  contact_count_ = box.contacts.size();
   parameters_ = parameters_of(box);
   motions = box.wrench.size();
   require(motions + 2 <= kMostCoordinates, "states have too many coordinates");
@@ -148,10 +149,10 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
     return preloads_grow ? margin->preloads[i] : Rational(0);
   };
   for (const UncertainContact& c : box.contacts) {
-    add_contact(c, rate_of(contacts.size()), bits);
-    if (!box.mechanism) continue;
-    contacts.back().place->motion = box.mechanism->motion_between(c.of, c.by);
-    add_corners(contacts.back());
+    add_contact(
+        c,
+        box.mechanism ? box.mechanism->motion_between(c.of, c.by) : std::vector<RationalRow>{},
+        rate_of(contacts.size()), bits);
   }
   for (const Spring& spring : box.springs) add_spring(spring, rate_of(contacts.size()));
   complete();

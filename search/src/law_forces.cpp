@@ -167,18 +167,18 @@ std::optional<Row> LawForces::confirm(const Reals& twist) {
 std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
   Reals y = twist;
   law_.scale_function(y);
+  Row exact;
   const auto found =
       in_fewest_bits(y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& rounded) {
-        const Row candidate = wrenches_->lines().twist_near(rounded);
-        if (const std::optional<bool> known = wrenches_->are_refuted_by(candidate)) {
+        exact = wrenches_->lines().twist_near(rounded);
+        if (const std::optional<bool> known = wrenches_->are_refuted_by(exact)) {
           ++work_.filter_hits;
           return *known;
         }
         ++work_.exact_checks;
-        return region_->is_refuted(candidate, pull_);
+        return region_->is_refuted(exact, pull_);
       });
   if (!found) return std::nullopt;
-  Row exact = wrenches_->lines().twist_near(*found);
   note_bits(work_.twist_bits, exact);
   return exact;
 }

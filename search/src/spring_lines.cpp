@@ -6,10 +6,11 @@
 namespace stickslip::search_detail {
 
 SpringLines::SpringLines(const Law& law, const MotionRegion& region)
-    : law_(law), region_(region), is_in_(region.points().size(), 0) {
-  const bool has_springs = std::any_of(law.contacts.begin(), law.contacts.end(),
-                                       [](const LawContact& c) { return c.is_spring; });
-  if (!has_springs) return;
+    : law_(law), region_(region) {
+  has_springs_ = std::any_of(law.contacts.begin(), law.contacts.end(),
+                             [](const LawContact& c) { return c.is_spring; });
+  if (!has_springs_) return;
+  is_in_.assign(region.points().size(), 0);
   const std::size_t lines = region.cone().lines().size();
   for (std::size_t k = 0; k < lines; ++k) {  // both ways stand side by side
     note(2 * k);
@@ -19,6 +20,7 @@ SpringLines::SpringLines(const Law& law, const MotionRegion& region)
 }
 
 bool SpringLines::add(const std::vector<std::size_t>& generators) {
+  if (!has_springs_) return false;
   bool is_new = false;
   for (const std::size_t g : generators) {
     if (is_in_[g] != 0) continue;

@@ -37,7 +37,8 @@ class SpringLines {
 
   const Law& law_;
   const MotionRegion& region_;
-  std::vector<char> is_in_;  ///< by generator
+  bool has_springs_ = false;   ///< else all of this is empty
+  std::vector<char> is_in_{};  ///< by generator
   std::vector<std::size_t> generators_;
   std::vector<RationalRow> seen_{};  ///< what springs do on them
   std::vector<RationalRow> basis_;   ///< of the twists, each 1 in a column of its own

@@ -299,20 +299,20 @@ TEST(Bodies, WhatCannotBeAsked) {
   EXPECT_NE(problem(options, certain), "asked");
   // What is uncertain.
   Options uncertain;
-  const auto with = [&](const char* kind, const Rational& size) {
-    uncertain.uncertain = {{kind, Tolerance{size, false}}};
-    return problem(uncertain, grasp);
+  const auto widened = [&](const std::string& file) {
+    return [&uncertain, &problem, file](const char* kind, const Rational& size) {
+      uncertain.uncertain = {{kind, Tolerance{size, false}}};
+      return problem(uncertain, file);
+    };
   };
+  const auto with = widened(grasp);
   EXPECT_EQ(with("preload", 0), "asked");
   EXPECT_EQ(with("preload", 1), "ratchets[0].preload: it may be -1, expected 0 or more");
   EXPECT_EQ(with("stiffness", 1), "ratchets[0].stiffness: it may be 0, expected above 0");
   EXPECT_EQ(with("friction", 1), "asked");
   EXPECT_EQ(with("normal", 5), "asked");
-  const std::string springs = slide({{"joints", R"([{"turns": {"l": 1}, "stiffness": 1}])"}});
-  const auto of_spring = [&](const char* kind, const Rational& size) {
-    uncertain.uncertain = {{kind, Tolerance{size, false}}};
-    return problem(uncertain, springs);
-  };
+  const auto of_spring =
+      widened(slide({{"joints", R"([{"turns": {"l": 1}, "stiffness": 1}])"}}));
   EXPECT_EQ(of_spring("preload", 3), "asked");
   EXPECT_EQ(of_spring("stiffness", 1), "asked");
   EXPECT_EQ(of_spring("stiffness", 2), "joints[0].stiffness: it may be -1, expected 0 or more");

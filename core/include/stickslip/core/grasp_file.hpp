@@ -67,14 +67,13 @@ class StreamedGrasp {
   bool in_space(const JsonNode& grasp) const;
   /// The object whose contacts were streamed. Refuses one in space.
   GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
-  /// The same of one in space.
-  GraspFile finish_in_space(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
-  /// The same of several bodies.
-  GraspFile finish_bodies(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
-  /// Of any.
+  /// The same of any.
   GraspFile finish_any(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
 
  private:
+  GraspFile finish_in_space(const JsonNode& grasp, Intervals intervals);
+  GraspFile finish_bodies(const JsonNode& grasp, Intervals intervals);
+
   std::vector<WrittenContact> contacts_;
   bool in_space_ = false;
   std::string first_interval_;  ///< its place; empty if there is none

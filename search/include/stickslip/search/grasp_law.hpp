@@ -40,10 +40,6 @@ class GraspLaw : public Law {
   const Interval& interval(const ParameterId& id) const;
   /// All of them.
   const std::vector<ParameterId>& parameters() const { return parameters_; }
-  /// Of how many contacts; the others are springs.
-  std::size_t contact_count() const { return contact_count_; }
-  /// Whether it has three coordinates.
-  bool in_space() const { return in_space_; }
   /// Whether it is one body in the plane, of which a Problem can be made.
   bool is_one_planar_body() const { return one_body_ && !in_space_; }
   /// The halves below and above a cut; not of a margin. Requires low < value < high.
@@ -55,14 +51,14 @@ class GraspLaw : public Law {
   GraspLaw within(const MultipleRange& range) const;
 
  private:
-  void add_contact(const UncertainContact& contact, const Rational& rate, unsigned bits);
+  void add_contact(const UncertainContact& contact, std::vector<RationalRow> motion,
+                   const Rational& rate, unsigned bits);
   void add_spring(const Spring& spring, const Rational& rate);
   void add_corners(LawContact& contact) const;
   void complete();
 
   bool in_space_ = false;
   bool one_body_ = true;
-  std::size_t contact_count_ = 0;
   std::vector<ParameterId> parameters_;
 };
 

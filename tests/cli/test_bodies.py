@@ -9,9 +9,8 @@ import unittest
 from fractions import Fraction as F
 
 from bodies_smt import smt
-from test_cli import DONE, UNDECIDED, Case, checkers, run, stickslip
-
-Z3 = os.environ.get("Z3", "z3")
+from test_cli import checkers, run, stickslip
+from test_space import Z3, Space, all_but_proved
 
 
 def text(x):
@@ -52,27 +51,9 @@ def stack(widths, heights, frictions, weights, push, height):
     return least, grasp(names, contacts, [*loads, force(names[-1], (push, 0), (0, height))])
 
 
-class Bodies(Case):
-    def decide(self, content, *words):
-        file, proof = self.write("g.json", content), self.path("c.json")
-        if os.path.exists(proof):
-            os.remove(proof)
-        code, out, err = stickslip("decide", file, "--json", "--certificate", proof, *words)
-        self.assertIn(code, (DONE, UNDECIDED), err)
-        answer = json.loads(out)
-        if answer["verdict"] in ("stable", "unstable"):
-            for checker in checkers(proof, file):
-                code, out, err = run(*checker, file, proof, *words)
-                self.assertEqual(code, 0, out + err)
-                self.assertRegex(out, rf"verdict +{answer['verdict']}\b")
-        return answer
-
-    def verdict(self, *words):
-        return self.decide(*words)["verdict"]
-
-    def assert_threshold(self, at, value, part=F(1, 1000)):
-        self.assertEqual([self.verdict(at(value * (1 - part))), self.verdict(at(value * (1 + part)))],
-                         ["stable", "unstable"], value)
+class Bodies(Space):
+    judges = staticmethod(all_but_proved)
+    engine = "bodies"
 
 
 class ClosedForms(Bodies):

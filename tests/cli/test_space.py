@@ -49,6 +49,11 @@ def quick_checker(_):
     return [[CHECK]]
 
 
+def all_but_proved(proof):
+    """Of what stickslip-proved does not judge."""
+    return [command for command in checkers(proof) if command != [PROVED]]
+
+
 class Export(Case):
     def test_pinch(self):
         pinch = os.path.join(EXAMPLES, "space-pinch.json")
@@ -61,6 +66,7 @@ class Export(Case):
 
 class Space(Case):
     judges = staticmethod(checkers)  # of proofs
+    engine = "space"
 
     def decide(self, content, *words):
         """The answer; its certificate is accepted by all that have to judge it, and says the same."""
@@ -70,7 +76,7 @@ class Space(Case):
         code, out, err = stickslip("decide", file, "--json", "--certificate", proof, *words)
         self.assertIn(code, (DONE, UNDECIDED), err)
         answer = json.loads(out)
-        self.assertEqual(answer["engine"], "space")
+        self.assertEqual(answer["engine"], self.engine)
         if answer["verdict"] in ("undecided", "fragile"):
             self.assertFalse(os.path.exists(proof))
         else:
@@ -400,9 +406,7 @@ class Boxes(Space):
 class Normals(Space):
     """That are uncertain, which stickslip-proved does not judge."""
 
-    @staticmethod
-    def judges(proof):
-        return [command for command in checkers(proof) if command != [PROVED]]
+    judges = staticmethod(all_but_proved)
 
     def test_a_point_on_a_floor_whose_normal_is_known_to_a_slope(self):
         """The floor's reaction is within atan mu of the normal, and that within atan E of the file's: along U, where

@@ -80,43 +80,46 @@ Double3 negated(const Double3& s) {
 }
 
 /// |q|^2 for a q with <-t - q, s> <= 0 for all of a cone's sides, of three dimensions: the
-/// nearest to -t of the cone, where doubles find it. Nothing: they find none that is nearer to
-/// 0.
+/// nearest to -t of the cone, where doubles find it, `towards` being t in doubles. In the units
+/// of LawContact::product. Nothing: they find none that is nearer to 0.
 std::optional<Rational> squared_nearest(const LawContact& c,
                                         const std::vector<ExactSlip>& sides,
-                                        const std::vector<Double3>& units, const ExactSlip& t) {
-  std::vector<Rational> works;  // of friction that is against t and along a side
-  for (const ExactSlip& s : sides) works.emplace_back(-c.product(t, s));
-  const ConePoint found = nearest_in_cone(units, negated(c.direction_of(t)));
-  const std::vector<std::size_t>& in_use = found.generators;
+                                        const std::vector<Double3>& units, const ExactSlip& t,
+                                        const Double3& towards) {
+  const std::vector<std::size_t> in_use = nearest_in_cone(units, negated(towards)).generators;
   if (in_use.size() > 2) return std::nullopt;
-  std::vector<Rational> multiples;
+  std::vector<Integer> works;  // of friction that is against t and along a side
+  for (const ExactSlip& s : sides) works.emplace_back(-c.product(t, s));
+  // q is a sum of multiples / common.
+  std::vector<Integer> multiples;
+  Integer common = 1;
   if (in_use.size() == 1) {
     const ExactSlip& s = sides[in_use[0]];
-    multiples.emplace_back(works[in_use[0]] / c.product(s, s));
+    common = c.product(s, s);
+    multiples.push_back(works[in_use[0]]);
   } else if (in_use.size() == 2) {
     const ExactSlip& a = sides[in_use[0]];
     const ExactSlip& b = sides[in_use[1]];
-    const Rational aa = c.product(a, a);
-    const Rational ab = c.product(a, b);
-    const Rational bb = c.product(b, b);
-    const Rational determinant = aa * bb - ab * ab;
-    if (determinant.is_zero()) return std::nullopt;
-    const Rational& on_a = works[in_use[0]];
-    const Rational& on_b = works[in_use[1]];
-    multiples.emplace_back((on_a * bb - on_b * ab) / determinant);
-    multiples.emplace_back((on_b * aa - on_a * ab) / determinant);
+    const Integer aa = c.product(a, a);
+    const Integer ab = c.product(a, b);
+    const Integer bb = c.product(b, b);
+    common = aa * bb - ab * ab;
+    const Integer& on_a = works[in_use[0]];
+    const Integer& on_b = works[in_use[1]];
+    multiples.emplace_back(on_a * bb - on_b * ab);
+    multiples.emplace_back(on_b * aa - on_a * ab);
   }
-  Rational square = 0;
-  for (std::size_t k = 0; k < in_use.size(); ++k) square += multiples[k] * works[in_use[k]];
+  if (common.is_zero()) return std::nullopt;
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    Rational rest = works[k];
+    Integer rest = common * works[k];
     for (std::size_t l = 0; l < in_use.size(); ++l) {
       rest -= multiples[l] * c.product(sides[in_use[l]], sides[k]);
     }
     if (rest.sign() > 0) return std::nullopt;
   }
-  return square;
+  Integer square = 0;
+  for (std::size_t k = 0; k < in_use.size(); ++k) square += multiples[k] * works[in_use[k]];
+  return Rational(square, common);
 }
 
 /// The cone of all functions that are nowhere below 0 on these vectors of three numbers, but
@@ -550,6 +553,11 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
   const SlipCone& cone = slips_[contact];
   const bool is_bound = cone.moves && !cone.whole && !cone.sides.empty();
   const bool is_solid = c.slip_dimension() == 3;
+  Reals rounded;  // y
+  if (is_bound && is_solid) {
+    rounded = in_doubles(y);
+    law_->scale(rounded);
+  }
   constexpr unsigned kBits = 64;
   std::optional<Rational> most;
   for (const CornerRow& row : c.corners) {
@@ -565,12 +573,15 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
     ExactSlip slid{};
     for (std::size_t k = 0; k < row.slip.size(); ++k) slid[k] = dot(row.slip[k], y);
     int sign = 1;
-    const Rational scale = row.slip_factor * row.slip_factor;
-    const Rational whole = c.product(slid, slid) / scale;
+    const Rational scale =
+        row.slip_factor * row.slip_factor * Rational(denominator(c.spin_weight));
+    const Rational whole = Rational(c.product(slid, slid)) / scale;
     Rational square = whole;
     std::optional<Rational> nearest;
     if (is_bound && is_solid && !square.is_zero()) {
-      nearest = squared_nearest(c, exact_sides(contact), cone.units, slid);
+      Double3 towards{};
+      for (std::size_t k = 0; k < 3; ++k) towards[k] = row.slip_rounded[k].dot(rounded);
+      nearest = squared_nearest(c, exact_sides(contact), cone.units, slid, towards);
       if (nearest) square = *nearest / scale;
     }
     if (is_bound && !whole.is_zero() &&
@@ -579,8 +590,8 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
       bool first = true;
       Rational best = 0;  // with its sign
       for (const ExactSlip& s : exact_sides(contact)) {
-        const Rational work = -c.product(s, slid);
-        const Rational signed_square = work * abs(work) / c.product(s, s);
+        const Integer work = -c.product(s, slid);
+        const Rational signed_square(Integer(work * abs(work)), c.product(s, s));
         if (first || signed_square > best) best = signed_square;
         first = false;
       }

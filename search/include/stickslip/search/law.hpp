@@ -116,15 +116,15 @@ struct LawContact {
   std::size_t slip_numbers() const { return corners.front().slip.size(); }
   /// The dimension of the space that they are in: 1, 2 or 3.
   std::size_t slip_dimension() const { return directions.size(); }
-  /// <a, b> of two slips, in integers.
+  /// <a, b> of two slips, in integers: times the denominator of spin_weight.
   template <class Slip>
-  Rational product(const Slip& a, const Slip& b) const {
+  Integer product(const Slip& a, const Slip& b) const {
     Integer across = 0;
     for (std::size_t k = 0; k < std::min<std::size_t>(slip_numbers(), 3); ++k) {
       across += a[k] * b[k];
     }
-    if (slip_numbers() < 4) return Rational(across);
-    return Rational(across) + spin_weight * Rational(a[3] * b[3]);
+    if (slip_numbers() < 4) return across;
+    return denominator(spin_weight) * across + numerator(spin_weight) * a[3] * b[3];
   }
   /// |f|^2 of a friction force.
   Rational squared_force(const RationalRow& f) const {

@@ -1368,6 +1368,22 @@ function agree(asked, stated) {
 
 const is_point = ([low, high]) => low.equals(high);
 const middle = ([low, high]) => low.plus(high).half();
+/**
+ * The product of slips across n, in space, without one number, `dropped`, that follows from the others: ⟨s, t⟩ = s·(matrix t) / over.
+ */
+function slip_metric(n, gamma) {
+  const dropped = n.findIndex((x) => !x.isZero()), square = n[dropped].times(n[dropped]);
+  // It is −Σ n_j s_j of the two others, over its own n; the fourth number, if there is one, is not in it.
+  const others = n.filter((_, j) => j !== dropped), weights = [ONE, ONE];
+  if (!gamma.isZero()) {
+    others.push(ZERO);
+    weights.push(gamma);
+  }
+  const entries = others.map((a, j) => others.map((b, k) => a.times(b).over(square).plus(j === k ? weights[j] : ZERO)));
+  const over = common_denominator(entries.flat());
+  return {dropped, matrix: entries.map((row) => over_denominator(row, over)), over};
+}
+
 /** Every choice of one end of each interval, an interval of one number having one end only. */
 const corners_of = (intervals) => intervals.reduce(
     (lists, interval) => lists.flatMap((list) => (is_point(interval) ? [interval[0]] : interval).map((x) => [...list, x])), [[]]);
@@ -1484,8 +1500,8 @@ class Contact {
 
   /**
    * In integers: normals[c] = d N and slips[c] = d T, or d S, at each corner c of the geometry; friction / b the ends of μ;
-   * and v times scale is push·(h, ℓ) − pull (normals[c]·d), with an end of push and an end of pull. free[c] is slips[c] without the
-   * number that follows from the others in space, where ⟨s, t⟩ of such slips is metric.matrix over metric.over.
+   * and v times scale is push·(h, ℓ) − pull (normals[c]·d), with an end of push and an end of pull. free[c] is slips[c], in
+   * space without the number that slip_metric drops.
    */
   get rows() {
     if (this.forms !== null) return this.forms;
@@ -1493,7 +1509,7 @@ class Contact {
     const d = common_denominator(at.flatMap(([normal, slip]) => [...normal, ...slip.flat()]));
     const normals = at.map(([normal]) => over_denominator(normal, d));
     const slips = at.map(([, slip]) => slip.map((row) => over_denominator(row, d)));
-    const dropped = this.n.length === 3 ? this.n.findIndex((x) => !x.isZero()) : -1;
+    const metric = this.n.length === 3 ? slip_metric(this.n, this.gamma) : null;
     const b = common_denominator(this.mu);
     const pull_scale = d * common_denominator(this.k);
     const scale = lcm(common_denominator(this.push.flat()), pull_scale);
@@ -1504,25 +1520,12 @@ class Contact {
       push: this.push.map((x) => over_denominator(x, scale)),
       pull: over_denominator(this.k, scale / d),
       certain_slip: same(slips), certain_normal: same(normals),
-      free: slips.map((slip) => slip.filter((_, j) => j !== dropped)),
-      metric: dropped < 0 ? null : this.metric(dropped),
+      free: slips.map((slip) => slip.filter((_, j) => metric === null || j !== metric.dropped)), metric,
     };
     forms.one = at.length === 1 && this.certain_push && is_point(this.k);
     forms.weightless = forms.push.flat().every((x) => x === 0n);
     this.forms = forms;
     return forms;
-  }
-
-  metric(dropped) {
-    // The number that is dropped is −Σ n_j s_j of the two others, over its own n.
-    const others = this.n.filter((_, j) => j !== dropped), weights = [ONE, ONE], square = this.n[dropped].times(this.n[dropped]);
-    if (!this.gamma.isZero()) {
-      others.push(ZERO);
-      weights.push(this.gamma);
-    }
-    const entries = others.map((a, j) => others.map((b, k) => a.times(b).over(square).plus(j === k ? weights[j] : ZERO)));
-    const over = common_denominator(entries.flat());
-    return {matrix: entries.map((row) => over_denominator(row, over)), over};
   }
 
   /** Whether v_i is certain, up to a positive factor (§6). */
@@ -2583,7 +2586,7 @@ function check(grasp, certificate, options = {}) {
 
 scope.StickslipCheck = {check};
 if (typeof module !== 'undefined') {
-  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, Contact, pressures,
+  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, slip_metric, Contact, pressures,
     plane_bound}};
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "independent_rows.hpp"
+#include "stickslip/motion/dense.hpp"
 #include "stickslip/motion/exact_system.hpp"
 
 namespace stickslip {
@@ -43,6 +45,67 @@ RationalVector as_rationals(const RationalRow& a) {
   RationalVector result(static_cast<Eigen::Index>(a.size()));
   for (std::size_t j = 0; j < a.size(); ++j) result[static_cast<Eigen::Index>(j)] = a[j];
   return result;
+}
+
+/// The motion of these, by columns, that is nearest to one in doubles.
+RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
+  Eigen::MatrixXd rounded(motions.rows(), motions.cols());
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    for (Eigen::Index j = 0; j < motions.rows(); ++j) {
+      rounded(j, k) = to_double(motions(j, k));
+    }
+  }
+  const Eigen::VectorXd parts = least_squares(rounded, motion);
+  RationalVector result = RationalVector::Zero(motions.rows());
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    if (std::isfinite(parts[k])) result += rational_from_double(parts[k]) * motions.col(k);
+  }
+  return result;
+}
+
+/// Two contacts on one face have the same slip, but where numbers are rounded: then one sticks,
+/// and the other slips by a rounding with all the friction that there may be. Of contacts that
+/// stick, whose slips have one dimension, finds such others, which are taken out, and the signs
+/// of their slips.
+void let_slip(const GraspLaw& model, const NearEquilibrium& near_one,
+              std::vector<std::size_t>& sticking, std::vector<int>& slips) {
+  constexpr double kNew = 1e-6;  // of a slip that others do not have
+  const auto spare = [&](std::size_t i) {
+    return model.contacts[i].slopes[0] * near_one.normal[i] - norm_of(near_one.friction[i]);
+  };
+  std::vector<std::size_t> order = sticking;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return spare(a) > spare(b); });
+  degree_detail::IndependentRows rows(static_cast<Eigen::Index>(model.motions));
+  std::vector<std::size_t> others;
+  sticking.clear();
+  for (const std::size_t i : order) {
+    const LawContact& c = model.contacts[i];
+    const Reals& row = c.corners.front().slip_rounded.front();
+    if (c.slip_dimension() == 1 && !(rows.beyond(row).norm() > kNew * row.norm())) {
+      others.push_back(i);
+      continue;
+    }
+    sticking.push_back(i);
+    if (c.slip_dimension() == 1) rows.take(row);
+  }
+  if (!others.empty()) {
+    Reals motion = near_one.motion;
+    for (std::size_t j = 0; j < model.motions; ++j) {
+      motion[static_cast<Eigen::Index>(j)] /= model.unit(j);
+    }
+    const RationalVector exact = motion_near(motions_without_slip(model, sticking), motion);
+    for (const std::size_t i : others) {
+      Rational slip = 0;
+      const Row& row = model.contacts[i].corners.front().slip.front();
+      for (std::size_t j = 0; j < row.size(); ++j) {
+        slip += Rational(row[j]) * exact[static_cast<Eigen::Index>(j)];
+      }
+      slips[i] = slip.sign();
+      if (slips[i] == 0) sticking.push_back(i);
+    }
+  }
+  std::sort(sticking.begin(), sticking.end());
 }
 
 /// The wrench of a unit of an unknown of the balance, and a value that it may be near.
@@ -102,6 +165,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
       slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
     }
   }
+  let_slip(model, near_one, sticking, slips);
   // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
   // friction at each. Of the latter all but a few stay near what they are.
   const RationalMatrix motions = motions_without_slip(model, sticking);

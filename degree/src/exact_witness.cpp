@@ -64,49 +64,106 @@ RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
 }
 
 /// Two contacts on one face have the same slip, but where numbers are rounded: then one sticks,
-/// and the other slips by a rounding with all the friction that there may be. Of contacts that
-/// stick, whose slips have one dimension, finds such others, which are taken out, and the signs
-/// of their slips.
-void let_slip(const GraspLaw& model, const NearEquilibrium& near_one,
-              std::vector<std::size_t>& sticking, std::vector<int>& slips) {
-  constexpr double kNew = 1e-6;  // of a slip that others do not have
-  const auto spare = [&](std::size_t i) {
-    return model.contacts[i].slopes[0] * near_one.normal[i] - norm_of(near_one.friction[i]);
-  };
-  std::vector<std::size_t> order = sticking;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return spare(a) > spare(b); });
-  degree_detail::IndependentRows rows(static_cast<Eigen::Index>(model.motions));
-  std::vector<std::size_t> others;
-  sticking.clear();
-  for (const std::size_t i : order) {
-    const LawContact& c = model.contacts[i];
-    const Reals& row = c.corners.front().slip_rounded.front();
-    if (c.slip_dimension() == 1 && !(rows.beyond(row).norm() > kNew * row.norm())) {
-      others.push_back(i);
-      continue;
-    }
-    sticking.push_back(i);
-    if (c.slip_dimension() == 1) rows.take(row);
-  }
-  if (!others.empty()) {
-    Reals motion = near_one.motion;
+/// and the other slips by a rounding with all the friction that there may be. Which of them
+/// does, so that the other can carry what is left, is found here for those that stick and whose
+/// slips have one dimension.
+class RoundedFaces {
+ public:
+  RoundedFaces(const GraspLaw& model, const NearEquilibrium& near)
+      : model_(model), near_(near), motion_(near.motion) {
     for (std::size_t j = 0; j < model.motions; ++j) {
-      motion[static_cast<Eigen::Index>(j)] /= model.unit(j);
-    }
-    const RationalVector exact = motion_near(motions_without_slip(model, sticking), motion);
-    for (const std::size_t i : others) {
-      Rational slip = 0;
-      const Row& row = model.contacts[i].corners.front().slip.front();
-      for (std::size_t j = 0; j < row.size(); ++j) {
-        slip += Rational(row[j]) * exact[static_cast<Eigen::Index>(j)];
-      }
-      slips[i] = slip.sign();
-      if (slips[i] == 0) sticking.push_back(i);
+      motion_[static_cast<Eigen::Index>(j)] /= model.unit(j);
     }
   }
-  std::sort(sticking.begin(), sticking.end());
-}
+
+  /// Takes those that slip out of `sticking`, and notes the signs of their slips.
+  void let_slip(std::vector<std::size_t>& sticking, std::vector<int>& slips) const {
+    std::vector<std::size_t> order = sticking;  // those that rather stick first
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return spare(a) > spare(b); });
+    for (std::size_t tries = 0; tries <= order.size(); ++tries) {
+      std::vector<std::size_t> others;
+      sticking = independent_of(order, others);
+      if (others.empty()) break;
+      const RationalVector exact = motion_near(motions_without_slip(model_, sticking), motion_);
+      std::vector<std::size_t> wrong;
+      for (const std::size_t i : others) {
+        slips[i] = slip_at(exact, i).sign();
+        if (slips[i] == 0)
+          sticking.push_back(i);
+        else if (!can_slip(i, slips[i], sticking))
+          wrong.push_back(i);
+      }
+      if (wrong.empty() || tries == order.size()) break;
+      for (const std::size_t i : wrong) {
+        order.erase(std::find(order.begin(), order.end(), i));
+        order.insert(order.begin(), i);
+      }
+      for (const std::size_t i : others) slips[i] = 0;
+    }
+    std::sort(sticking.begin(), sticking.end());
+  }
+
+ private:
+  /// Whether of those that stick the one whose slip is most like its own can carry the rest.
+  bool can_slip(std::size_t i, int slip, const std::vector<std::size_t>& sticking) const {
+    const auto row_of = [&](std::size_t k) -> const Reals& {
+      return model_.contacts[k].corners.front().slip_rounded.front();
+    };
+    const auto likeness = [&](std::size_t k) {
+      return std::fabs(row_of(i).dot(row_of(k))) / row_of(k).norm();
+    };
+    std::size_t other = i;
+    for (const std::size_t k : sticking) {
+      const bool has_one = model_.contacts[k].slip_dimension() == 1;
+      if (has_one && (other == i || likeness(k) > likeness(other))) other = k;
+    }
+    if (other == i) return true;
+    const auto most = [&](std::size_t k) {
+      return model_.contacts[k].slopes[0] * near_.normal[k];
+    };
+    const double rest = near_.friction[i][0] + slip * most(i);
+    const double carried = near_.friction[other][0] +
+                           rest * row_of(i).dot(row_of(other)) / row_of(other).squaredNorm();
+    return std::fabs(carried) <= most(other);
+  }
+
+  double spare(std::size_t i) const {
+    return model_.contacts[i].slopes[0] * near_.normal[i] - norm_of(near_.friction[i]);
+  }
+
+  std::vector<std::size_t> independent_of(const std::vector<std::size_t>& order,
+                                          std::vector<std::size_t>& others) const {
+    constexpr double kNew = 1e-6;  // of a slip that those before do not have
+    degree_detail::IndependentRows rows(static_cast<Eigen::Index>(model_.motions));
+    std::vector<std::size_t> kept;
+    for (const std::size_t i : order) {
+      const LawContact& c = model_.contacts[i];
+      const Reals& row = c.corners.front().slip_rounded.front();
+      const bool has_one = c.slip_dimension() == 1;
+      if (has_one && !(rows.beyond(row).norm() > kNew * row.norm())) {
+        others.push_back(i);
+        continue;
+      }
+      kept.push_back(i);
+      if (has_one) rows.take(row);
+    }
+    return kept;
+  }
+
+  Rational slip_at(const RationalVector& motion, std::size_t i) const {
+    Rational slip = 0;
+    const Row& row = model_.contacts[i].corners.front().slip.front();
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      slip += Rational(row[j]) * motion[static_cast<Eigen::Index>(j)];
+    }
+    return slip;
+  }
+
+  const GraspLaw& model_;
+  const NearEquilibrium& near_;
+  Reals motion_;  ///< not in the law's units
+};
 
 /// The wrench of a unit of an unknown of the balance, and a value that it may be near.
 struct BalanceTerm {
@@ -165,7 +222,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
       slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
     }
   }
-  let_slip(model, near_one, sticking, slips);
+  RoundedFaces(model, near_one).let_slip(sticking, slips);
   // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
   // friction at each. Of the latter all but a few stay near what they are.
   const RationalMatrix motions = motions_without_slip(model, sticking);

@@ -69,8 +69,8 @@ struct ContactBox {
   Vector normal;                                  ///< n0; none of a ratchet or a spring
   std::array<Bounds, kContactParameters> bounds;  ///< by Parameter
   Bounds growth;  ///< of a margin: P^u', whose ends go with those of P'
-  Rational gamma =
-      0;  ///< of the product of slips (FORMAT.md §15); 0 if they have three numbers
+  /// Of the product of slips (FORMAT.md §15); 0 if they have three numbers.
+  Rational gamma = 0;
 
   const Bounds& operator[](Parameter name) const {
     return bounds[static_cast<std::size_t>(name)];

@@ -132,7 +132,7 @@
     const { mechanism } = page.answer;
     if (!mechanism) return page.numbers(values, number);
     const entries = values.flatMap((value, j) =>
-      !Array.isArray(value) && page.Fraction.of(value).sign() === 0 ? [] : [[mechanism.coordinates[j] + "\u00A0", number(value)]],
+      !Array.isArray(value) && page.Fraction.of(value).sign() === 0 ? [] : [[mechanism.coordinates[j].replace(/ /g, "\u00A0") + "\u00A0", number(value)]],
     );
     return page.html("span", { class: "tuple" }, entries.length === 0 ? "0" : entries.map((e, k) => [k ? ", " : "", e]));
   };

@@ -485,7 +485,7 @@ class Reading(PageTest):
 
     def test_narrow(self):
         for grasp, options, name in ((FIG1, ("--wrench", "0,11/10,0"), "narrow-unstable"), (example("bracket"), (), "narrow"),
-                                     (example("space-corner"), QUICK, "narrow-space")):
+                                     (example("space-corner"), QUICK, "narrow-space"), (example("bodies-gripper"), QUICK, "narrow-bodies")):
             self.set_size(360, 740)
             self.open(grasp, *options)
             self.fits()

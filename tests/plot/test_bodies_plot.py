@@ -121,6 +121,11 @@ class BodiesPlot(unittest.TestCase):
             found[id(e)] = view
         return found
 
+    def test_the_page_about_them_shows_what_is_drawn(self):
+        for name, options in (("bodies-hand", ()), ("bodies-stack", ("--case", "pushed above"))):
+            with open(os.path.join(ROOT, "docs", name + ".svg"), encoding="utf-8") as file:
+                self.assertEqual(file.read(), stickslip("plot", "grasp", os.path.join(EXAMPLES, name + ".json"), *options)[1])
+
 
 if __name__ == "__main__":
     unittest.main()

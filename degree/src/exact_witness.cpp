@@ -23,9 +23,9 @@ Rational near(double x, double size) {
 /// A basis of the motions with no slip at these contacts, by columns.
 RationalMatrix motions_without_slip(const GraspLaw& model,
                                     const std::vector<std::size_t>& sticking) {
-  const auto each = static_cast<Eigen::Index>(
-      sticking.empty() ? 0 : model.contacts[sticking.front()].slip_dimension());
-  RationalMatrix slips(each * static_cast<Eigen::Index>(sticking.size()),
+  std::size_t rows = 0;
+  for (const std::size_t i : sticking) rows += model.contacts[i].slip_numbers();
+  RationalMatrix slips(static_cast<Eigen::Index>(rows),
                        static_cast<Eigen::Index>(model.motions));
   Eigen::Index next = 0;
   for (const std::size_t i : sticking) {
@@ -131,17 +131,12 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
     const LawContact& c = model.contacts[i];
     const CornerRow& row = c.corners.front();
     const double most = c.slopes[0] * near_one.normal[i];
-    const Double3& f = near_one.friction[i];  // (of a plane the first number)
-    for (const RationalRow& t : friction_directions(c)) {
-      Double3 rounded{};
-      for (std::size_t k = 0; k < t.size(); ++k) rounded[k] = to_double(t[k]);
-      const double square = dot(rounded, rounded);
-      BalanceTerm term{
-          RationalVector::Zero(d), near(dot(f, rounded) / square, most / std::sqrt(square)),
-          most - std::sqrt(dot(f, f)), i, RationalVector(static_cast<Eigen::Index>(t.size()))};
-      for (std::size_t k = 0; k < t.size(); ++k)
-        term.direction[static_cast<Eigen::Index>(k)] = t[k];
-      term.wrench = as_rationals(row.wrench_of(t));
+    const Double3& f = near_one.friction[i];
+    for (std::size_t k = 0; k < c.directions.size(); ++k) {
+      const double size = c.direction_sizes[k];
+      BalanceTerm term{RationalVector::Zero(d), near(f[k] / size, most / size),
+                       most - norm_of(f), i, as_rationals(c.directions[k])};
+      term.wrench = as_rationals(row.wrench_of(c.directions[k]));
       rest -= term.value * term.wrench;
       terms.push_back(std::move(term));
     }
@@ -149,7 +144,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
   if (!balance(terms, rest)) return std::nullopt;
   ShareWitness witness{RationalRow(model.motions), {}};
   std::vector<RationalRow> friction;
-  for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_dimension());
+  for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_numbers());
   for (const BalanceTerm& term : terms) {
     for (Eigen::Index k = 0; k < term.direction.size(); ++k) {
       Rational& sum = term.contact == m ? witness.twist[static_cast<std::size_t>(k)]
@@ -173,11 +168,11 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
       if (sign == 0) witness.shares.emplace_back(ContactId(i), RationalRow{-slips[i]});
       continue;
     }
-    if (dot(friction[i], friction[i]).is_zero()) continue;
+    if (c.squared_force(friction[i]).is_zero()) continue;
     const Rational scale = c.friction.low * v;
     if (scale.is_zero()) return std::nullopt;
     for (Rational& entry : friction[i]) entry /= scale;
-    if (dot(friction[i], friction[i]) > c.squared_length) return std::nullopt;
+    if (c.squared_force(friction[i]) > c.squared_length) return std::nullopt;
     witness.shares.emplace_back(ContactId(i), friction[i]);
   }
   return witness;

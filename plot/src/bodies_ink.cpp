@@ -300,9 +300,10 @@ class BodiesReader {
     add_motion(stable.motion);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const SpatialForce& f = forces_[i];
-      ink_.marks[i] = f.normal.is_zero()          ? ContactMark::kOpen
-                      : size_of(f.slip).is_zero() ? ContactMark::kStick
-                                                  : ContactMark::kSlip;
+      const bool sticks = size_of(f.slip).is_zero() && f.spin.is_zero();
+      ink_.marks[i] = f.normal.is_zero() ? ContactMark::kOpen
+                      : sticks           ? ContactMark::kStick
+                                         : ContactMark::kSlip;
       add_arrow(contacts_[i].at, force(f.force), "force",
                 {{"data-contact", std::to_string(i)}, {value_, text_of(f.force)}});
     }

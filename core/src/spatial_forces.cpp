@@ -85,6 +85,12 @@ std::vector<SpatialForce> forces_of(
   return forces;
 }
 
+RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact) {
+  RationalRow moment = contact.normal;
+  for (Rational& entry : moment) entry *= force.moment;
+  return moment;
+}
+
 std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z) {
   std::vector<Rational> forces;
   for (const Spring& spring : grasp.springs) {

@@ -64,6 +64,8 @@ class Decision(Answer):
     forces: Optional[Tuple[Vector, ...]] = None
     """The force of each contact on the body, in the frame of the body; of an Assembly on the body
     ``of``."""
+    moments: Optional[Tuple[Vector, ...]] = None
+    """Of an Assembly with ``torsion``: the moment of each contact about its normal, a vector."""
     springs: Optional[Tuple[Fraction, ...]] = None
     """Of an Assembly: the torque, tension or force of each of its ``springs``."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)

@@ -34,6 +34,9 @@ std::vector<SpatialForce> forces_of(
     const GraspBox& grasp, const RationalRow& d,
     const std::vector<std::pair<ContactId, RationalRow>>& shares);
 
+/// The moment of friction about the normal of a contact with torsion, on the body.
+RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact);
+
 /// Of several bodies, by spring: the torques, tensions and forces of ratchets at a state.
 std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z);
 

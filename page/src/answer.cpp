@@ -104,6 +104,7 @@ Json contacts_json(const GraspBox& grasp) {
                         {"friction", to_double(c.friction.middle())},
                         {"stiffness", to_double(c.stiffness.middle())},
                         {"preload", to_double(c.preload.middle())}});
+    if (!c.torsion.is_zero()) contacts.back()["torsion"] = to_double(c.torsion);
     if (!grasp.mechanism) continue;
     contacts.back()["of"] = or_null(c.of);
     contacts.back()["by"] = or_null(c.by);

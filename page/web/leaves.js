@@ -133,7 +133,7 @@
     const normal = vector.unit(contact.normal);
     const along = vector.dot(normal, move);
     if (page.isSpatial()) {
-      const across = Math.hypot(...vector.add(move, -along, normal));
+      const across = Math.hypot(...vector.add(move, -along, normal), page.spinAt(contact, twist));
       return along - contact.friction * across < -1e-9 * Math.hypot(...move);
     }
     const friction = contact.friction * vector.dot(page.tangent(contact), move);

@@ -121,6 +121,10 @@
   /** How a contact's point moves with the body that it presses, seen from the other one. */
   page.moveAt = (contact, motion) => page.displacement(contact.position, page.twistAt(contact, motion));
 
+  /** How fast a soft finger's patch rubs as it turns about the normal: its torsion times that turn. */
+  page.spinAt = (contact, motion) =>
+    contact.torsion ? contact.torsion * dot(unit(contact.normal), page.twistAt(contact, motion).slice(3)) : 0;
+
   /** By which round factor a motion is enlarged in drawings; 0 if nothing moves. */
   page.enlargement = function (twist, frame) {
     let largest = 0;
@@ -284,7 +288,8 @@
     if (!force.closed) return "open";
     if (force.slip) return kMarkOf[force.slip] || "none";
     const slip = slipOf(contact, twist);
-    if (slip.every((x) => x === 0)) return "stick";
+    const spins = Math.abs(page.spinAt(contact, twist)) > 1e-9 * Math.hypot(...twist);
+    if (slip.every((x) => x === 0) && !spins) return "stick";
     return page.isSpatial() ? "slip" : dot(page.tangent(contact), slip) > 0 ? "plus" : "minus";
   }
 

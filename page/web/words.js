@@ -447,6 +447,8 @@
     }
     if (exact) columns.push(["force", (_, i) => page.numbers(exact[i].force, page.brief)]);
     if (exact && !inParts) columns.push(["friction", (_, i) => page.numbers(exact[i].friction, page.brief)]);
+    if (exact && exact.some(({ moment }) => moment !== undefined))
+      columns.push(["moment", (_, i) => (exact[i].moment === undefined ? "" : page.numbers(exact[i].moment, page.brief))]);
     if (near)
       columns.push([
         page.decided().box ? "force, middle" : "force, near",

@@ -123,6 +123,8 @@ const kSeveral = {
   "that are links, in a box": [[example("bodies-gripper"), "--uncertain", "friction=5%"], "stable"],
   "in space": [[example("bodies-hand")], "stable"],
   "on a slide in space": [[corpus("link_in_space_unstable")], "unstable"],
+  "between soft fingers": [[example("bodies-cap"), "--case", "turned"], "stable"],
+  "between soft fingers that slip": [[example("bodies-cap"), "--case", "tilts"], "unstable"],
   "without a contact": [[corpus("uncertain_spring_stable")], "stable"],
 };
 for (const [name, [grasp, verdict]] of Object.entries(kSeveral)) {
@@ -152,6 +154,18 @@ function transformed(text, point) {
   return matrices.reduceRight(([x, y], [a, b, c, d, e, f]) => [a * x + c * y + e, b * x + d * y + f], point);
 }
 const away = (p, q) => Math.hypot(...p.map((x, j) => x - q[j]));
+
+test("a soft finger has a moment, and opposes what turns about its normal", () => {
+  const { root, page } = openWith(pageOf(example("bodies-cap"), "--case", "off centre"));
+  // 18/5 about x, one half of it each.
+  const moments = root.querySelectorAll("td[data-column]").filter((e) => e.dataset.column === "moment");
+  assert.deepStrictEqual(moments.map((e) => e.textContent), ["(~1.8, 0, 0)", "(~1.8, 0, 0)"]);
+  // About the line through both, on which no point of contact moves.
+  const turn = { twist: ["0", "-1/2", "0", "-1", "0", "0"], slips: new Map(), open: new Set() };
+  assert.deepStrictEqual([...page.drift(turn).opposing], [true, true]);
+  page.answer.contacts.forEach((contact) => delete contact.torsion);
+  assert.deepStrictEqual([...page.drift(turn).opposing], [false, false]);
+});
 
 test("links stay on their hinges, and move by their coordinates", () => {
   const made = pageOf(example("bodies-gripper"));

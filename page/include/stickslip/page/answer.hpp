@@ -16,8 +16,9 @@
 ///    the file is taken as it is.
 ///  - `cases`: the names of the file's. Of one that has some, if nothing is chosen the first is
 ///    asked about.
-///  - `contacts`: `position`, `normal` (of length 1), `friction`, `stiffness` and `preload` of
-///    each, and `wrench`, the load: doubles, of intervals their middle.
+///  - `contacts`: `position`, `normal` (of length 1), `friction`, `stiffness`, `preload` and,
+///  if it
+///    is not 0, `torsion` of each, and `wrench`, the load: doubles, of intervals their middle.
 ///  - `outline`: a list of rings of points, or null.
 ///  - `mechanism`: null, or of several bodies `coordinates`, the names of those of a state z;
 ///    `bodies`, of each its `name`, `outline`, `link` (null, or `slides`, `at`, `axis` and

@@ -2,14 +2,16 @@
 """Several bodies, links and springs: thresholds in closed form from both sides, every verdict through all checkers that
 judge it, and Z3 on small random ones, whose text is written from mechanics and knows no rows."""
 
+import glob
 import json
 import os
 import random
+import re
 import unittest
 from fractions import Fraction as F
 
 from bodies_smt import smt
-from test_cli import checkers, run, stickslip
+from test_cli import HERE, checkers, run, stickslip
 from test_space import Z3, Space, all_but_proved
 
 
@@ -226,6 +228,119 @@ class ClosedForms(Bodies):
                 contacts.append(contact("ball", (x, y, 0), (-x, -y, 0), by=on, friction=F(1, 2), preload=preload))
             return grasp(bodies, contacts, [weight("ball", w, (0, 0, 0))], joints=joints)
         self.assert_threshold(hand, F(16, 5))
+
+
+class ReversedContacts(Bodies):
+    """What is warned of, and what is as near to it as can be and right."""
+
+    def warnings(self, content, *words):
+        return [w["text"] for w in self.json("decide", self.write("g.json", content), *words)["warnings"]]
+
+    def said(self, content, *words):
+        """The contacts that are said to be reversed."""
+        for text in self.warnings(content, *words):
+            return [int(i) for i in re.findall(r"contacts\[(\d+)\]", text)]
+        return []
+
+    def test_examples_are_right(self):
+        for file in sorted(glob.glob(os.path.join(HERE, "..", "..", "examples", "grasps", "bodies-*.json"))):
+            answer = self.json("decide", file)
+            for one in answer.get("cases", [answer]):
+                self.assertEqual(one["warnings"], [], file)
+
+    def test_of_and_by_exchanged(self):
+        content = stack((1, F(1, 2)), (1, 1), (F(1, 2), F(1, 2)), (1, 1), 0, 2)[1]
+        self.assertEqual(self.warnings(content), [])
+        for k in (2, 3):
+            exchanged = json.loads(json.dumps(content))
+            exchanged["contacts"][k].update({"of": "b0", "by": "b1"})
+            self.assertEqual(self.warnings(exchanged), [
+                f'contacts[{k}] would pull "b0" and "b1" apart: its normal points away from "b0", which it presses, '
+                'to "b1"; swap "of" and "by", or turn the normal round'])
+        for words in ((), ("--uncertain", "position=1/100,friction=10%", "--node-limit", "1")):
+            self.assertEqual(self.said(exchanged, *words), [3])
+        file = self.write("g.json", exchanged)
+        self.assertIn('\nWarning: contacts[3] would pull "b0"', stickslip("decide", file)[1])
+        self.assertNotIn("warnings", self.json("decide", file, "--no-warnings"))
+        margin = self.json("margin", file, "--direction", "0,-1,0,0,-1,0", "--accuracy", "1/10")
+        self.assertEqual([w["trap"] for w in margin["warnings"]], ["reversed-contact"])
+        for contact_of_both in exchanged["contacts"][2:]:
+            contact_of_both["normal"] = ["0", "-1"]
+        self.assertEqual(self.said(exchanged), [2])  # contact 3 is exchanged and turned round
+
+    def test_a_box_on_the_ground_and_one_that_hangs(self):
+        # Of a hook, too, all is below the contacts, and they push it up.
+        def box(height, *signs):
+            return grasp(["box"], [contact("box", (x, 0), (0, s), friction=1) for x, s in zip((-1, 1), signs)],
+                         [weight("box", 1, (0, height))])
+        self.assertEqual(self.warnings(box(1, -1, -1)), [
+            'contacts[0] would pull "box" and the ground apart: its normal points away from "box", which it presses, '
+            "to the ground; turn the normal round; the same of contacts[1]"])
+        self.assertEqual([self.said(box(*how)) for how in ((1, 1, -1), (1, 1, 1), (-1, 1, 1), (0, -1, -1))],
+                         [[1], [], [], []])
+
+    def test_a_ring_that_jaws_open_in(self):
+        # On all jaws it is on the other side, but on the one below alone the load pulls it where this one pushes.
+        def ring(*signs):
+            return grasp(["ring"], [contact("ring", p, [s * x for x in p], friction=1, preload=1)
+                                    for s, p in zip(signs, ((0, -1), (F(4, 5), F(3, 5)), (-F(4, 5), F(3, 5))))],
+                         [weight("ring", 1, (0, 0))])
+        self.assertEqual(self.said(ring(1, 1, 1)), [])
+        self.assertEqual(self.said(ring(1, -1, -1)), [0])
+
+    def test_an_outline_tells_where_points_do_not(self):
+        # A channel that stands on a peg inside it, or has a jaw in a corner; hung up, and pressed by the peg from above.
+        channel = [[0, 0], [4, 0], [4, 3], [3, 3], [3, 1], [1, 1], [1, 3], [0, 3]]
+
+        def held(position, normal, outline=True):
+            return grasp([{"name": "c", **({"outline": text(channel)} if outline else {})}, "peg"],
+                         [contact("c", position, normal, by="peg", friction=1), contact("peg", (2, 9), (0, 1), friction=1),
+                          contact("c", (0, 3), (1, 0), friction=1), contact("c", (4, 0), (-1, 0), friction=1)],
+                         [weight("c", 1, (2, 0))])
+        for position, normal in (((2, 1), (0, -1)), ((2, 0), (0, 1)), ((3, 2), (1, 0)),  # on edges
+                                 ((0, 0), (1, 1)), ((0, 0), (0, 1)), ((4, 0), (-3, 1)),  # at corners
+                                 ((1, 1), (-1, -2)), ((3, 1), (1, 0))):  # inside, and along its edges
+            back = tuple(-x for x in normal)
+            self.assertEqual((self.said(held(position, normal)), self.said(held(position, back))), ([], [0]), position)
+        for position, normal in (((2, F(1, 2)), (0, -1)), ((3, 1), (1, 1)), ((2, 2), (0, 1))):  # off it, or askew
+            self.assertEqual(self.said(held(position, normal)), [])
+        self.assertEqual(self.said(held((2, 1), (0, 1), outline=False)), [])  # its weight is below, its corner above
+        hole = [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [3, 1], [3, 3], [1, 3]]]
+        for s in (1, -1):
+            ring = grasp([{"name": "ring", "outline": text(hole)}], [contact("ring", (2, 3), (0, s), friction=1)],
+                         [weight("ring", 1, (2, 0))])
+            self.assertEqual(self.said(ring), [] if s == 1 else [0])
+
+    def test_rounded_numbers_of_a_face_that_is_inclined(self):
+        def wedge(sign, off):
+            # Along (4, 3); the normal is (-3, 4).
+            place = (4 - 3 * off, 3 + 4 * off)
+            return grasp(["a", "b"], [contact("b", (0, 0), (-3 * sign, 4 * sign), by="a", friction=1),
+                                      contact("b", place, (-3 * sign, 4 * sign), by="a", friction=1)],
+                         [weight("a", 1, (2, 0)), weight("b", 1, (2, 3))])
+        for off in (0, F(1, 10**9), -F(1, 10**9)):
+            self.assertEqual((self.said(wedge(1, off)), self.said(wedge(-1, off))), ([], [0, 1]))
+        self.assertEqual(self.said(wedge(-1, F(1, 999))), [])  # of either contact the other is on both sides
+        self.assertEqual(self.said(wedge(-1, F(1, 1001))), [0, 1])
+
+    def test_in_space_by_meshes_and_by_hinges(self):
+        def boxes(sign, mesh):
+            bodies = []
+            for name, z in (("low", 0), ("up", 1)):
+                corners = [[x, y, z + h] for h in (0, 1) for x in (0, 1) for y in (0, 1)]
+                faces = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
+                bodies.append({"name": name, **({"mesh": {"vertices": corners, "faces": faces}} if mesh else {})})
+            return grasp(bodies, [contact("up", (x, y, 1), (0, 0, sign), by="low", friction=1)
+                                  for x, y in ((0, 0), (1, 0), (0, 1), (1, 1))], [])
+        self.assertEqual([self.said(boxes(s, True), "--node-limit", "1") for s in (1, -1)], [[], [0, 1, 2, 3]])
+        self.assertEqual(self.said(boxes(-1, False), "--node-limit", "1"), [])  # nothing tells
+
+        def finger(sign, hinge):
+            return grasp(["ball", {"name": "f", "hinge": {"at": text(hinge), "axis": [0, 1, 0]}}],
+                         [contact("ball", (-1, 0, 0), (sign, 0, 0), by="f", friction=1)],
+                         [weight("ball", 1, (0, 0, 0))], joints=[{"turns": {"f": 1}}])
+        self.assertEqual([self.said(finger(s, (-2, 0, -3))) for s in (1, -1)], [[], [0]])
+        self.assertEqual(self.said(finger(-1, (0, 0, -3))), [])  # it may open in a ring
 
 
 class AgainstZ3(Bodies):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Several bodies, links and springs: thresholds in closed form from both sides, every verdict through all checkers that
-judge it, and Z3 on small random ones, whose text is written from mechanics and knows no rows."""
+judge it, Newton's method against all that are unstable, and Z3 on small random ones; both are written from mechanics
+and know no rows."""
 
 import glob
 import json
@@ -10,9 +11,13 @@ import re
 import unittest
 from fractions import Fraction as F
 
+import numpy as np
+from bodies_newton import equilibria
 from bodies_smt import smt
 from test_cli import HERE, checkers, run, stickslip
 from test_space import Z3, Space, all_but_proved
+
+ROOT = os.path.join(HERE, "..", "..")
 
 
 def text(x):
@@ -53,9 +58,75 @@ def stack(widths, heights, frictions, weights, push, height):
     return least, grasp(names, contacts, [*loads, force(names[-1], (push, 0), (0, height))])
 
 
+def random_assembly(rng, dim):
+    """Two or three bodies, free or on hinges and slides, and whatever joins them."""
+    def number(a, b):
+        return F(rng.randint(a, b), rng.choice((1, 2, 3)))
+
+    def point(b):
+        return [number(-b, b) for _ in range(dim)]
+
+    def unit():
+        n = [F(0)] * dim
+        n[:] = rng.choice(([1], [3, 4]) if dim == 2 else ([1], [3, 4], [1, 2, 2])) + n
+        n = [rng.choice((1, -1)) * x for x in n[:dim]]
+        rng.shuffle(n)
+        return n
+
+    bodies, joints = ["body"], []
+    for j in range(rng.randint(1, 2)):
+        kind = rng.choice(("free", "hinge", "slide"))
+        name = f"n{j}"
+        if kind == "free":
+            bodies.append(name)
+            continue
+        if kind == "hinge":
+            place = text(point(3)) if dim == 2 else {"at": text(point(3)), "axis": text(unit())}
+        else:
+            place = text([1, *point(2)[1:]])
+        link = {"name": name, kind: place}
+        if rng.random() < 0.4 and j:
+            link["on"] = "n0"
+        bodies.append(link)
+        joints.append({"turns": {name: str(F(rng.choice((1, -1, 2))))},
+                       **({"stiffness": str(number(1, 4))} if rng.random() < 0.7 else {}),
+                       **({"torque": str(number(-2, 2))} if rng.random() < 0.5 else {})})
+    names = [b if isinstance(b, str) else b["name"] for b in bodies]
+    links = [b["name"] for b in bodies if not isinstance(b, str)]
+    contacts = []
+    for _ in range(rng.randint(3, 5) + 2 * (dim - 2)):
+        of, by = rng.sample([*names, None], 2)
+        if of is None:
+            of, by = by, None
+        contacts.append(contact(of, point(2), unit(), by=by, friction=rng.choice((0, F(1, 3), F(1, 2), 1)),
+                                preload=rng.choice((0, 1, 2)), stiffness=number(1, 4)))
+    others = {}
+    if links and rng.random() < 0.6:
+        others["tendons"] = [{"over": {l: str(rng.choice((1, F(1, 2), -1))) for l in links},
+                              "stiffness": str(number(0, 2)), "tension": str(number(-2, 2))}]
+    if links and rng.random() < 0.4:
+        others["ratchets"] = [{"over": {links[0]: str(rng.choice((1, -1)))}, "stiffness": 2,
+                               "preload": str(rng.choice((0, 1)))}]
+    at = [number(-1, 1), *[0] * (dim - 1)]
+    content = grasp(bodies, contacts, [force(rng.choice(names), point(2), at)], joints=joints, **others)
+    if "tendons" in others:
+        arms = others["tendons"][0]["over"]
+        if not any(sum(F(a) * F(j["turns"].get(l, 0)) for l, a in arms.items()) for j in joints):
+            return random_assembly(rng, dim)  # nothing moves the tendon
+    return content
+
+
 class Bodies(Space):
     judges = staticmethod(all_but_proved)
     engine = "bodies"
+
+    def decide(self, content, *words):
+        """Where it is unstable, Newton's method from some starts finds nothing."""
+        answer = super().decide(content, *words)
+        if answer["verdict"] == "unstable" and not words and '"min"' not in json.dumps(content):
+            found = equilibria(content, 16, np.random.default_rng(1))
+            self.assertEqual(found[0], 0, (found, json.dumps(content)))
+        return answer
 
 
 class ClosedForms(Bodies):
@@ -243,7 +314,7 @@ class ReversedContacts(Bodies):
         return []
 
     def test_examples_are_right(self):
-        for file in sorted(glob.glob(os.path.join(HERE, "..", "..", "examples", "grasps", "bodies-*.json"))):
+        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "grasps", "bodies-*.json"))):
             answer = self.json("decide", file)
             for one in answer.get("cases", [answer]):
                 self.assertEqual(one["warnings"], [], file)
@@ -346,55 +417,69 @@ class ReversedContacts(Bodies):
 class AgainstZ3(Bodies):
     def test_small_random_ones(self):
         rng = random.Random(7)
-        number = lambda a, b: F(rng.randint(a, b), rng.choice((1, 2, 3)))
         agreed = {"sat": 0, "unsat": 0}
-        for k in range(40):
-            bodies, joints = ["body"], []
-            for j in range(rng.randint(1, 2)):
-                kind = rng.choice(("free", "hinge", "slide"))
-                name = f"n{j}"
-                if kind == "free":
-                    bodies.append(name)
-                    continue
-                place = [number(-3, 3), number(-3, 3)] if kind == "hinge" else [1, number(-2, 2)]
-                link = {"name": name, kind: text(place)}
-                if rng.random() < 0.4 and j:
-                    link["on"] = "n0"
-                bodies.append(link)
-                joints.append({"turns": {name: str(F(rng.choice((1, -1, 2))))},
-                               **({"stiffness": str(number(1, 4))} if rng.random() < 0.7 else {}),
-                               **({"torque": str(number(-2, 2))} if rng.random() < 0.5 else {})})
-            names = [b if isinstance(b, str) else b["name"] for b in bodies]
-            links = [b["name"] for b in bodies if not isinstance(b, str)]
-            contacts = []
-            for _ in range(rng.randint(3, 5)):
-                of, by = rng.sample([*names, None], 2)
-                if of is None:
-                    of, by = by, None
-                contacts.append(contact(of, (number(-2, 2), number(-2, 2)),
-                                        rng.choice(((0, 1), (1, 0), (-1, 0), (3, 4), (0, -1), (-4, 3))), by=by,
-                                        friction=rng.choice((0, F(1, 3), F(1, 2), 1)),
-                                        preload=rng.choice((0, 1, 2)), stiffness=number(1, 4)))
-            others = {}
-            if links and rng.random() < 0.6:
-                others["tendons"] = [{"over": {l: str(rng.choice((1, F(1, 2), -1))) for l in links},
-                                      "stiffness": str(number(0, 2)), "tension": str(number(-2, 2))}]
-            if links and rng.random() < 0.4:
-                others["ratchets"] = [{"over": {links[0]: rng.choice((1, -1))}, "stiffness": 2,
-                                       "preload": str(rng.choice((0, 1)))}]
-            content = grasp(bodies, contacts,
-                            [force(rng.choice(names), (number(-2, 2), number(-2, 2)), (number(-1, 1), 0))],
-                            joints=joints, **others)
-            if "tendons" in others:
-                arms = others["tendons"][0]["over"]
-                turns = [sum(F(a) * F(j["turns"].get(l, 0)) for l, a in arms.items()) for j in joints]
-                if not any(turns):
-                    continue
+        for _ in range(40):
+            content = random_assembly(rng, 2)
             z3 = run(Z3, "-T:5", "-in", stdin=smt(content))[1].strip()
             self.assertIn(z3, ("sat", "unsat"))
             self.assertEqual(self.verdict(content), "stable" if z3 == "sat" else "unstable", json.dumps(content))
             agreed[z3] += 1
         self.assertGreaterEqual(min(agreed.values()), 8)
+
+
+class AgainstNewton(Bodies):
+    """Where a tree says unstable no start leads to an equilibrium, and where one is stable some does."""
+
+    def ask(self, content, starts):
+        verdict = self.verdict(content)
+        if verdict == "undecided":
+            return verdict, 0
+        found, stay = equilibria(content, starts, np.random.default_rng(2))
+        if verdict == "unstable":
+            self.assertEqual(found, 0, f"{stay} of {found} are no ties: {json.dumps(content)}")
+        return verdict, found
+
+    def assert_sees(self, asked, least):
+        """There are so many of either, and all that are stable are seen."""
+        verdicts = [verdict for verdict, _ in asked]
+        self.assertGreaterEqual(min(verdicts.count("stable"), verdicts.count("unstable")), least)
+        self.assertEqual([one for one in asked if one[0] == "stable" and one[1] == 0], [])
+
+    def test_random_ones_in_the_plane(self):
+        rng = random.Random(3)
+        self.assert_sees([self.ask(random_assembly(rng, 2), 40) for _ in range(30)], 10)
+
+    def test_random_ones_in_space(self):
+        # Those that hold are mostly undecided: a body drifts off, and no equilibrium is by itself.
+        rng = random.Random(3)
+        verdicts = [self.ask(random_assembly(rng, 3), 40)[0] for _ in range(20)]
+        self.assertGreaterEqual(verdicts.count("unstable"), 10)
+
+    def test_examples_and_corpus(self):
+        asked = []
+        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "grasps", "bodies-*.json")) +
+                           glob.glob(os.path.join(ROOT, "tests", "corpus", "bodies", "*stable.grasp.json"))):
+            with open(file, encoding="utf-8") as content:
+                content = json.load(content)
+            common = content.pop("loads", [])
+            for case in content.pop("cases", [{"loads": []}]):
+                one = {**content, **case, "loads": common + case.pop("loads")}
+                if '"min"' not in json.dumps(one) and "wrench" not in one:
+                    one.pop("name", None)
+                    asked.append(self.ask(one, 60))
+        self.assert_sees(asked, 4)
+
+    def test_it_sees_what_is_near_a_threshold(self):
+        def boxes(push):  # of weight 1; the upper one slides at 1/2
+            contacts = [contact(of, (x, y, z), (0, 0, 1), by=by, friction=F(1, 2))
+                        for of, by, z in (("low", None, 0), ("up", "low", 1)) for x in (-1, 1) for y in (-1, 1)]
+            return grasp(["low", "up"], contacts, [weight("low", 1, (0, 0, 0)), weight("up", 1, (0, 0, 1)),
+                                                   force("up", (3 * push / 5, 4 * push / 5, 0), (0, 0, 1))])
+        shape = ((1, F(3, 5)), (1, 1), (F(1, 2), F(1, 5)), (1, 2))
+        for grasp_at, value in ((lambda f: stack(*shape, f, F(3, 2))[1], F(2, 5)), (boxes, F(1, 2))):
+            for part, sees in ((F(999, 1000), True), (F(1001, 1000), False)):
+                found, stay = equilibria(grasp_at(part * value), 40, np.random.default_rng(4))
+                self.assertEqual((found > 0, stay > 0), (sees, sees))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ import sys
 import time
 
 import numpy as np
-from bodies_bench import BIN, FAMILIES, decide, threshold
+from bodies_bench import BIN, FAMILIES, about_thresholds, decide
 
 os.environ.setdefault("STICKSLIP", os.path.join(BIN, "stickslip"))
 os.environ.setdefault("STICKSLIP_CHECK", os.path.join(BIN, "stickslip-check"))
@@ -24,13 +24,7 @@ from test_bodies import random_assembly  # noqa: E402
 
 
 def of_family(name, count):
-    make, size = FAMILIES[name]
-    for seed in range(count):
-        at = make(size, random.Random(seed))
-        ends = threshold(at)
-        if ends is not None:
-            yield at(ends[1] * 1.01)
-            yield at(ends[0] * .99)
+    return (grasp for key, grasp in about_thresholds(name, count) if key != "at 80 %")
 
 
 def main():

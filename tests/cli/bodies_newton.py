@@ -155,7 +155,9 @@ class Mechanics:
                 if "hinge" in self.bodies[link]:
                     total += self.hinge(link)[1] @ torque * self.rate(link)
         else:
-            force = numbers(load["force"]) if "force" in load else -number(load["weight"]) * np.eye(self.dim)[-1]
+            force = numbers(load.get("force", load.get("direction", [*[0] * (self.dim - 1), -1])))
+            if "weight" in load:
+                force *= number(load["weight"]) / np.linalg.norm(force)
             total += self.push(load["body"], numbers(load["at"])) @ force
         return total
 

@@ -475,8 +475,11 @@ class AgainstNewton(Bodies):
                         for of, by, z in (("low", None, 0), ("up", "low", 1)) for x in (-1, 1) for y in (-1, 1)]
             return grasp(["low", "up"], contacts, [weight("low", 1, (0, 0, 0)), weight("up", 1, (0, 0, 1)),
                                                    force("up", (3 * push / 5, 4 * push / 5, 0), (0, 0, 1))])
+        def slope(friction):  # of 3 in 4
+            return grasp(["b"], [contact("b", (x, 0), (0, 1), friction=1 / friction) for x in (-1, 1)],
+                         [{**weight("b", 1, (0, F(1, 10))), "direction": text((3, -4))}])
         shape = ((1, F(3, 5)), (1, 1), (F(1, 2), F(1, 5)), (1, 2))
-        for grasp_at, value in ((lambda f: stack(*shape, f, F(3, 2))[1], F(2, 5)), (boxes, F(1, 2))):
+        for grasp_at, value in ((lambda f: stack(*shape, f, F(3, 2))[1], F(2, 5)), (boxes, F(1, 2)), (slope, F(4, 3))):
             for part, sees in ((F(999, 1000), True), (F(1001, 1000), False)):
                 found, stay = equilibria(grasp_at(part * value), 40, np.random.default_rng(4))
                 self.assertEqual((found > 0, stay > 0), (sees, sees))

@@ -21,8 +21,8 @@ import re
 import signal
 import sys
 from fractions import Fraction
-from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple, Type,
-                    TypeVar, Union)
+from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Set, Tuple,
+                    Type, TypeVar, Union)
 
 Vector = Tuple[Fraction, ...]
 Integers = Tuple[int, ...]
@@ -204,6 +204,7 @@ class Source:
         self.dimension = PLANE  # D of a certificate; in a grasp file that of one body
         self.space = False
         self.several = False    # is a certificate about several bodies?
+        self.soft: Set[int] = set()  # its contacts with torsion (§15)
         text = self.read(name)
         self.limit(text)
         try:
@@ -394,9 +395,15 @@ class Contact(NamedTuple):
     place: str = ""         # in the grasp file
     motion: Optional[Matrix] = None  # §14: G, if the grasp is of several bodies
     spring: str = ""        # what a spring's τ is called in the grasp file; "" of all others
+    torsion: Fraction = Fraction(0)  # §15: e
 
     def is_contact(self) -> bool:
         return bool(self.position)
+
+    @property
+    def gamma(self) -> Fraction:
+        """§15"""
+        return self.torsion ** 2 / dot(self.normal, self.normal)
 
 
 class Grasp(NamedTuple):
@@ -448,16 +455,27 @@ class Options(NamedTuple):
 class Row(NamedTuple):
     """What is known of one contact."""
     N: Vector
-    slip: List[Vector]  # T, or the three rows of S; friction acts along them
+    slip: List[Vector]  # T, or the rows of S; friction acts along them
     friction: Fraction
     v: Vector  # v_i(x) = v·x for a point x = (d, h, ℓ)
     normal: Vector
+    gamma: Fraction  # §15
     spring: bool
 
     @property
     def longest(self) -> Fraction:
         """The square of the length that a share has at most."""
         return Fraction(1) if len(self.normal) == 2 else dot(self.normal, self.normal)
+
+
+def starred(s: Vector, gamma: Fraction) -> Vector:
+    """§15: s*, whose product with t is ⟨s, t⟩."""
+    return s[:3] + tuple(gamma * c for c in s[3:])
+
+
+def force_square(f: Vector, gamma: Fraction) -> Fraction:
+    """§15: the square of the length of friction, or of a share."""
+    return dot(f[:3], f[:3]) + sum(c * c / gamma for c in f[3:])
 
 
 class Question(NamedTuple):
@@ -526,7 +544,7 @@ def read_point_of(source: Source, value: Any, place: str) -> Vector:
 
 
 def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Bounds]:
-    """Those of μ ≥ 0, k > 0 and P ≥ 0 that an object of the grasp file states."""
+    """Those of μ ≥ 0, k > 0, P ≥ 0 and e ≥ 0 that an object of the grasp file states."""
     found = {}
     for key in ("friction", "stiffness", "preload"):
         if key in fields:
@@ -535,6 +553,12 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
             if low < 0 or (key == "stiffness" and low == 0):
                 source.fail(f"{place}.{key}", f"{show(low)} is out of range, must be "
                                               + ("> 0" if key == "stiffness" else ">= 0"))
+    if "torsion" in fields:
+        torsion = source.number(fields["torsion"], f"{place}.torsion")
+        if torsion < 0 or not source.space:
+            source.fail(f"{place}.torsion", f"{show(torsion)} is out of range, must be >= 0" if source.space else
+                        "the grasp is in the plane, and has none")
+        found["torsion"] = exactly(torsion)
     return found
 
 
@@ -738,11 +762,11 @@ def read_defaults(source: Source, top: Dict[str, Any]) -> Dict[str, Bounds]:
             if type(unit) is not str or not 1 <= len(unit.encode("utf-8")) <= 16:
                 source.fail(f"units.{key}", "must be a string of 1 to 16 bytes")
     stated = source.members(top.get("defaults", Members([])), "defaults",
-                            "friction? stiffness? preload?")
+                            "friction? stiffness? preload?" + " torsion?" * ("bodies" in top))
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
         source.fail("contacts", "too many contacts")
     show_dimension(source, top)
-    return {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)),
+    return {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)), "torsion": exactly(Fraction(0)),
             **coefficients(source, stated, "defaults")}
 
 
@@ -761,7 +785,7 @@ def read_contact(source: Source, fields: Dict[str, Any], place: str, defaults: D
     if not any(normal):
         source.fail(f"{place}.normal", "must not be zero")
     return Contact(position, normal, slope, values["friction"], values["stiffness"],
-                   values["preload"], place)
+                   values["preload"], place, torsion=values["torsion"].low)
 
 
 def read_grasp(name: str) -> Grasp:
@@ -811,19 +835,25 @@ def make_row(contact: Contact, growth: Fraction) -> Row:
     length = rational_root(square) if preload or growth else Fraction(1)
     assert length is not None
     normal = pulled(contact.motion, at(point, n))
-    return Row(normal, [pulled(contact.motion, at(point, t)) for t in across(n)], contact.friction.low,
+    return Row(normal, slip_rows(contact.motion, point, n, n, contact.gamma), contact.friction.low,
                times(-contact.stiffness.low / square, normal) + (preload / length, growth / length),
-               n, bool(contact.spring))
+               n, contact.gamma, bool(contact.spring))
 
 
-def across(n: Vector, straight: Optional[Vector] = None) -> List[Vector]:
+def slip_rows(motion: Optional[Matrix], point: Sequence[Fraction], n: Vector, straight: Vector,
+              gamma: Fraction) -> List[Vector]:
+    """T, or the rows of S; with torsion the fourth is that of the turn about n (§15)."""
+    wrenches = [at(point, t) for t in across(n, straight)] + [zeros(3) + n] * (gamma > 0)
+    return [pulled(motion, wrench) for wrench in wrenches]
+
+
+def across(n: Vector, straight: Vector) -> List[Vector]:
     """What the slip of §1 and §7 is measured along: t, or the rows of the projection along n on the
-    plane across n⁰, which is n unless it is given. Along a coordinate nothing slips (§14)."""
+    plane across n⁰, `straight`. Along a coordinate nothing slips (§14)."""
     if len(n) == 1:
         return []
     if len(n) == 2:
         return [(-n[1], n[0])]
-    straight = straight or n
     square = dot(straight, straight)
     return [tuple((j == k) - n[j] * straight[k] / square for k in range(3)) for j in range(3)]
 
@@ -831,7 +861,7 @@ def across(n: Vector, straight: Optional[Vector] = None) -> List[Vector]:
 def turns(n: Vector) -> List[Vector]:
     """The ways in which the normal n⁰ may turn: t⁰ of §6, or U and V of §7."""
     if len(n) < 3:
-        return across(n)
+        return across(n, n)
     least = min(range(3), key=lambda j: abs(n[j]))
     u = cross(n, tuple(Fraction(j == least) for j in range(3)))
     return [u, cross(n, u)]
@@ -932,8 +962,9 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, family: str) -
     numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
                "preload": contact.preload, "normal": Bounds(-contact.slope, contact.slope),
                **{f"position[{j}]": p for j, p in enumerate(contact.position)}}
-    if contact.slope >= 1:
-        raise Malformed(grasp_file, place + "normal", f"slope {show(contact.slope)}, must be < 1")
+    if contact.slope >= 1 or (contact.slope and contact.torsion):
+        raise Malformed(grasp_file, place + "normal", f"slope {show(contact.slope)}, must be "
+                                                      + ("0 where there is torsion" if contact.torsion else "< 1"))
     for name in ("friction", "stiffness", "preload"):
         low = numbers[name].low
         if contact.spring and (name == "preload" or low == 0):
@@ -1127,7 +1158,7 @@ def read_several(source: Source) -> Grasp:
     elements = []
     for i, entry in enumerate(top["contacts"]):
         place = f"contacts[{i}]"
-        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload?")
+        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload? torsion?")
         of = bodies.motion(source, fields["of"], f"{place}.of")
         by = bodies.motion(source, fields.get("by", GROUND), f"{place}.by", True)
         if fields["of"] == fields.get("by"):
@@ -1267,6 +1298,7 @@ def read_certificate(name: str, question: Question) -> Certificate:
     """All of the syntax comes before any rule."""
     source, dimension = Source(name, CERTIFICATE), len(question.wrench)
     source.dimension, source.space, source.several = dimension, question.space, bool(question.names)
+    source.soft = {i for i, contact in enumerate(question.contacts) if contact.torsion}
     by_segments = not (question.space or question.names)  # margins
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
@@ -1424,17 +1456,18 @@ def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Toleran
     return found
 
 
-def read_friction(source: Source, value: Any, place: str) -> Vector:
-    """A share, or F."""
-    return (source.vector(value, place, 3) if source.space else
+def read_friction(source: Source, value: Any, place: str, i: int) -> Vector:
+    """A share, or F, that is listed for contact i."""
+    return (source.vector(value, place, 3 + (i in source.soft)) if source.space else
             (source.number(value, place),))
 
 
 def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Vector]]:
     shares = []
     for entry in source.array(value, place):
-        i, share = source.array(entry, place, 2)
-        shares.append((source.index(i, place), read_friction(source, share, place)))
+        contact, share = source.array(entry, place, 2)
+        i = source.index(contact, place)
+        shares.append((i, read_friction(source, share, place, i)))
     return shares
 
 
@@ -1523,9 +1556,10 @@ def read_rest(source: Source, value: Any, place: str) -> RestProof:
     rest = [(i, [force]) for i, force in read_shares(source, fields["rest"], f"{place}.rest")]
     answers = []
     for entry in source.array(fields["answers"], f"{place}.answers"):
-        i, forces = source.array(entry, f"{place}.answers", 2)
-        answers.append((source.index(i, f"{place}.answers"), [
-            read_friction(source, force, f"{place}.answers")
+        contact, forces = source.array(entry, f"{place}.answers", 2)
+        i = source.index(contact, f"{place}.answers")
+        answers.append((i, [
+            read_friction(source, force, f"{place}.answers", i)
             for force in source.array(forces, f"{place}.answers", source.dimension)]))
     return RestProof(rest, answers, source.vector(fields["reach"], f"{place}.reach", source.dimension))
 
@@ -1618,7 +1652,7 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
         row, last = question.rows[i], i
         if any(forces[i].slip):
             raise Rejected("witness-share", f"contact {i} slips: {show(forces[i].slip)}")
-        if dot(share, share) > row.longest or (len(share) == 3 and dot(share, row.normal) != 0):
+        if force_square(share, row.gamma) > row.longest or (len(share) > 1 and dot(share, row.normal) != 0):
             raise Rejected("witness-share", f"contact {i}, share {show(share)}")
         forces[i] = forces[i]._replace(b=times(row.friction * forces[i].a, share))
     for i, force in enumerate(forces):
@@ -1626,11 +1660,12 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
             raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
     for i, (row, force) in enumerate(zip(question.rows, forces)):
         if any(force.slip) and row.friction * force.a:
-            ratio = rational_root(row.longest / dot(force.slip, force.slip))
+            against = starred(force.slip, row.gamma)
+            ratio = rational_root(row.longest / dot(against, force.slip))
             if ratio is None:
                 raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
                                                "ratio of its normal's length to that is irrational")
-            forces[i] = force._replace(b=times(-row.friction * force.a * ratio, force.slip))
+            forces[i] = force._replace(b=times(-row.friction * force.a * ratio, against))
     loads = witness.x[len(question.wrench):]  # h and what follows
     total = pairwise_sum([tuple(dot(loads, column)
                                 for column in zip(question.w(), *question.growths))]
@@ -1737,6 +1772,7 @@ class Parameters(NamedTuple):
     growth: Bounds             # Pᵘ'
     motion: Optional[Matrix] = None  # §14: G
     spring: bool = False
+    gamma: Fraction = Fraction(0)    # §15
 
 
 class Terms:
@@ -1764,7 +1800,7 @@ class Terms:
             here = here[:len(n)]
             self.tilt = max(self.tilt, dot(n, n) / dot(c.normal, c.normal) - 1)
             self.N.append(pulled(c.motion, at(here, n)))
-            self.rows.append([pulled(c.motion, at(here, t)) for t in across(n, c.normal)])
+            self.rows.append(slip_rows(c.motion, here, n, c.normal, c.gamma))
         self.dimension = len(self.N[0])
         pushes = set(zip(x["preload"], c.growth))
         values = [times(-k, n) + push for n in self.N for k in set(x["stiffness"]) for push in pushes]
@@ -1918,43 +1954,48 @@ class PlanarTerms(Terms):
 
 
 class SlipCone:
-    """§7: C_i, of slips s with n·s = 0. Seen along n, their directions are sorted by angle; between
-    two neighbours that are half a turn apart or more there is none of C_i."""
+    """§7, §15: C_i, the sums of these slips, by its dual cone: all z with z·s ≥ 0 for them."""
 
-    def __init__(self, normal: Vector, slips: Sequence[Integers]) -> None:
-        # Two coordinates tell, if the third component of n is not 0.
-        left_out = next(j for j in range(3) if normal[j])
-        self.seen = [j for j in range(3) if j != left_out]
-        self.steps = 1 + max(map(weight, slips), default=1) ** 2 // 8  # of a turn
-        self.directions = sorted(set(map(reduced, filter(any, slips))),
-                                 key=functools.cmp_to_key(self.compare))
-        follow = self.directions[1:] + self.directions[:1]
-        self.gaps = [(a, b) for a, b in zip(self.directions, follow)
-                     if self.turn(a, b) < 0 or (self.turn(a, b) == 0 and (a is b or dot(a, b) < 0))]
-
-    def sides(self) -> List[Integers]:
-        """Of what is not in C_i, one of them is nearest to it."""
-        return [side_ for gap in self.gaps for side_ in gap]
-
-    def turn(self, a: Integers, b: Integers) -> int:
-        """Above 0 if b is at the left of a, by less than half a turn."""
-        Work.spend(self.steps)
-        j, k = self.seen
-        return a[j] * b[k] - a[k] * b[j]
-
-    def compare(self, a: Integers, b: Integers) -> int:
-        """By angle, from 0 to a full turn."""
-        def upper(s: Integers) -> bool:
-            return (s[self.seen[1]], s[self.seen[0]]) > (0, 0)
-
-        return upper(b) - upper(a) or -sign(self.turn(a, b))
+    def __init__(self, slips: Sequence[Integers], gamma: Fraction) -> None:
+        # ⟨s, t⟩ = Σ weights_j s_j t_j over the denominator of γ.
+        self.weights = (gamma.denominator,) * 3 + (gamma.numerator,) * (gamma > 0)
+        self.over = gamma.denominator
+        self.dual = all_points(len(self.weights))
+        self.steps = 1 + max(map(weight, slips), default=1) ** 2 // 8  # of a product
+        self.slips: List[Integers] = []  # of which it is the cone
+        for s in dict.fromkeys(map(reduced, slips)):  # many are alike
+            if not self.contains(s):
+                self.dual = self.dual.cut(s)
+                self.slips.append(s)
 
     def contains(self, s: Integers) -> bool:
-        if not any(s) or not self.directions:
-            return not any(s)
-        if len(self.directions) == 1 and dot(s, self.directions[0]) < 0:
-            return False
-        return all(self.turn(a, s) <= 0 <= self.turn(b, s) for a, b in self.gaps)
+        lines, rays = self.dual.lines, self.dual.rays
+        Work.spend(self.steps * len(rays))
+        # If one line is left, it is n.
+        return all(dot(z, s) >= 0 for z, _ in rays) and (len(lines) == 1 or not any(dot(z, s) for z in lines))
+
+    def product(self, s: Integers, t: Integers) -> int:
+        """⟨s, t⟩ times the denominator of γ."""
+        return sum(map(operator.mul, map(operator.mul, self.weights, s), t))
+
+    def square(self, t: Integers) -> Fraction:
+        return Fraction(self.product(t, t), self.over)
+
+    def most_along(self, t: Integers) -> Fraction:
+        """M(c)², with the sign of M(c), of a contact that moves, where S_i y = t."""
+        q = negated(t)
+        if self.contains(q):
+            return self.square(q)
+        Work.spend(self.steps * len(self.slips) ** 2)
+        heights = [(s, self.product(q, s), self.product(s, s)) for s in self.slips]
+        most = max(Fraction(height * abs(height), square) for _, height, square in heights)
+        # Two slips of a plane have all of it in their span, where q is in the cone of the two or nearest to one.
+        for (a, qa, aa), (b, qb, bb) in itertools.combinations(heights, 2) if len(q) > 3 else ():
+            ab = self.product(a, b)
+            x, y = qa * bb - qb * ab, qb * aa - qa * ab
+            if x > 0 and y > 0:
+                most = max(most, Fraction(x * qa + y * qb, aa * bb - ab * ab))
+        return most / self.over
 
 
 def root_bounds(square: Fraction, bits: int) -> Bounds:
@@ -1989,27 +2030,25 @@ class SpatialTerms(Terms):
         # S at all corners by one factor.
         flat, _ = integers([entry for rows in self.rows for row in rows for entry in row])
         size = self.dimension
-        self.S = [[flat[k:k + size] for k in range(start, start + 3 * size, size)]
-                  for start in range(0, len(flat), 3 * size)]
+        length = size * len(self.rows[0])
+        self.S = [[flat[k:k + size] for k in range(start, start + length, size)]
+                  for start in range(0, len(flat), length)]
+        self.gamma = c.gamma
 
     def slip_rows(self) -> Optional[List[Integers]]:
         return self.slip[0] if len(self.corners) == 1 else None
 
     def alpha(self, region: Region, points: Sequence[Integers], y: Vector) -> Fraction:
         slips = [[tuple(dot(row, x) for row in rows) for x in points] for rows in self.S]
-        cone = SlipCone(self.normal, [s for at_corner in slips for s in at_corner])
+        cone = SlipCone([s for at_corner in slips for s in at_corner], self.gamma)
         moves = self in region.moving() or all(
             region.bars([ray for ray, s in zip(region.generators(), at_corner)
                          if cone.contains(negated(s))]) for at_corner in slips)
         found = []
         for n, rows in zip(self.N, self.rows):
             z, factor = integers([dot(row, y) for row in rows])  # S_i y, times the factor
-            signed_square = Fraction(dot(z, z))
-            most_square = signed_square / (factor * factor)
-            if moves and not cone.contains(negated(z)):
-                along = [(-dot(s, z), dot(s, s)) for s in cone.sides()]
-                signed_square = max(Fraction(c * abs(c), square) for c, square in along)
-            signed_square /= factor * factor
+            most_square = cone.square(z) / factor ** 2
+            signed_square = cone.most_along(z) / factor ** 2 if moves else most_square
             for mu in set(self.friction):
                 cone_square = mu * mu * dot(self.normal, self.normal)
                 found.append(dot(y, n) + root_above(cone_square * signed_square))
@@ -2086,7 +2125,7 @@ def enlarged(question: Question, bits: int) -> Box:
                   Bounds(contact.stiffness.low * (1 - turned) / square,
                          contact.stiffness.high / square))
         contacts.append(Parameters(contact.normal, dict(zip(PARAMETERS[len(contact.normal)], bounds)), growth,
-                                   contact.motion, bool(contact.spring)))
+                                   contact.motion, bool(contact.spring), contact.gamma))
     return Box(contacts, question.widened, question.growths)
 
 
@@ -2307,7 +2346,7 @@ def children(region: Region, node: Node) -> List[Region]:
     if node.kind == "separation":
         return [Region(region, f"separation {i} closed", rows),
                 Region(region, f"separation {i} open", below, strict=True)]
-    if len(rows) == 3:
+    if len(box.terms[i].normal) == 3:
         return [Region(region, f"slip {i} 0", rows, equality=True),
                 Region(region, f"slip {i} not 0", slips=(i,))]
     return [Region(region, f"slip {i} +", rows, strict=True),
@@ -2447,9 +2486,9 @@ def check_mode(question: Question, first: Sequence[ContactForce], second: Sequen
         if not one_way(p.slip, q.slip):
             raise Rejected("segment-mode", f"contact {i} slips by {show(p.slip)} and by "
                                            f"{show(q.slip)}, not in one direction", place)
-        against = times(Fraction(-1), plus(p.slip, Fraction(1), q.slip))
+        against = times(Fraction(-1), starred(plus(p.slip, Fraction(1), q.slip), row.gamma))
         for force in (p, q):
-            full = dot(force.b, force.b) == (row.friction * force.a) ** 2 * row.longest
+            full = force_square(force.b, row.gamma) == (row.friction * force.a) ** 2 * row.longest
             if any(against) and not (full and one_way(force.b, against)):
                 raise Rejected("segment-mode", f"contact {i} slips at one end, and at the other its "
                                                "friction is not the same full share", place)
@@ -2488,7 +2527,7 @@ def friction_of(proof: RestProof, box: Box, place: str) -> Dict[int, List[Vector
         for i, forces in entries:
             if not before < i < len(box.contacts) or not box.terms[i].rows[0]:
                 raise Rejected("rest-share", f"contact {show(i)} after {show(before)}", place)
-            if len(forces[0]) == 3 and any(dot(f, box.contacts[i].normal) for f in forces):
+            if len(forces[0]) > 1 and any(dot(f, box.contacts[i].normal) for f in forces):
                 raise Rejected("rest-share", f"contact {i}: not across its normal", place)
             found.setdefault(i, no_friction(box.terms[i]))[first:first + len(forces)] = forces
             before = i
@@ -2527,9 +2566,9 @@ def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fract
                 raise Rejected("rest-reach", f"Z_{k + 1} = {show(reach)} is too small", place)
         for i, forces in sorted(friction.items()):
             most, lengths = box.contacts[i].bounds["friction"].low * pushes[i].low, []
-            if len(forces[0]) == 3:
+            if len(forces[0]) > 1:
                 most *= root_bounds(dot(box.contacts[i].normal, box.contacts[i].normal), ROOT_BITS).low
-                lengths = [root_bounds(dot(f, f), ROOT_BITS).high for f in forces]
+                lengths = [root_bounds(force_square(f, box.contacts[i].gamma), ROOT_BITS).high for f in forces]
             else:
                 lengths = [abs(f[0]) for f in forces]
             if dot(lengths, factors) > most:

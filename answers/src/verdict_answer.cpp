@@ -57,9 +57,12 @@ struct EvidenceJson {
       return RationalRow(f.begin(), f.begin() + (grasp.in_space() ? 3 : 2));
     };
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
+      const UncertainContact& contact = grasp.contacts[contacts.size()];
       contacts.push_back({{"force", number_json(as_row(c.force))},
                           {"friction", number_json(as_row(c.friction))},
                           {"closed", c.normal.sign() > 0}});
+      if (contact.torsion.is_zero()) continue;
+      contacts.back()["moment"] = number_json(moment_of(c, contact));
     }
     if (grasp.mechanism) {
       json["springs"] = number_json(spring_forces_of(grasp, witness.twist));

@@ -5,7 +5,7 @@ at which families of assemblies and grippers are lost; and how long stickslip-ch
     bench/bodies/bodies_bench.py [--count N] [--save FOLDER] [FAMILY ...]
 
 Families: stack2 to stack4, row2, row4, row8 (blocks squeezed between walls), arch3, arch5, arch7, grip2, grip4 (two fingers and a
-tendon), box2, box3 (stacked in space), squeezed2 (in space). For each it finds the multiple by bisection, to 1e-3, and decides 1 %
+tendon), box2, box3 (stacked in space), squeezed2 (in space), soft3, soft4 (soft fingers on a ball). For each it finds the multiple by bisection, to 1e-3, and decides 1 %
 beyond it, 1 % below, and at four fifths of it."""
 
 import argparse
@@ -137,9 +137,22 @@ def squeezed(n, rng):
                                                    "at": [(faces[k] + faces[k + 1]) / 2, .05, 0]} for k in range(n)])
 
 
+def soft(n, rng):
+    contacts = []
+    for k in range(n):
+        around, up = 2 * math.pi * (k + rng.uniform(-.1, .1)) / n, rng.uniform(-.1, .1)
+        way = [math.cos(around) * math.cos(up), math.sin(around) * math.cos(up), math.sin(up)]
+        contacts.append({"of": "b0", "position": way, "normal": [-x for x in way], "friction": rng.uniform(.15, .4),
+                         "preload": rng.uniform(.5, 2), "stiffness": rng.uniform(.5, 2), "torsion": rng.uniform(.1, .4)})
+    force, torque = ([rng.uniform(-.3, .3), rng.uniform(-.3, .3), rng.choice((-1, 1))] for _ in range(2))
+    return lambda f: file_of(names(1), contacts, [{"body": "b0", "force": [f * x for x in force], "at": [0, 0, 0]},
+                                                  {"body": "b0", "torque": [f * x / 2 for x in torque]}])
+
+
 FAMILIES = {**{f"stack{n}": (stack, n) for n in (2, 3, 4)}, **{f"row{n}": (row, n) for n in (2, 4, 8)},
             **{f"arch{n}": (arch, n) for n in (3, 5, 7)}, "grip2": (gripper, 2), "grip4": (gripper, 4),
-            "box2": (boxes, 2), "box3": (boxes, 3), "squeezed2": (squeezed, 2)}
+            "box2": (boxes, 2), "box3": (boxes, 3), "squeezed2": (squeezed, 2),
+            "soft3": (soft, 3), "soft4": (soft, 4)}
 
 
 def threshold(at):

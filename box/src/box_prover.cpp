@@ -109,7 +109,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   // 0 there for all of the box.
   const bool may_miss = std::any_of(
       box.contacts.begin(), box.contacts.end(),
-      [](const auto& c) { return c.slip_dimension() == 3 && !c.geometry_is_certain(); });
+      [](const auto& c) { return c.slip_dimension() > 1 && !c.geometry_is_certain(); });
   if (stable_ != false && tried.empty() && may_miss) {
     Trees unused;
     LawSearch search(middle, nullptr, limits_.node_limit, work_);

@@ -102,6 +102,7 @@ Functions functions_of(const ContactBox& c) {
     p.resize(n.size());
     rows.normals.push_back(seen(c.sight, at_point(p, n)));
     for (const Vector& t : across) rows.slips.push_back(seen(c.sight, at_point(p, t)));
+    if (c.gamma != 0) rows.slips.push_back(seen(c.sight, {0, 0, 0, n[0], n[1], n[2]}));
   }
   return rows;
 }
@@ -253,7 +254,11 @@ Row make_row(const ContactBox& c) {
   }
   row.weight = row.v_scale;
   if (!row.certain) add_pulls(at, c, row);
-  if (row.has_edges()) add_edges(at, c[Parameter::kFriction], row);
+  if (row.has_edges()) {
+    add_edges(at, c[Parameter::kFriction], row);
+  } else {
+    row.product = SlipProduct(c.normal, c.gamma);
+  }
   return row;
 }
 
@@ -290,6 +295,17 @@ std::vector<Turn> turns_of(const Vector& normal, const Rational& slope) {
     turns.back().most = root_bounds(square, kRootBits).high;
   }
   return turns;
+}
+
+Vector conjugate(const ContactBox& contact, Vector s) {
+  if (contact.gamma != 0) s.back() *= contact.gamma;
+  return s;
+}
+
+Rational friction_square(const ContactBox& contact, const Vector& f) {
+  Rational square = dot(f, f);
+  if (contact.gamma != 0) square += f.back() * f.back() * (1 / contact.gamma - 1);
+  return square;
 }
 
 BoxContact::BoxContact(ContactBox contact) : box(std::move(contact)), row(make_row(box)) {}

@@ -20,6 +20,7 @@
 
 #include "bodies.hpp"
 #include "number.hpp"
+#include "slip_cone.hpp"
 
 namespace stickslip_check {
 
@@ -68,11 +69,18 @@ struct ContactBox {
   Vector normal;                                  ///< n0; none of a ratchet or a spring
   std::array<Bounds, kContactParameters> bounds;  ///< by Parameter
   Bounds growth;  ///< of a margin: P^u', whose ends go with those of P'
+  /// Of the product of slips (FORMAT.md §15); 0 if they have three numbers.
+  Rational gamma = 0;
 
   const Bounds& operator[](Parameter name) const {
     return bounds[static_cast<std::size_t>(name)];
   }
 };
+
+/// s*, so that s*.t is the product of slips (FORMAT.md §15); without torsion s.
+Vector conjugate(const ContactBox& contact, Vector s);
+/// The square of the length of friction.
+Rational friction_square(const ContactBox& contact, const Vector& f);
 
 /// What follows for one contact. A *corner* is one of the box of the position and turns, of
 /// which those that are certain do not count. All forms are of points.
@@ -82,10 +90,12 @@ struct Row {
   bool v_certain = true;
   Rational tilt;  ///< in space, delta of §7
 
-  /// At each corner N, and the rows of the slip: T in the plane, the three of S in space.
+  /// At each corner N, and the rows of the slip: T in the plane, the three of S in space, or
+  /// with torsion four.
   std::vector<Form> normals;
   std::vector<std::vector<Form>> slips;
-  Rational scale;  ///< both are multiples of these by it
+  Rational scale;       ///< both are multiples of these by it
+  SlipProduct product;  ///< in space
 
   /// v_i at all corners, those of P' and k' included, up to positive factors: one form if it is
   /// certain.
@@ -108,7 +118,7 @@ struct Row {
   /// space, v_i(x) alone is.
   Rational weight;
 
-  /// Whether the slip has one number, not three.
+  /// Whether the slip has one number, not three or four.
   bool has_edges() const { return slips[0].size() == 1; }
 };
 

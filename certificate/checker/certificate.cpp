@@ -19,7 +19,8 @@ CertificateReader::CertificateReader(std::istream& in, const std::string& file,
       dimension_(question.dimension()),
       in_space_(question.in_space),
       claims_(question.claims()),
-      several_(question.several) {}
+      several_(question.several),
+      contacts_(question.contacts) {}
 
 Claim CertificateReader::claim() {
   const Value format = take("format");
@@ -90,7 +91,7 @@ std::vector<RigidForce> CertificateReader::forces(const char* name) {
   for (const Value& entry : list(value, name, "an array of forces")) {
     json_.expect(entry.is_array(3), entry, name, "a contact, a normal force and friction");
     result.push_back({index(entry.items[0], name), number(entry.items[1], name),
-                      friction(entry.items[2], name)});
+                      friction(entry.items[2], name, in_space_ ? 3 : 1)});
   }
   return result;
 }
@@ -113,7 +114,7 @@ std::optional<RigidNode> CertificateReader::next_rigid_node() {
       node.normal.emplace_back(i, number(g, place));
     });
     pairs(value.items[4], [&](const Integer& i, const Value& h) {
-      node.tangent.emplace_back(i, friction(h, place));
+      node.tangent.emplace_back(i, friction(h, place, in_space_ ? 3 : 1));
     });
     return node;
   }
@@ -475,19 +476,28 @@ RestProof CertificateReader::at_rest(const Value& value, const std::string& plac
        list(member(value, place, "answers"), at_answers, "an array [[contact, forces], ...]")) {
     json_.expect(entry.is_array(2) && entry.items[1].is_array(dimension_), entry, at_answers,
                  "[contact, forces], with " + std::to_string(dimension_) + " forces");
+    const Integer contact = index(entry.items[0], at_answers);
     std::vector<Vector> forces;
     for (const Value& force : entry.items[1].items) {
-      forces.push_back(friction(force, at_answers));
+      forces.push_back(friction(force, at_answers, friction_numbers(contact)));
     }
-    proof.answers.emplace_back(index(entry.items[0], at_answers), std::move(forces));
+    proof.answers.emplace_back(contact, std::move(forces));
   }
   proof.reach = numbers(member(value, place, "reach"), place + ".reach", 0, dimension_);
   return proof;
 }
 
-/// A share, or F: one number, or in space three.
-Vector CertificateReader::friction(const Value& value, const std::string& place) const {
-  if (in_space_) return numbers(value, place, 0, 3);
+/// Of a share, or an F: one, or in space three, and of a contact with torsion four.
+std::size_t CertificateReader::friction_numbers(const Integer& contact) const {
+  if (!in_space_) return 1;
+  const bool soft =
+      several_ && contact < contacts_.size() && contacts_[contact.get_ui()].torsion != 0;
+  return soft ? 4 : 3;
+}
+
+Vector CertificateReader::friction(const Value& value, const std::string& place,
+                                   std::size_t size) const {
+  if (size > 1) return numbers(value, place, 0, size);
   return {number(value, place)};
 }
 
@@ -496,7 +506,8 @@ std::vector<std::pair<Integer, Vector>> CertificateReader::shares(
   std::vector<std::pair<Integer, Vector>> result;
   for (const Value& entry : list(value, place, "an array [[contact, share], ...]")) {
     json_.expect(entry.is_array(2), entry, place, "[contact, share]");
-    result.emplace_back(index(entry.items[0], place), friction(entry.items[1], place));
+    const Integer contact = index(entry.items[0], place);
+    result.emplace_back(contact, friction(entry.items[1], place, friction_numbers(contact)));
   }
   return result;
 }

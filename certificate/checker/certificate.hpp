@@ -90,11 +90,12 @@ class CertificateReader {
   Segment segment_by_degree(const Value& value, const std::string& place) const;
   std::vector<std::pair<Integer, Vector>> shares(const Value& value,
                                                  const std::string& place) const;
+  std::size_t friction_numbers(const Integer& contact) const;
   Witness point(const Value& value, bool may_be_ray, const std::string& place) const;
   Witness point_at(const Rational& multiple, const Value& value,
                    const std::string& place) const;
   Witness load_point(const Value& value, const std::string& place) const;
-  Vector friction(const Value& value, const std::string& place) const;
+  Vector friction(const Value& value, const std::string& place, std::size_t size) const;
   Node node(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 
@@ -103,6 +104,7 @@ class CertificateReader {
   bool in_space_;
   bool claims_;  ///< of a margin, and not segments and a tree
   bool several_;
+  Fixed<Contacts> contacts_;
   bool margin_ = false;  ///< the question has a direction
   bool plane_ = false;   ///< or a plane
   bool rigid_ = false;   ///< or an inertia

@@ -145,6 +145,11 @@ class GraspReader {
     check(loaded || version_ == 3, "the member \"wrench\" is missing");
     check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
     if (newer_ && version_ < 2) json_.fail(newer_->first, newer_->second, kNeeds2);
+    if (soft_ && (version_ < 3 || dimension_ == kPlanar)) {
+      json_.fail(
+          soft_->first, soft_->second,
+          version_ < 3 ? kNeeds3 : "found one, expected none, as the grasp is in the plane");
+    }
     for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
     for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
@@ -187,8 +192,9 @@ class GraspReader {
     } else if (key == "units") {
       read_units(value);
     } else if (key == "defaults") {
-      expect_object(value, key.c_str(), {"friction", "stiffness", "preload"});
+      expect_object(value, key.c_str(), {"friction", "stiffness", "preload", "torsion"});
       defaults_ = properties(value, key.c_str());
+      default_torsion_ = read_torsion(value, key.c_str());
     }
   }
 
@@ -621,6 +627,9 @@ class GraspReader {
     }
     Contact contact = grasp_.contacts[i];
     contact.sight = sight;
+    const auto torsion = torsions_.find(i);
+    contact.torsion =
+        torsion == torsions_.end() ? default_torsion_.value_or(0) : torsion->second;
     grasp_.contacts.set(i, contact);
   }
 
@@ -668,7 +677,8 @@ class GraspReader {
     const Where place = contacts[own_.size()];
     if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
     expect_object(value, place,
-                  {"position", "normal", "on", "of", "by", "friction", "stiffness", "preload"});
+                  {"position", "normal", "on", "of", "by", "friction", "stiffness", "preload",
+                   "torsion"});
     Contact contact;
     const Value* first = own_.empty() ? value.find("position") : nullptr;
     if (version_ > 1 && first != nullptr && first->is_array(3)) {
@@ -700,6 +710,7 @@ class GraspReader {
       }
     }
     Properties given = properties(value, place);
+    if (const auto torsion = read_torsion(value, place)) torsions_[own_.size()] = *torsion;
     own_.push_back(0);
     std::array<Bounds*, 3> own{&contact.friction, &contact.stiffness, &contact.preload};
     for (std::size_t k = 0; k < own.size(); ++k) {
@@ -708,6 +719,16 @@ class GraspReader {
       own_.back() |= static_cast<std::uint8_t>(1U << k);
     }
     grasp_.contacts.push_back(contact);
+  }
+
+  std::optional<Rational> read_torsion(const Value& object, const Where& place) {
+    const Value* value = object.find("torsion");
+    if (value == nullptr) return std::nullopt;
+    const Where where = place + ".torsion";
+    if (!soft_) soft_.emplace(value->line, where);
+    const Rational read = number(*value, where);
+    expect(read >= 0, *value, where, "a number of 0 or more");
+    return read;
   }
 
   /// [x, y] or [x, y, z], or with a slope.
@@ -876,11 +897,15 @@ class GraspReader {
   std::vector<std::uint8_t> own_;  ///< by contact, which of kProperties it gives: bits
   Properties defaults_;
 
+  std::optional<std::pair<std::size_t, std::string>> soft_;  ///< of "torsion", the same
+
   // Of several bodies:
   std::vector<Body> bodies_;
   std::map<std::string, std::size_t> names_;  ///< of bodies
   std::optional<Mechanism> mechanism_;
-  std::map<std::size_t, Pair> pairs_;  ///< by contact
+  std::map<std::size_t, Pair> pairs_;         ///< by contact
+  std::map<std::size_t, Rational> torsions_;  ///< by contact
+  std::optional<Rational> default_torsion_;
   std::map<std::pair<std::string, std::string>, Sight> sights_;
   std::vector<Contact> others_;  ///< ratchets and springs
 };
@@ -921,7 +946,7 @@ void Contacts::push_back(const Contact& contact) {
 void Contacts::set(std::size_t i, const Contact& contact) {
   Short numbers;
   auto next = numbers.begin();
-  bool fits = !contact.sight && contact.slope == 0 &&
+  bool fits = !contact.sight && contact.slope == 0 && contact.torsion == 0 &&
               contact.position.size() == contact.normal.size() &&
               (contact.normal.size() == 2 || contact.normal.size() == 3);
   const auto put = [&](const Rational& x) {

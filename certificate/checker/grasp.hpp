@@ -30,6 +30,7 @@ struct Contact {
   Bounds stiffness;
   Bounds preload;
   Rational slope = 0;     ///< the most that n = n0 + e t0 is turned
+  Rational torsion = 0;   ///< e (FORMAT.md §15)
   Sight sight = nullptr;  ///< what it sees of several bodies
 };
 

@@ -144,9 +144,12 @@ Rational planar_alpha(const Row& row, const Generators& region, const Form& y,
 /// The slips of a contact in a region: by corner, at each generator.
 using Slips = std::vector<std::vector<Form>>;
 
-Form slip_at(const std::vector<Form>& rows, const Form& x) {
+/// As products take it.
+Form slip_at(const std::vector<Form>& rows, const Form& x, const SlipProduct& product) {
   Form slip;
-  for (const Form& row : rows) slip.push_back(dot(row, x));
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    if (j != product.left_out) slip.push_back(dot(rows[j], x));
+  }
   return slip;
 }
 
@@ -162,18 +165,6 @@ bool must_move(const Slips& slips, const SlipCone& cone, const Generators& regio
   });
 }
 
-/// M(c)^2 with the sign of M(c), for the slip z = S_i y and a contact that moves.
-Rational most_along(const SlipCone& cone, const Form& z) {
-  std::optional<Rational> most;
-  for (const Form& s : cone.contains(negative(z)) ? std::vector<Form>() : cone.sides()) {
-    const Integer along = -dot(s, z);
-    Rational signed_square(along * abs(along), dot(s, s));
-    signed_square.canonicalize();
-    if (!most || signed_square > *most) most = signed_square;
-  }
-  return most ? *most : Rational(dot(z, z));
-}
-
 /// The root of x, or minus that of -x, or what is a little larger and short.
 Rational root_above(const Rational& x) {
   constexpr unsigned kRootBits = 64;
@@ -187,14 +178,14 @@ Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, 
   const Row& row = box.row(i);
   const Bounds& friction = box.contact(i)[Parameter::kFriction];
   const Vector& normal = box.contact(i).normal;
-  SlipCone cone(normal);
+  SlipCone cone(row.product);
   bool moves = false;
   if (friction.high > 0) {
     Slips slips;
     for (const std::vector<Form>& rows : row.slips) {
       slips.emplace_back();
       for (const Generator& generator : region) {
-        slips.back().push_back(slip_at(rows, *generator.x));
+        slips.back().push_back(slip_at(rows, *generator.x, row.product));
         cone.add(slips.back().back());
       }
     }
@@ -202,9 +193,9 @@ Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, 
   }
   std::optional<Rational> alpha;
   for (std::size_t c = 0; c < row.normals.size(); ++c) {
-    const Form z = slip_at(row.slips[c], y);
-    const Rational whole(dot(z, z));
-    const Rational square = moves ? most_along(cone, z) : whole;
+    const Form z = slip_at(row.slips[c], y, row.product);
+    const Rational whole = row.product.square(z);
+    const Rational square = moves ? cone.most_along(z) : whole;
     for (const Rational& mu : {friction.low, friction.high}) {
       const Rational factor = scale * row.scale * mu;
       const Rational cone_square = factor * factor * dot(normal, normal);

@@ -174,6 +174,8 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
     require(contact.stiffness.low > 0 || (spring && contact.stiffness.low == 0), "stiffness",
             contact.stiffness.low, spring ? "0 or more" : "above 0");
     require(contact.slope < 1, "normal.slope", contact.slope, "a slope below 1");
+    require(contact.slope == 0 || contact.torsion == 0, "normal.slope", contact.slope,
+            "0, as the contact has torsion");
     check(contact.friction, [&] { return place("friction"); });
     check(contact.preload, [&] { return place("preload"); });
     check(contact.stiffness, [&] { return place("stiffness"); });
@@ -222,6 +224,7 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
   set(Parameter::kStiffness, 0,
       Bounds(contact.stiffness.low * (1 - turned) / square, contact.stiffness.high / square));
   box.growth = Bounds(growth * inverse.low, growth * inverse.high);
+  box.gamma = contact.torsion * contact.torsion / square;
   return box;
 }
 

@@ -35,7 +35,7 @@ void take(const RestProof::Forces& list, std::size_t first, const Box& box,
     }
     const std::size_t numbers = forces[0].size();
     for (const Vector& f : forces) {
-      if (numbers == 3 && dot(f, box.contact(i).normal) != 0) {
+      if (numbers > 1 && dot(f, box.contact(i).normal) != 0) {
         break_rule(rule, place, contact_name(contact) + show(f) + " is not across its normal");
       }
     }
@@ -134,13 +134,14 @@ void check_cones(const Box& box, const Rational& multiple, const Friction& frict
   constexpr unsigned kRootBits = 64;
   for (const auto& [i, forces] : friction) {
     const ContactBox& contact = box.contact(i);
-    const bool in_space = forces[0].size() == 3;
+    const bool in_space = forces[0].size() > 1;
     Rational most = contact[Parameter::kFriction].low * preload_of(contact, multiple).low;
     if (in_space) most *= root_bounds(dot(contact.normal, contact.normal), kRootBits).low;
     Rational needed;
     for (std::size_t l = 0; l < forces.size(); ++l) {
-      const Bounds length = in_space ? root_bounds(dot(forces[l], forces[l]), kRootBits)
-                                     : Bounds(Rational(abs(forces[l][0])));
+      const Bounds length = in_space
+                                ? root_bounds(friction_square(contact, forces[l]), kRootBits)
+                                : Bounds(Rational(abs(forces[l][0])));
       needed += length.high * (l == 0 ? Rational(1) : reach[l - 1]);
     }
     if (needed > most) {

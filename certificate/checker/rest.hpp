@@ -16,7 +16,7 @@ namespace stickslip_check {
 /// Friction forces that answer whatever load is left, as the certificate states them; only
 /// their shape has been checked.
 struct RestProof {
-  /// Contacts, each with so many friction forces: of one number, in space of three.
+  /// Contacts, each with so many friction forces: of one number, in space of three or four.
   using Forces = std::vector<std::pair<Integer, std::vector<Vector>>>;
 
   Forces rest;     ///< f0: one force each

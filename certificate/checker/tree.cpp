@@ -242,11 +242,8 @@ void TreeWalk::push(const Node& node, Region region) {
                                           node.contact.get_str() + " is uncertain");
     }
     if (slip && !row.has_edges()) {
-      // n.s = 0, so where n_j is not 0 the other two components are enough.
-      const Vector& n = box.contact(node.contact.get_ui()).normal;
-      const auto j = std::find_if(n.begin(), n.end(), [](const Rational& c) { return c != 0; });
       frame.slip = row.slips[0];
-      frame.slip.erase(frame.slip.begin() + (j - n.begin()));
+      frame.slip.erase(frame.slip.begin() + static_cast<std::ptrdiff_t>(row.product.left_out));
     } else {
       frame.cut = slip ? row.tau[0] : row.v[0];
       if (slip) frame.children = 3;

@@ -97,7 +97,7 @@ class TreeWalk {
   struct Frame {
     Node node;
     Form cut;                ///< tau_i, v_i or a
-    std::vector<Form> slip;  ///< in space: two components of s_i
+    std::vector<Form> slip;  ///< in space: the components of s_i, but the one that follows
     Halves halves;           ///< of a part
     Region region;
     unsigned children;

@@ -55,10 +55,11 @@ void take_shares(const Box& box, const Witness& witness, std::vector<ContactForc
             "there is none");
     ContactForce& force = forces[contact.get_ui()];
     require(!force.slips(), "it slips");
-    const Vector& normal = box.contact(contact.get_ui()).normal;
-    const bool in_space = share.size() == 3;
-    require(!in_space || dot(share, normal) == 0, show(share) + " is not across its normal");
-    require(dot(share, share) <= longest_square(box.contact(contact.get_ui())),
+    const ContactBox& here = box.contact(contact.get_ui());
+    const bool in_space = share.size() > 1;
+    require(!in_space || dot(share, here.normal) == 0,
+            show(share) + " is not across its normal");
+    require(friction_square(here, share) <= longest_square(here),
             in_space ? show(share) + " is longer than its normal"
                      : show(share[0]) + " is not in [-1, 1]");
     force.share = share;
@@ -75,14 +76,16 @@ void take_roots(const Box& box, std::vector<ContactForce>& forces) {
         contact[Parameter::kFriction] == Bounds(0)) {
       continue;
     }
-    const Rational square = dot(contact.normal, contact.normal) / dot(force.slip, force.slip);
+    const Vector slip(force.slip.begin(), force.slip.end());
+    const Vector against = conjugate(contact, slip);
+    const Rational square = dot(contact.normal, contact.normal) / dot(against, slip);
     const std::optional<Rational> root = exact_sqrt(square);
     if (!root) {
       reject("witness-root",
              name_of(i) +
                  "it slips in a direction whose length, over its normal's, is irrational");
     }
-    for (std::size_t j = 0; j < 3; ++j) force.share[j] = -force.slip[j] * *root;
+    for (std::size_t j = 0; j < against.size(); ++j) force.share[j] = -against[j] * *root;
   }
 }
 
@@ -206,7 +209,7 @@ std::optional<std::string> mode_refusal(const Question& question,
     }
     Vector slip;
     for (std::size_t k = 0; k < p.slip.size(); ++k) slip.emplace_back(p.slip[k] + q.slip[k]);
-    const Rational largest = longest_square(contact) * dot(slip, slip);
+    const Rational largest = longest_square(contact) * dot(conjugate(contact, slip), slip);
     for (const ContactForce* end : {&p, &q}) {
       if (end->v > 0 && !is_largest(-dot(end->share, slip), largest)) {
         return name_of(i) + shares;

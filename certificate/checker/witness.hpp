@@ -18,7 +18,7 @@ struct Witness {
   /// The point (d, 1, lambda), or (d, 0, 1) for a ray; of a region (d, 1, s, t) or (d, 0, s,
   /// t).
   Vector x;
-  std::vector<std::pair<Integer, Vector>> shares;  ///< of one number, in space of three
+  std::vector<std::pair<Integer, Vector>> shares;  ///< of one number, in space three or four
 
   bool operator==(const Witness& other) const { return x == other.x && shares == other.shares; }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict_text.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -56,9 +57,14 @@ struct EquilibriumText {
   }
 
  private:
-  /// Of several bodies: by contact, with the bodies, and then by spring.
+  /// Of several bodies: by contact, with the bodies, and then by spring. Of soft fingers also
+  /// the moment about the normal.
   std::string forces_text(const GraspBox& grasp, const ShareWitness& witness) const {
     Rows rows{{"contact", "of", "by", "normal", "force", ""}};
+    const bool is_soft =
+        std::any_of(grasp.contacts.begin(), grasp.contacts.end(),
+                    [](const UncertainContact& contact) { return !contact.torsion.is_zero(); });
+    if (is_soft) rows.front().insert(rows.front().end() - 1, "moment");
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;
       const UncertainContact& contact = grasp.contacts[i];
@@ -67,6 +73,10 @@ struct EquilibriumText {
                       grasp.mechanism->name_of(contact.by),
                       text.root(c.normal, dot(contact.normal, contact.normal)), text(force),
                       c.normal.sign() > 0 ? "closed" : "open"});
+      if (!is_soft) continue;
+      const bool turns = !contact.torsion.is_zero();
+      rows.back().insert(rows.back().end() - 1,
+                         turns ? text.root(c.moment, dot(contact.normal, contact.normal)) : "");
     }
     std::string result = rows.size() > 1 ? format_table(rows) : "";
     Rows springs{{"spring", "force"}};

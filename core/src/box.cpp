@@ -58,6 +58,19 @@ void check_contact(const UncertainContact& contact, const std::string& path) {
             "stiffness must be above 0 everywhere in the box");
   check_low(contact.preload.low.sign() >= 0, contact.preload, path + ".preload",
             "a preload is a normal force and must be 0 or more everywhere in the box");
+  if (contact.torsion.sign() < 0) {
+    throw InputError("", path + ".torsion",
+                     "the torsion is " + to_readable_string(contact.torsion),
+                     "it is a length, the moment of friction over its force, and 0 or more");
+  }
+  if (!contact.torsion.is_zero() && contact.normal.size() != 3) {
+    throw InputError("", path + ".torsion", "torsion, but the grasp is in the plane",
+                     "remove it; in the plane a contact cannot turn about its normal");
+  }
+  if (!contact.torsion.is_zero() && !contact.slope.is_zero()) {
+    throw InputError("", path + ".normal", "the normal of a contact with torsion is uncertain",
+                     "give the normal without a slope, or remove the torsion");
+  }
   if (contact.slope.sign() >= 0 && contact.slope < 1) return;
   throw InputError("", path + ".normal", "the slope is " + to_readable_string(contact.slope),
                    "a normal turns to either side by 0 or more and less than 1, which is 45 "

@@ -35,6 +35,7 @@ struct WrittenContact {
     std::optional<WrittenNumber> friction;
     std::optional<WrittenNumber> stiffness;
     std::optional<WrittenNumber> preload;
+    std::shared_ptr<const Rational> torsion{};  ///< in version 3
   };
 
   std::optional<PlaceOnOutline> place;  ///< in place of position and normal
@@ -123,13 +124,18 @@ Properties read_properties(const JsonNode& object, const std::string& path,
     if (node == nullptr) return std::nullopt;
     return read_written(*node, member_path(path, key), read);
   };
-  return {number("friction"), number("stiffness"), number("preload")};
+  Properties result{number("friction"), number("stiffness"), number("preload")};
+  if (const JsonNode* torsion = object.find("torsion")) {
+    result.torsion =
+        std::make_shared<const Rational>(read_number(*torsion, member_path(path, "torsion")));
+  }
+  return result;
 }
 
 WrittenContact read_contact(const JsonNode& node, const std::string& path, IntervalReader& read,
                             bool in_space) {
-  static const Names kMembers{"position",  "normal",  "on", "friction",
-                              "stiffness", "preload", "of", "by"};
+  static const Names kMembers{"position", "normal", "on", "friction", "stiffness",
+                              "preload",  "of",     "by", "torsion"};
   expect_object(node, path, kMembers);
   WrittenContact contact;
   const auto body = [&](const char* key) -> std::string {
@@ -198,19 +204,21 @@ UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std:
     contact.position.push_back(c.z.ends());
     contact.normal.push_back(c.normal_z);
   }
+  if (c.own.torsion) contact.torsion = *c.own.torsion;
   check_contact(contact, path);
   return contact;
 }
 
-Properties read_defaults(const JsonNode& root, IntervalReader& read) {
+/// `in_space`: as the contacts are.
+Properties read_defaults(const JsonNode& root, IntervalReader& read, bool in_space = false) {
   const JsonNode* node = root.find("defaults");
   if (node == nullptr) return {};
-  expect_object(*node, "defaults", {"friction", "stiffness", "preload"});
+  expect_object(*node, "defaults", {"friction", "stiffness", "preload", "torsion"});
   WrittenContact probe;
   probe.normal = {1, 0};
   probe.own = read_properties(*node, "defaults", read);
   // The requirements on values are Grasp's own, even where no contact uses the default.
-  if (!is_certain(probe)) uncertain_of(probe, false, "defaults");
+  if (probe.own.torsion || !is_certain(probe)) uncertain_of(probe, in_space, "defaults");
   try {
     const Grasp grasp({middle_of(probe)});
   } catch (const InputError& error) {
@@ -320,15 +328,18 @@ void put_on_outline(std::vector<WrittenContact>& contacts, const std::vector<Pol
   }
 }
 
-/// Of one body.
-void refuse_bodies(const std::vector<WrittenContact>& contacts) {
+/// Of one body: what only files of several have.
+void refuse_bodies(const std::vector<WrittenContact>& contacts, const Properties& defaults) {
+  const auto refuse = [](const std::string& place, const std::string& key) {
+    fail_at(place, "unknown key \"" + key + "\"",
+            std::string("write \"format\": \"") + kVersion3 +
+                "\", which has \"bodies\" and soft fingers");
+  };
+  if (defaults.torsion) refuse("defaults", "torsion");
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (!contacts[i].bodies) continue;
-    fail_at(
-        element_path("contacts", i),
-        std::string("unknown key \"") + (contacts[i].bodies->first.empty() ? "by" : "of") +
-            "\"",
-        std::string("write \"format\": \"") + kVersion3 + "\", which has several \"bodies\"");
+    const std::string place = element_path("contacts", i);
+    if (contacts[i].bodies) refuse(place, contacts[i].bodies->first.empty() ? "by" : "of");
+    if (contacts[i].own.torsion) refuse(place, "torsion");
   }
 }
 
@@ -356,6 +367,7 @@ void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults) 
     if (!own.friction) own.friction = defaults.friction;
     if (!own.stiffness) own.stiffness = defaults.stiffness;
     if (!own.preload) own.preload = defaults.preload;
+    if (!own.torsion) own.torsion = defaults.torsion;
     if (own.friction) continue;
     fail_at(element_path("contacts", i), "the key \"friction\" is missing",
             "add it here, or for all contacts in \"defaults\"");
@@ -453,7 +465,6 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   }
   const bool version2 = version == 2;
   check_members(grasp, version2);
-  refuse_bodies(contacts_);
   if (in_space(grasp)) {
     fail_at(contacts_.empty() ? "wrench" : "contacts[0].position", "the grasp is in space",
             version2 ? "this is done in the plane only; stickslip decide answers in space"
@@ -461,6 +472,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   }
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read);
+  refuse_bodies(contacts_, defaults);
   const WrenchBox wrench =
       read_whole_load(grasp, false, read,
                       std::string("add \"wrench\": [x, y, torque]") +
@@ -508,14 +520,14 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
 GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals intervals) {
   const bool version2 = read_format(grasp) == 2;
   check_members(grasp, version2);
-  refuse_bodies(contacts_);
   if (!version2) fail_at("contacts[0].position", "three coordinates", newer_format());
   if (grasp.find("outline") != nullptr) {
     fail_at("outline", "an outline, but the grasp is in space",
             R"(remove it; in space there is "body": {"vertices": [...], "faces": [...]})");
   }
   IntervalReader read(first_interval_);
-  const Properties defaults = read_defaults(grasp, read);
+  const Properties defaults = read_defaults(grasp, read, true);
+  refuse_bodies(contacts_, defaults);
   GraspFile result;
   auto& box = result.content.emplace<GraspBox>();
   box.wrench = read_whole_load(
@@ -549,7 +561,7 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
   const bool spatial = !contacts_.empty() && in_space_;
   IntervalReader read(first_interval_);
-  const Properties defaults = read_defaults(grasp, read);
+  const Properties defaults = read_defaults(grasp, read, spatial);
   GraspFile result;
   auto& box = result.content.emplace<GraspBox>();
   const auto mechanism = std::make_shared<Mechanism>(read_mechanism(grasp, spatial));

@@ -46,28 +46,33 @@ std::vector<SpatialForce> forces_of(
     const UncertainContact& c = grasp.contacts[i];
     const Vector3 n = in_three(c.normal);
     const Rational square = dot(n, n);
+    const Rational weight = c.torsion * c.torsion / square;  // of a spin in |s|^2
     RationalRow position;
     for (const Interval& coordinate : c.position) position.push_back(coordinate.low);
-    const Vector3 moved = displacement(in_three(position), relative_twist(grasp, c, d));
+    const RationalRow twist = relative_twist(grasp, c, d);
+    const Vector3 moved = displacement(in_three(position), twist);
     const Rational rise = dot(n, moved) / square;
     SpatialForce& force = forces[i];
     force.normal = -c.stiffness.low * rise;
     if (!c.preload.low.is_zero()) force.normal += c.preload.low / root(square);
     if (force.normal.sign() < 0) force.normal = 0;
     for (std::size_t j = 0; j < 3; ++j) force.slip[j] = moved[j] - rise * n[j];
-    const Rational slip_square = dot(force.slip, force.slip);
+    if (!weight.is_zero()) force.spin = n[0] * twist[3] + n[1] * twist[4] + n[2] * twist[5];
+    const Rational slip_square = dot(force.slip, force.slip) + weight * force.spin * force.spin;
     const Rational most = c.friction.low * force.normal;
     if (slip_square.is_zero() || most.is_zero()) continue;
     const Rational ratio = root(square / slip_square);
     for (std::size_t j = 0; j < 3; ++j) force.friction[j] = -most * ratio * force.slip[j];
+    force.moment = -most * ratio * weight * force.spin;
   }
   for (const auto& [contact, share] : shares) {
     const std::size_t i = contact.index();
     const Rational most = grasp.contacts[i].friction.low * forces[i].normal;
     const RationalRow& n = grasp.contacts[i].normal;
     // In the plane a share is of the normal turned by +90 degrees.
-    const Vector3 along =
-        share.size() == 3 ? vector3(share) : Vector3{-share[0] * n[1], share[0] * n[0], 0};
+    const Vector3 along = share.size() == 1 ? Vector3{-share[0] * n[1], share[0] * n[0], 0}
+                                            : Vector3{share[0], share[1], share[2]};
+    if (share.size() == 4) forces[i].moment = most * share[3];
     for (std::size_t j = 0; j < 3; ++j) forces[i].friction[j] = most * along[j];
   }
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -78,6 +83,12 @@ std::vector<SpatialForce> forces_of(
     }
   }
   return forces;
+}
+
+RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact) {
+  RationalRow moment = contact.normal;
+  for (Rational& entry : moment) entry *= force.moment;
+  return moment;
 }
 
 std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z) {

@@ -174,7 +174,8 @@ std::string write_contact(const UncertainContact& c, std::size_t i,
          "\"position\": " + write_intervals(c.position) + ", \"normal\": " + write_normal(c) +
          ", \"friction\": " + write_interval(c.friction) +
          (assumed ? "" : ", \"stiffness\": " + write_interval(c.stiffness)) +
-         ", \"preload\": " + write_interval(c.preload) + "}";
+         ", \"preload\": " + write_interval(c.preload) +
+         (c.torsion.is_zero() ? "" : member("torsion", write_number(c.torsion))) + "}";
 }
 
 bool has_intervals(const GraspFile& file) {

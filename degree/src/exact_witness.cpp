@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "independent_rows.hpp"
+#include "stickslip/motion/dense.hpp"
 #include "stickslip/motion/exact_system.hpp"
 
 namespace stickslip {
@@ -23,9 +25,9 @@ Rational near(double x, double size) {
 /// A basis of the motions with no slip at these contacts, by columns.
 RationalMatrix motions_without_slip(const GraspLaw& model,
                                     const std::vector<std::size_t>& sticking) {
-  const auto each = static_cast<Eigen::Index>(
-      sticking.empty() ? 0 : model.contacts[sticking.front()].slip_dimension());
-  RationalMatrix slips(each * static_cast<Eigen::Index>(sticking.size()),
+  std::size_t rows = 0;
+  for (const std::size_t i : sticking) rows += model.contacts[i].slip_numbers();
+  RationalMatrix slips(static_cast<Eigen::Index>(rows),
                        static_cast<Eigen::Index>(model.motions));
   Eigen::Index next = 0;
   for (const std::size_t i : sticking) {
@@ -44,6 +46,124 @@ RationalVector as_rationals(const RationalRow& a) {
   for (std::size_t j = 0; j < a.size(); ++j) result[static_cast<Eigen::Index>(j)] = a[j];
   return result;
 }
+
+/// The motion of these, by columns, that is nearest to one in doubles.
+RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
+  Eigen::MatrixXd rounded(motions.rows(), motions.cols());
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    for (Eigen::Index j = 0; j < motions.rows(); ++j) {
+      rounded(j, k) = to_double(motions(j, k));
+    }
+  }
+  const Eigen::VectorXd parts = least_squares(rounded, motion);
+  RationalVector result = RationalVector::Zero(motions.rows());
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    if (std::isfinite(parts[k])) result += rational_from_double(parts[k]) * motions.col(k);
+  }
+  return result;
+}
+
+/// Two contacts on one face have the same slip, but where numbers are rounded: then one sticks,
+/// and the other slips by a rounding with all the friction that there may be. Which of them
+/// does, so that the other can carry what is left, is found here for those that stick and whose
+/// slips have one dimension.
+class RoundedFaces {
+ public:
+  RoundedFaces(const GraspLaw& model, const NearEquilibrium& near)
+      : model_(model), near_(near), motion_(near.motion) {
+    for (std::size_t j = 0; j < model.motions; ++j) {
+      motion_[static_cast<Eigen::Index>(j)] /= model.unit(j);
+    }
+  }
+
+  /// Takes those that slip out of `sticking`, and notes the signs of their slips.
+  void let_slip(std::vector<std::size_t>& sticking, std::vector<int>& slips) const {
+    std::vector<std::size_t> order = sticking;  // those that rather stick first
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return spare(a) > spare(b); });
+    for (std::size_t tries = 0; tries <= order.size(); ++tries) {
+      std::vector<std::size_t> others;
+      sticking = independent_of(order, others);
+      if (others.empty()) break;
+      const RationalVector exact = motion_near(motions_without_slip(model_, sticking), motion_);
+      std::vector<std::size_t> wrong;
+      for (const std::size_t i : others) {
+        slips[i] = slip_at(exact, i).sign();
+        if (slips[i] == 0)
+          sticking.push_back(i);
+        else if (!can_slip(i, slips[i], sticking))
+          wrong.push_back(i);
+      }
+      if (wrong.empty() || tries == order.size()) break;
+      for (const std::size_t i : wrong) {
+        order.erase(std::find(order.begin(), order.end(), i));
+        order.insert(order.begin(), i);
+      }
+      for (const std::size_t i : others) slips[i] = 0;
+    }
+    std::sort(sticking.begin(), sticking.end());
+  }
+
+ private:
+  /// Whether of those that stick the one whose slip is most like its own can carry the rest.
+  bool can_slip(std::size_t i, int slip, const std::vector<std::size_t>& sticking) const {
+    const auto row_of = [&](std::size_t k) -> const Reals& {
+      return model_.contacts[k].corners.front().slip_rounded.front();
+    };
+    const auto likeness = [&](std::size_t k) {
+      return std::fabs(row_of(i).dot(row_of(k))) / row_of(k).norm();
+    };
+    std::size_t other = i;
+    for (const std::size_t k : sticking) {
+      const bool has_one = model_.contacts[k].slip_dimension() == 1;
+      if (has_one && (other == i || likeness(k) > likeness(other))) other = k;
+    }
+    if (other == i) return true;
+    const auto most = [&](std::size_t k) {
+      return model_.contacts[k].slopes[0] * near_.normal[k];
+    };
+    const double rest = near_.friction[i][0] + slip * most(i);
+    const double carried = near_.friction[other][0] +
+                           rest * row_of(i).dot(row_of(other)) / row_of(other).squaredNorm();
+    return std::fabs(carried) <= most(other);
+  }
+
+  double spare(std::size_t i) const {
+    return model_.contacts[i].slopes[0] * near_.normal[i] - norm_of(near_.friction[i]);
+  }
+
+  std::vector<std::size_t> independent_of(const std::vector<std::size_t>& order,
+                                          std::vector<std::size_t>& others) const {
+    constexpr double kNew = 1e-6;  // of a slip that those before do not have
+    degree_detail::IndependentRows rows(static_cast<Eigen::Index>(model_.motions));
+    std::vector<std::size_t> kept;
+    for (const std::size_t i : order) {
+      const LawContact& c = model_.contacts[i];
+      const Reals& row = c.corners.front().slip_rounded.front();
+      const bool has_one = c.slip_dimension() == 1;
+      if (has_one && !(rows.beyond(row).norm() > kNew * row.norm())) {
+        others.push_back(i);
+        continue;
+      }
+      kept.push_back(i);
+      if (has_one) rows.take(row);
+    }
+    return kept;
+  }
+
+  Rational slip_at(const RationalVector& motion, std::size_t i) const {
+    Rational slip = 0;
+    const Row& row = model_.contacts[i].corners.front().slip.front();
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      slip += Rational(row[j]) * motion[static_cast<Eigen::Index>(j)];
+    }
+    return slip;
+  }
+
+  const GraspLaw& model_;
+  const NearEquilibrium& near_;
+  Reals motion_;  ///< not in the law's units
+};
 
 /// The wrench of a unit of an unknown of the balance, and a value that it may be near.
 struct BalanceTerm {
@@ -102,6 +222,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
       slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
     }
   }
+  RoundedFaces(model, near_one).let_slip(sticking, slips);
   // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
   // friction at each. Of the latter all but a few stay near what they are.
   const RationalMatrix motions = motions_without_slip(model, sticking);
@@ -131,17 +252,12 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
     const LawContact& c = model.contacts[i];
     const CornerRow& row = c.corners.front();
     const double most = c.slopes[0] * near_one.normal[i];
-    const Double3& f = near_one.friction[i];  // (of a plane the first number)
-    for (const RationalRow& t : friction_directions(c)) {
-      Double3 rounded{};
-      for (std::size_t k = 0; k < t.size(); ++k) rounded[k] = to_double(t[k]);
-      const double square = dot(rounded, rounded);
-      BalanceTerm term{
-          RationalVector::Zero(d), near(dot(f, rounded) / square, most / std::sqrt(square)),
-          most - std::sqrt(dot(f, f)), i, RationalVector(static_cast<Eigen::Index>(t.size()))};
-      for (std::size_t k = 0; k < t.size(); ++k)
-        term.direction[static_cast<Eigen::Index>(k)] = t[k];
-      term.wrench = as_rationals(row.wrench_of(t));
+    const Double3& f = near_one.friction[i];
+    for (std::size_t k = 0; k < c.directions.size(); ++k) {
+      const double size = c.direction_sizes[k];
+      BalanceTerm term{RationalVector::Zero(d), near(f[k] / size, most / size),
+                       most - norm_of(f), i, as_rationals(c.directions[k])};
+      term.wrench = as_rationals(row.wrench_of(c.directions[k]));
       rest -= term.value * term.wrench;
       terms.push_back(std::move(term));
     }
@@ -149,7 +265,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
   if (!balance(terms, rest)) return std::nullopt;
   ShareWitness witness{RationalRow(model.motions), {}};
   std::vector<RationalRow> friction;
-  for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_dimension());
+  for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_numbers());
   for (const BalanceTerm& term : terms) {
     for (Eigen::Index k = 0; k < term.direction.size(); ++k) {
       Rational& sum = term.contact == m ? witness.twist[static_cast<std::size_t>(k)]
@@ -173,11 +289,11 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
       if (sign == 0) witness.shares.emplace_back(ContactId(i), RationalRow{-slips[i]});
       continue;
     }
-    if (dot(friction[i], friction[i]).is_zero()) continue;
+    if (c.squared_force(friction[i]).is_zero()) continue;
     const Rational scale = c.friction.low * v;
     if (scale.is_zero()) return std::nullopt;
     for (Rational& entry : friction[i]) entry /= scale;
-    if (dot(friction[i], friction[i]) > c.squared_length) return std::nullopt;
+    if (c.squared_force(friction[i]) > c.squared_length) return std::nullopt;
     witness.shares.emplace_back(ContactId(i), friction[i]);
   }
   return witness;

@@ -11,8 +11,11 @@ namespace stickslip {
 
 namespace {
 
-Vector3 rationals(const Eigen::Vector3d& a) {
-  return {rational_from_double(a[0]), rational_from_double(a[1]), rational_from_double(a[2])};
+/// A friction force, or a slip as one, as a vector: in the plane it is a multiple of the normal
+/// turned by +90 degrees.
+Vector3 as_vector(const RationalRow& f, const RationalRow& normal) {
+  if (f.size() == 1) return {-f[0] * normal[1], f[0] * normal[0], 0};
+  return {f[0], f[1], f[2]};
 }
 
 }  // namespace
@@ -20,36 +23,47 @@ Vector3 rationals(const Eigen::Vector3d& a) {
 std::vector<SpatialForce> near_forces(const Question& question, const RationalRow& d) {
   const GraspLaw law = law_of(question, kDefaultBits);
   const RoundedGrasp grasp = rounded_middle(law);
-  NearEquilibrium near{Reals(6), {}, {}, {}};
-  for (std::size_t j = 0; j < 6; ++j) {
+  NearEquilibrium near{Reals(grasp.motions()), {}, {}, {}};
+  for (std::size_t j = 0; j < d.size(); ++j) {
     near.motion[static_cast<Eigen::Index>(j)] = to_double(d[j]) * law.unit(j);
   }
-  std::vector<Eigen::Vector3d> slips;
+  std::vector<Double3> slips;  // as near.friction
   double furthest = 0;
   for (const RoundedContact& c : grasp.contacts) {
-    slips.emplace_back(c.slip * near.motion);
-    furthest = std::max(furthest, std::hypot(slips.back().norm(), c.normal.dot(near.motion)));
+    const Eigen::VectorXd slip = c.slip * near.motion;
+    std::copy(slip.begin(), slip.end(), slips.emplace_back().begin());
+    furthest = std::max(furthest, std::hypot(slip.norm(), c.normal.dot(near.motion)));
   }
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const RoundedContact& c = grasp.contacts[i];
     constexpr double kNoSlip = 1e-6;
     const double a = c.force(near.motion);
-    const bool still = slips[i].norm() <= kNoSlip * furthest;
-    if (still) slips[i].setZero();
-    const Eigen::Vector3d friction =
-        still ? Eigen::Vector3d::Zero() : Eigen::Vector3d(-c.slope * a * slips[i].normalized());
+    const double size = norm_of(slips[i]);
+    const bool still = size <= kNoSlip * furthest;
+    if (still) slips[i] = {};
+    Double3& friction = near.friction.emplace_back(slips[i]);
+    for (double& f : friction) f *= still ? 0 : -c.slope * a / size;
     near.normal.push_back(a);
-    near.friction.push_back({friction[0], friction[1], friction[2]});
     near.sticks.push_back(still && c.slope * a > 0 ? 1 : 0);
   }
   if (const auto polished = Newton(grasp).polish(near)) near = *polished;
   std::vector<SpatialForce> forces;
-  for (std::size_t i = 0; i < slips.size(); ++i) {
-    const double a = std::max(0.0, near.normal[i]);
-    const Eigen::Vector3d friction(near.friction[i].data());
-    const Eigen::Vector3d normal = a * grasp.contacts[i].normal.head<3>();
-    forces.push_back({rational_from_double(a), rationals(slips[i]), rationals(friction),
-                      rationals(normal + friction)});
+  const std::vector<UncertainContact>& contacts = question.box()->contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    constexpr int kBits = 60;
+    const LawContact& c = law.contacts[i];
+    const RationalRow& n = contacts[i].normal;
+    const RationalRow slip = c.force_near(slips[i], kBits);
+    const RationalRow friction = c.force_near(near.friction[i], kBits);
+    SpatialForce& f = forces.emplace_back();
+    f.normal = rational_from_double(std::max(0.0, near.normal[i]));
+    f.slip = as_vector(slip, n);
+    f.friction = as_vector(friction, n);
+    for (std::size_t j = 0; j < n.size(); ++j) f.force[j] = f.normal * n[j];
+    for (std::size_t j = 0; j < 3; ++j) f.force[j] += f.friction[j];
+    if (slip.size() < 4) continue;
+    f.spin = slip[3] / c.spin_weight;
+    f.moment = friction[3];
   }
   return forces;
 }

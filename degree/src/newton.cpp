@@ -34,12 +34,17 @@ Curvature across_slip(const Across& direction) {
 
 }  // namespace
 
+/// How the force of a contact grows with the size over which friction is smooth.
+double Newton::pressing(const RoundedContact& c) const {
+  return c.is_spring ? 0 : press_ * c.stiffness * c.size;
+}
+
 /// Load and forces with friction smoothed over slips of this size, and the derivative.
 Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivative) const {
   Reals sum = grasp_.load;
   if (derivative != nullptr) derivative->setZero(motion.size(), motion.size());
   for (const RoundedContact& c : grasp_.contacts) {
-    const double a = c.separation(motion);
+    const double a = c.separation(motion) + smooth * pressing(c);
     if (!c.acts(a)) continue;
     Reals wrench = c.normal;
     if (c.slope > 0) {
@@ -214,10 +219,12 @@ void Newton::share_out(NearEquilibrium& near) const {
 bool Newton::balance(Reals& d, double smooth) const {
   constexpr int kMostSteps = 30;
   constexpr double kBalanced = 1e-11;
+  constexpr double kRounding = 1e-14;  // of slips, and so of friction over this size
   Eigen::MatrixXd derivative;
   Reals f = force(d, smooth, &derivative);
   for (int step = 0; step < kMostSteps; ++step) {
-    if (f.norm() <= kBalanced * grasp_.force) return true;
+    const double rounding = press_ > 0 ? kRounding * d.norm() / smooth : 0;
+    if (f.norm() <= (kBalanced + rounding) * grasp_.force) return true;
     // Where nothing holds the object, a weak spring does.
     Eigen::MatrixXd system = derivative;
     system.diagonal().array() -= 1e-9 * grasp_.force / grasp_.reach;
@@ -243,8 +250,13 @@ Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
   Reals change = Reals::Zero(d.size());
   for (const RoundedContact& c : grasp_.contacts) {
     const Across s = c.slip * d;
-    const double a = c.force(d);
+    const double v = c.separation(d) + smooth * pressing(c);
+    const double a = c.acts(v) ? v : 0;
     if (s.norm() < smooth) change += a * c.slope / (smooth * smooth) * (c.slip.transpose() * s);
+    if (press_ > 0 && a > 0) {
+      change += pressing(c) *
+                (c.normal - c.slope / std::max(s.norm(), smooth) * (c.slip.transpose() * s));
+    }
   }
   Eigen::MatrixXd derivative;
   force(d, smooth, &derivative);
@@ -480,6 +492,14 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
              kSame * (grasp_.reach + found->motion.norm());
     });
     if (!is_known) result.push_back(std::move(*found));
+  }
+  if (result.empty() && press_ == 0) {
+    Newton pressed(grasp_);
+    pressed.press_ = 1;
+    if (auto found = pressed.solve(Reals::Zero(grasp_.motions()))) {
+      auto polished = polish(*found);
+      result.push_back(polished ? std::move(*polished) : std::move(*found));
+    }
   }
   return result;
 }

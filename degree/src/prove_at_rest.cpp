@@ -13,20 +13,6 @@ namespace {
 using Intervals = std::vector<Interval>;
 using Rows = std::vector<RationalRow>;
 
-/// Friction of a few bits near this one.
-RationalRow friction_near(const LawContact& contact, const Eigen::VectorXd& f, int bits) {
-  RationalRow result(contact.slip_dimension());
-  for (const RationalRow& t : friction_directions(contact)) {
-    Eigen::VectorXd rounded(f.size());
-    for (std::size_t k = 0; k < t.size(); ++k) {
-      rounded[static_cast<Eigen::Index>(k)] = to_double(t[k]);
-    }
-    const Rational part = rational_in_bits(f.dot(rounded) / rounded.squaredNorm(), bits);
-    for (std::size_t k = 0; k < t.size(); ++k) result[k] += part * t[k];
-  }
-  return result;
-}
-
 /// P' at this multiple, over the box.
 Interval preload_at(const LawContact& c, const Rational& multiple) {
   return {c.preload.low + multiple * c.rate.low, c.preload.high + multiple * c.rate.high};
@@ -62,9 +48,9 @@ Rational largest(const Interval& interval) {
 }
 
 /// The least number of the format that is surely not below |f|, and not above.
-Rational length_above(const RationalRow& f) {
+Rational length_above(const LawContact& contact, const RationalRow& f) {
   constexpr unsigned kBits = 64;
-  return short_sqrt(dot(f, f), kBits).upper;
+  return short_sqrt(contact.squared_force(f), kBits).upper;
 }
 
 class RestSearch {
@@ -138,15 +124,18 @@ class RestSearch {
   /// G: a right inverse, in which those with more to spare answer more.
   bool choose_answers() {
     if (bearing_.empty()) return false;
-    const auto size =
-        static_cast<Eigen::Index>(box_.contacts[bearing_.front().contact].slip_dimension());
-    const auto count = static_cast<Eigen::Index>(bearing_.size());
-    Eigen::MatrixXd wrenches(motions_, size * count);
-    Eigen::VectorXd weights(size * count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const auto& [contact, spare] = bearing_[static_cast<std::size_t>(k)];
-      wrenches.middleCols(size * k, size) = slip_of(contact).transpose();
-      weights.segment(size * k, size).setConstant(spare * spare);
+    std::vector<Eigen::Index> first{0};  // column of each
+    for (const Bearing& b : bearing_) {
+      first.push_back(first.back() +
+                      static_cast<Eigen::Index>(box_.contacts[b.contact].slip_dimension()));
+    }
+    Eigen::MatrixXd wrenches(motions_, first.back());
+    Eigen::VectorXd weights(first.back());
+    for (std::size_t k = 0; k < bearing_.size(); ++k) {
+      const auto& [contact, spare] = bearing_[k];
+      const Eigen::Index size = first[k + 1] - first[k];
+      wrenches.middleCols(first[k], size) = slip_of(contact).transpose();
+      weights.segment(first[k], size).setConstant(spare * spare);
     }
     const Eigen::MatrixXd gram = wrenches * weights.asDiagonal() * wrenches.transpose();
     Eigen::MatrixXd answers =
@@ -159,13 +148,16 @@ class RestSearch {
     for (Eigen::Index l = 0; l < motions_; ++l) {
       if (off.col(l).norm() > kFlat) answers.col(l).setZero();
     }
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const std::size_t i = bearing_[static_cast<std::size_t>(k)].contact;
+    for (std::size_t k = 0; k < bearing_.size(); ++k) {
+      const std::size_t i = bearing_[k].contact;
       RestProof::Answer answer{ContactId(i), {}};
       for (Eigen::Index l = 0; l < motions_; ++l) {
         const double unit = box_.unit(static_cast<std::size_t>(l));
-        answer.forces.push_back(
-            friction_near(box_.contacts[i], answers.block(size * k, l, size, 1) / unit, kBits));
+        Double3 f{};
+        for (Eigen::Index j = first[k]; j < first[k + 1]; ++j) {
+          f[static_cast<std::size_t>(j - first[k])] = answers(j, l) / unit;
+        }
+        answer.forces.push_back(box_.contacts[i].force_near(f, kBits));
       }
       proof_.answers.push_back(std::move(answer));
     }
@@ -175,10 +167,9 @@ class RestSearch {
   void state_friction() {
     for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
       const LawContact& c = box_.contacts[i];
-      const Eigen::VectorXd f = Eigen::Map<const Eigen::Vector3d>(middle_.friction[i].data())
-                                    .head(static_cast<Eigen::Index>(c.slip_dimension()));
-      if (middle_.sticks[i] == 0 || f.isZero(0)) continue;
-      proof_.friction.emplace_back(ContactId(i), friction_near(c, f, kBits));
+      const Double3& f = middle_.friction[i];
+      if (middle_.sticks[i] == 0 || norm_of(f) == 0) continue;
+      proof_.friction.emplace_back(ContactId(i), c.force_near(f, kBits));
     }
   }
 
@@ -193,7 +184,7 @@ class RestSearch {
       auto next = proof_.friction.begin();
       for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
         const LawContact& c = box_.contacts[i];
-        RationalRow f(c.slip_dimension());
+        RationalRow f(c.slip_numbers());
         if (next != proof_.friction.end() && next->first.index() == i) f = (next++)->second;
         add_wrenches(sum, c, f, ends_of(preload_at(c, multiple)));
       }
@@ -243,10 +234,13 @@ class RestSearch {
       if (rest[k] + dot(off[k], proof_.reach) > proof_.reach[k]) return false;
     }
     std::vector<Rational> needed(box_.contacts.size());
-    for (const auto& [contact, f] : proof_.friction) needed[contact.index()] = length_above(f);
+    for (const auto& [contact, f] : proof_.friction) {
+      needed[contact.index()] = length_above(box_.contacts[contact.index()], f);
+    }
     for (const RestProof::Answer& answer : proof_.answers) {
       for (std::size_t l = 0; l < rest.size(); ++l) {
-        needed[answer.contact.index()] += length_above(answer.forces[l]) * proof_.reach[l];
+        const std::size_t i = answer.contact.index();
+        needed[i] += length_above(box_.contacts[i], answer.forces[l]) * proof_.reach[l];
       }
     }
     constexpr unsigned kRootBits = 64;

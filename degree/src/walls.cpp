@@ -118,15 +118,18 @@ void Walls::add_sticking(const LawContact* contact, const RoundedContact& at, st
     add(Eigen::VectorXd::Ones(1), most * 1.0000001 - used, width * at.size);
     return;
   }
-  const Eigen::Vector3d first(contact->tangents[0].data());
-  const Eigen::Vector3d second(contact->tangents[1].data());
   const double share = std::min(used / most, 0.999999);
-  const Eigen::Vector3d along = share > 1e-3 ? Eigen::Vector3d(f.data()).normalized() : first;
-  const Eigen::Vector3d across = first.cross(second).cross(along).normalized();
-  // Beside a slip of `width` along the friction one across it that leaves enough against it.
+  IndependentRows others(at.slip.rows());
+  Eigen::VectorXd along = Eigen::VectorXd::Unit(at.slip.rows(), 0);
+  if (share > 1e-3) {
+    along = Eigen::Map<const Eigen::Vector3d>(f.data()).head(at.slip.rows()).normalized();
+  }
+  others.take(along);
+  // Beside a slip of `width` along the friction ones across it that leave enough against it.
   const double aspect = std::min(1.0, 0.5 * std::sqrt(1 / (share * share) - 1));
   add(along, most - used, width);
-  add(across, most, width * aspect);
+  const Eigen::MatrixXd across = others.complement();
+  for (Eigen::Index k = 0; k < across.cols(); ++k) add(across.col(k), most, width * aspect);
 }
 
 /// Those that stick, and across forces: the singular vectors of how forces answer motions.

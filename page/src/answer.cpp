@@ -50,9 +50,16 @@ std::string text_of(const GraspFile& file) {
   return in_version2(write_grasp_file(file));
 }
 
-/// What is asked about: a page has its body once, and not with each example of a box.
+/// What is asked about: a page has its bodies once, and not with each example of a box.
 GraspFile without_body(GraspFile file) {
-  if (auto* box = std::get_if<GraspBox>(&file.content)) box->description.body.reset();
+  auto* box = std::get_if<GraspBox>(&file.content);
+  if (box == nullptr) return file;
+  box->description.body.reset();
+  if (box->mechanism) {
+    auto bare = std::make_shared<Mechanism>(*box->mechanism);
+    for (Body& body : bare->bodies) body.mesh.reset();
+    box->mechanism = std::move(bare);
+  }
   return file;
 }
 
@@ -64,6 +71,10 @@ std::vector<std::string> case_names(const GraspFile& file) {
 
 Json or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
+}
+
+Json or_null(BodyIndex body) {
+  return body ? Json(*body) : Json();
 }
 
 Json question_json(const QuestionText& asked) {
@@ -93,13 +104,17 @@ Json contacts_json(const GraspBox& grasp) {
                         {"friction", to_double(c.friction.middle())},
                         {"stiffness", to_double(c.stiffness.middle())},
                         {"preload", to_double(c.preload.middle())}});
+    if (!c.torsion.is_zero()) contacts.back()["torsion"] = to_double(c.torsion);
+    if (!grasp.mechanism) continue;
+    contacts.back()["of"] = or_null(c.of);
+    contacts.back()["by"] = or_null(c.by);
   }
   return contacts;
 }
 
-Json outline_json(const GraspBox& grasp) {
+Json outline_json(const std::vector<Polygon>& outline) {
   Json rings = Json::array();
-  for (const Polygon& polygon : grasp.description.outline) {
+  for (const Polygon& polygon : outline) {
     for (const Ring& ring : polygon) {
       Json points = Json::array();
       for (const Vector2& p : ring) points.push_back({to_double(p.x), to_double(p.y)});
@@ -109,13 +124,55 @@ Json outline_json(const GraspBox& grasp) {
   return rings.empty() ? Json() : rings;
 }
 
+Json link_json(const Link& link) {
+  return {{"slides", link.slides},
+          {"at", in_doubles_json(link.at)},
+          {"axis", in_doubles_json(link.axis)},
+          {"on", or_null(link.on)}};
+}
+
+const char* kind_of(const Spring& spring) {
+  return spring.is_ratchet()                   ? "ratchet"
+         : spring.kind == Spring::Kind::kJoint ? "joint"
+                                               : "tendon";
+}
+
+Json mechanism_json(const GraspBox& grasp) {
+  if (!grasp.mechanism) return {};
+  const Mechanism& mechanism = *grasp.mechanism;
+  Json bodies = Json::array();
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    Json motion = Json::array();
+    for (const RationalRow& row : mechanism.motion_of(b))
+      motion.push_back(in_doubles_json(row));
+    bodies.push_back({{"name", body.name},
+                      {"outline", outline_json(body.outline)},
+                      {"link", body.link ? link_json(*body.link) : Json()},
+                      {"motion", std::move(motion)}});
+  }
+  Json springs = Json::array();
+  for (const Spring& spring : grasp.springs) {
+    springs.push_back(
+        {{"kind", kind_of(spring)}, {"name", spring.name}, {"place", spring.place}});
+  }
+  return {{"coordinates", coordinate_names(mechanism)},
+          {"bodies", std::move(bodies)},
+          {"springs", std::move(springs)}};
+}
+
 // What may be drawn of an equilibrium, where the proof says none.
 
-Json near_json_in_space(const Answer& answer, const Stable& stable) {
+/// With as many coordinates as the file has.
+RationalRow in_file(const Question& question, const Vector3& v) {
+  return {v.begin(), v.begin() + (question.in_space() ? 3 : 2)};
+}
+
+Json near_json_of_any(const Answer& answer, const Stable& stable) {
   Json contacts = Json::array();
   for (const SpatialForce& f : near_forces(answer.question, stable.motion)) {
-    contacts.push_back(
-        {{"force_float", in_doubles_json(f.force)}, {"closed", f.normal.sign() > 0}});
+    contacts.push_back({{"force_float", in_doubles_json(in_file(answer.question, f.force))},
+                        {"closed", f.normal.sign() > 0}});
   }
   return {{"twist_float", in_doubles_json(stable.motion)}, {"contacts", std::move(contacts)}};
 }
@@ -124,7 +181,7 @@ Json near_json_in_space(const Answer& answer, const Stable& stable) {
 Json near_json(const Answer& answer) {
   const auto* proved = std::get_if<Stable>(&answer.verdict);
   if (proved == nullptr || !std::holds_alternative<StabilityProof>(proved->proof)) return {};
-  if (answer.question.in_space()) return near_json_in_space(answer, *proved);
+  if (!answer.question.is_one_planar_body()) return near_json_of_any(answer, *proved);
   LoadedGrasp middle = answer.question.box()->planar_middle();
   middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
   const Problem problem(middle, answer.question.law);
@@ -178,7 +235,14 @@ SpatialMargin without_proofs(const SpatialMargin& so_far) {
   throw NotToBeHad{"the grasp is in space, and this is found in the plane only"};
 }
 
-/// Of a grasp in the plane.
+/// `instead` is what may be done about it.
+void refuse_several(const Question& question, const std::string& instead = "") {
+  if (question.mechanism() == nullptr) return;
+  throw NotToBeHad{"there are several bodies, and the page has this of one" +
+                   (instead.empty() ? "" : "; " + instead)};
+}
+
+/// Of one body in the plane.
 const LoadedGrasp& one_grasp(const Question& question) {
   if (question.in_space()) refuse_space();
   if (const GraspBox* box = question.box()) {
@@ -209,7 +273,8 @@ class PageAnswer {
     const GraspBox grasp = box_of(question_.grasp);
     json["contacts"] = contacts_json(grasp);
     json["wrench"] = middles_json(grasp.wrench);
-    json["outline"] = outline_json(grasp);
+    json["outline"] = outline_json(grasp.description.outline);
+    json["mechanism"] = mechanism_json(grasp);
     if (parts.decide) decide(json, parts.warnings);
     if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
     if (parts.region) part(json, "region", [&](Json& found) { region(found); });
@@ -297,6 +362,7 @@ class PageAnswer {
   }
 
   Json states() const {
+    refuse_several(question_);
     if (question_.in_space()) refuse_space();
     const GraspBox* box = question_.box();
     const Grasp grasp = box != nullptr ? box->planar_middle().grasp : question_.loaded().grasp;
@@ -310,6 +376,7 @@ class PageAnswer {
   }
 
   void region(Json& found) const {
+    refuse_several(question_);
     if (question_.in_space()) return region_in_space(found);
     const LoadedGrasp& one = one_grasp(question_);
     if (one.grasp.size() > kMostContactsWithRegion) {
@@ -358,7 +425,7 @@ class PageAnswer {
 
   /// The load is the direction, and nothing else of it is left.
   QuestionText along_the_load() const {
-    if (!question_.in_space()) one_grasp(question_);
+    if (question_.is_one_planar_body()) one_grasp(question_);
     const RationalRow load = one_load();
     std::string direction;
     bool is_zero = true;
@@ -374,10 +441,10 @@ class PageAnswer {
     return text;
   }
 
-  /// In space what is known so far, and then all that is found.
+  /// In space and of several bodies what is known so far, and then all that is found.
   void margin(Json& found) const {
     const Question question = ask_about(along_the_load());
-    if (question.in_space()) {
+    if (!question.is_one_planar_body()) {
       SpatialMarginOptions options;
       options.search.node_limit = limits_.node_limit;
       const auto keep = [&](const SpatialMargin& so_far) {
@@ -397,6 +464,7 @@ class PageAnswer {
   }
 
   void map(Json& found) const {
+    refuse_several(question_, "`stickslip map` finds it");
     const LoadedGrasp& one = one_grasp(question_);
     if (one.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
     const GraspBox grasp = box_of(one);
@@ -433,7 +501,6 @@ class PageAnswer {
 
 Json page_answer(const GraspFile& file, const QuestionText& asked, const PageParts& parts,
                  const PageLimits& limits, const std::string& name) {
-  require_one_body(file.content, "a page");
   const std::vector<std::string> cases = case_names(file);
   if (cases.empty() || !asked.wrench.empty() || !asked.case_name.empty()) {
     return PageAnswer(file, asked, limits, name).answer(parts);

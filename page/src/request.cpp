@@ -38,7 +38,7 @@ bool truth(const JsonNode& node, const std::string& path) {
 
 /// Normals of irrational length become rational unit vectors, as of `stickslip snap`.
 void snap(GraspFile& file) {
-  if (in_space(file.content)) return;
+  if (in_space(file.content) || mechanism_of(file.content) != nullptr) return;
   if (auto* one = std::get_if<LoadedGrasp>(&file.content)) {
     one->grasp = snap_normals(one->grasp, kSnapWithin).grasp;
     return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The planar body: outline, contacts, cones, forces, load, and the motion that is looked at, which moves it.
+// The body in the plane, or several: outline, contacts, cones, forces, load, and the motion that is looked at, which moves it.
 (function (page) {
   const { svg, vector, path } = page;
   const kLongestForce = 0.6; // these in sizes of the grasp, as pictures draw them
@@ -12,7 +12,7 @@
   let view = null; // where the scene is on the page: {place, unplace, scale, frame, size}
   page.bodyView = () => view;
 
-  /** The hull of the contacts and of points a little inside of them, where there is no outline. */
+  /** Where there is no outline: contacts, and points a little inside of them, of which the hull stands for the body. */
   function standIn(contacts, frame) {
     const points = contacts.map((c) => c.position);
     const normals = contacts.map((c) => vector.unit(c.normal));
@@ -31,7 +31,20 @@
         if (contacts.every((o, k) => vector.dot(vector.add(p, -1, o.position), normals[k]) >= 0)) points.push(p);
       }
     });
-    return points.length > 0 ? [page.hull(points)] : [];
+    return points;
+  }
+
+  const kAroundHinge = 0.06;
+  const ringAround = (points) => (points.length > 0 ? [page.hull(points)] : []);
+  /** The rings of body b; without an outline those of a hull, of a link from hinge to hinge. */
+  function ringsOf(b, frame) {
+    const { outline, link } = page.bodies()[b];
+    if (outline && outline.length > 0) return outline;
+    const contacts = page.contactsOf(b);
+    if (!link || link.slides) return ringAround(standIn(contacts, frame));
+    const by = kAroundHinge * frame.radius;
+    const corners = ([x, y]) => [-by, by].flatMap((dx) => [-by, by].map((dy) => [x + dx, y + dy]));
+    return ringAround([...contacts.map((c) => c.position), ...page.hingesOf(b)].flatMap(corners));
   }
 
   /** Shorter when there are many contacts, so that cones leave room for the rest. */
@@ -49,9 +62,9 @@
     const { answer } = page;
     const frame = page.frame();
     const width = page.canvasWidth("body", 640);
-    const rings = answer.outline && answer.outline.length > 0 ? answer.outline : standIn(answer.contacts, frame);
+    const bodies = page.bodies().map((_, b) => ringsOf(b, frame)); // the rings of each
     const around = 0.2 * frame.radius;
-    const body = [...rings.flat(), ...answer.contacts.map((c) => c.position), frame.centre];
+    const body = [...bodies.flat(2), ...answer.contacts.map((c) => c.position), frame.centre];
     const drawn = answer.contacts.flatMap((c) => coneEnds(c, coneSize() * frame.radius));
     const low = [0, 1].map((j) => Math.min(...body.map((p) => p[j] - around), ...drawn.map((p) => p[j])));
     const high = [0, 1].map((j) => Math.max(...body.map((p) => p[j] + around), ...drawn.map((p) => p[j])));
@@ -64,7 +77,7 @@
     const middle = [0, 1].map((j) => (low[j] + high[j]) / 2);
     const place = (p) => [width / 2 + scale * (p[0] - middle[0]), height / 2 - scale * (p[1] - middle[1])];
     const unplace = (p) => [middle[0] + (p[0] - width / 2) / scale, middle[1] - (p[1] - height / 2) / scale];
-    return { place, unplace, frame, rings, scale: scale * frame.radius, size: [width, height], forceUnit: 1 };
+    return { place, unplace, frame, bodies, scale: scale * frame.radius, size: [width, height], forceUnit: 1 };
   }
 
   const onPage = (v) => [v[0], -v[1]];
@@ -91,16 +104,9 @@
   function chooseForceUnit() {
     const { answer } = page;
     const forces = (page.forces() || []).map((c) => c.force);
-    const load = page.load() || [0, 0, 0];
-    const largest = Math.max(
-      ...answer.contacts.map((c) => c.preload),
-      ...forces.flat().map(Math.abs),
-      Math.abs(load[0]),
-      Math.abs(load[1]),
-      0,
-    );
+    const size = Math.max(...loads().flatMap(({ force }) => force.map(Math.abs)), 0);
+    const largest = Math.max(...answer.contacts.map((c) => c.preload), ...forces.flat().map(Math.abs), size);
     view.forceUnit = largest || 1;
-    const size = Math.max(Math.abs(load[0]), Math.abs(load[1]));
     view.forcePerPixel = 1 / forceLength(1);
     view.loadFactor =
       size > 0 && size < kShortestLoad * view.forceUnit ? page.roundDown((kEnlargedLoad * view.forceUnit) / size) : 1;
@@ -112,29 +118,47 @@
     const wrench = page.decided() && page.decided().wrench_float;
     return wrench && !wrench.some(Array.isArray) ? wrench : null;
   };
-  page.torqueAtCentre = function (load, frame) {
-    return page.clean(load[2] - (frame.centre[0] * load[1] - frame.centre[1] * load[0]), Math.abs(load[2]) + 1e-12);
-  };
-
-  function drawLoad() {
-    const load = page.load();
-    if (!load) return [];
-    const at = view.place(view.frame.centre);
-    const tip = vector.add(
-      at,
-      1,
-      onPage([forceLength(view.loadFactor * load[0]), forceLength(view.loadFactor * load[1])]),
+  const loads = () =>
+    page.loads(
+      page.load(),
+      view.frame.centre,
+      view.bodies.map((rings) => page.middleOf(rings[0] || [])),
     );
-    const torque = page.torqueAtCentre(load, view.frame);
-    view.loadTip = tip;
+
+  function drawLoad({ at: point, force, torque: [torque] }) {
+    const at = view.place(point);
+    view.loadTip = vector.add(at, 1, onPage(force.map((x) => forceLength(view.loadFactor * x))));
     return [
       svg("path", {
         class: "frame",
         d: "M" + path.at([at[0] - 6, at[1]]) + "h12M" + path.at([at[0], at[1] - 6]) + "v12",
       }),
-      page.arrow(at, tip, "load", { "data-value": load.join(",") }),
+      page.arrow(at, view.loadTip, "load", { "data-value": force.join(",") }),
       torque !== 0 ? page.torqueArrow(at, 26, torque > 0) : null,
     ];
+  }
+
+  /** Names of several bodies, and how links are held: a ring at a hinge, a rail along a slide. */
+  function drawNames() {
+    if (!page.mechanism()) return [];
+    return page.bodies().map(({ name, link }, b) => {
+      const middle = page.middleOf(view.bodies[b][0] || (link && !link.slides ? [link.at] : []));
+      if (!middle) return null;
+      const [x, y] = view.place(middle);
+      const held = link && !link.slides ? view.place(link.at) : [x, y];
+      const along = link && link.slides ? vector.unit(onPage(link.axis)) : null;
+      return [
+        link && !link.slides ? svg("circle", { class: "hinge", cx: held[0], cy: held[1], r: 5, "data-body": b }) : null,
+        along
+          ? svg("path", {
+              class: "slide",
+              "data-body": b,
+              d: "M" + path.at(vector.add(held, -22, along)) + "L" + path.at(vector.add(held, 22, along)),
+            })
+          : null,
+        svg("text", { class: "small halo middle", x, y: y - 9 }, name),
+      ];
+    });
   }
 
   /** Contact numbers stand behind the fingers; those of one place share a label. */
@@ -168,7 +192,17 @@
     });
   }
 
-  /** How the body is moved by a share of the motion, as a transformation of the page. */
+  /**
+   * How body b is moved by a share of the motion, as a transformation of the page. A link is carried by what it is on, and
+   * then turned on its own hinge: in the first order that is its twist.
+   */
+  function moved(b, motion, factor) {
+    const { link } = page.bodies()[b];
+    if (!link || link.on === null) return transformation(page.twistOf(b, motion), factor);
+    const own = vector.add(page.twistOf(b, motion), -1, page.twistOf(link.on, motion));
+    return moved(link.on, motion, factor) + " " + transformation(own, factor);
+  }
+
   function transformation(twist, factor) {
     const [ox, oy] = view.place([0, 0]);
     const scale = view.scale / view.frame.radius;
@@ -184,7 +218,7 @@
     if (!motion.twist || factor === 0) return [];
     const name = motion.kind === "twist" ? "virtual" : "motion";
     const arrows = page.answer.contacts.map((contact, i) => {
-      const move = page.displacement(contact.position, motion.twist);
+      const move = page.moveAt(contact, motion.twist);
       const at = view.place(contact.position);
       const scale = (view.scale / view.frame.radius) * factor;
       return page.arrow(
@@ -195,32 +229,31 @@
         8,
       );
     });
-    const pivot = page.pivot(motion.twist);
-    if (
-      pivot &&
-      Math.max(...pivot.map((x, j) => Math.abs(x - view.frame.centre[j]))) <= kFarPivot * view.frame.radius
-    ) {
-      const [x, y] = view.place(pivot);
-      const [width, height] = view.size;
-      if (x > 4 && y > 4 && x < width - 4 && y < height - 4) {
-        arrows.push(
-          svg(
-            "g",
-            { class: name + "-pivot", "data-pivot": pivot.join(",") },
-            svg("title", {}, "centre of rotation"),
-            svg("circle", { cx: x, cy: y, r: 8 }),
-            svg("path", { d: "M" + (x - 12) + " " + y + "h24M" + x + " " + (y - 12) + "v24" }),
-          ),
-        );
-      }
-    }
-    return arrows;
+    return [...arrows, pivots(motion.twist).map((pivot) => drawPivot(pivot, name))];
+  }
+
+  /** About which points bodies turn that are no links. */
+  const pivots = (motion) =>
+    page.bodies().flatMap(({ link }, b) => (link ? [] : [page.pivot(page.twistOf(b, motion))].filter(Boolean)));
+
+  function drawPivot(pivot, name) {
+    if (Math.max(...pivot.map((x, j) => Math.abs(x - view.frame.centre[j]))) > kFarPivot * view.frame.radius) return null;
+    const [x, y] = view.place(pivot);
+    const [width, height] = view.size;
+    if (!(x > 4 && y > 4 && x < width - 4 && y < height - 4)) return null;
+    return svg(
+      "g",
+      { class: name + "-pivot", "data-pivot": pivot.join(",") },
+      svg("title", {}, "centre of rotation"),
+      svg("circle", { cx: x, cy: y, r: 8 }),
+      svg("path", { d: "M" + (x - 12) + " " + y + "h24M" + x + " " + (y - 12) + "v24" }),
+    );
   }
 
   function draw() {
     if (page.isSpatial()) return;
     // While something is dragged, the drawing keeps its scale and its place.
-    view = page.keepView ? { ...page.keepView, rings: makeView().rings } : makeView();
+    view = page.keepView ? { ...page.keepView, bodies: makeView().bodies } : makeView();
     if (!page.keepView) chooseForceUnit();
     const { answer } = page;
     const [width, height] = view.size;
@@ -228,17 +261,20 @@
     const factor = motion.twist ? page.enlargement(motion.twist, view.frame) : 0;
     const moves = factor > 0;
     const coneLength = coneSize() * view.scale;
-    const body = view.rings.map((ring) => path.ring(ring.map(view.place))).join("");
-    const ghost = svg(
-      "g",
-      { class: moves ? "moving" : null },
-      svg("path", { class: motion.kind === "twist" ? "virtual-ghost" : "ghost", d: body }),
-      answer.contacts.map((c) => {
-        const [x, y] = view.place(c.position);
-        return svg("circle", { class: "trace", cx: x, cy: y, r: 2.4 });
-      }),
+    // In one path each, as some rings are holes.
+    const shapes = view.bodies.map((rings) => rings.map((ring) => path.ring(ring.map(view.place))).join(""));
+    const ghosts = shapes.map((body, b) =>
+      svg(
+        "g",
+        { class: moves ? "moving" : null, "data-body": b },
+        svg("path", { class: motion.kind === "twist" ? "virtual-ghost" : "ghost", d: body }),
+        page.contactsOf(b).map((c) => {
+          const [x, y] = view.place(c.position);
+          return svg("circle", { class: "trace", cx: x, cy: y, r: 2.4 });
+        }),
+      ),
     );
-    const resting = svg("path", { class: "body", d: body, "fill-rule": "evenodd" });
+    const resting = shapes.map((body, b) => svg("path", { class: "body", d: body, "fill-rule": "evenodd", "data-body": b }));
     const picture = page.picture(
       width,
       height,
@@ -259,11 +295,11 @@
                 d: "M" + path.at(vector.add(tick, -8, along)) + "L" + path.at(vector.add(tick, 8, along)),
               })
             : null,
-          page.finger(at, inwards),
+          page.isGrounded(c) ? page.finger(at, inwards) : null,
         ];
       }),
-      moves ? ghost : null,
-      drawLoad(),
+      moves ? ghosts : null,
+      loads().map(drawLoad),
       drawMotion(motion, factor),
       motion.kind === "equilibrium" ? drawForces() : null,
       answer.contacts.map((c, i) =>
@@ -273,19 +309,21 @@
         }),
       ),
       drawNumbers(),
+      drawNames(),
       page.handles ? page.handles(view) : null,
     );
     page.put("body", picture);
-    page.animate(moves ? ghost : null, (share) =>
-      ghost.setAttribute("transform", transformation(motion.twist, share * factor)),
+    page.animate(moves ? ghosts : null, (share) =>
+      ghosts.forEach((ghost, b) => ghost.setAttribute("transform", moved(b, motion.twist, share * factor))),
     );
     page.put("body-legend", legend(motion, factor));
   }
 
   function legend(motion, factor) {
     const arrow = (name) => page.sign(page.arrow([1, 9], [25, 9], name));
-    const load = page.load();
-    const torque = load ? page.torqueAtCentre(load, view.frame) : 0;
+    const pulls = loads();
+    const torques = pulls.filter(({ torque: [torque] }) => torque !== 0);
+    const sketched = page.sketchWords(page.bodies().map(({ outline }) => outline && outline.length), "outline");
     const units = page.unitsOf();
     const twist = motion.kind === "twist";
     const marks = [...new Set(motion.marks)].filter((name) => page.marks[name]);
@@ -298,22 +336,21 @@
           drawing: page.sign(svg("path", { class: "preload", d: "M13 1V17" })),
           text: "preload P",
         },
-        motion.kind === "equilibrium" && page.forces() && { drawing: arrow("force"), text: "contact force" },
-        load &&
-          (load[0] || load[1]) && {
-            drawing: arrow("load"),
-            text: "load" + (view.loadFactor === 1 ? "" : ", " + page.factorText(view.loadFactor)),
-          },
-        torque !== 0 && {
-          drawing: page.sign(page.torqueArrow([13, 11], 7, torque > 0)),
-          text: "torque " + page.near(torque) + (units ? " " + units.force + " " + units.length : ""),
+        motion.kind === "equilibrium" && page.forces() && { drawing: arrow("force"), text: page.forceWords() },
+        pulls.some(({ force }) => force[0] || force[1]) && {
+          drawing: arrow("load"),
+          text: "load" + (view.loadFactor === 1 ? "" : ", " + page.factorText(view.loadFactor)),
         },
+        ...torques.map(({ name, torque: [torque] }) => ({
+          drawing: page.sign(page.torqueArrow([13, 11], 7, torque > 0)),
+          text: page.torqueWords(name) + page.near(torque) + (units ? " " + units.force + " " + units.length : ""),
+        })),
         factor > 0 && {
           drawing: arrow(twist ? "virtual" : "motion"),
           text: (twist ? "virtual twist, " : "motion, ") + page.factorText(factor),
         },
         factor > 0 &&
-          page.pivot(motion.twist) && {
+          pivots(motion.twist).length > 0 && {
             drawing: page.sign(
               svg(
                 "g",
@@ -324,6 +361,7 @@
             ),
             text: "centre of rotation",
           },
+        ...page.linkLegend(),
         ...marks.map((name) => ({ drawing: page.markSign(name), text: page.marks[name] })),
         {
           drawing: page.sign(
@@ -333,9 +371,7 @@
           text: "force " + page.near(bar) + (units ? " " + units.force : ""),
         },
       ]),
-      (page.answer.outline && page.answer.outline.length) || page.answer.contacts.length === 0
-        ? null
-        : page.html("p", { class: "muted" }, "No outline is given: the body is sketched around the contacts."),
+      sketched && page.html("p", { class: "muted" }, sketched),
     ];
   }
   page.views.push(draw);

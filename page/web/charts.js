@@ -459,7 +459,9 @@
           "Nothing is known of " + (all ? "any multiple" : "multiples " + places.join(", and ")) + ": ",
           "no proof was found that they are resisted, and none that they are not. ",
           margin.resisted.length > 0
-            ? "In space what is resisted mostly ends at an irrational multiple, so some near it are left; " +
+            ? (page.mechanism()
+                ? "Of several bodies the ends of what is resisted are found nearly, and some near them are left; "
+                : "In space what is resisted mostly ends at an irrational multiple, so some near it are left; ") +
                 "a part too narrow to be seen is drawn wider than it is."
             : "",
         ),

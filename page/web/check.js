@@ -708,6 +708,14 @@ function read_range(object, name, place, version) {
   return interval;
 }
 
+/** e of §15, as an interval. */
+function read_torsion(object, place, space) {
+  const where = inside(place, 'torsion'), torsion = grasp_number(object.get('torsion'), where);
+  if (!space) throw new Malformed(where, 'the grasp is in the plane, and has none');
+  if (torsion.sign() < 0) throw new Malformed(where, `${printable(torsion)} is out of range`);
+  return [torsion, torsion];
+}
+
 /** A normal: [n⁰, slope]. */
 function read_normal(value, place, dimension, version) {
   let slope = ZERO;
@@ -743,11 +751,12 @@ function read_head(file, version) {
       if (bytes < 1 || bytes > 16) throw new Malformed(`units.${key}`, 'must be of 1 to 16 bytes');
     }
   }
-  const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]]]);
+  const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]], ['torsion', [ZERO, ZERO]]]);
   if (file.has('defaults')) {
-    known_members(file.get('defaults'), 'defaults', ['friction', 'stiffness', 'preload']);
-    for (const name of file.get('defaults').keys()) {
-      defaults.set(name, read_range(file.get('defaults'), name, 'defaults', version));
+    const stated = file.get('defaults');
+    known_members(stated, 'defaults', ['friction', 'stiffness', 'preload', ...(version === 3 ? ['torsion'] : [])]);
+    for (const name of stated.keys()) {
+      defaults.set(name, name === 'torsion' ? read_torsion(stated, 'defaults', space) : read_range(stated, name, 'defaults', version));
     }
   }
   return {space, size: space ? 6 : 3, defaults, contacts};
@@ -758,7 +767,7 @@ function read_contact(value, place, {space, defaults}, version, outline = null) 
   object_at(value, place);
   const on = version === 2 && !space && value.has('on');
   const needed = [...(version === 3 ? ['of'] : []), ...(on ? ['on'] : ['position', 'normal'])];
-  known_members(value, place, [...needed, ...(version === 3 ? ['by'] : []), 'friction', 'stiffness', 'preload'], needed);
+  known_members(value, place, [...needed, ...(version === 3 ? ['by', 'torsion'] : []), 'friction', 'stiffness', 'preload'], needed);
   const range = (name) => {
     if (value.has(name)) return read_range(value, name, place, version);
     if (!defaults.has(name)) throw new Malformed(place, `the member "${name}" is missing`);
@@ -772,11 +781,12 @@ function read_contact(value, place, {space, defaults}, version, outline = null) 
     p = grasp_intervals(value.get('position'), `${place}.position`, space ? 3 : 2, version);
     [n, slope] = read_normal(value.get('normal'), `${place}.normal`, space ? 3 : 2, version);
   }
-  return {place, p, n, slope, mu: range('friction'), k: range('stiffness'), preload: range('preload'), motion: null, spring: false};
+  const [torsion] = value.has('torsion') ? read_torsion(value, place, space) : defaults.get('torsion');
+  return {place, p, n, slope, mu: range('friction'), k: range('stiffness'), preload: range('preload'), torsion, motion: null, spring: false};
 }
 
 /**
- * {space, several, size, contacts, wrench, cases}: each contact with p, mu, k, preload as intervals, n, slope, and of several
+ * {space, several, size, contacts, wrench, cases}: each contact with p, mu, k, preload as intervals, n, slope, torsion, and of several
  * bodies motion (G by its columns) and spring; wrench as intervals, or null where only cases have one. size is D.
  */
 function read_grasp(text) {
@@ -907,7 +917,7 @@ function named_motion(bodies, name, place, ground) {
 
 /** What acts along a row: a ratchet, or a spring. It has no place, and 1 as its normal. */
 const along_row = (place, row, k, preload, spring) =>
-  ({place, p: [], n: [ONE], slope: ZERO, mu: [ZERO, ZERO], k, preload, motion: row.map((x) => [x]), spring});
+  ({place, p: [], n: [ONE], slope: ZERO, mu: [ZERO, ZERO], k, preload, torsion: ZERO, motion: row.map((x) => [x]), spring});
 
 function read_spring({place, value}, row, force) {
   const interval = (name) => (value.has(name) ? grasp_interval(value.get(name), `${place}.${name}`, 3) : [ZERO, ZERO]);
@@ -1044,10 +1054,11 @@ function ask(grasp, options) {
       growth: scale ? own[0] : growth === null ? ZERO : growth[i],
     };
     for (const [name, ok] of [['friction', one.mu[0].sign() >= 0], ['stiffness', one.k[0].sign() >= (spring ? 0 : 1)],
-      ['preload', spring || one.preload[0].sign() >= 0], ['slope', one.slope.compare(ONE) < 0]]) {
+      ['preload', spring || one.preload[0].sign() >= 0], ['slope', one.slope.compare(contact.torsion.isZero() ? ONE : ZERO) < 0 || one.slope.isZero()]]) {
       if (!ok) throw new Malformed(contact.place, `the ${name} may be out of range within its tolerance`);
     }
     one.square = dot_fractions(one.n, one.n);
+    one.gamma = contact.torsion.times(contact.torsion).over(one.square);
     one.length = rational_root(one.square);
     const file_interval = scale && !own[0].equals(own[1]);
     one.point = [...one.p, one.mu, one.k, one.preload].every(([a, b]) => a.equals(b)) && one.slope.isZero() && !file_interval;
@@ -1110,8 +1121,9 @@ function members_in_order(value, place, names) {
 }
 
 class CertificateReader {
-  constructor({space, several, size}) {
+  constructor({space, several, size, contacts}) {
     this.space = space;
+    this.soft = contacts.map(({gamma}) => !gamma.isZero());
     this.size = size;
     this.by_claims = space || several;  // margins
     this.names = [...parameter_names(space ? 3 : 2), 'wrench'];
@@ -1189,13 +1201,16 @@ class CertificateReader {
       shares: array_of(shares, inside(place, 'shares')).map((entry, k) => {
         const where = `${inside(place, 'shares')}[${k}]`;
         const [i, share] = array_of(entry, where, 2);
-        return [read_index(i, where), this.friction(share, where)];
+        const contact = read_index(i, where);
+        return [contact, this.friction(share, where, contact)];
       }),
     };
   }
 
-  /** A share, or F: three numbers in space, in the plane one. */
-  friction(value, place) { return this.space ? read_numbers(value, place, 3) : [read_number(value, place)]; }
+  /** A share, or F, that is listed for contact i: three numbers in space, with torsion four, in the plane one. */
+  friction(value, place, i) {
+    return this.space ? read_numbers(value, place, this.soft[i] === true ? 4 : 3) : [read_number(value, place)];
+  }
 
   segments(value) {
     let last = null;
@@ -1270,7 +1285,8 @@ class CertificateReader {
     const found = members_in_order(value, place, ['rest', 'answers', 'reach']);
     const listed = (name, forces) => array_of(found[name], `${place}.${name}`).map((entry, k) => {
       const where = `${place}.${name}[${k}]`, [i, stated] = array_of(entry, where, 2);
-      return [read_index(i, where), forces(stated, where).map((force) => this.friction(force, where))];
+      const contact = read_index(i, where);
+      return [contact, forces(stated, where).map((force) => this.friction(force, where, contact))];
     });
     return {kind: 'rest', rest: listed('rest', (force) => [force]),
       answers: listed('answers', (forces, where) => array_of(forces, where, this.size)),
@@ -1352,6 +1368,22 @@ function agree(asked, stated) {
 
 const is_point = ([low, high]) => low.equals(high);
 const middle = ([low, high]) => low.plus(high).half();
+/**
+ * The product of slips across n, in space, without one number, `dropped`, that follows from the others: ⟨s, t⟩ = s·(matrix t) / over.
+ */
+function slip_metric(n, gamma) {
+  const dropped = n.findIndex((x) => !x.isZero()), square = n[dropped].times(n[dropped]);
+  // It is −Σ n_j s_j of the two others, over its own n; the fourth number, if there is one, is not in it.
+  const others = n.filter((_, j) => j !== dropped), weights = [ONE, ONE];
+  if (!gamma.isZero()) {
+    others.push(ZERO);
+    weights.push(gamma);
+  }
+  const entries = others.map((a, j) => others.map((b, k) => a.times(b).over(square).plus(j === k ? weights[j] : ZERO)));
+  const over = common_denominator(entries.flat());
+  return {dropped, matrix: entries.map((row) => over_denominator(row, over)), over};
+}
+
 /** Every choice of one end of each interval, an interval of one number having one end only. */
 const corners_of = (intervals) => intervals.reduce(
     (lists, interval) => lists.flatMap((list) => (is_point(interval) ? [interval[0]] : interval).map((x) => [...list, x])), [[]]);
@@ -1395,7 +1427,7 @@ class Contact {
     const push = [[contact.preload[0].times(ONE.minus(square.half())).times(low), contact.growth.times(low)],
       [contact.preload[1].times(high), contact.growth.times(high)]];
     const k = [contact.k[0].times(ONE.minus(square)).over(contact.square), contact.k[1].over(contact.square)];
-    return new Contact({n: contact.n, motion: contact.motion, spring: contact.spring, square: contact.square,
+    return new Contact({n: contact.n, motion: contact.motion, spring: contact.spring, square: contact.square, gamma: contact.gamma,
       geometry: [...contact.p, ...most_turns(contact).map((most) => [most.negated(), most])], mu: contact.mu, push, k});
   }
 
@@ -1462,12 +1494,14 @@ class Contact {
     const u = [[ONE, ZERO, ZERO, ZERO, z, minus(y)], [ZERO, ONE, ZERO, minus(z), ZERO, x], [ZERO, ZERO, ONE, y, minus(x), ZERO]];
     const along = u[0].map((_, j) => dot_fractions(this.n, u.map((row) => row[j])));  // n⁰·u
     const slip = u.map((row, k) => row.map((a, j) => a.minus(along[j].times(n[k]).over(this.square))));
+    if (!this.gamma.isZero()) slip.push([ZERO, ZERO, ZERO, ...n]);  // n·(d₄, d₅, d₆), where n is certain
     return [wrench_at(n, [x, y, z]), slip];
   }
 
   /**
    * In integers: normals[c] = d N and slips[c] = d T, or d S, at each corner c of the geometry; friction / b the ends of μ;
-   * and v times scale is push·(h, ℓ) − pull (normals[c]·d), with an end of push and an end of pull.
+   * and v times scale is push·(h, ℓ) − pull (normals[c]·d), with an end of push and an end of pull. free[c] is slips[c], in
+   * space without the number that slip_metric drops.
    */
   get rows() {
     if (this.forms !== null) return this.forms;
@@ -1475,6 +1509,7 @@ class Contact {
     const d = common_denominator(at.flatMap(([normal, slip]) => [...normal, ...slip.flat()]));
     const normals = at.map(([normal]) => over_denominator(normal, d));
     const slips = at.map(([, slip]) => slip.map((row) => over_denominator(row, d)));
+    const metric = this.n.length === 3 ? slip_metric(this.n, this.gamma) : null;
     const b = common_denominator(this.mu);
     const pull_scale = d * common_denominator(this.k);
     const scale = lcm(common_denominator(this.push.flat()), pull_scale);
@@ -1485,6 +1520,7 @@ class Contact {
       push: this.push.map((x) => over_denominator(x, scale)),
       pull: over_denominator(this.k, scale / d),
       certain_slip: same(slips), certain_normal: same(normals),
+      free: slips.map((slip) => slip.filter((_, j) => metric === null || j !== metric.dropped)), metric,
     };
     forms.one = at.length === 1 && this.certain_push && is_point(this.k);
     forms.weightless = forms.push.flat().every((x) => x === 0n);
@@ -1527,6 +1563,11 @@ class Box {
 
 // ---------------------------------------------------------------------------- Witnesses (§3, §7)
 
+/** s* of §15, times the denominator of γ: its product with t is ⟨s, t⟩. */
+const starred = (s, gamma) => s.map((x, j) => x * (j < 3 ? gamma.d : gamma.n));
+/** The square of the length of a friction force, or of a share. */
+const friction_square = (f, gamma) => f.reduce((sum, x, j) => sum.plus(j < 3 ? x.times(x) : x.times(x).over(gamma)), ZERO);
+
 /** b is the positive multiple of a, or one of them is 0. */
 const same_direction = (a, b) => dot(a, b) > 0n
   ? a.every((x, j) => a.every((_, l) => x * b[l] === a[l] * b[j])) : a.every((x) => x === 0n) || b.every((x) => x === 0n);
@@ -1548,10 +1589,10 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
   for (const [i, share] of shares) {
     const wrong = (found) => refuse('witness-share', `contact ${printable(i)}: ${found}`);
     if (i <= before || i >= question.touching) wrong(`out of order, or not one of ${question.touching}`);
-    const {n, square} = box.contacts[i], space = n.length === 3;
+    const {n, square, gamma} = box.contacts[i], space = n.length === 3;
     if (states[i].slip.some((s) => s !== 0n)) wrong('it slips, and a share needs a slip of 0');
-    if (dot_fractions(share, share).compare(space ? square : ONE) > 0) wrong('the share is too large');
-    if (space && !dot_fractions(share, n).isZero()) wrong('the share has a part along n');
+    if (friction_square(share, gamma).compare(space ? square : ONE) > 0) wrong('the share is too large');
+    if (space && !dot_fractions(n, share).isZero()) wrong('the share has a part along n');
     listed.set(i, share);
     before = i;
   }
@@ -1562,14 +1603,15 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
   const sum = new Sum(size);
   sum.add_fractions(box.wrench.map(([w], j) => Fraction.of(ray.h).times(w).plus(Fraction.of(ray.l).times(question.u[j]))));
   states.forEach((state, i) => {
-    const {v, slip} = state, {rows, n, square, spring} = box.contacts[i], {normals: [normal], slips: [tangents], friction: [mu]} = rows;
+    const {v, slip} = state, {rows, n, square, gamma, spring} = box.contacts[i], {normals: [normal], slips: [tangents], friction: [mu]} = rows;
     state.unit = listed.get(i) ?? slip.map(() => ZERO);
     if (v === 0n || (v < 0n && !spring)) return;
     if (mu !== 0n && slip.some((s) => s !== 0n)) {
-      // −L s/|s|, where L is 1 in the plane, as b goes with T. A positive multiple of s serves.
-      const s = primitive(slip), root = n.length === 3 ? rational_root(square.over(Fraction.of(dot(s, s)))) : ONE;
+      // −L s*/|s|, where L is 1 in the plane, as b goes with T. A positive multiple of s serves.
+      const s = primitive(slip), star = starred(s, gamma);
+      const root = n.length === 3 ? rational_root(square.over(Fraction.of(dot(star, s), gamma.d))) : ONE;
       if (root === null) refuse('witness-root', `contact ${i}: the slip's length over that of n is irrational`);
-      state.unit = s.map((c) => root.times(Fraction.of(-c)));
+      state.unit = star.map((c) => root.times(Fraction.of(-c, gamma.d)));
     }
     // v N + μ v (unit · T); in space S stands for T, as unit·n = 0.
     const d = common_denominator(state.unit), unit = over_denominator(state.unit, d);
@@ -1598,7 +1640,7 @@ function check_mode(box, first, second, place) {
     for (const {v, unit} of points) {
       if (v <= 0n) continue;
       const opposite = negative(integral(unit)), longest = contact.n.length === 3 ? contact.square : ONE;
-      if (!dot_fractions(unit, unit).equals(longest) || !same_direction(opposite, slip)) {
+      if (!friction_square(unit, contact.gamma).equals(longest) || !same_direction(opposite, starred(slip, contact.gamma))) {
         refuse(i, 'the friction is not that of the slip between');
       }
     }
@@ -1658,25 +1700,22 @@ class Cone {
   }
 }
 
+/** Of the cone of 0 in a plane, and in a space of three dimensions. */
+const DUALS = {2: Cone.whole(2), 3: Cone.whole(3)};
+
 /**
- * The cone of vectors in a plane with the normal n (§7): nothing but 0, a line, a half plane (left of the first side),
- * all of it, or what is from the first side counterclockwise to the second, which is below a half turn. Left and right
- * are those of the plane without a coordinate in which n is not 0.
+ * A cone of points of a plane: nothing but 0, a line, a half plane (left of the first side), all of it, or what is from the
+ * first side counterclockwise to the second, which is below a half turn.
  */
-class SlipCone {
-  constructor(vectors, n) {
+class PlaneCone {
+  constructor() {
     this.kind = 'zero';
-    this.sides = [];
-    this.dropped = n.findIndex((x) => !x.isZero());
-    for (const v of vectors) this.add(v);
+    this.generators = [];  // its sides
   }
   /** Above 0 if b is to the left of a. */
-  turn(a, b) {
-    const [j, k] = [[1, 2], [0, 2], [0, 1]][this.dropped];
-    return a[j] * b[k] - a[k] * b[j];
-  }
+  turn(a, b) { return a[0] * b[1] - a[1] * b[0]; }
   has(t) {
-    const [first, last] = this.sides;
+    const [first, last] = this.generators;
     switch (this.kind) {
       case 'zero': return t.every((x) => x === 0n);
       case 'line': return this.turn(first, t) === 0n;
@@ -1688,8 +1727,8 @@ class SlipCone {
   }
   add(v) {
     if (this.has(v)) return;
-    const set = (kind, ...sides) => { [this.kind, this.sides] = [kind, sides]; };
-    const [first, last] = this.sides;
+    const set = (kind, ...sides) => { [this.kind, this.generators] = [kind, sides]; };
+    const [first, last] = this.generators;
     const after = this.kind === 'zero' ? 0n : this.turn(first, v);
     if (this.kind === 'zero') return void set('ray', v, v);
     if (this.kind === 'half') return void set('all');
@@ -1699,6 +1738,60 @@ class SlipCone {
     if (after < 0n && before < 0n) set('all');
     else if (before < 0n) set(after === 0n ? 'half' : 'sector', first, v);  // v is beyond the last side, or opposite to the first
     else set(before === 0n ? 'half' : 'sector', v, last);
+  }
+}
+
+/** A cone of points of more dimensions, by its dual: all z with z·s >= 0 for those that were added. */
+class DualCone {
+  constructor(size) {
+    this.dual = Cone.whole(size);
+    this.generators = [];
+  }
+  has(s) {
+    return this.dual.lines.every((z) => dot(z, s) === 0n) && this.dual.rays.every(({x}) => dot(x, s) >= 0n);
+  }
+  add(s) {
+    if (this.has(s)) return;
+    this.dual = this.dual.cut(s, false);
+    this.generators.push(s);
+  }
+}
+
+/** metric.over ⟨s, t⟩ is star·t. */
+const star_of = (s, {matrix}) => matrix.map((row) => dot(row, s));
+const slip_square = (s, metric) => new Fraction(dot(star_of(s, metric), s), metric.over);
+
+/** C_i of §7 and §15, the cone of these slips, which are without what follows from their other numbers. */
+class SlipCone {
+  constructor(slips, metric) {
+    const size = metric.matrix.length;
+    this.metric = metric;
+    this.cone = size === 2 ? new PlaneCone() : new DualCone(size);
+    for (const s of slips) this.cone.add(s);
+  }
+  has(s) { return this.cone.has(s); }
+
+  /** M², and its sign, of a contact that moves, where S_i y = t. */
+  most(t) {
+    const {metric} = this, q = negative(t);
+    if (this.has(q)) return [slip_square(q, metric), 1];
+    const slips = this.cone.generators.map((s) => {
+      const star = star_of(s, metric);
+      return {s, star, square: dot(star, s), height: dot(star, q)};  // products times metric.over
+    });
+    const found = slips.map(({square, height}) => [new Fraction(height * height, square), height > 0n ? 1 : height < 0n ? -1 : 0]);
+    // The nearest point on the plane of two, if it is between them. Where all is in that plane, it is q.
+    for (let j = 0; j < slips.length && q.length > 2; ++j) {
+      for (let k = 0; k < j; ++k) {
+        const a = slips[j], b = slips[k], product = dot(a.star, b.s);
+        const x = a.height * b.square - b.height * product, y = b.height * a.square - a.height * product;
+        if (x <= 0n || y <= 0n) continue;
+        found.push([new Fraction(x * a.height + y * b.height, a.square * b.square - product * product), 1]);
+      }
+    }
+    const [square, sign] = found.reduce((one, two) =>
+      (one[1] > two[1] || (one[1] === two[1] && one[0].compare(two[0]) * one[1] > 0) ? one : two));
+    return [new Fraction(square.n, square.d * metric.over), sign];
   }
 }
 
@@ -1772,8 +1865,8 @@ class Region {
       if (spring) found.press[i] = CLOSED;
       if (found.press[i] === UNKNOWN || found.press[i] === MIXED) found.press[i] = this.press(this.box.contacts[i].rows);
       if (found.press[i] === OPEN || found.side[i] !== 0) continue;
-      const {slips, friction} = this.box.contacts[i].rows;
-      if (friction[1] !== 0n) found.side[i] = n.length === 3 ? (this.moves(i, slips) ? 1 : 0) : this.sign(slips);
+      const {slips, free, friction} = this.box.contacts[i].rows;
+      if (friction[1] !== 0n) found.side[i] = n.length === 3 ? (this.moves(i, free) ? 1 : 0) : this.sign(slips);
     }
     this.found = found;
     return found;
@@ -1809,8 +1902,8 @@ class Region {
   slipCone(i) {
     if (this.cones === undefined) this.cones = new Map();
     if (!this.cones.has(i)) {
-      const {rows, n} = this.box.contacts[i];
-      this.cones.set(i, new SlipCone(this.generators.flatMap(({d}) => rows.slips.map((slip) => slip.map((row) => dot(row, d)))), n));
+      const {free, metric} = this.box.contacts[i].rows;
+      this.cones.set(i, new SlipCone(this.generators.flatMap(({d}) => free.map((slip) => slip.map((row) => dot(row, d)))), metric));
     }
     return this.cones.get(i);
   }
@@ -1968,29 +2061,19 @@ function root_above(q, sign) {
 /** In space, and without friction: one α for all corners, over both ends of μ. Fractions are not in lowest terms: that would take most of the time. */
 function space_bound(region, contact, i, y, moves, closed) {
   const rows = contact.rows;
-  const signed_square = (slip) => {  // M², times d², with the sign of M
-    const cone = moves ? region.slipCone(i) : null;
-    if (cone === null || cone.has(negative(slip))) return [new Fraction(dot(slip, slip), 1n), 1];
-    // The largest −s·slip / |s| is that of a side: C_i is in a plane, and does not have −slip.
-    const [one, two] = cone.sides.map((s) => {
-      const work = -dot(s, slip);
-      return [new Fraction(work * work, dot(s, s)), work > 0n ? 1 : work < 0n ? -1 : 0];
-    });
-    return one[1] > two[1] || (one[1] === two[1] && one[0].compare(two[0]) * one[1] > 0) ? one : two;
-  };
   const product = (a, b) => new Fraction(a.n * b.n, a.d * b.d);
   const alpha = largest(rows.normals.flatMap((normal, c) => {
     const power = new Fraction(dot(normal, y), rows.d);
     if (contact.mu[1].isZero()) return [power];
-    const slip = rows.slips[c].map((row) => dot(row, y));
-    const [square, sign] = signed_square(slip);
+    const slip = rows.free[c].map((row) => dot(row, y)), whole = slip_square(slip, rows.metric);  // times d²
+    const [square, sign] = moves ? region.slipCone(i).most(slip) : [whole, 1];
     const length = product(contact.square, new Fraction(1n, rows.d * rows.d));
     return (is_point(contact.mu) ? [contact.mu[0]] : contact.mu).map((mu) => {
       const cone = product(length, product(mu, mu));
       const bound = root_above(product(square, cone), sign);
       const work = new Fraction(power.n * bound.d + bound.n * power.d, power.d * bound.d);
       if (contact.tilt.isZero()) return work;
-      return work.plus(contact.tilt.times(new Fraction(3n, 2n)).times(root_above(product(new Fraction(dot(slip, slip), 1n), cone), 1)));
+      return work.plus(contact.tilt.times(new Fraction(3n, 2n)).times(root_above(product(whole, cone), 1)));
     });
   }));
   const d = alpha.d * rows.scale;
@@ -2133,17 +2216,18 @@ function range_root(question, box, range) {
 
 /** A part at rest, for the multiples from factors[0] to factors[1], or for the only one. */
 function check_rest(question, box, {rest, answers, reach}, place, tally, factors) {
-  const {size, space, touching} = question, none = zeros(space ? 3 : 1);
+  const {size, space, touching} = question;
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
   // f⁰ and G_1, ..., G_D of contacts: the column l is multiplied by scales[l].
   const columns = new Map(), scales = [ONE, ...reach];
+  const no_friction = ({rows}) => Array(1 + size).fill(zeros(rows.slips[0].length));
   for (const [list, first] of [[rest, 0], [answers, 1]]) {
     let before = -1;
     for (const [i, forces] of list) {
       const wrong = (found) => refuse('rest-share', `contact ${printable(i)}: ${found}`);
       if (i <= before || i >= touching) wrong(`out of order, or not one of ${touching}`);
-      if (space && !forces.every((force) => dot_fractions(force, box.contacts[i].n).isZero())) wrong('a force has a part along n');
-      if (!columns.has(i)) columns.set(i, Array(1 + size).fill(none));
+      if (space && !forces.every((force) => dot_fractions(box.contacts[i].n, force).isZero())) wrong('a force has a part along n');
+      if (!columns.has(i)) columns.set(i, no_friction(box.contacts[i]));
       columns.get(i).splice(first, forces.length, ...forces);
       before = i;
     }
@@ -2160,7 +2244,7 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
     });
     box.contacts.forEach((contact, i) => {
       if (all_zero(pushes[i]) && !columns.has(i)) return;
-      const forces = columns.get(i) ?? Array(1 + size).fill(none);
+      const forces = columns.get(i) ?? no_friction(contact);
       const corners = corners_of(contact.geometry).flatMap((corner) => {
         const [normal, slips] = contact.rowsAt(corner);
         const [first, ...others] = forces.map((force) => normal.map((_, k) => dot_fractions(slips.map((row) => row[k]), force)));
@@ -2179,10 +2263,10 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
       if (scaled_sum(left).compare(z) > 0) refuse('rest-reach', `Z_${k + 1} = ${printable(z)} is too small`);
     });
     for (const i of [...columns.keys()].sort((a, b) => a - b)) {
-      const {mu, square} = box.contacts[i];
+      const {mu, square, gamma} = box.contacts[i];
       let most = mu[0].times(pushes[i][0]);
       if (space) most = most.times(root_above(square, -1).negated());
-      const lengths = columns.get(i).map((force) => (space ? root_above(dot_fractions(force, force), 1) : force[0].magnitude()));
+      const lengths = columns.get(i).map((force) => (space ? root_above(friction_square(force, gamma), 1) : force[0].magnitude()));
       if (scaled_sum(lengths).compare(most) > 0) refuse('rest-cone', `contact ${i}: friction may be more than its cone allows`);
     }
   }
@@ -2502,7 +2586,7 @@ function check(grasp, certificate, options = {}) {
 
 scope.StickslipCheck = {check};
 if (typeof module !== 'undefined') {
-  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, Contact, pressures,
+  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, slip_metric, Contact, pressures,
     plane_bound}};
 }
 

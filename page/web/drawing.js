@@ -132,6 +132,17 @@
     return values;
   };
 
+  // Of several bodies, in words of legends.
+  page.forceWords = () => (page.mechanism() ? "contact force, on the body that is pressed" : "contact force");
+  page.torqueWords = (name) => (name === undefined ? "torque " : "torque on " + name + " ");
+  page.linkLegend = function () {
+    const links = page.bodies().flatMap(({ link }) => (link ? [link.slides] : []));
+    return [
+      links.includes(false) && { drawing: page.sign(svg("circle", { class: "hinge", cx: 13, cy: 9, r: 5 })), text: "hinge" },
+      links.includes(true) && { drawing: page.sign(svg("path", { class: "slide", d: "M1 9h24" })), text: "slide" },
+    ];
+  };
+
   /** A drawing as wide as its place on the page, so that texts keep their size. */
   page.canvasWidth = (id, most) => Math.max(240, Math.min(most, page.find(id).clientWidth || most));
 

@@ -105,9 +105,11 @@
     };
   }
 
-  page.solid = null; // the body in space that a file gave; null: it is sketched
+  page.solids = []; // by body what a file gave of it in space; what is sketched is not there
+  /** Which they are, in short; undefined without any. */
+  page.solidsMark = () => (page.solids.some(Boolean) ? page.solids.map((solid) => solid && solid.mark).join() : undefined);
   page.grasp = {
-    /** A body in the file becomes that of the page. A file without one leaves it: what is asked and answered has none. */
+    /** Bodies in the file become those of the page. A file without leaves them: what is asked and answered has none. */
     load(text) {
       source = text;
       try {
@@ -115,22 +117,33 @@
       } catch (error) {
         file = null;
       }
-      if (!file || !file.body) return;
-      const { body, ...rest } = file;
-      file = rest;
-      page.solid = solidOf(body);
-      changed();
+      if (!file) return;
+      let found = false;
+      const take = function (of, key, b) {
+        if (!of[key]) return of;
+        const { [key]: solid, ...rest } = of;
+        page.solids[b] = solidOf(solid);
+        found = true;
+        return rest;
+      };
+      if (file.bodies) file = { ...file, bodies: file.bodies.map((body, b) => take(body, "mesh", b)) };
+      else file = take(file, "body", 0);
+      if (found) changed();
     },
-    /** The file without the body. */
+    /** The file without the bodies in space. */
     text: () => source,
-    /** The file with it. */
+    /** The file with them. */
     whole() {
-      if (!page.solid || !page.isSpatial()) return source;
+      if (!page.solids.some(Boolean) || !page.isSpatial()) return source;
+      if (file.bodies) {
+        const whole = (body, b) => (page.solids[b] ? { ...body, mesh: page.solids[b].written } : body);
+        return writeFile({ ...file, bodies: file.bodies.map(whole) });
+      }
       const entries = Object.entries(file);
       entries.splice(
         entries.findIndex(([key]) => key === "contacts"),
         0,
-        ["body", page.solid.written],
+        ["body", page.solids[0].written],
       );
       return writeFile(Object.fromEntries(entries));
     },

@@ -7,6 +7,20 @@
 
   const kSlips = ["+", "0", "-"];
 
+  /** A contact, or what else has a force, by its number in the proof. */
+  function elementName(i) {
+    const contacts = page.answer.contacts.length;
+    return i < contacts ? "contact " + i : page.springName(page.mechanism().springs[i - contacts]);
+  }
+
+  /** A plane through motions, as its numbers, or of several bodies by the coordinates that it is about. */
+  function planeText(numbers) {
+    if (!page.mechanism()) return page.tuple(numbers) + "\u00B7(d, 1)";
+    const names = [...page.mechanism().coordinates, ""];
+    const terms = numbers.map((x, j) => (page.Fraction.of(x).sign() === 0 ? "" : (page.text(x) + " " + names[j]).trim()));
+    return terms.filter(Boolean).join(" + ").replace(/\+ \u2212/g, "\u2212 ");
+  }
+
   /** What the children of a node have in common: [{text, slip, open}], none for a leaf. */
   function children(node) {
     const [kind, at, index, number] = node;
@@ -17,14 +31,14 @@
       return texts.map((text, k) => ({ text, slip: [at, kSlips[k]] }));
     }
     if (kind === "separation") {
-      return [{ text: "contact " + at + " is closed" }, { text: "contact " + at + " is open", open: at }];
+      return [{ text: elementName(at) + " is closed" }, { text: elementName(at) + " is open", open: at }];
     }
     if (kind === "plane") {
-      const numbers = page.tuple(node.slice(1));
-      return [{ text: numbers + "\u00B7(d, 1) \u2265 0" }, { text: numbers + "\u00B7(d, 1) \u2264 0" }];
+      const plane = planeText(node.slice(1));
+      return [{ text: plane + " \u2265 0" }, { text: plane + " \u2264 0" }];
     }
     if (kind === "part") {
-      const what = at === "wrench" ? "wrench[" + index + "]" : at + " of contact " + index;
+      const what = at === "wrench" ? "wrench[" + index + "]" : at + " of " + elementName(index);
       return [{ text: what + " at most " + page.text(number) }, { text: what + " at least " + page.text(number) }];
     }
     return [];
@@ -82,10 +96,11 @@
     let count = 0;
     for (const [i, slip] of found.slips) {
       const contact = page.answer.contacts[i];
-      const along = page.vector.dot(page.tangent(contact), page.displacement(contact.position, twist));
+      const along = page.vector.dot(page.tangent(contact), page.moveAt(contact, twist));
       if (slip === (along > 0 ? "+" : along < 0 ? "-" : "0")) ++count;
     }
-    for (const i of found.open) if (page.parting(page.answer.contacts[i], twist) > 0) ++count;
+    const { contacts } = page.answer;
+    for (const i of found.open) if (i < contacts.length && page.parting(contacts[i], twist) > 0) ++count;
     return count;
   }
 
@@ -114,11 +129,11 @@
     if (found.open.has(i)) return false;
     const { vector } = page;
     const contact = page.answer.contacts[i];
-    const move = page.displacement(contact.position, twist);
+    const move = page.moveAt(contact, twist);
     const normal = vector.unit(contact.normal);
     const along = vector.dot(normal, move);
     if (page.isSpatial()) {
-      const across = Math.hypot(...vector.add(move, -along, normal));
+      const across = Math.hypot(...vector.add(move, -along, normal), page.spinAt(contact, twist));
       return along - contact.friction * across < -1e-9 * Math.hypot(...move);
     }
     const friction = contact.friction * vector.dot(page.tangent(contact), move);

@@ -24,11 +24,14 @@
   // Asking.
 
   /** What can be asked for while something moves, and what takes longer. */
-  const quick = () => (slow || page.isSpatial() ? ["decide"] : kParts.slice(0, 4));
+  const quick = () => (slow || page.isSpatial() || page.mechanism() ? ["decide"] : kParts.slice(0, 4));
+  const kOfSeveral = ["decide", "margin"];
+  const kInSpace = [...kOfSeveral, "region"];
+  /** Which parts can be had at all. */
+  const parts = () => (page.mechanism() ? kOfSeveral : page.isSpatial() ? kInSpace : kParts);
   const isLong = (parts) => !parts.includes("decide");
   /** The parts that are about another grasp than the present one. */
-  const missing = () =>
-    kParts.filter((part) => versions[part] !== version && !(page.isSpatial() && ["states", "map"].includes(part)));
+  const missing = () => parts().filter((part) => versions[part] !== version);
 
   function change() {
     ++version;
@@ -122,7 +125,7 @@
   /** The grasp in the link of the page. */
   function remember() {
     // The body may be long, and is here anyway.
-    const body = page.isSpatial() && page.solid ? page.solid.mark : undefined;
+    const body = page.isSpatial() ? page.solidsMark() : undefined;
     const bytes = new TextEncoder().encode(JSON.stringify({ grasp: page.grasp.text(), options, body }));
     const text = btoa(String.fromCharCode(...bytes))
       .replace(/\+/g, "-")
@@ -346,7 +349,7 @@
 
   /** In the drawing of the body: contacts, tips of normals, the tip of the load. */
   page.handles = function (view) {
-    if (!page.answer.live) return null;
+    if (!page.answer.live || page.mechanism()) return null;
     if (page.isSpatial()) return handlesInSpace(view);
     const { unplace } = view;
     const fine = step(page.frame().radius) * 2;
@@ -547,12 +550,13 @@
     const most = { friction: Math.max(1.5, ...answer.contacts.map((c) => 2 * c.friction)), preload: 0 };
     const size = Math.max(
       ...answer.contacts.map((c) => c.preload),
-      ...(page.load() || [0]).slice(0, answer.dimension === 3 ? 2 : 3).map(Math.abs),
+      ...(page.load() || [0]).filter((_, j) => page.mechanism() || j < (answer.dimension === 3 ? 2 : 3)).map(Math.abs),
       0.5,
     );
     most.preload = page.roundDown(2 * size * 1.6);
-    const names =
-      answer.dimension === 3
+    const names = page.mechanism()
+      ? page.mechanism().coordinates
+      : answer.dimension === 3
         ? ["force x", "force y", "torque"]
         : ["force x", "force y", "force z", "torque x", "torque y", "torque z"];
     page.put(
@@ -560,7 +564,9 @@
       html(
         "p",
         { class: "muted" },
-        answer.dimension === 3
+        page.mechanism()
+          ? "Of several bodies nothing is dragged: friction, preloads and the load of each coordinate are set here."
+          : answer.dimension === 3
           ? "Drag a contact, the ring on its normal, or the tip of the load, also that in the region below; " +
               "or go to them with Tab, and use the arrow keys."
           : "Drag a contact over the body, the tip of the load, also that in the region below, or the point where it acts; " +
@@ -687,7 +693,8 @@
 
   /** The controls say what is: all but what is being typed. */
   function controls() {
-    const wanted = page.answer.dimension + " " + page.answer.contacts.length;
+    const { dimension, contacts, mechanism } = page.answer;
+    const wanted = [mechanism ? mechanism.coordinates : dimension, contacts.length].join(" ");
     if (made !== wanted) make();
     made = wanted;
     const put = (id, value) => {
@@ -736,7 +743,7 @@
     if (found) {
       page.grasp.load(found.grasp);
       options = found.options;
-      if (page.solid && page.solid.mark !== found.body) page.solid = null;
+      if (page.solidsMark() !== found.body) page.solids = [];
       change();
     } else {
       // The server begins with the verdict.

@@ -32,6 +32,7 @@
   function enter() {
     page.find("body").hidden = page.isSpatial();
     page.find("space").hidden = !page.isSpatial();
+    page.find("body-title").textContent = page.mechanism() ? "The bodies" : "The body";
     if (page.isSpatial()) page.startSpace();
   }
 

@@ -15,14 +15,90 @@
   const add = (a, factor, b) => a.map((x, i) => x + factor * b[i]);
   page.vector = { unit, dot, cross, add };
 
+  // Bodies. A motion of several is a state z, of which a body's twist is a function (certificate/FORMAT.md, section 14).
+
+  /** Of several bodies what is known of them, or null. */
+  page.mechanism = () => page.answer.mechanism || null;
+  /** All bodies: {name, outline, link, motion}; of one that is alone, {outline}. */
+  page.bodies = () => (page.mechanism() ? page.mechanism().bodies : [{ outline: page.answer.outline, link: null }]);
+
+  /** How body b moves, or the ground, which is null. */
+  page.twistOf = function (b, motion) {
+    if (!page.mechanism()) return motion;
+    if (b === null) return Array(page.answer.dimension).fill(0);
+    return page.bodies()[b].motion.map((row) => dot(row, motion));
+  };
+
+  /** How the body that a contact presses moves, seen from the other one. */
+  page.twistAt = (contact, motion) =>
+    page.mechanism() ? add(page.twistOf(contact.of, motion), -1, page.twistOf(contact.by, motion)) : motion;
+
+  /** The contacts of body b, with normals into it. */
+  page.contactsOf = function (b) {
+    const { contacts } = page.answer;
+    if (!page.mechanism()) return contacts;
+    const pressed = (c) => (c.of === b ? c : { ...c, normal: c.normal.map((x) => -x) });
+    return contacts.filter((c) => c.of === b || c.by === b).map(pressed);
+  };
+  /** Whether a contact is one with the ground. */
+  page.isGrounded = (contact) => contact.by === undefined || contact.by === null;
+
+  /** "joint wrist", "tendon tendon 2"; what has no name by its place in the file. */
+  page.springName = ({ kind, name, place }) => (!name ? place : name === kind ? name : kind + " " + name);
+
+  /** The points of a link's own hinge and of those of links on it. */
+  page.hingesOf = (b) =>
+    page
+      .bodies()
+      .filter(({ link }, other) => link && !link.slides && (other === b || link.on === b))
+      .map(({ link }) => link.at);
+
+  /** Of which bodies a drawing is a sketch; for each whether what it looks like is given. */
+  page.sketchWords = function (given, what) {
+    if (page.answer.contacts.length === 0 || given.every(Boolean)) return "";
+    return page.mechanism()
+      ? "Bodies whose " + what + " is not given are sketched around their contacts and hinges."
+      : "No " + what + " is given: the body is sketched around the contacts.";
+  };
+
+  /** The mean of points, or null. */
+  page.middleOf = (points) =>
+    points.length === 0 ? null : points.reduce((sum, p) => add(sum, 1 / points.length, p), Array(points[0].length).fill(0));
+
+  /**
+   * The load as forces at points and torques about these, [{at, force, torque}]: at the point that is given of one body,
+   * and of several at the middle of each that is no link. What pulls at joints beyond that is said in words.
+   */
+  page.loads = function (load, alone, middles) {
+    const axes = page.isSpatial() ? 3 : 2;
+    const at = function (point, wrench) {
+      const force = wrench.slice(0, axes);
+      const arm = axes === 3 ? cross(point, force) : [point[0] * force[1] - point[1] * force[0]];
+      const dust = 1e-9 * (1e-3 + Math.hypot(...wrench) + Math.hypot(...arm));
+      const torque = wrench.slice(axes).map((x, j) => (Math.abs(x - arm[j]) < dust ? 0 : x - arm[j]));
+      return { at: point, force, torque };
+    };
+    if (!load) return [];
+    if (!page.mechanism()) return [at(alone, load)];
+    return page.bodies().flatMap(({ name, link, motion }, b) => {
+      if (link || !middles[b]) return [];
+      const first = motion[0].indexOf(1);
+      const found = { ...at(middles[b], load.slice(first, first + motion.length)), name };
+      return [...found.force, ...found.torque].some((x) => x !== 0) ? [found] : [];
+    });
+  };
+
   /**
    * The middle of the drawing and the size of the grasp: the origin, unless the grasp is far away
    * from it.
    */
   page.frame = function () {
     const axes = page.isSpatial() ? 3 : 2;
-    const points = [...page.answer.contacts.map((c) => c.position), ...(page.answer.outline || []).flat()];
-    if (page.isSpatial() && page.solid) points.push(...page.solid.ends);
+    const points = [
+      ...page.answer.contacts.map((c) => c.position),
+      ...page.bodies().flatMap(({ outline }) => (outline || []).flat()),
+    ];
+    if (page.isSpatial()) points.push(...page.solids.flatMap((solid) => (solid ? solid.ends : [])));
     const centre = Array(axes).fill(0);
     if (points.length === 0) return { centre, radius: 1 };
     const low = centre.map((_, j) => Math.min(...points.map((p) => p[j])));
@@ -42,13 +118,22 @@
     return add(twist.slice(0, 3), 1, cross(twist.slice(3), point));
   };
 
+  /** How a contact's point moves with the body that it presses, seen from the other one. */
+  page.moveAt = (contact, motion) => page.displacement(contact.position, page.twistAt(contact, motion));
+
+  /** How fast a soft finger's patch rubs as it turns about the normal: its torsion times that turn. */
+  page.spinAt = (contact, motion) =>
+    contact.torsion ? contact.torsion * dot(unit(contact.normal), page.twistAt(contact, motion).slice(3)) : 0;
+
   /** By which round factor a motion is enlarged in drawings; 0 if nothing moves. */
   page.enlargement = function (twist, frame) {
-    const turn = Math.max(...twist.slice(twist.length === 3 ? 2 : 3).map(Math.abs));
-    let largest = Math.max(...page.displacement(frame.centre, twist).map(Math.abs), turn * frame.radius);
-    for (const contact of page.answer.contacts) {
-      largest = Math.max(largest, ...page.displacement(contact.position, twist).map(Math.abs));
-    }
+    let largest = 0;
+    page.bodies().forEach((_, b) => {
+      const of = page.twistOf(b, twist);
+      const turn = Math.max(...of.slice(of.length === 3 ? 2 : 3).map(Math.abs));
+      largest = Math.max(largest, ...page.displacement(frame.centre, of).map(Math.abs), turn * frame.radius);
+    });
+    for (const contact of page.answer.contacts) largest = Math.max(largest, ...page.moveAt(contact, twist).map(Math.abs));
     return largest > 0 ? page.roundDown((kLongestMotion * frame.radius) / largest) : 0;
   };
 
@@ -70,19 +155,30 @@
   const unitName = () => (page.unitsOf() ? "\u00A0" + page.unitsOf().length : "");
   page.unitsOf = () => (page.answer.decide && page.answer.decide.units) || page.grasp.units() || null;
 
-  /** A motion in words. */
-  page.motionWords = function (twist) {
+  /** A motion in words, of several bodies of each that moves. */
+  page.motionLines = function (motion) {
+    if (!page.mechanism()) return [page.motionWords(motion)];
+    const twists = page.bodies().map(({ name }, b) => [name, page.twistOf(b, motion)]);
+    const rests = (twist) => twist.every((x) => x === 0);
+    const still = twists.filter(([, twist]) => rests(twist)).map(([name]) => name);
+    const lines = twists.filter(([, twist]) => !rests(twist)).map(([name, twist]) => page.motionWords(twist, name));
+    if (lines.length === 0) return ["Nothing moves."];
+    return still.length === 0 ? lines : [...lines, "Not moved: " + still.join(", ") + "."];
+  };
+
+  page.motionWords = function (twist, who = "The body") {
     const size = Math.max(...twist.map(Math.abs));
     if (size === 0) return "Nothing moves.";
     if (twist.length === 6) {
       const screw = page.screw(twist);
-      if (!screw) return "The body shifts along " + page.nearTuple(unit(twist.slice(0, 3))) + ", without turning.";
+      if (!screw) return who + " shifts along " + page.nearTuple(unit(twist.slice(0, 3))) + ", without turning.";
       const shift =
         Math.abs(screw.pitch) < 1e-9
           ? ""
           : ", and shifts by " + page.near(screw.pitch, 3) + unitName() + " along it with each radian";
       return (
-        "The body turns about the axis through " +
+        who +
+        " turns about the axis through " +
         page.nearTuple(screw.point.map((x) => x + 0)) +
         " along " +
         page.nearTuple(screw.direction) +
@@ -93,13 +189,15 @@
     const pivot = page.pivot(twist);
     if (!pivot || Math.max(...pivot.map(Math.abs)) > 1e9 * page.frame().radius) {
       return (
-        "The body shifts along " +
+        who +
+        " shifts along " +
         page.nearTuple(unit(twist.slice(0, 2)).map((x) => page.clean(x))) +
         ", without turning."
       );
     }
     return (
-      "The body turns " +
+      who +
+      " turns " +
       (twist[2] > 0 ? "counterclockwise \u21BA" : "clockwise \u21BB") +
       " about " +
       page.nearTuple(pivot.map((x) => page.clean(x, page.frame().radius))) +
@@ -126,7 +224,7 @@
 
   /** Whether the motion presses contact i in (-1), leaves it (+1) or neither (0). */
   page.parting = function (contact, twist) {
-    const move = page.displacement(contact.position, twist);
+    const move = page.moveAt(contact, twist);
     const along = dot(unit(contact.normal), move);
     return Math.abs(along) <= 1e-9 * (Math.hypot(...move) + Math.hypot(...twist) * 1e-6) ? 0 : Math.sign(along);
   };
@@ -188,14 +286,17 @@
 
   function equilibriumMark(force, contact, twist) {
     if (!force.closed) return "open";
-    if (!page.isSpatial()) return kMarkOf[force.slip] || "none";
-    return Math.hypot(...slipInSpace(contact, twist)) > 0 ? "slip" : "stick";
+    if (force.slip) return kMarkOf[force.slip] || "none";
+    const slip = slipOf(contact, twist);
+    const spins = Math.abs(page.spinAt(contact, twist)) > 1e-9 * Math.hypot(...twist);
+    if (slip.every((x) => x === 0) && !spins) return "stick";
+    return page.isSpatial() ? "slip" : dot(page.tangent(contact), slip) > 0 ? "plus" : "minus";
   }
 
-  function slipInSpace(contact, twist) {
-    const move = page.displacement(contact.position, twist);
+  function slipOf(contact, twist) {
+    const move = page.moveAt(contact, twist);
     const normal = unit(contact.normal);
     const slip = add(move, -dot(move, normal), normal);
-    return Math.hypot(...slip) > 1e-9 * Math.hypot(...twist, 1e-300) ? slip : [0, 0, 0];
+    return Math.hypot(...slip) > 1e-9 * Math.hypot(...twist, 1e-300) ? slip : slip.map(() => 0);
   }
 })(StickslipPage);

@@ -127,6 +127,16 @@
       ")",
     );
 
+  /** A load or a motion: of several bodies what is not 0 of it, by the names of coordinates. */
+  page.state = function (values, number = page.number) {
+    const { mechanism } = page.answer;
+    if (!mechanism) return page.numbers(values, number);
+    const entries = values.flatMap((value, j) =>
+      !Array.isArray(value) && page.Fraction.of(value).sign() === 0 ? [] : [[mechanism.coordinates[j].replace(/ /g, "\u00A0") + "\u00A0", number(value)]],
+    );
+    return page.html("span", { class: "tuple" }, entries.length === 0 ? "0" : entries.map((e, k) => [k ? ", " : "", e]));
+  };
+
   /** The largest of 1, 2, 5 times a power of ten that is not above a positive number. */
   page.roundDown = function (value) {
     const ten = 10 ** Math.floor(Math.log10(value) + 1e-9);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A grasp in space, drawn by three.js: contacts, cones, forces, load, and the motion as a screw. It is turned by the mouse or by
-// arrow keys. Lengths are in sizes of the grasp, as in the plane.
+// A grasp in space, drawn by three.js: bodies, contacts, cones, forces, load, and the motion as a screw. It is turned by the mouse
+// or by arrow keys. Lengths are in sizes of the grasp, as in the plane.
 (function (page) {
   const { html, vector } = page;
   const kLongestForce = 0.6;
   const kLongestCone = 0.6;
   const kTurn = Math.PI / 24;
+  const kAroundHinge = 0.06;
   const kCrease = 18; // degrees between faces from which on their edge is drawn
 
   let renderer = null;
   let scene = null;
   let camera = null;
-  let moving = null; // what the animation moves
+  let moving = []; // what the animation moves, by body; null where there is nothing
   let look = { azimuth: -0.9, height: 0.45, distance: 5.2 };
   const kHome = { ...look };
   /** Where the load's arrow begins; about it is the torque that is drawn. */
@@ -26,20 +27,23 @@
   /** A texture with a text, always turned to the reader. */
   function sprite(text, at, size = 0.2) {
     const canvas = document.createElement("canvas");
-    canvas.width = canvas.height = 128;
     const context = canvas.getContext("2d");
-    context.font = "bold 74px Helvetica, Arial, sans-serif";
+    const font = "bold 74px Helvetica, Arial, sans-serif";
+    context.font = font;
+    canvas.width = Math.max(128, Math.ceil(context.measureText(text).width) + 32);
+    canvas.height = 128;
+    context.font = font;
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.lineJoin = "round";
     context.lineWidth = 16;
     context.strokeStyle = page.colour("paper");
-    context.strokeText(text, 64, 68);
+    context.strokeText(text, canvas.width / 2, 68);
     context.fillStyle = page.colour("ink");
-    context.fillText(text, 64, 68);
+    context.fillText(text, canvas.width / 2, 68);
     const made = new THREE.Sprite(new THREE.SpriteMaterial({ map: new THREE.CanvasTexture(canvas), depthTest: false }));
     made.position.copy(V(at));
-    made.scale.setScalar(size);
+    made.scale.set((size * canvas.width) / canvas.height, size, 1);
     made.renderOrder = 10;
     return made;
   }
@@ -142,8 +146,16 @@
     return faces.map((face) => face.map((k) => given[k]));
   }
 
-  /** Points of which the hull stands for the body: the contacts, and points a little inside of them, as in pictures. */
-  function bodyPoints(contacts) {
+  /**
+   * Points of which the hull stands for a body: the contacts, and points a little inside of them, as in pictures; of a link
+   * what is around its contacts and hinges.
+   */
+  function bodyPoints(contacts, hinges) {
+    if (hinges.length > 0) {
+      const corners = (p, by = kAroundHinge) =>
+        [-by, by].flatMap((x) => [-by, by].flatMap((y) => [-by, by].map((z) => vector.add(p, 1, [x, y, z]))));
+      return [...contacts.map((c) => c.at), ...hinges].flatMap((p) => corners(p));
+    }
     const points = contacts.map((c) => c.at);
     for (const c of contacts) {
       const axis = [0, 1, 2].map((j) =>
@@ -160,25 +172,31 @@
     return points;
   }
 
-  /** The triangles of the body, scaled: those of the page's body, or of a hull around the contacts. */
-  function trianglesOf({ frame, contacts }) {
-    if (!page.solid) return hull(bodyPoints(contacts));
-    const key = [page.solid.mark, frame.radius, ...frame.centre].join(" ");
+  /** The triangles of body b, scaled: those of the page's, or of a hull around its contacts. */
+  function trianglesOf(b, frame) {
+    const solid = page.solids[b];
+    if (!solid) {
+      const contacts = page.contactsOf(b).map((c) => ({ normal: vector.unit(c.normal), at: inScene(c.position, frame) }));
+      const { link } = page.bodies()[b];
+      return hull(bodyPoints(contacts, link && !link.slides ? page.hingesOf(b).map((p) => inScene(p, frame)) : []));
+    }
+    const key = [solid.mark, frame.radius, ...frame.centre].join(" ");
     const scaled = (triangle) => triangle.map((p) => inScene(p, frame));
-    if (kept.key !== key) kept = { key, triangles: page.solid.triangles.map(scaled) };
-    return kept.triangles;
+    if (!kept[b] || kept[b].key !== key) kept[b] = { key, triangles: solid.triangles.map(scaled) };
+    return kept[b].triangles;
   }
-  let kept = {}; // of the page's body, from drawing to drawing, as a large one takes a while
+  const kept = []; // of the page's bodies, from drawing to drawing, as a large one takes a while
 
   /** What is drawn of triangles: {faces, edges}. */
   function surface(triangles) {
-    if (kept.triangles === triangles && kept.surface) return kept.surface;
+    const large = kept.find((one) => one && one.triangles === triangles);
+    if (large && large.surface) return large.surface;
     const faces = new THREE.BufferGeometry();
     faces.setAttribute("position", new THREE.Float32BufferAttribute(triangles.flat(2), 3));
     faces.computeVertexNormals();
     const found = { faces, edges: new THREE.EdgesGeometry(faces, kCrease) };
-    if (kept.triangles === triangles) {
-      kept.surface = found;
+    if (large) {
+      large.surface = found;
       for (const geometry of Object.values(found)) geometry.userData.kept = true;
     }
     return found;
@@ -265,28 +283,25 @@
     const motion = page.motion();
     const name = motion.kind === "twist" ? "virtual" : "motion";
     const factor = motion.twist ? page.enlargement(motion.twist, frame) : 0;
-    const { triangles } = view;
-    const shape = triangles.length > 0 ? surface(triangles) : null;
-    if (shape)
-      parts.push(
-        body(
-          shape,
-          "body-line",
-          0.16,
-          new THREE.LineBasicMaterial({ color: colour("body-line"), transparent: true, opacity: 0.55 }),
-        ),
-      );
+    const shapes = view.bodies.map((triangles) => (triangles.length > 0 ? surface(triangles) : null));
+    const rest = { color: colour("body-line"), transparent: true, opacity: 0.55 };
+    shapes.forEach((shape, b) => {
+      if (!shape) return;
+      const resting = body(shape, "body-line", 0.16, new THREE.LineBasicMaterial(rest));
+      resting.userData.body = b;
+      parts.push(resting);
+    });
+    if (page.mechanism()) parts.push(...drawNames(view));
     const coneLength = kLongestCone * Math.min(1, 2.2 / Math.sqrt(contacts.length || 1));
     const forces = motion.kind === "equilibrium" ? page.forces() : null;
-    const load = page.load();
-    const force = load ? load.slice(0, 3) : [0, 0, 0];
+    const loads = page.loads(page.load(), page.loadPoint(), view.bodies.map((triangles) => middleOf(triangles, frame)));
+    const size = Math.max(...loads.flatMap(({ force }) => force.map(Math.abs)), 0);
     view.unit =
       view.unit ||
       Math.max(
         ...contacts.map((c) => c.preload),
         ...(forces || []).flatMap((f) => f.force.map(Math.abs)),
-        ...force.map(Math.abs),
-        0,
+        size,
       ) ||
       1;
     const { unit } = view;
@@ -294,45 +309,40 @@
     contacts.forEach((c, i) => {
       parts.push(
         cone(c, coneLength),
-        finger(c),
+        page.isGrounded(c) && finger(c),
         mark(c, motion.marks[i]),
         sprite(String(i), vector.add(c.at, -0.2, c.normal)),
       );
       if (forces) parts.push(arrow(c.at, length(forces[i].force), "force", 0.026));
       if (factor > 0) {
-        const move = page.displacement(c.position, motion.twist).map((x) => (x * factor) / frame.radius);
+        const move = page.moveAt(c, motion.twist).map((x) => (x * factor) / frame.radius);
         parts.push(arrow(c.at, move, name, 0.014));
       }
     });
-    const size = Math.max(...force.map(Math.abs));
     view.loadFactor =
       view.loadFactor || (size > 0 && size < unit / 8 ? page.roundDown((0.6 * unit) / size) : 1);
     view.perLength = unit / (kLongestForce * view.loadFactor * frame.radius);
     view.load = null;
-    if (load) {
-      const point = page.loadPoint();
-      const tail = inScene(point);
+    for (const { at, force, torque: there } of loads) {
+      const tail = inScene(at);
       const along = length(force.map((x) => x * view.loadFactor));
       parts.push(arrow(tail, along, "load", 0.022));
-      const there = vector.add(load.slice(3), -1, vector.cross(point, force));
-      const isThere = Math.hypot(...there) > 1e-9 * (1 + Math.hypot(...load));
-      if (isThere) parts.push(torque(tail, there, "load"));
-      view.torque = isThere ? there : null;
+      if (there.some((x) => x !== 0)) parts.push(torque(tail, there, "load"));
       view.load = { tail: inFile(tail), tip: inFile(vector.add(tail, 1, along)), isForce: size > 0 };
     }
-    moving = null;
+    moving = [];
     if (factor > 0) {
-      parts.push(...drawScrew(motion.twist, frame, name));
-      if (shape) {
-        moving = body(
-          shape,
-          name,
-          0.08,
-          new THREE.LineDashedMaterial({ color: colour(name), dashSize: 0.06, gapSize: 0.045 }),
-        );
-        moving.matrixAutoUpdate = false;
-        parts.push(moving);
-      }
+      page.bodies().forEach(({ link }, b) => {
+        if (!link) parts.push(...drawScrew(page.twistOf(b, motion.twist), frame, name));
+      });
+      moving = shapes.map(function (shape) {
+        if (!shape) return null;
+        const dashed = { color: colour(name), dashSize: 0.06, gapSize: 0.045 };
+        const ghost = body(shape, name, 0.08, new THREE.LineDashedMaterial(dashed));
+        ghost.matrixAutoUpdate = false;
+        parts.push(ghost);
+        return ghost;
+      });
     }
     // The axes of the file's frame, in a corner of the body's surroundings.
     const corner = view.ends[0].map((x) => x - 0.4);
@@ -351,7 +361,45 @@
         sprite("xyz"[j], vector.add(corner, 0.5, axis), 0.16),
       );
     });
-    return { parts: parts.filter(Boolean), motion, factor, forces, unit, coneLength };
+    return { parts: parts.filter(Boolean), motion, factor, forces, loads, unit, coneLength };
+  }
+
+  /** The middle of what triangles span, in the frame of the file, or null. */
+  const middleOf = (triangles, frame) => {
+    const middle = page.middleOf(boxAround(triangles.flat()));
+    return triangles.length > 0 ? vector.add(frame.centre, frame.radius, middle) : null;
+  };
+
+  /** Names of several bodies, and how links are held: the axis of a hinge, a rail along a slide. */
+  function drawNames({ frame, bodies }) {
+    return page.bodies().flatMap(function ({ name, link }, b) {
+      const middle = middleOf(bodies[b], frame) || (link && !link.slides ? link.at : null);
+      if (!middle) return [];
+      const label = sprite(name, vector.add(inScene(middle, frame), 0.12 * reach, [0, 0, 1]), 0.12 * reach);
+      if (!link) return [label];
+      const axis = vector.unit(link.axis);
+      if (!link.slides) return [label, placed(pin(), vector.add(inScene(link.at, frame), -kPin / 2, axis), axis)];
+      const ends = [-kRail, kRail].map((by) => V(vector.add(inScene(middle, frame), by, axis)));
+      return [label, line(ends, "ink", true)];
+    });
+  }
+  const kPin = 0.3;
+  const kRail = 0.8;
+  /** Along +y from the origin. */
+  function pin() {
+    const group = new THREE.Group();
+    const made = new THREE.Mesh(new THREE.CylinderGeometry(0.03, 0.03, kPin, 20), solid("ink"));
+    made.position.y = kPin / 2;
+    group.add(made);
+    return group;
+  }
+
+  /** How body b is moved by a share of the motion: a link is carried by what it is on, and then turned on its own hinge. */
+  function moved(b, motion, share, frame) {
+    const { link } = page.bodies()[b];
+    if (!link || link.on === null) return move(page.twistOf(b, motion), share, frame);
+    const own = vector.add(page.twistOf(b, motion), -1, page.twistOf(link.on, motion));
+    return moved(link.on, motion, share, frame).multiply(move(own, share, frame));
   }
 
   /** By a share of the motion: a turn about the axis and a shift along it, or a shift. */
@@ -383,9 +431,9 @@
     renderer.render(scene, camera);
   }
 
-  /** The corners of the box around the origin and these points. */
+  /** The corners of the box around points. */
   const boxAround = (points) =>
-    [Math.min, Math.max].map((end) => [0, 1, 2].map((j) => points.reduce((x, p) => end(x, p[j]), 0)));
+    [Math.min, Math.max].map((end) => [0, 1, 2].map((j) => points.reduce((x, p) => end(x, p[j]), points.length ? points[0][j] : 0)));
 
   let view = null;
   function makeView() {
@@ -397,9 +445,11 @@
     }));
     // While something is dragged, the body stays, and so do the scales.
     if (page.keepView) return { ...page.keepView, contacts };
-    const triangles = trianglesOf({ frame, contacts });
-    const ends = boxAround([...contacts.map((c) => c.at), ...(page.solid ? page.solid.ends : []).map((p) => inScene(p, frame))]);
-    return { frame, contacts, triangles, ends, place, onBody, besides };
+    const bodies = page.bodies().map((_, b) => trianglesOf(b, frame));
+    const solids = page.solids.flatMap((solid) => (solid ? solid.ends : [])).map((p) => inScene(p, frame));
+    const sketched = page.mechanism() ? bodies.flatMap((triangles, b) => (page.solids[b] ? [] : triangles.flat())) : [];
+    const ends = boxAround([[0, 0, 0], ...contacts.map((c) => c.at), ...solids, ...sketched]);
+    return { frame, contacts, bodies, ends, place, onBody, besides };
   }
 
   function draw() {
@@ -407,7 +457,7 @@
     if (!renderer) return;
     view = makeView();
     const { frame } = view;
-    if (view.contacts.length > 0 || page.solid) {
+    if (view.contacts.length > 0 || page.solids.some(Boolean)) {
       const [low, high] = view.ends;
       target = low.map((x, j) => (x + high[j]) / 2);
       reach = Math.max(0.6, Math.hypot(...high.map((x, j) => x - low[j])) / 2.6);
@@ -434,8 +484,10 @@
     scene.add(light);
     const built = build(view);
     scene.add(...built.parts);
-    page.animate(moving, (share) => {
-      moving.matrix = move(built.motion.twist, share * built.factor, frame);
+    page.animate(moving.some(Boolean) ? moving : null, (share) => {
+      moving.forEach((ghost, b) => {
+        if (ghost) ghost.matrix = moved(b, built.motion.twist, share * built.factor, frame);
+      });
       render();
     });
     render();
@@ -449,48 +501,50 @@
     page.put("body-legend", legend(built));
   }
 
-  function legend({ motion, factor, forces, unit }) {
+  function legend({ motion, factor, forces, loads, unit }) {
     const { svg } = page;
     const arrowSign = (name) => page.sign(page.arrow([1, 9], [25, 9], name));
     const units = page.unitsOf();
     const twist = motion.kind === "twist";
     const marks = [...new Set(motion.marks)].filter((name) => page.marks[name]);
-    const load = page.load();
+    const sketched = page.sketchWords(page.bodies().map((_, b) => page.solids[b]), "mesh");
+    const screws = (motion) => page.bodies().some(({ link }, b) => !link && page.screw(page.twistOf(b, motion)));
     return [
       page.legend([
         { drawing: page.sign(svg("path", { class: "cone", d: "M1 9L25 16V2Z" })), text: "normal, friction cone" },
         forces && {
           drawing: arrowSign("force"),
           text:
-            "contact force" +
+            page.forceWords() +
             (page.answer.near ? ", near" : "") +
             ", longest part " +
             page.near(unit, 3) +
             (units ? " " + units.force : ""),
         },
-        load &&
-          Math.hypot(...load.slice(0, 3)) > 0 && {
-            drawing: arrowSign("load"),
-            text: "load" + (view.loadFactor === 1 ? "" : ", " + page.factorText(view.loadFactor)),
-          },
-        load &&
-          view.torque && {
+        loads.some(({ force }) => Math.hypot(...force) > 0) && {
+          drawing: arrowSign("load"),
+          text: "load" + (view.loadFactor === 1 ? "" : ", " + page.factorText(view.loadFactor)),
+        },
+        ...loads
+          .filter(({ torque: there }) => there.some((x) => x !== 0))
+          .map(({ name, torque: there }) => ({
             drawing: page.sign(page.torqueArrow([13, 11], 7, true)),
-            text: "torque " + page.nearTuple(view.torque) + (units ? " " + units.force + " " + units.length : ""),
-          },
+            text: page.torqueWords(name) + page.nearTuple(there) + (units ? " " + units.force + " " + units.length : ""),
+          })),
         factor > 0 && {
           drawing: arrowSign(twist ? "virtual" : "motion"),
           text:
             (twist ? "virtual twist, " : "motion, ") +
             page.factorText(factor) +
-            (page.screw(motion.twist) ? ", with the axis of its screw" : ""),
+            (screws(motion.twist) ? ", with the axis of its screw" : ""),
         },
+        ...page.linkLegend(),
         ...marks.map((name) => ({ drawing: page.markSign(name), text: page.marks[name] })),
       ]),
       html(
         "p",
         { class: "muted" },
-        (page.solid ? "" : "No body is given: it is sketched around the contacts. ") +
+        (sketched && sketched + " ") +
           "Turn it with the mouse or the arrow keys.",
       ),
     ];
@@ -527,9 +581,10 @@
    * Of what a ray goes through, it enters the body first, then leaves it, and so on.
    */
   function onBody(pixel, near = null) {
-    if (view.triangles.length === 0) return null;
+    const [triangles] = view.bodies;
+    if (triangles.length === 0) return null;
     const caster = rayThrough(pixel);
-    const mesh = new THREE.Mesh(surface(view.triangles).faces, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+    const mesh = new THREE.Mesh(surface(triangles).faces, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
     const hits = caster.intersectObject(mesh);
     const passed = hits.filter((hit, k) => k === 0 || hit.distance - hits[k - 1].distance > 1e-6);
     if (passed.length === 0) return null;
@@ -613,7 +668,12 @@
   };
 
   /** From where it is looked at, for tests. */
-  page.spaceState = () => ({ ...look, drawn: scene ? scene.children.length : 0 });
+  page.spaceState = () => ({
+    ...look,
+    drawn: scene ? scene.children.length : 0,
+    bodies: scene ? scene.children.flatMap((part) => (part.userData.body === undefined ? [] : [part.userData.body])) : [],
+    moved: moving.map((ghost) => ghost && ghost.matrix.elements.slice()),
+  });
 
   const drawPlane = page.drawBody;
   const planeView = page.bodyView;

@@ -10,6 +10,11 @@
     fragile: ["Fragile", "some grasps in the box hold this load, and others do not."],
     undecided: ["Undecided", "nothing is known about the verdict."],
   };
+  const kVerdictsOfSeveral = {
+    ...kVerdicts,
+    stable: ["Stable", "the bodies hold this load."],
+    unstable: ["Unstable", "the bodies do not hold this load."],
+  };
   const kBoxVerdicts = {
     stable: ["Stable throughout", "every grasp in the box of uncertain numbers holds its load."],
     unstable: ["Unstable throughout", "no grasp in the box of uncertain numbers holds its load."],
@@ -18,7 +23,8 @@
 
   /** Of one decision: [word, sentence]. */
   function wordsOf(decide) {
-    return (decide.box && kBoxVerdicts[decide.verdict]) || kVerdicts[decide.verdict] || [decide.verdict, ""];
+    const ofOne = page.mechanism() ? kVerdictsOfSeveral : kVerdicts;
+    return (decide.box && kBoxVerdicts[decide.verdict]) || ofOne[decide.verdict] || [decide.verdict, ""];
   }
 
   page.verdictWords = function () {
@@ -72,25 +78,16 @@
             {},
             html("th", { scope: "row" }, one.case),
             html("td", {}, (kSymbols[one.verdict] || "") + " " + one.verdict),
-            html("td", {}, page.numbers(one.wrench)),
+            html("td", {}, page.state(one.wrench)),
           ),
         ),
       ),
     );
   }
 
-  const isInterval = (wrench) => wrench.some(Array.isArray);
-  function wrenchText(wrench) {
-    if (!isInterval(wrench)) return page.numbers(wrench);
-    return [
-      "(",
-      wrench.map((w, i) => [
-        i ? ", " : "",
-        Array.isArray(w) ? ["[", page.number(w[0]), ", ", page.number(w[1]), "]"] : page.number(w),
-      ]),
-      ")",
-    ];
-  }
+  const wrenchText = (wrench) =>
+    page.state(wrench, (w) => (Array.isArray(w) ? ["[", page.number(w[0]), ", ", page.number(w[1]), "]"] : page.number(w)));
+  const hasSprings = () => page.mechanism() !== null && page.mechanism().springs.length > 0;
 
   /** Under the verdict: the load, and what makes it so. */
   function drawWhy() {
@@ -113,11 +110,13 @@
           html(
             "p",
             {},
-            "The body moves by d = ",
-            page.numbers(decide.twist),
+            page.mechanism() ? "The bodies move by z = " : "The body moves by d = ",
+            page.state(decide.twist),
             ", and then ",
             contactsDo(page.equilibrium().marks) || "no contact is needed",
-            ". These forces balance the load, lie in their friction cones and oppose slip; checked exactly.",
+            ". These forces balance the load" +
+              (hasSprings() ? " with those of the springs" : "") +
+              ", lie in their friction cones and oppose slip; checked exactly.",
           ),
         );
       } else if (decide.verdict === "stable") {
@@ -125,8 +124,10 @@
           html(
             "p",
             {},
-            "The body moves by nearly d = ",
-            page.nearTuple(decide.near_float || (page.answer.near || {}).twist_float || []),
+            page.mechanism() ? "The bodies move by nearly z = " : "The body moves by nearly d = ",
+            page.mechanism() && decide.near
+              ? page.state(decide.near, page.brief)
+              : page.nearTuple(decide.near_float || (page.answer.near || {}).twist_float || []),
             decide.proof && decide.proof.at_rest
               ? ". Proved: nothing moves, as friction answers whatever load is left. "
               : ". Proved: the forces on the walls around motions near this one leave no way out but an equilibrium inside. ",
@@ -145,7 +146,9 @@
             {},
             "No motion and forces satisfy all conditions. " +
               many +
-              " some virtual twist, the load does more work than the contacts can take up.",
+              " some virtual twist, the load does more work than the contacts " +
+              (hasSprings() ? "and springs " : "") +
+              "can take up.",
           ),
         );
       } else if (decide.verdict === "fragile" && decide.differences) {
@@ -207,8 +210,8 @@
     const reasons = new Map();
     for (const message of page.answer.messages || []) {
       const [, part, reason] = /^(states|region|margin|map): (.*)$/.exec(message) || [null, "", message];
-      // In space nobody expects them.
-      if (page.isSpatial() && part !== "" && part !== "margin") continue;
+      // In space nobody expects them of one body.
+      if (page.isSpatial() && !page.mechanism() && part !== "" && part !== "margin") continue;
       reasons.set(reason, [...(reasons.get(reason) || []), part]);
     }
     return [...reasons].map(([reason, parts]) => (parts[0] ? parts.join(", ") + ": " : "") + reason);
@@ -357,7 +360,7 @@
         ),
       );
     }
-    if (motion.kind === "equilibrium") lines.push(html("p", {}, page.motionWords(motion.twist)));
+    if (motion.kind === "equilibrium") lines.push(...page.motionLines(motion.twist).map((line) => html("p", {}, line)));
     page.put("motion-words", lines);
   }
 
@@ -401,10 +404,13 @@
       html(
         "p",
         {},
-        "Whatever forces the contacts have" +
+        "Whatever forces the contacts " +
+          (hasSprings() ? "and springs " : "") +
+          "have" +
           (whole ? "" : " in it") +
-          ", load and contacts together do positive work along the virtual twist ",
-        page.numbers(drift.exact),
+          (hasSprings() ? ", load, contacts and springs" : ", load and contacts") +
+          " together do positive work along the virtual twist ",
+        page.state(drift.exact),
         ", so they never balance. ",
         load,
         drift.work && drift.work.sign() !== 0 ? [" (work ", page.number(drift.work), ")"] : null,
@@ -414,7 +420,7 @@
         idle.length ? "; " + page.contacts(idle) + " cannot oppose it" : "",
         ".",
       ),
-      html("p", {}, page.motionWords(drift.twist)),
+      page.motionLines(drift.twist).map((line) => html("p", {}, line)),
     ];
   }
 
@@ -426,16 +432,23 @@
     const near = kind === "equilibrium" && !exact && page.forces();
     const marked = motion.marks.some((mark) => mark !== "none");
     const columns = [["contact", (_, i) => String(i)]];
+    if (page.mechanism()) {
+      const name = (b) => (b === null ? "ground" : page.bodies()[b].name);
+      columns.push(["of", (contact) => name(contact.of)], ["by", (contact) => name(contact.by)]);
+    }
     if (marked) columns.push(["does", (_, i) => [page.markSign(motion.marks[i]), " ", page.marks[motion.marks[i]]]]);
     if (kind === "cell") columns.push(["normal", (contact) => partingWords(contact, motion.twist)]);
-    if (exact && !page.isSpatial()) {
+    const inParts = exact && exact.every((contact) => contact.normal !== undefined);
+    if (inParts) {
       columns.push(
         ["normal", (_, i) => page.brief(exact[i].normal)],
         ["tangential", (_, i) => page.brief(exact[i].tangential)],
       );
     }
     if (exact) columns.push(["force", (_, i) => page.numbers(exact[i].force, page.brief)]);
-    if (exact && page.isSpatial()) columns.push(["friction", (_, i) => page.numbers(exact[i].friction, page.brief)]);
+    if (exact && !inParts) columns.push(["friction", (_, i) => page.numbers(exact[i].friction, page.brief)]);
+    if (exact && exact.some(({ moment }) => moment !== undefined))
+      columns.push(["moment", (_, i) => (exact[i].moment === undefined ? "" : page.numbers(exact[i].moment, page.brief))]);
     if (near)
       columns.push([
         page.decided().box ? "force, middle" : "force, near",
@@ -484,6 +497,7 @@
               ),
             ),
           ),
+      springsTable(),
     );
     // Where the columns have no room beside each other, their names stand in the rows.
     const table = place.querySelector("table");
@@ -494,6 +508,34 @@
       kind === "cell" || exact || near
         ? html("p", { class: "muted" }, slips + (kind === "cell" ? "" : "An open contact is detached."))
         : null,
+    );
+  }
+
+  /** Of several bodies the forces of what holds their joints, if the equilibrium is known. */
+  function springsTable() {
+    const decide = page.decided();
+    const forces = page.motion().kind === "equilibrium" && decide && decide.springs;
+    if (!forces || forces.length === 0) return null;
+    const heads = ["spring", "force"].map((name) => html("th", { scope: "col" }, name));
+    return html(
+      "table",
+      { class: "springs" },
+      html("caption", {}, "Springs"),
+      html("thead", {}, html("tr", {}, heads)),
+      html(
+        "tbody",
+        {},
+        page
+          .mechanism()
+          .springs.map((spring, k) =>
+            html(
+              "tr",
+              {},
+              html("th", { scope: "row" }, page.springName(spring)),
+              html("td", {}, page.brief(forces[k])),
+            ),
+          ),
+      ),
     );
   }
 
@@ -513,9 +555,13 @@
       page.typeset("(" + values.map((v) => (Array.isArray(v) ? "[" + v.join(", ") + "]" : v)).join(", ") + ")");
     if (decide) {
       add("load w", all(decide.wrench));
-      if (decide.twist) add("motion d", all(decide.twist));
+      if (page.mechanism()) add("coordinates", page.mechanism().coordinates.join(", "));
+      if (decide.twist) add(page.mechanism() ? "motion z" : "motion d", all(decide.twist));
       if (decide.near) add("near the motion", all(decide.near));
       (decide.contacts || []).forEach((contact, i) => add("force of contact " + i, all(contact.force)));
+      (decide.springs || []).forEach((force, k) =>
+        add("force of " + page.springName(page.mechanism().springs[k]), page.typeset(force)),
+      );
     }
     if (answer.margin) add("multiples resisted", page.marginText(true));
     page.put(
@@ -523,8 +569,13 @@
       html("table", {}, html("tbody", {}, rows)),
       html("h3", {}, "The grasp file"),
       html("pre", { tabindex: "0", "aria-label": "The grasp file" }, page.grasp.text()),
-      page.isSpatial() && page.solid
-        ? html("p", { class: "muted" }, "The file to download has the body, too: " + page.solid.size + ".")
+      page.isSpatial() && page.solids.some(Boolean)
+        ? html(
+            "p",
+            { class: "muted" },
+            "The file to download has the " + (page.mechanism() ? "bodies' meshes" : "body") + ", too: ",
+            page.solids.filter(Boolean).map((solid) => solid.size).join("; ") + ".",
+          )
         : null,
     );
   }

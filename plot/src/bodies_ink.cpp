@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several bodies in the plane.
+// A body in space, and several bodies. Those in the plane are seen from above.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "grasp_ink.hpp"
+#include "spatial_scene.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/core/integer_vector.hpp"
+#include "stickslip/degree/near_forces.hpp"
 
 namespace stickslip::plot_detail {
 namespace {
 
-Vector2 in_plane(const Vector3& v) {
-  return {v[0], v[1]};
+/// Of the plane, with 0 for z.
+Vector3 of_space(const RationalRow& v) {
+  return {v.at(0), v.at(1), v.size() > 2 ? v[2] : Rational(0)};
+}
+
+Vector3 times(const Rational& factor, const Vector3& v) {
+  return {factor * v[0], factor * v[1], factor * v[2]};
 }
 
 class BodiesReader {
@@ -19,216 +27,381 @@ class BodiesReader {
   BodiesReader(const Question& question, const Verdict& verdict)
       : question_(question),
         verdict_(verdict),
-        box_(*question.box()),
-        mechanism_(*box_.mechanism) {}
+        grasp_(*question.box()),
+        mechanism_(question.mechanism()),
+        sides_(sides_of(question.in_space())) {}
 
   GraspInk read() {
-    const Grasp all = drawn(std::nullopt);
-    frame_ = picture_frame(all);
-    ink_.set_title(all.name(), question_.case_name);
-    ink_.units = all.description().units;
-    ink_.outline_is_given = !all.description().outline.empty();
-    ink_.body_within = RingsAround::kAnyWinding;
-    for (const Contact& c : all.contacts()) ink_.preloads.push_back(c.preload);
-    ink_.choose_sizes();
-    scene_.contacts = contact_ink(all, frame_);
-    ink_.marks.assign(all.size(), ContactMark::kUnknown);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      scene_.cones.push_back(
-          planar_cone(scene_.contacts[i], all.contacts()[i].friction, ink_.cone_length));
+    ink_.set_title(grasp_.description.name, question_.case_name);
+    ink_.units = grasp_.description.units;
+    ink_.of_several = mechanism_ != nullptr;
+    add_contacts();
+    ink_.marks.assign(contacts_.size(), ContactMark::kUnknown);
+    for (std::size_t b = 0; b < bodies(); ++b) shapes_.push_back(shape_of(b));
+    for (const LineOfSight& side : sides_) {
+      ink_.scenes.emplace_back();
+      ink_.scenes.back().heading = side.heading;
+      ink_.scenes.back().axes = {side.right, side.up};
     }
-    for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b) rings_.push_back(rings_of(b));
-    for (const auto& rings : rings_) {
-      scene_.outline.insert(scene_.outline.end(), rings.begin(), rings.end());
-    }
-    choose_force_unit();
+    const auto* stable = std::get_if<Stable>(&verdict_);
+    if (stable != nullptr) read_forces(*stable);
     add_loads();
-    if (const auto* stable = std::get_if<Stable>(&verdict_)) {
-      add_motion(stable->motion);
-      add_forces(*stable);
-    } else if (std::holds_alternative<Unstable>(verdict_)) {
-      ink_.caption.push_back("No motion and forces satisfy all conditions.");
-    } else if (const auto* undecided = std::get_if<Undecided>(&verdict_)) {
-      ink_.caption.push_back("Undecided: " + in_words(*undecided) + ".");
+    draw_contacts();
+    draw_bodies();
+    if (stable != nullptr) {
+      add_equilibrium(*stable);
+    } else if (const auto* unstable = std::get_if<Unstable>(&verdict_)) {
+      const std::size_t leaves = leaf_count(unstable->tree);
+      ink_.caption.push_back("No motion and forces satisfy all conditions: proved by " +
+                             (leaves == 1
+                                  ? "one virtual twist."
+                                  : "a tree of " + std::to_string(leaves) + " leaves."));
+    } else if (std::holds_alternative<Fragile>(verdict_)) {
+      ink_.caption.push_back("Some grasps in the box hold the load and some do not.");
+    } else {
+      ink_.caption.push_back("Undecided: " + in_words(std::get<Undecided>(verdict_)) + ".");
     }
-    ink_.scenes.push_back(std::move(scene_));
     return std::move(ink_);
   }
 
  private:
-  /// All contacts and outlines as of one body; or those of one body, with what presses it.
-  Grasp drawn(BodyIndex body) const {
-    std::vector<Contact> contacts;
-    for (const UncertainContact& c : box_.contacts) {
-      if (body && c.of != body && c.by != body) continue;
-      const int sign = body && c.by == body ? -1 : 1;
-      contacts.push_back({{c.position[0].middle(), c.position[1].middle()},
-                          {sign * c.normal[0], sign * c.normal[1]},
-                          c.friction.middle(),
-                          c.stiffness.middle(),
-                          c.preload.middle()});
-    }
-    GraspDescription description = box_.description;
-    for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b) {
-      if (body && b != *body) continue;
-      const std::vector<Polygon>& outline = mechanism_.bodies[b].outline;
-      description.outline.insert(description.outline.end(), outline.begin(), outline.end());
-    }
-    return Grasp(std::move(contacts), std::move(description));
+  std::size_t bodies() const { return mechanism_ == nullptr ? 1 : mechanism_->bodies.size(); }
+  const Link* link_of(std::size_t b) const {
+    return mechanism_ != nullptr && mechanism_->bodies[b].link ? &*mechanism_->bodies[b].link
+                                                               : nullptr;
+  }
+  const Mesh* mesh_of(std::size_t b) const {
+    return mechanism_ == nullptr ? grasp_.description.body.get()
+                                 : mechanism_->bodies[b].mesh.get();
   }
 
-  /// Of a body its outline, or what stands for it; of a link without one, from its hinge on.
-  std::vector<std::vector<InkPoint>> rings_of(std::size_t b) const {
-    const Body& body = mechanism_.bodies[b];
-    const Grasp alone = drawn(b);
-    if (body.outline.empty() && body.link && !body.link->slides) {
-      std::vector<InkPoint> points;
-      const auto add = [&](const RationalRow& p) {  // a little around it, so that it is seen
-        constexpr double kAround = 0.03;
-        const InkPoint at = frame_.place({p[0], p[1]});
-        for (const double x : {-kAround, kAround}) {
-          for (const double y : {-kAround, kAround}) points.push_back(at + InkPoint{x, y});
-        }
-      };
-      add(body.link->at);
-      for (const Contact& c : alone.contacts()) add({c.position.x, c.position.y});
-      for (const Body& other : mechanism_.bodies) {
-        if (other.link && other.link->on == BodyIndex(b) && !other.link->slides) {
-          add(other.link->at);
+  InkVector place(const Vector3& p) const {
+    return over_size({p[0] - centre_[0], p[1] - centre_[1], p[2] - centre_[2]}, radius_);
+  }
+
+  void add_contacts() {
+    std::vector<std::vector<Rational>> all;
+    for (const UncertainContact& c : grasp_.contacts) {
+      RationalRow middle;
+      for (const Interval& x : c.position) middle.push_back(x.middle());
+      const Vector3 position = of_space(middle);
+      all.emplace_back(position.begin(), position.end());
+      contacts_.push_back({position, {}, {}, {}, {}});
+      ink_.preloads.push_back(c.preload.middle());
+    }
+    ink_.outline_is_given = true;
+    for (std::size_t b = 0; b < bodies(); ++b) {
+      std::size_t given = 0;
+      for_each_vertex(b, [&](const Vector3& v) {
+        all.emplace_back(v.begin(), v.end());
+        ++given;
+      });
+      ink_.outline_is_given = ink_.outline_is_given && given > 0;
+    }
+    const Surroundings around = surroundings(all, 3);
+    radius_ = around.radius;
+    std::copy(around.centre.begin(), around.centre.end(), centre_.begin());
+    ink_.choose_sizes();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      SpatialContactInk& c = contacts_[i];
+      c = spatial_contact_ink(c.position, place(c.position),
+                              of_space(grasp_.contacts[i].normal));
+    }
+  }
+
+  /// Of what somebody gave of a body.
+  template <class Function>
+  void for_each_vertex(std::size_t b, Function f) const {
+    if (const Mesh* mesh = mesh_of(b)) {
+      for (const Vector3& v : mesh->vertices) f(v);
+    }
+    if (mechanism_ == nullptr) return;
+    for (const Polygon& polygon : mechanism_->bodies[b].outline) {
+      for (const Ring& ring : polygon) {
+        for (const Vector2& v : ring) f(Vector3{v.x, v.y, 0});
+      }
+    }
+  }
+
+  Shape shape_of(std::size_t b) const {
+    Shape shape;
+    for_each_vertex(b, [&](const Vector3& v) { shape.points.push_back(place(v)); });
+    if (const Mesh* mesh = mesh_of(b)) {
+      shape.kind = Shape::Kind::kFaces;
+      shape.parts = mesh->faces;
+      return shape;
+    }
+    if (!shape.points.empty()) {
+      shape.kind = Shape::Kind::kRings;
+      std::size_t next = 0;
+      for (const Polygon& polygon : mechanism_->bodies[b].outline) {
+        for (const Ring& ring : polygon) {
+          shape.parts.emplace_back();
+          for (std::size_t k = 0; k < ring.size(); ++k) shape.parts.back().push_back(next++);
         }
       }
-      return {convex_hull(std::move(points))};
+      return shape;
     }
-    if (body.outline.empty() && alone.size() == 0) return {};
-    return body_outline(alone, frame_, contact_ink(alone, frame_));
-  }
-
-  std::vector<SpatialForce> forces() const {
-    const auto* stable = std::get_if<Stable>(&verdict_);
-    const auto* witness =
-        stable != nullptr ? std::get_if<ShareWitness>(&stable->proof) : nullptr;
-    if (witness == nullptr) return {};
-    return forces_of(box_, witness->twist, witness->shares);
-  }
-
-  Vector2 load_on(std::size_t body) const {
-    const std::size_t first = mechanism_.first_coordinate(body);
-    return {box_.wrench[first].middle(), box_.wrench[first + 1].middle()};
-  }
-
-  void choose_force_unit() {
-    for (const SpatialForce& f : forces()) {
-      ink_.force_unit = std::max(ink_.force_unit, largest_entry(in_plane(f.force)));
+    const std::vector<SpatialContactInk> contacts = contacts_of(b);
+    const Link* link = link_of(b);
+    if (link == nullptr || link->slides) return sketch(contacts, question_.in_space());
+    std::vector<InkVector> points;  // from hinge to hinge
+    for (const SpatialContactInk& c : contacts) points.push_back(c.at);
+    for (std::size_t other = 0; other < bodies(); ++other) {
+      const Link* held = link_of(other);
+      if (held == nullptr || held->slides || (other != b && held->on != BodyIndex(b))) continue;
+      points.push_back(place(of_space(held->at)));
     }
-    for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b) {
-      if (mechanism_.bodies[b].link) continue;
-      ink_.force_unit = std::max(ink_.force_unit, largest_entry(load_on(b)));
+    return sketch_of_link(points, question_.in_space());
+  }
+
+  /// With normals into the body.
+  std::vector<SpatialContactInk> contacts_of(std::size_t b) const {
+    if (mechanism_ == nullptr) return contacts_;
+    std::vector<SpatialContactInk> own;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const UncertainContact& c = grasp_.contacts[i];
+      if (c.of != b && c.by != b) continue;
+      own.push_back(contacts_[i]);
+      if (c.by == b) own.back().normal = sum({}, -1, own.back().normal);
+    }
+    return own;
+  }
+
+  /// Those of the witness, or near the equilibrium.
+  void read_forces(const Stable& stable) {
+    if (const auto* witness = std::get_if<ShareWitness>(&stable.proof)) {
+      forces_ = forces_of(grasp_, witness->twist, witness->shares);
+    } else {
+      forces_ = near_forces(question_, stable.motion);
+      value_ = "data-near";
+    }
+    for (const SpatialForce& f : forces_) {
+      ink_.force_unit = std::max(ink_.force_unit, size_of(f.force));
     }
   }
 
-  /// At each body that is no link the force on it, in its middle; all else is in the caption.
+  InkVector force(const Vector3& exact) const {
+    return {ink_.force_length(exact[0]), ink_.force_length(exact[1]),
+            ink_.force_length(exact[2])};
+  }
+
+  /// "1/2,-3": with as many coordinates as the file has.
+  std::string text_of(const Vector3& v) const {
+    return to_string(v[0]) + "," + to_string(v[1]) +
+           (question_.in_space() ? "," + to_string(v[2]) : "");
+  }
+
+  void add_arrow(const InkVector& tail, const InkVector& along, const std::string& css_class,
+                 const Svg::Attributes& attributes) {
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      ink_.scenes[k].arrows.push_back(
+          {sides_[k](tail), sides_[k](sum(tail, 1, along)), css_class, attributes});
+    }
+  }
+
+  std::vector<Rational> load() const {
+    std::vector<Rational> w;
+    for (const Interval& interval : grasp_.wrench) w.push_back(interval.middle());
+    return w;
+  }
+
   void add_loads() {
-    for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b) {
-      if (mechanism_.bodies[b].link || rings_[b].empty()) continue;
-      const Vector2 force = load_on(b);
-      if (largest_entry(force).is_zero()) continue;
-      InkPoint middle{0, 0};
-      const std::vector<InkPoint>& ring = rings_[b].front();
-      for (const InkPoint& p : ring) middle = middle + 1 / static_cast<double>(ring.size()) * p;
-      scene_.arrows.push_back({middle,
-                               middle + ink_.force(force),
-                               "load",
-                               {{"data-value", pair_text(force)}, {"data-factor", "1"}}});
+    const std::vector<Rational> w = load();
+    std::vector<std::pair<InkVector, Vector3>> pulls;  // where, and the force
+    if (mechanism_ == nullptr) pulls.push_back({{}, of_space(w)});
+    for (std::size_t b = 0; mechanism_ != nullptr && b < bodies(); ++b) {
+      if (link_of(b) != nullptr || shapes_[b].points.empty()) continue;
+      const auto first =
+          w.begin() + static_cast<std::ptrdiff_t>(mechanism_->first_coordinate(b));
+      const RationalRow at(first, first + (question_.in_space() ? 3 : 2));
+      pulls.push_back({shapes_[b].middle(), of_space(at)});
     }
-    std::string load;
-    for (std::size_t j = 0; j < box_.wrench.size(); ++j) {
-      const Rational w = box_.wrench[j].middle();
-      if (w.is_zero()) continue;
-      load += (load.empty() ? "" : ", ") + mechanism_.coordinate_name(j) + " " + short_text(w);
+    Rational largest = 0;
+    for (const auto& [at, pull] : pulls) largest = std::max(largest, size_of(pull));
+    ink_.force_unit = std::max(ink_.force_unit, largest);
+    ink_.choose_load_factor(largest);
+    for (const auto& [at, pull] : pulls) {
+      if (mechanism_ != nullptr && size_of(pull).is_zero()) continue;
+      add_arrow(at, sum({}, to_double(ink_.load_factor), force(pull)), "load",
+                {{"data-value", text_of(pull)}, {"data-factor", to_string(ink_.load_factor)}});
     }
-    ink_.caption.push_back((load.empty() ? "No load" : "Load: " + load) +
-                           ". Normal law: " + to_string(question_.law) + "." +
-                           (ink_.units ? " Units:" + plot_detail::force_unit(ink_.units) + "," +
-                                             length_unit(ink_.units) + "."
-                                       : ""));
+    if (mechanism_ == nullptr) {
+      describe_load(w);
+    } else {
+      ink_.describe_load("Load: " + named(w), question_.law);
+    }
   }
 
-  RationalRow twist_of_body(BodyIndex body, const RationalRow& z) const {
+  /// Of one body: with the torque about the centre of the scene.
+  void describe_load(const std::vector<Rational>& w) {
+    const Vector3 arm = stickslip::cross(centre_, of_space(w));
+    const Vector3 torque{w[3] - arm[0], w[4] - arm[1], w[5] - arm[2]};
+    const std::string text = short_tuple({torque[0], torque[1], torque[2]});
+    if (!size_of(torque).is_zero()) ink_.torque = text;
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      ink_.scenes[k].torque = sides_[k].sign * torque[sides_[k].towards];
+    }
+    ink_.describe_load(w, {centre_[0], centre_[1], centre_[2]}, text, question_.law);
+  }
+
+  /// A load or a state of several bodies: what is not 0 of it.
+  std::string named(const std::vector<Rational>& values) const {
+    std::string text;
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      if (values[j].is_zero()) continue;
+      text += (text.empty() ? "" : ", ") + mechanism_->coordinate_name(j) + " " +
+              short_text(values[j]);
+    }
+    return text.empty() ? "0" : text;
+  }
+
+  void draw_contacts() {
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      SceneInk& scene = ink_.scenes[k];
+      for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const SpatialContactInk& c = contacts_[i];
+        const double angle = std::atan(to_double(grasp_.contacts[i].friction.middle()));
+        scene.contacts.push_back(
+            {sides_[k](c.at), sides_[k](c.normal), {}, !grasp_.contacts[i].by});
+        scene.cones.push_back(hull_seen(sides_[k], cone_around(c, angle, ink_.cone_length)));
+      }
+    }
+  }
+
+  void draw_bodies() {
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      for (std::size_t b = 0; b < bodies(); ++b) {
+        BodyInk& body = ink_.scenes[k].bodies.emplace_back();
+        body.outline = shapes_[b].seen(sides_[k]);
+        body.within = shapes_[b].within();
+        if (mechanism_ == nullptr) continue;
+        body.name = mechanism_->bodies[b].name;
+        if (const Link* link = link_of(b)) body.held = held_by(*link, b, sides_[k]);
+      }
+    }
+  }
+
+  /// The ends of a piece of a hinge's axis, or of the line along which a link slides.
+  std::array<InkPoint, 2> held_by(const Link& link, std::size_t b,
+                                  const LineOfSight& side) const {
+    constexpr double kPin = 0.15;
+    constexpr double kRail = 0.5;
+    const InkVector at = link.slides ? shapes_[b].middle() : place(of_space(link.at));
+    InkVector along{};
+    if (!link.axis.empty()) {
+      along = over_size(of_space(link.axis), size_of(of_space(link.axis)));
+    }
+    const double size = link.slides ? kRail : kPin;
+    return {side(sum(at, -size, along)), side(sum(at, size, along))};
+  }
+
+  void add_equilibrium(const Stable& stable) {
+    add_motion(stable.motion);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const SpatialForce& f = forces_[i];
+      const bool sticks = size_of(f.slip).is_zero() && f.spin.is_zero();
+      ink_.marks[i] = f.normal.is_zero() ? ContactMark::kOpen
+                      : sticks           ? ContactMark::kStick
+                                         : ContactMark::kSlip;
+      add_arrow(contacts_[i].at, force(f.force), "force",
+                {{"data-contact", std::to_string(i)}, {value_, text_of(f.force)}});
+    }
+    const bool exact = std::holds_alternative<ShareWitness>(stable.proof);
+    const std::string what =
+        mechanism_ == nullptr ? "d = " + short_tuple(stable.motion) : named(stable.motion);
+    const std::string of_whom =
+        mechanism_ == nullptr ? "" : ", on the bodies that contacts press,";
+    ink_.describe_motion(
+        (exact ? "Motion " : "Near the motion ") + what,
+        exact ? "The forces" + of_whom + " balance " +
+                    (mechanism_ == nullptr ? "w" : "the load") + "; checked exactly."
+              : "There is an equilibrium near it, proved by degree; what is drawn of it is in "
+                "floating point, for people, and proves nothing.");
+  }
+
+  /// In space: a shift and a turn about the origin.
+  RationalRow twist_of(BodyIndex body, const RationalRow& motion) const {
+    if (mechanism_ == nullptr) return motion;
     RationalRow twist;
-    for (const RationalRow& row : mechanism_.motion_of(body)) twist.push_back(dot(row, z));
+    for (const RationalRow& row : mechanism_->motion_of(body)) {
+      twist.push_back(dot(row, motion));
+    }
+    if (twist.size() == 3) return {twist[0], twist[1], 0, 0, 0, twist[2]};
     return twist;
   }
 
-  /// The bodies as they are moved, all by one factor: linear in z, as the model is.
-  void add_motion(const RationalRow& z) {
+  /// Of the body that it presses, at the contact, seen from the other one.
+  Vector3 move_at(std::size_t contact, const RationalRow& motion) const {
+    const UncertainContact& c = grasp_.contacts[contact];
+    const Vector3& p = contacts_[contact].position;
+    Vector3 move = stickslip::displacement(p, twist_of(c.of, motion));
+    if (mechanism_ == nullptr) return move;
+    const Vector3 other = stickslip::displacement(p, twist_of(c.by, motion));
+    for (std::size_t j = 0; j < 3; ++j) move[j] -= other[j];
+    return move;
+  }
+
+  void add_motion(const RationalRow& motion) {
+    // The contacts may move less than the bodies, and not at all.
     Rational largest = 0;
-    std::vector<RationalRow> twists;
-    for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b) {
-      const RationalRow& d = twists.emplace_back(twist_of_body(b, z));
-      const Vector2 shift{d[0] - d[2] * frame_.centre.y, d[1] + d[2] * frame_.centre.x};
-      largest = std::max({largest, largest_entry(shift), Rational(abs(d[2]) * frame_.radius)});
+    for (std::size_t b = 0; b < bodies(); ++b) {
+      const RationalRow d = twist_of(b, motion);
+      largest = std::max({largest, size_of(stickslip::displacement(centre_, d)),
+                          Rational(size_of({d[3], d[4], d[5]}) * radius_)});
     }
-    ink_.motion_factor = enlargement(largest, frame_.radius);
-    if (ink_.motion_factor.is_zero()) return;
-    for (std::size_t b = 0; b < twists.size(); ++b) {
-      const RationalRow& d = twists[b];
-      const Vector2 shift{d[0] - d[2] * frame_.centre.y, d[1] + d[2] * frame_.centre.x};
-      const InkPoint move =
-          ratio({ink_.motion_factor * shift.x, ink_.motion_factor * shift.y}, frame_.radius);
-      const double turn = to_double(ink_.motion_factor * d[2]);
-      for (std::vector<InkPoint> ring : rings_[b]) {
-        for (InkPoint& p : ring) p = p + move + turn * quarter_turn(p);
-        scene_.ghost.push_back(std::move(ring));
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      largest = std::max(largest, size_of(move_at(i, motion)));
+    }
+    ink_.motion_factor = enlargement(largest, radius_);
+    const Rational& factor = ink_.motion_factor;
+    if (factor.is_zero()) return;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const Vector3 move = move_at(i, motion);
+      add_arrow(contacts_[i].at, over_size(times(factor, move), radius_), "motion",
+                {{"data-contact", std::to_string(i)}, {value_, text_of(move)}});
+    }
+    for (std::size_t b = 0; b < bodies(); ++b) {
+      const Shape moved = moved_by(shapes_[b], twist_of(b, motion));
+      for (std::size_t k = 0; k < sides_.size(); ++k) {
+        ink_.scenes[k].bodies[b].ghost = moved.seen(sides_[k]);
       }
     }
   }
 
-  void add_forces(const Stable& stable) {
-    const std::vector<SpatialForce> all = forces();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Vector2 f = in_plane(all[i].force);
-      ink_.marks[i] = all[i].normal.is_zero()                          ? ContactMark::kOpen
-                      : largest_entry(in_plane(all[i].slip)).is_zero() ? ContactMark::kStick
-                                                                       : ContactMark::kSlip;
-      scene_.arrows.push_back(
-          {scene_.contacts[i].at,
-           scene_.contacts[i].at + ink_.force(f),
-           "force",
-           {{"data-contact", std::to_string(i)}, {"data-value", pair_text(f)}}});
+  /// Enlarged, and linear in the twist, as the model is.
+  Shape moved_by(Shape shape, const RationalRow& d) const {
+    const Rational& factor = ink_.motion_factor;
+    const InkVector shifted =
+        over_size(times(factor, stickslip::displacement(centre_, d)), radius_);
+    const InkVector turned = over_size(times(factor, {d[3], d[4], d[5]}), 1);
+    for (InkVector& p : shape.points) {
+      const InkVector by{turned[1] * p[2] - turned[2] * p[1],
+                         turned[2] * p[0] - turned[0] * p[2],
+                         turned[0] * p[1] - turned[1] * p[0]};
+      p = sum(sum(p, 1, shifted), 1, by);
     }
-    std::string moves;
-    for (std::size_t j = 0; j < stable.motion.size(); ++j) {
-      if (stable.motion[j].is_zero()) continue;
-      moves += (moves.empty() ? "" : ", ") + mechanism_.coordinate_name(j) + " " +
-               short_text(stable.motion[j]);
-    }
-    ink_.caption.push_back(
-        (moves.empty() ? "Nothing moves. "
-                       : "Motion: " + moves + ", drawn \u00D7\u202F" +
-                             short_text(ink_.motion_factor) + ". ") +
-        (all.empty() ? "There is an equilibrium near it, proved by degree."
-                     : "The forces are those on the body that a contact presses; they balance "
-                       "the load, checked exactly."));
+    return shape;
   }
 
   const Question& question_;
   const Verdict& verdict_;
-  const GraspBox& box_;
-  const Mechanism& mechanism_;
-  PictureFrame frame_;
-  std::vector<std::vector<std::vector<InkPoint>>> rings_;  ///< by body
-  SceneInk scene_;
+  const GraspBox& grasp_;
+  const Mechanism* mechanism_;  ///< null: one body in space
+  std::vector<LineOfSight> sides_;
+  Vector3 centre_{};
+  Rational radius_{1};
+  std::vector<SpatialContactInk> contacts_;
+  std::vector<Shape> shapes_;         ///< by body
+  std::vector<SpatialForce> forces_;  ///< of a stable verdict
+  const char* value_ = "data-value";  ///< the attribute for what the forces and motions are
   GraspInk ink_;
 };
 
 }  // namespace
 
 GraspInk bodies_ink(const Question& question, const Verdict& verdict) {
-  if (question.in_space()) {
-    throw InputError("", "", "there are several bodies in space",
-                     "pictures of several bodies are drawn in the plane only");
-  }
-  if (!question.box()->is_point()) {
+  if (question.mechanism() != nullptr && !question.box()->is_point()) {
     throw InputError("", "", "some numbers are uncertain",
                      "a picture of several bodies needs one number for each");
   }

@@ -43,7 +43,8 @@ class GraspReader {
     for (const Contact& c : grasp_.contacts()) ink_.preloads.push_back(c.preload);
     ink_.choose_sizes();
     scene_.contacts = contact_ink(grasp_, frame_);
-    scene_.outline = body_outline(grasp_, frame_, scene_.contacts);
+    scene_.bodies.emplace_back();
+    scene_.bodies[0].outline = body_outline(grasp_, frame_, scene_.contacts);
     ink_.marks.assign(grasp_.size(), ContactMark::kUnknown);
     for (std::size_t i = 0; i < grasp_.size(); ++i) {
       scene_.cones.push_back(
@@ -114,7 +115,7 @@ class GraspReader {
            css_class,
            {{"data-contact", std::to_string(i)}, {"data-value", pair_text(move)}}});
     }
-    scene_.ghost = moved_outline(d, factor);
+    scene_.bodies[0].ghost = moved_outline(d, factor);
     return factor;
   }
 
@@ -134,7 +135,8 @@ class GraspReader {
            "force",
            {{"data-contact", std::to_string(i)}, {"data-value", pair_text(f)}}});
     }
-    ink_.describe_motion("Motion d", {d.x, d.y, d.r}, "The forces balance w; checked exactly.");
+    ink_.describe_motion("Motion d = " + short_tuple({d.x, d.y, d.r}),
+                         "The forces balance w; checked exactly.");
   }
 
   /// The outline as the motion moves it: linear in d, as the model is.
@@ -143,7 +145,7 @@ class GraspReader {
     const Vector2 shift = displacement(frame_.centre, d);
     const InkPoint move = ratio({factor * shift.x, factor * shift.y}, frame_.radius);
     const double turn = to_double(factor * d.r);
-    std::vector<std::vector<InkPoint>> moved = scene_.outline;
+    std::vector<std::vector<InkPoint>> moved = scene_.bodies[0].outline;
     for (std::vector<InkPoint>& ring : moved) {
       for (InkPoint& p : ring) p = p + move + turn * quarter_turn(p);
     }
@@ -268,6 +270,16 @@ std::vector<InkPoint> planar_cone(const ContactInk& c, const Rational& friction,
   return sector;
 }
 
+bool SceneInk::has_outline() const {
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const BodyInk& body) { return !body.outline.empty(); });
+}
+
+bool SceneInk::has_ghost() const {
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const BodyInk& body) { return !body.ghost.empty(); });
+}
+
 double GraspInk::force_length(const Rational& size) const {
   return size.is_zero() ? 0 : kLongestForce * to_double(size / force_unit);
 }
@@ -298,19 +310,22 @@ void GraspInk::describe_load(const std::vector<Rational>& wrench,
                              const std::string& torque_there, NormalLaw law) {
   const bool at_origin =
       std::all_of(centre.begin(), centre.end(), [](const Rational& x) { return x.is_zero(); });
+  describe_load("Applied wrench w = " + short_tuple(wrench) +
+                    (at_origin ? ""
+                               : ", drawn at " + short_tuple(centre) +
+                                     ", where its torque is " + torque_there),
+                law);
+}
+
+void GraspInk::describe_load(const std::string& load, NormalLaw law) {
   caption.push_back(
-      "Applied wrench w = " + short_tuple(wrench) +
-      (at_origin
-           ? ""
-           : ", drawn at " + short_tuple(centre) + ", where its torque is " + torque_there) +
-      ". Normal law: " + to_string(law) + "." +
+      load + ". Normal law: " + to_string(law) + "." +
       (units ? " Units:" + plot_detail::force_unit(units) + "," + length_unit(units) + "."
              : ""));
 }
 
-void GraspInk::describe_motion(const std::string& what, const std::vector<Rational>& motion,
-                               const std::string& of_forces) {
-  caption.push_back(what + " = " + short_tuple(motion) +
+void GraspInk::describe_motion(const std::string& motion, const std::string& of_forces) {
+  caption.push_back(motion +
                     (motion_factor.is_zero()
                          ? ": nothing moves. "
                          : ", drawn \u00D7\u202F" + short_text(motion_factor) + ". ") +

@@ -78,8 +78,14 @@ class GraspPlot {
     std::array<Range, 3> found;
     for (const SceneInk& scene : ink_.scenes) {
       std::vector<InkPoint> ink;
-      for (const auto* rings : {&scene.outline, &scene.ghost, &scene.cones}) {
-        for (const auto& ring : *rings) ink.insert(ink.end(), ring.begin(), ring.end());
+      const auto add = [&](const std::vector<std::vector<InkPoint>>& rings) {
+        for (const auto& ring : rings) ink.insert(ink.end(), ring.begin(), ring.end());
+      };
+      add(scene.cones);
+      for (const BodyInk& body : scene.bodies) {
+        add(body.outline);
+        add(body.ghost);
+        if (body.held) ink.insert(ink.end(), body.held->begin(), body.held->end());
       }
       for (const Arrow& arrow : scene.arrows) ink.push_back(arrow.tip);
       if (scene.pivot) ink.push_back(*scene.pivot);
@@ -138,14 +144,21 @@ class GraspPlot {
 
   void draw_scene(Svg& svg, const SceneInk& scene, const View& view, const Box& panel) {
     LabelPlacer labels(panel);
-    draw_body(svg, view, scene.outline, ink_.body_within, "body");
+    for (const BodyInk& body : scene.bodies) {
+      if (body.outline.empty() && ink_.of_several) continue;
+      draw_body(svg, view, body.outline, body.within, "body");
+    }
     draw_cones(svg, scene, view);
-    if (!scene.ghost.empty()) {
-      draw_body(svg, view, scene.ghost, ink_.body_within, ghost_class());
+    for (const BodyInk& body : scene.bodies) {
+      if (!body.ghost.empty()) draw_body(svg, view, body.ghost, body.within, ghost_class());
     }
     draw_fingers(svg, view, scene.contacts);
-    draw_frame(svg, view);
+    for (const BodyInk& body : scene.bodies) {
+      if (body.held) draw_held(svg, view((*body.held)[0]), view((*body.held)[1]));
+    }
+    if (!ink_.of_several) draw_frame(svg, view({0, 0}));
     for (const Arrow& arrow : scene.arrows) {
+      if (ink_.of_several && arrow.css_class == "load") draw_frame(svg, view(arrow.tail));
       draw_arrow(svg, view(arrow.tail), view(arrow.tip), arrow.css_class, arrow.attributes,
                  head_of(arrow.css_class));
       labels.avoid(view(arrow.tail), view(arrow.tip));
@@ -166,6 +179,29 @@ class GraspPlot {
       labels.avoid(view(c.at), view(tip_of(c)));
     }
     left_out_ = std::max(left_out_, draw_numbers(svg, view, scene.contacts, labels));
+    for (const BodyInk& body : scene.bodies) draw_name(svg, view, body, labels);
+  }
+
+  /// In the body, where there is room.
+  static void draw_name(Svg& svg, const View& view, const BodyInk& body, LabelPlacer& labels) {
+    if (body.name.empty() || body.outline.empty()) return;
+    constexpr const char* kClass = "small halo";
+    std::vector<LabelPlace> places =
+        places_inside(on_page(view, body.outline.front()), kClass, body.name);
+    InkPoint middle{0, 0};
+    for (const InkPoint& p : body.outline.front()) {
+      middle = middle + 1 / static_cast<double>(body.outline.front().size()) * view(p);
+    }
+    for (const LabelPlace& near : places_around(middle, 0, {0, -1}, kClass, body.name)) {
+      places.push_back(near);
+    }
+    labels.place(svg, kClass, body.name, places);
+  }
+
+  /// How a link is held: a ring, and of an axis that is not seen from its end a line.
+  static void draw_held(Svg& svg, InkPoint from, InkPoint to) {
+    if (length(to - from) > 0.01) svg.line(from, to, "rule joint");
+    svg.circle(0.5 * (from + to), 4, "hollow joint");
   }
 
   /// Of the arrow of its normal.
@@ -205,9 +241,8 @@ class GraspPlot {
     }
   }
 
-  /// A small cross where the load acts.
-  static void draw_frame(Svg& svg, const View& view) {
-    const InkPoint at = view({0, 0});
+  /// A small cross where a load acts.
+  static void draw_frame(Svg& svg, InkPoint at) {
     svg.path(SvgPath()
                  .move(at - InkPoint{6, 0})
                  .line(at + InkPoint{6, 0})
@@ -301,11 +336,12 @@ class GraspPlot {
     }
     arrow_row("motion", "motion, \u00D7\u202F" + short_text(ink_.motion_factor));
     arrow_row("virtual", "virtual twist, \u00D7\u202F" + short_text(ink_.virtual_factor));
-    if (!first.ghost.empty()) {
+    if (first.has_ghost()) {
       svg.path(SvgPath().polygon({at(2) + InkPoint{0, 8}, at(48) + InkPoint{0, 5},
                                   at(46) - InkPoint{0, 8}, at(4) - InkPoint{0, 6}}),
                ghost_class());
-      row(ink_.virtual_factor.is_zero() ? "body after the motion" : "body after the twist");
+      const std::string who = ink_.of_several ? "bodies" : "body";
+      row(who + (ink_.virtual_factor.is_zero() ? " after the motion" : " after the twist"));
     }
     if (first.pivot) {
       draw_pivot(svg, at(24));
@@ -318,11 +354,18 @@ class GraspPlot {
     mark_row(ContactMark::kSlipMinus, "slips \u2212 (the way it points)");
     mark_row(ContactMark::kSlip, "slips");
     mark_row(ContactMark::kOpen, "open: detached");
-    if (!first.outline.empty()) {
+    if (std::any_of(first.bodies.begin(), first.bodies.end(),
+                    [](const BodyInk& body) { return body.held.has_value(); })) {
+      draw_held(svg, at(8), at(40));
+      row("hinge or slide of a link");
+    }
+    if (first.has_outline()) {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row(ink_.outline_is_given ? "body" : "body: a sketch");
+      row(ink_.of_several         ? ink_.outline_is_given ? "bodies" : "bodies, some sketched"
+          : ink_.outline_is_given ? "body"
+                                  : "body: a sketch");
     }
     svg.close();
     return y;
@@ -338,9 +381,7 @@ class GraspPlot {
 
 std::string plot_grasp(const Question& question, const Verdict& verdict) {
   const bool is_exact = question.box() == nullptr;
-  return GraspPlot(is_exact                          ? grasp_ink(question, verdict)
-                   : question.mechanism() != nullptr ? bodies_ink(question, verdict)
-                                                     : spatial_ink(question, verdict),
+  return GraspPlot(is_exact ? grasp_ink(question, verdict) : bodies_ink(question, verdict),
                    name_of(verdict))
       .draw();
 }

@@ -129,7 +129,8 @@ std::string list_numbers(const std::vector<std::size_t>& numbers) {
 
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
   for (const ContactInk& c : contacts) {
-    if (length(c.normal) > 0.99) draw_finger(svg, view(c.at), on_page_direction(c.normal));
+    if (c.is_grounded && length(c.normal) > 0.99)
+      draw_finger(svg, view(c.at), on_page_direction(c.normal));
   }
 }
 

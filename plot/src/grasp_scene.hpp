@@ -16,6 +16,7 @@ struct ContactInk {
   InkPoint at;
   InkPoint normal;
   InkPoint tangent;
+  bool is_grounded = true;  ///< what presses is not drawn
 };
 
 /// Counterclockwise. Requires a point.
@@ -43,7 +44,7 @@ void draw_body(Svg& svg, const View& view, const std::vector<std::vector<InkPoin
 /// A direction of the scene on the page.
 InkPoint on_page_direction(InkPoint scene);
 
-/// Where the normal is not foreshortened.
+/// Where the normal is not foreshortened, and nothing else is drawn that presses.
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
 
 /// Behind the fingers, or near. Contacts whose numbers would meet share a label. Returns how

@@ -157,7 +157,7 @@ def region(
     picture: bool,
 ) -> Any: ...
 def plot_grasp(
-    grasp: Union[GraspData, SpatialGraspData],
+    grasp: Union[GraspData, SpatialGraspData, BodiesData],
     wrench: Optional[List[Any]],
     preload: Any,
     bilateral: bool,
@@ -188,7 +188,7 @@ def friction_margin(
 ) -> Tuple[Tuple[Optional[str], Fraction, Optional[Fraction], bool, bool], ...]: ...
 def plot_states(grasp: GraspData) -> str: ...
 def page(
-    grasp: Union[GraspData, SpatialGraspData],
+    grasp: Union[GraspData, SpatialGraspData, BodiesData],
     wrench: str,
     case: str,
     preload: str,

@@ -481,10 +481,6 @@ class Grasp:
         """What the questions that are about one body take."""
         return self._data
 
-    def _drawn(self) -> Union[_core.GraspData, _core.SpatialGraspData]:
-        """What pictures of a verdict take."""
-        return self._data
-
     def _planar(self) -> _core.GraspData:
         """What the questions that are about the plane alone take."""
         if isinstance(self._data, _core.SpatialGraspData):
@@ -524,12 +520,11 @@ class Grasp:
             return str(_core.exact(as_number(value, name), name))
 
         about, _ = self._asked(None if preload is None else _core.exact(preload, "preload"))
-        data = about._one_body()
         load = (None if case else self._load(wrench)) or []
         if not 0 <= time_limit <= 86400:
             raise InputError("", "time_limit", f"found {time_limit!r}", "give 0 to 86400 seconds")
         page = Page(_core.page(
-            data, ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
+            about._data, ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
             as_text(case, "case"), "" if preload is None else exactly(preload, "preload"),
             is_bilateral(normal_law), "" if uncertain is None else as_uncertain(uncertain),
             as_count("node_limit", node_limit), time_limit))
@@ -713,16 +708,10 @@ class Assembly(Grasp):
 
     def _one_body(self) -> NoReturn:
         raise InputError("", "grasp", "the grasp has several bodies",
-                         "this is for one body only; decide, margin, radius and stability_map answer "
-                         "for several")
+                         "this is for one body only; decide, margin, radius, stability_map and page "
+                         "answer for several")
 
     _planar = _one_body
-
-    def _drawn(self) -> _core.BodiesData:
-        if self.in_space:
-            raise InputError("", "grasp", "the grasp has several bodies in space",
-                             "pictures of several bodies are of those in the plane")
-        return self._data
 
     def snap(self, within: Any = "1e-9") -> NoReturn:
         """Not needed: normals of any length will do."""

@@ -341,7 +341,7 @@ def plot_grasp(
     hold it, or the virtual twist that wins. In space from three sides."""
     about, _ = _asked(grasp, preload)
     return Picture(_core.plot_grasp(
-        about._drawn(), about._load(wrench), as_number_or_none(preload, "preload"),
+        about._data, about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), "auto", None))
 
 

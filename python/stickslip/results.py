@@ -25,8 +25,7 @@ _MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
 
 
 def _is_shown(grasp: Grasp) -> bool:
-    drawn = not (isinstance(grasp, Assembly) and grasp.in_space)
-    return drawn and len(grasp) <= _MOST_CONTACTS_TO_SHOW
+    return len(grasp) <= _MOST_CONTACTS_TO_SHOW
 
 
 class ModelWarning(NamedTuple):
@@ -66,6 +65,8 @@ class Decision(Answer):
     forces: Optional[Tuple[Vector, ...]] = None
     """The force of each contact on the body, in the frame of the body; of an Assembly on the body
     ``of``."""
+    moments: Optional[Tuple[Vector, ...]] = None
+    """Of an Assembly with ``torsion``: the moment of each contact about its normal, a vector."""
     springs: Optional[Tuple[Fraction, ...]] = None
     """Of an Assembly: the torque, tension or force of each of its ``springs``."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
@@ -97,7 +98,7 @@ class Decision(Answer):
         """The grasp, its load and the evidence, as ``plot_grasp`` draws them; if undecided there is
         none."""
         return Picture(_core.plot_grasp(
-            self.grasp._drawn(), list(self.wrench), self.preload, self.normal_law == "bilateral",
+            self.grasp._data, list(self.wrench), self.preload, self.normal_law == "bilateral",
             self.engine, self.limit))
 
     def check(self) -> CheckResult:
@@ -192,7 +193,6 @@ class BoxDecision(Answer):
     def plot(self) -> Picture:
         """The grasp in the middle, as ``plot_grasp`` draws it: with its own verdict, which in a
         fragile box is that of some grasps only; if undecided without evidence."""
-        self.grasp._drawn()
         file = json.loads(self.grasp.to_text())
         box = "a fragile box" if self.verdict == "fragile" else "a box"
         file["name"] = f"{self.grasp.name or 'Grasp'}, in the middle of {box}"

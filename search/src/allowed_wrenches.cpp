@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nearest_in_cone.hpp"
 #include "stickslip/motion/dense.hpp"
 
 namespace stickslip::search_detail {
@@ -34,12 +35,13 @@ Actions::Actions(const Law& law, const MotionRegion& region, const Reals& y)
 Action Actions::action(std::size_t i, const Reals& y) const {
   const LawContact& c = law_.contacts[i];
   const SlipCone& cone = region_.slips(i);
+  constexpr double kVanishing = 1e-12;
   Action best{-HUGE_VAL, {}, 0};
   for (std::size_t k = 0; k < c.corners.size(); ++k) {
     const CornerRow& row = c.corners[k];
     const double normal = row.normal_rounded.dot(y);
     Double3 slid{};
-    for (std::size_t j = 0; j < row.slip.size(); ++j) slid[j] = row.slip_rounded[j].dot(y);
+    for (std::size_t j = 0; j < c.slip_dimension(); ++j) slid[j] = row.slip_rounded[j].dot(y);
     double most = norm_of(slid);
     Double3 along = slid;
     for (double& entry : along) entry = most > 0 ? entry / most : 0;
@@ -47,7 +49,14 @@ Action Actions::action(std::size_t i, const Reals& y) const {
     const double beside = c.tilted * most;
     // (Where y sees no slip any friction does the same work, but not all is allowed.)
     const bool is_bound = cone.moves && !cone.whole && !cone.sides.empty();
-    if (is_bound && (most == 0 || !is_against(i, slid))) {
+    const Double3 nearest =
+        is_bound && c.slip_dimension() == 3
+            ? nearest_in_cone(cone.units, {-slid[0], -slid[1], -slid[2]}).point
+            : Double3{};
+    if (const double near = norm_of(nearest); near > kVanishing * most) {
+      most = near;
+      for (std::size_t j = 0; j < 3; ++j) along[j] = -nearest[j] / near;
+    } else if (is_bound && (most == 0 || !is_against(i, slid))) {
       most = -HUGE_VAL;
       for (const auto& [g, corner] : cone.sides) {
         const Double3& s = region_.slip(i, g, corner);
@@ -69,16 +78,16 @@ Action Actions::action(std::size_t i, const Reals& y) const {
   return best;
 }
 
-/// Whether -slid lies in the cone of slips: in space by the angles of its sides.
+/// Whether -slid lies in the cone of slips: of two dimensions by the angles of its sides, and
+/// of three not, as no point of it is near.
 bool Actions::is_against(std::size_t i, const Double3& slid) const {
   const LawContact& c = law_.contacts[i];
   const auto& sides = region_.slips(i).sides;
   if (c.slip_dimension() == 1) {
     return region_.slip(i, sides.front().first, sides.front().second)[0] * slid[0] < 0;
   }
-  const auto angle = [&](const Double3& s) {
-    return std::atan2(dot(s, c.tangents[1]), dot(s, c.tangents[0]));
-  };
+  if (c.slip_dimension() == 3) return false;
+  const auto angle = [](const Double3& s) { return std::atan2(s[1], s[0]); };
   constexpr double kPi = 3.14159265358979323846;
   const double at = angle(slid) + kPi;
   double least = HUGE_VAL;
@@ -142,7 +151,7 @@ void Actions::add_force(std::size_t contact, std::size_t generator, double& norm
     const CornerRow& row = c.corners[all_[contact].corner];
     normal_sum += a;
     wrench += a * row.normal_rounded;
-    for (std::size_t k = 0; k < row.slip.size(); ++k) {
+    for (std::size_t k = 0; k < c.slip_dimension(); ++k) {
       friction[k] += a * all_[contact].friction[k];
       wrench += a * all_[contact].friction[k] * row.slip_rounded[k];
     }

@@ -36,8 +36,9 @@ RationalRow wrench_at(const Vector3& p, const Vector3& f) {
   return {f[0], f[1], f[2], moment[0], moment[1], moment[2]};
 }
 
-/// The slip is L^2 S, by rows: L^2 u - (n0.u) n with u = (d1, d2, d3) + omega x p.
-CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0,
+/// The slip is L^2 S, by rows: L^2 u - (n0.u) n with u = (d1, d2, d3) + omega x p, and perhaps
+/// L^2 n.omega.
+CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0, bool has_torsion,
                       const std::vector<RationalRow>& motion) {
   CornerRow row{};
   row.normal = moved_by(wrench_at(p, n), motion);
@@ -50,6 +51,9 @@ CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0,
     slip.push_back(wrench_at(p, axis));
     for (std::size_t j = 0; j < 6; ++j) slip[k][j] = square * slip[k][j] - n[k] * along[j];
     slip[k] = moved_by(slip[k], motion);
+  }
+  if (has_torsion) {
+    slip.push_back(moved_by({0, 0, 0, square * n[0], square * n[1], square * n[2]}, motion));
   }
   row.set_slip(slip, square);
   return row;
@@ -109,6 +113,14 @@ void GraspLaw::add_contact(const UncertainContact& c, std::vector<RationalRow> m
   if (in_space_) {
     contact.axis = primitive_multiple<3>(vector3(c.normal));
     contact.squared_length = square;
+    contact.spin_weight = c.torsion * c.torsion / square;
+    const bool has_torsion = !c.torsion.is_zero();
+    contact.directions.clear();
+    for (const Turn& turn : contact.place->turns) {
+      contact.directions.push_back(turn.direction);
+      if (has_torsion) contact.directions.back().emplace_back(0);
+    }
+    if (has_torsion) contact.directions.push_back({0, 0, 0, 1});
   }
   add_corners(contact);
 }
@@ -165,7 +177,8 @@ void GraspLaw::add_corners(LawContact& contact) const {
     return turned(place.normal, place.turns, {at.begin() + position, at.end()});
   };
   const auto row_at = [&](const RationalRow& at, const RationalRow& n) {
-    return in_space_ ? spatial_row(vector3(at), vector3(n), vector3(place.normal), place.motion)
+    return in_space_ ? spatial_row(vector3(at), vector3(n), vector3(place.normal),
+                                   !contact.spin_weight.is_zero(), place.motion)
                      : planar_row(at, n, place.motion);
   };
   std::vector<RationalRow> corners{{}};
@@ -293,13 +306,6 @@ GraspLaw law_of(const Question& question, unsigned bits) {
     growth = GrowthRates{question.direction.value_or(RationalRow{}), question.preload_growth};
   }
   return GraspLaw(*question.box(), question.law, bits, growth);
-}
-
-std::vector<RationalRow> friction_directions(const LawContact& contact) {
-  if (contact.slip_dimension() == 1) return {{1}};
-  std::vector<RationalRow> directions;
-  for (const Turn& turn : contact.place->turns) directions.push_back(turn.direction);
-  return directions;
 }
 
 }  // namespace stickslip

@@ -99,23 +99,6 @@ WholeCorners whole_corners(const LawContact& c) {
   return result;
 }
 
-/// Two directions of length 1 across the axis.
-std::array<Double3, 2> tangents_across(const IntegerVector3& axis) {
-  Double3 n = in_doubles(axis);
-  const double size = std::sqrt(dot(n, n));
-  for (double& entry : n) entry /= size;
-  std::size_t least = 0;
-  for (std::size_t j = 1; j < 3; ++j) {
-    if (std::fabs(n[j]) < std::fabs(n[least])) least = j;
-  }
-  Double3 unit{};
-  unit[least] = 1;
-  Double3 first = cross(n, unit);
-  const double across = std::sqrt(dot(first, first));
-  for (double& entry : first) entry /= across;
-  return {first, cross(n, first)};
-}
-
 }  // namespace
 
 std::vector<Rational> ends_of(const Interval& interval) {
@@ -136,6 +119,30 @@ void CornerRow::set_slip(const std::vector<RationalRow>& multiple, const Rationa
       whole.emplace_back(numerator(entry) * (common / denominator(entry)));
     }
   }
+}
+
+RationalRow LawContact::force_near(const Double3& coordinates, int bits) const {
+  RationalRow result(slip_numbers());
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const Rational part = rational_in_bits(coordinates[k] / direction_sizes[k], bits);
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] += part * directions[k][j];
+  }
+  return result;
+}
+
+Double3 LawContact::direction_of(const IntegerVector<4>& slip) const {
+  RationalRow along;
+  for (const RationalRow& direction : directions) {
+    Rational& sum = along.emplace_back();
+    for (std::size_t j = 0; j < direction.size(); ++j) sum += direction[j] * Rational(slip[j]);
+  }
+  const Reals rounded = in_doubles(primitive_multiple(along));
+  Double3 result{};
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    result[k] = rounded[static_cast<Eigen::Index>(k)] / direction_sizes[k];
+  }
+  normalize(result);
+  return result;
 }
 
 RationalRow CornerRow::wrench_of(const RationalRow& friction) const {
@@ -170,7 +177,10 @@ void Law::complete(double farthest) {
     // Of a part that is one grasp nothing is left of the corners of the whole.
     c.whole.reset();
     if (c.slip_dimension() == 1 && c.corners.size() > 1) c.whole = whole_corners(c);
-    if (c.slip_dimension() == 3) c.tangents = tangents_across(c.axis);
+    c.direction_sizes.clear();
+    for (const RationalRow& direction : c.directions) {
+      c.direction_sizes.push_back(std::sqrt(to_double(c.squared_force(direction))));
+    }
     c.is_moderate = true;
     const auto over = [&](const Rational& exact, double scale) {
       const double value = to_double(exact) / scale;
@@ -183,12 +193,15 @@ void Law::complete(double farthest) {
     const auto n = static_cast<Eigen::Index>(motions);
     for (CornerRow& row : c.corners) {
       row.normal_rounded.resize(n);
-      row.slip_rounded.assign(row.slip.size(), Reals(n));
+      row.slip_rounded.assign(c.directions.size(), Reals(n));
       for (std::size_t j = 0; j < motions; ++j) {
-        const auto at = static_cast<Eigen::Index>(j);
-        row.normal_rounded[at] = over(row.normal[j], unit(j));
-        for (std::size_t k = 0; k < row.slip.size(); ++k) {
-          row.slip_rounded[k][at] = over(row.slip[k][j] / row.slip_factor, unit(j));
+        row.normal_rounded[static_cast<Eigen::Index>(j)] = over(row.normal[j], unit(j));
+      }
+      for (std::size_t k = 0; k < c.directions.size(); ++k) {
+        const RationalRow along = row.wrench_of(c.directions[k]);
+        for (std::size_t j = 0; j < motions; ++j) {
+          row.slip_rounded[k][static_cast<Eigen::Index>(j)] =
+              over(along[j], unit(j) * c.direction_sizes[k]);
         }
       }
     }

@@ -31,7 +31,7 @@ namespace {
 Double3 mean_slip(const LawContact& contact, const Reals& motion) {
   Double3 s{};
   for (const CornerRow& row : contact.corners) {
-    for (std::size_t k = 0; k < row.slip.size(); ++k) {
+    for (std::size_t k = 0; k < contact.slip_dimension(); ++k) {
       s[k] += row.slip_rounded[k].dot(motion) / static_cast<double>(contact.corners.size());
     }
   }
@@ -101,7 +101,39 @@ int side_of_all(const Law& law, const std::vector<Row>& planes, const Reals& x) 
   return plus ? 1 : minus ? -1 : 0;
 }
 
-/// Slips of one coordinate at all corners, as functions of points.
+/// A direction across the first: that of the second as far as it is, else any.
+Double3 across(const Double3& direction, const Double3& towards) {
+  const double square = dot(direction, direction);
+  if (!(square > 0)) return towards;
+  const auto without = [&](Double3 a) {
+    const double part = dot(a, direction) / square;
+    for (std::size_t k = 0; k < 3; ++k) a[k] -= part * direction[k];
+    return a;
+  };
+  constexpr double kClear = 1e-6;
+  if (const Double3 result = without(towards); norm_of(result) > kClear) return result;
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (std::fabs(direction[k]) < std::fabs(direction[least])) least = k;
+  }
+  Double3 unit{};
+  unit[least] = 1;
+  return without(unit);
+}
+
+/// A friction force, in the numbers of the format, near the direction of these coordinates.
+Row in_few_numbers(const LawContact& c, const Double3& coordinates, int bits) {
+  Reals numbers = Reals::Zero(static_cast<Eigen::Index>(c.slip_numbers()));
+  for (std::size_t k = 0; k < c.slip_dimension(); ++k) {
+    const double part = coordinates[k] / c.direction_sizes[k];
+    for (std::size_t j = 0; j < c.slip_numbers(); ++j) {
+      numbers[static_cast<Eigen::Index>(j)] += part * to_double(c.directions[k][j]);
+    }
+  }
+  return in_bits(numbers, bits);
+}
+
+/// Slips of one number at all corners, as functions of points.
 std::vector<Row> slip_planes(const Law& law, const LawContact& contact) {
   std::vector<Row> planes;
   for (const CornerRow& row : contact.corners) {
@@ -334,21 +366,24 @@ std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation&
   const double slip_size = norm_of(s);
   const double friction_size = norm_of(f);
   Double3 mean{};
+  Double3 apart{};
   for (std::size_t k = 0; k < 3; ++k) {
-    mean[k] =
-        (slip_size > 0 ? s[k] / slip_size : 0) - (friction_size > 0 ? f[k] / friction_size : 0);
+    const double along = slip_size > 0 ? s[k] / slip_size : 0;
+    const double against = friction_size > 0 ? -f[k] / friction_size : 0;
+    mean[k] = along + against;
+    apart[k] = along - against;
   }
   constexpr double kOpposed = 1e-6;
   if (!(norm_of(mean) > kOpposed)) mean = s;  // friction along the slip
-  const Double3 n = cross(c.tangents[0], c.tangents[1]);
-  const Double3 turned = cross(n, mean);
+  const Double3 turned =
+      c.slip_dimension() == 2 ? Double3{-mean[1], mean[0], 0} : across(mean, apart);
   // a.s as a function of points, with a of few bits.
   const auto plane_along = [&](const Double3& a) -> std::optional<Row> {
     for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
-      const IntegerVector3 direction = in_bits<3>(a, bits);
+      const Row direction = in_few_numbers(c, a, bits);
       Row plane(law_.coordinates());
       for (std::size_t j = 0; j < law_.motions; ++j) {
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < direction.size(); ++k) {
           plane[j] += direction[k] * c.corners.front().slip[k][j];
         }
       }
@@ -360,7 +395,7 @@ std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation&
   const SlipCone& cone = region.slips(contact);
   const bool narrow = cone.moves && !cone.whole;
   if (!c.geometry_is_certain() && !narrow) {
-    const IntegerVector3 direction = in_bits<3>(mean, 6);
+    const Row direction = in_few_numbers(c, mean, 6);
     const RationalRow along(direction.begin(), direction.end());
     const auto row_at = [&](const CornerRow& row) { return row.wrench_of(along); };
     if (!turns_alone(c)) return split_wedge(found, wedge_of(c, row_at));

@@ -4,7 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nearest_in_cone.hpp"
+#include "stickslip/motion/nearest_wrench.hpp"
+
 namespace stickslip {
+
+using search_detail::ConePoint;
+using search_detail::nearest_in_cone;
+
 namespace {
 
 /// Whether a sum of terms of this magnitude has the right sign and a few digits, though
@@ -32,17 +39,18 @@ double exact_sum(const Reals& terms, const Row& function, const Row& x) {
 }
 
 /// The sign of (a x b).n: whether b is to the left of a, seen against n.
-int turn(const IntegerVector3& a, const IntegerVector3& b, const IntegerVector3& n) {
-  return dot(cross(a, b), n).sign();
+int turn(const ExactSlip& a, const ExactSlip& b, const IntegerVector3& n) {
+  return dot(cross(IntegerVector3{a[0], a[1], a[2]}, IntegerVector3{b[0], b[1], b[2]}), n)
+      .sign();
 }
 
-/// Whether u, not 0 and across n, is a sum of nonnegative multiples of these. In the plane all
-/// have one coordinate, and n is 0.
-bool is_in_cone(const IntegerVector3& u, const std::vector<IntegerVector3>& directions,
+/// Whether u, not 0 and across n, is a sum of nonnegative multiples of these, without torsion.
+/// In the plane all have one number, and n is 0.
+bool is_in_cone(const ExactSlip& u, const std::vector<ExactSlip>& directions,
                 const IntegerVector3& n) {
-  const IntegerVector3* left = nullptr;  // the nearest to u of those to the left
-  const IntegerVector3* right = nullptr;
-  for (const IntegerVector3& s : directions) {
+  const ExactSlip* left = nullptr;  // the nearest to u of those to the left
+  const ExactSlip* right = nullptr;
+  for (const ExactSlip& s : directions) {
     const int side = turn(u, s, n);
     if (side == 0) {
       if (dot(u, s).sign() > 0) return true;
@@ -67,6 +75,65 @@ bool is_zero(const Double3& s) {
   return s[0] == 0 && s[1] == 0 && s[2] == 0;
 }
 
+Double3 negated(const Double3& s) {
+  return {-s[0], -s[1], -s[2]};
+}
+
+/// |q|^2 for a q with <-t - q, s> <= 0 for all of a cone's sides, of three dimensions: the
+/// nearest to -t of the cone, where doubles find it, `towards` being t in doubles. In the units
+/// of LawContact::product. Nothing: they find none that is nearer to 0.
+std::optional<Rational> squared_nearest(const LawContact& c,
+                                        const std::vector<ExactSlip>& sides,
+                                        const std::vector<Double3>& units, const ExactSlip& t,
+                                        const Double3& towards) {
+  const std::vector<std::size_t> in_use = nearest_in_cone(units, negated(towards)).generators;
+  if (in_use.size() > 2) return std::nullopt;
+  std::vector<Integer> works;  // of friction that is against t and along a side
+  for (const ExactSlip& s : sides) works.emplace_back(-c.product(t, s));
+  // q is a sum of multiples / common.
+  std::vector<Integer> multiples;
+  Integer common = 1;
+  if (in_use.size() == 1) {
+    const ExactSlip& s = sides[in_use[0]];
+    common = c.product(s, s);
+    multiples.push_back(works[in_use[0]]);
+  } else if (in_use.size() == 2) {
+    const ExactSlip& a = sides[in_use[0]];
+    const ExactSlip& b = sides[in_use[1]];
+    const Integer aa = c.product(a, a);
+    const Integer ab = c.product(a, b);
+    const Integer bb = c.product(b, b);
+    common = aa * bb - ab * ab;
+    const Integer& on_a = works[in_use[0]];
+    const Integer& on_b = works[in_use[1]];
+    multiples.emplace_back(on_a * bb - on_b * ab);
+    multiples.emplace_back(on_b * aa - on_a * ab);
+  }
+  if (common.is_zero()) return std::nullopt;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    Integer rest = common * works[k];
+    for (std::size_t l = 0; l < in_use.size(); ++l) {
+      rest -= multiples[l] * c.product(sides[in_use[l]], sides[k]);
+    }
+    if (rest.sign() > 0) return std::nullopt;
+  }
+  Integer square = 0;
+  for (std::size_t k = 0; k < in_use.size(); ++k) square += multiples[k] * works[in_use[k]];
+  return Rational(square, common);
+}
+
+/// The cone of all functions that are nowhere below 0 on these vectors of three numbers, but
+/// for a ray that is about none of them.
+ConeOf<Row> dual_cone(const std::vector<RationalRow>& vectors) {
+  ConeOf<Row> cone(ConeOf<Row>::Multiples::kZero, 5);
+  for (const RationalRow& v : vectors) {
+    Row plane = primitive_multiple(v);
+    plane.resize(5);
+    cone.cut(plane, Side::kPositive);
+  }
+  return cone;
+}
+
 }  // namespace
 
 MotionRegion MotionRegion::wall(const Law& law, const ConvexBody& body, std::size_t wall) {
@@ -81,7 +148,8 @@ MotionRegion::MotionRegion(const Law& law, StrictCone cone)
       strict_slips_(law.contacts.size(), 0),
       still_(law.contacts.size(), 0),
       separations_(law.contacts.size(), Separation::kMixed),
-      slips_(law.contacts.size()) {
+      slips_(law.contacts.size()),
+      exact_sides_(law.contacts.size()) {
   update();
 }
 
@@ -194,12 +262,20 @@ void MotionRegion::classify() {
   for (std::size_t i = 0; i < law_->contacts.size(); ++i) find_slips(i);
 }
 
-IntegerVector3 MotionRegion::exact_slip(std::size_t contact, std::size_t generator,
-                                        std::size_t corner) const {
+ExactSlip MotionRegion::exact_slip(std::size_t contact, std::size_t generator,
+                                   std::size_t corner) const {
   const std::vector<Row>& rows = law_->contacts[contact].corners[corner].slip;
-  IntegerVector3 s{};
+  ExactSlip s{};
   for (std::size_t k = 0; k < rows.size(); ++k) s[k] = dot(rows[k], points()[generator]);
   return s;
+}
+
+const std::vector<ExactSlip>& MotionRegion::exact_sides(std::size_t contact) const {
+  std::vector<ExactSlip>& exact = exact_sides_[contact];
+  if (exact.empty()) {
+    for (const auto& [g, k] : slips_[contact].sides) exact.push_back(exact_slip(contact, g, k));
+  }
+  return exact;
 }
 
 void MotionRegion::compute_slips(std::size_t contact) {
@@ -220,8 +296,7 @@ void MotionRegion::compute_slips(std::size_t contact) {
       if (!law_->contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
         constexpr double kLeast = 1e-100;  // whose square does not vanish
         const double before = std::max(std::sqrt(dot(s, s)), kLeast);
-        s = in_doubles(exact_slip(contact, g, c));
-        normalize(s);
+        s = law_->contacts[contact].direction_of(exact_slip(contact, g, c));
         for (double& entry : s) entry *= before;
       }
       slip_values_[first_[contact] + g * corners.size() + c] = s;
@@ -295,12 +370,15 @@ void MotionRegion::find_separation(std::size_t contact) {
 void MotionRegion::find_slips(std::size_t contact) {
   SlipCone& cone = slips_[contact];
   cone = {};
+  exact_sides_[contact].clear();
   const LawContact& c = law_->contacts[contact];
   if (separations_[contact] == Separation::kOpen || c.friction.high.is_zero()) return;
   if (c.slip_dimension() == 1) {
     find_sign(cone, contact);
-  } else {
+  } else if (c.slip_dimension() == 2) {
     find_sides(cone, contact);
+  } else {
+    find_solid(cone, contact);
   }
 }
 
@@ -332,8 +410,8 @@ void MotionRegion::find_sign(SlipCone& cone, std::size_t contact) const {
                                         [&](const auto& zeros) { return bars_all(zeros); });
 }
 
-/// In space: the directions of slip by their angles around n. The cone is pointed if there is a
-/// gap of more than half a turn between two of them.
+/// In two dimensions: the directions of slip by their angles around n. The cone is pointed if
+/// there is a gap of more than half a turn between two of them.
 void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   const LawContact& c = law_->contacts[contact];
   struct Way {
@@ -349,7 +427,7 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
       if (is_zero(s)) {
         still[k].push_back(g);
       } else {
-        directions.push_back({std::atan2(dot(s, c.tangents[1]), dot(s, c.tangents[0])), g, k});
+        directions.push_back({std::atan2(s[1], s[0]), g, k});
       }
     }
   }
@@ -386,7 +464,7 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
     if (is_side || is_middle) cone.sides.emplace_back(d.generator, d.corner);
   }
   if (may_be_half) {
-    std::vector<IntegerVector3> sides;
+    std::vector<ExactSlip> sides;
     for (const auto& [g, k] : cone.sides) sides.push_back(exact_slip(contact, g, k));
     const auto is_opposed = [&](std::size_t g, std::size_t k) {
       return is_in_cone(negated(exact_slip(contact, g, k)), sides, c.axis);
@@ -405,13 +483,80 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
                            [&](const auto& zeros) { return bars_all(zeros); });
 }
 
+/// In three dimensions: where doubles do not show that the cone is pointed, the functions that
+/// are nowhere below 0 on it tell which of its vectors have their negative in it.
+void MotionRegion::find_solid(SlipCone& cone, std::size_t contact) const {
+  const LawContact& c = law_->contacts[contact];
+  std::vector<std::vector<std::size_t>> still(c.corners.size());  // where -s is in the cone
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    for (std::size_t k = 0; k < c.corners.size(); ++k) {
+      Double3 s = slip(contact, g, k);
+      if (is_zero(s)) {
+        still[k].push_back(g);
+        continue;
+      }
+      normalize(s);
+      cone.sides.emplace_back(g, k);
+      cone.units.push_back(s);
+    }
+  }
+  cone.moves = strict_slips_[contact] != 0;
+  if (cone.sides.empty()) return;
+  struct Against {
+    double work;
+    Double3 wrench;
+  };
+  const auto worst = [&](const Double3& y) -> std::optional<Against> {
+    Against most{-HUGE_VAL, {}};
+    for (const Double3& s : cone.units) {
+      if (const double work = dot(s, y); work > most.work) most = {work, s};
+    }
+    return most;
+  };
+  constexpr double kClear = 1e-7;
+  const auto found = nearest_wrench(Double3{1, 0, 0}, worst, true);
+  if (!found.separated || !(worst(found.twist)->work < -kClear * norm_of(found.twist))) {
+    std::vector<RationalRow> coordinates;
+    for (const auto& [g, k] : cone.sides) {
+      const ExactSlip s = exact_slip(contact, g, k);
+      RationalRow& along = coordinates.emplace_back();
+      for (const RationalRow& direction : c.directions) {
+        Rational& sum = along.emplace_back();
+        for (std::size_t j = 0; j < direction.size(); ++j) {
+          sum += direction[j] * Rational(s[j]);
+        }
+      }
+    }
+    const ConeOf<Row> dual = dual_cone(coordinates);
+    const std::vector<Row> functions = dual.directions();
+    cone.whole = dual.lines().empty() && dual.rays().size() == 1;
+    for (std::size_t side = 0; side < cone.sides.size(); ++side) {
+      const bool is_opposed =
+          std::all_of(functions.begin(), functions.end(), [&](const Row& function) {
+            Rational sum = 0;
+            for (std::size_t j = 0; j < 3; ++j) {
+              sum += Rational(function[j]) * coordinates[side][j];
+            }
+            return sum.is_zero();
+          });
+      if (is_opposed) still[cone.sides[side].second].push_back(cone.sides[side].first);
+    }
+  }
+  if (cone.moves) return;
+  cone.moves = std::all_of(still.begin(), still.end(),
+                           [&](const auto& zeros) { return bars_all(zeros); });
+}
+
 /// alpha of the format.
 Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
   const LawContact& c = law_->contacts[contact];
   const SlipCone& cone = slips_[contact];
-  std::vector<IntegerVector3> sides;
-  if (cone.moves && !cone.whole) {
-    for (const auto& [g, k] : cone.sides) sides.push_back(exact_slip(contact, g, k));
+  const bool is_bound = cone.moves && !cone.whole && !cone.sides.empty();
+  const bool is_solid = c.slip_dimension() == 3;
+  Reals rounded;  // y
+  if (is_bound && is_solid) {
+    rounded = in_doubles(y);
+    law_->scale(rounded);
   }
   constexpr unsigned kBits = 64;
   std::optional<Rational> most;
@@ -425,26 +570,36 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
       consider(normal);
       continue;
     }
-    IntegerVector3 slid{};
+    ExactSlip slid{};
     for (std::size_t k = 0; k < row.slip.size(); ++k) slid[k] = dot(row.slip[k], y);
     int sign = 1;
-    const Rational whole = Rational(dot(slid, slid)) / (row.slip_factor * row.slip_factor);
+    const Rational scale =
+        row.slip_factor * row.slip_factor * Rational(denominator(c.spin_weight));
+    const Rational whole = Rational(c.product(slid, slid)) / scale;
     Rational square = whole;
-    if (cone.moves && !cone.whole && !square.is_zero() && !sides.empty() &&
-        !is_in_cone(negated(slid), sides, c.axis)) {
+    std::optional<Rational> nearest;
+    if (is_bound && is_solid && !square.is_zero()) {
+      Double3 towards{};
+      for (std::size_t k = 0; k < 3; ++k) towards[k] = row.slip_rounded[k].dot(rounded);
+      nearest = squared_nearest(c, exact_sides(contact), cone.units, slid, towards);
+      if (nearest) square = *nearest / scale;
+    }
+    if (is_bound && !whole.is_zero() &&
+        (is_solid ? nearest && nearest->is_zero()
+                  : !is_in_cone(negated(slid), exact_sides(contact), c.axis))) {
       bool first = true;
       Rational best = 0;  // with its sign
-      for (const IntegerVector3& s : sides) {
-        const Integer work = -dot(s, slid);
-        const Rational signed_square(Integer(work * abs(work)), dot(s, s));
+      for (const ExactSlip& s : exact_sides(contact)) {
+        const Integer work = -c.product(s, slid);
+        const Rational signed_square(Integer(work * abs(work)), c.product(s, s));
         if (first || signed_square > best) best = signed_square;
         first = false;
       }
       sign = best.sign();
-      square = abs(best) / (row.slip_factor * row.slip_factor);
+      square = abs(best) / scale;
     }
     for (const Rational& mu : {c.friction.low, c.friction.high}) {
-      if (row.slip.size() == 1) {  // no root is needed
+      if (c.slip_dimension() == 1) {  // no root is needed
         consider(normal + sign * mu * abs(Rational(slid[0]) / row.slip_factor));
         continue;
       }

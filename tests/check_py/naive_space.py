@@ -57,19 +57,41 @@ def turn_bounds(n, slope):
     return [root_above(Fraction(slope) ** 2 * dot(n, n) / dot(way, way)) for way in (first, second)]
 
 
-def in_cone(w, generators):
-    """Is w a sum of the generators, which all lie in a plane, with multiples >= 0? Two are enough."""
-    if not any(w):
-        return True
-    if any(dot(w, g) > 0 and not any(cross(w, g)) for g in generators):
-        return True
-    for a, b in combinations(generators, 2):
-        c = cross(a, b)
-        square = dot(c, c)
-        # w = s a + t b with s = (w x b).c / c.c, t = (a x w).c / c.c.
-        if square and dot(cross(w, b), c) >= 0 and dot(cross(a, w), c) >= 0:
-            return True
-    return False
+def along(s, t, gamma=0):
+    """The product of two slips; with torsion there is a fourth number."""
+    return dot(s[:3], t[:3]) + gamma * dot(s[3:], t[3:])
+
+
+def determinant(m):
+    return sum((-1) ** j * x * determinant([row[:j] + row[j + 1:] for row in m[1:]]) for j, x in enumerate(m[0])) if m else 1
+
+
+def projected(w, chosen, gamma):
+    """The point of the span of the chosen, which are linearly independent, nearest to w, if it is a sum of multiples >= 0: by Cramer's rule."""
+    gram = [[along(a, b, gamma) for b in chosen] for a in chosen]
+    heights, whole = [along(a, w, gamma) for a in chosen], determinant(gram)
+    multiples = [Fraction(determinant(gram[:j] + [heights] + gram[j + 1:])) / whole for j in range(len(chosen))] if whole else [-1]
+    return tuple(dot(multiples, numbers) for numbers in zip(*chosen)) if min(multiples) >= 0 else (Fraction(0),) * len(w)
+
+
+def nearest(w, generators, gamma):
+    """The sum of generators with multiples >= 0 that is nearest to w: no generator leads from it towards w, and w - it is across it. Those
+    that do are taken in, one by one; two of a plane are enough, and with torsion three."""
+    found, chosen = (Fraction(0),) * len(w), ()
+    while True:
+        left = plus(w, minus(found))
+        assert along(left, found, gamma) == 0
+        best = max(generators, key=lambda s: along(left, s, gamma), default=found)
+        if along(left, best, gamma) <= 0:
+            return found
+        some = (*chosen, best)
+        sets = [one for count in range(1, len(w)) for one in combinations(some, count)]
+        chosen = max(sets, key=lambda one: along(w, projected(w, one, gamma), gamma))
+        found = projected(w, chosen, gamma)
+
+
+def in_cone(w, generators, gamma=0):
+    return nearest(w, generators, gamma) == tuple(w)
 
 
 def directions(vectors):
@@ -94,14 +116,15 @@ class Contact:
     """A normal, and intervals of the parameters of section 7 by name; in a margin also P and P^u,
     whose multiples by 1/L, in an interval, are the preloads."""
 
-    def __init__(self, normal, ends, loads=None, inverse=None):
-        self.normal = tuple(map(Fraction, normal))
+    def __init__(self, normal, ends, loads=None, inverse=None, torsion=0):
+        self.normal, self.torsion = tuple(map(Fraction, normal)), Fraction(torsion)
         self.ends = {name: tuple(map(Fraction, ends.get(name, (0, 0)))) for name in NAMES}
         self.loads, self.inverse = loads, inverse
         self.square = dot(self.normal, self.normal)
+        self.gamma = self.torsion ** 2 / self.square
 
     @classmethod
-    def of_file(cls, normal, p, friction, preload, stiffness, bits=128, slope=0):
+    def of_file(cls, normal, p, friction, preload, stiffness, bits=128, slope=0, torsion=0):
         """Intervals as in the grasp file; the normal has the length L."""
         square = sum(Fraction(c) ** 2 for c in normal)
         low, high = inverse_length(square, bits) if preload[1] else (1, 1)
@@ -109,7 +132,7 @@ class Contact:
         cosine, its_square = 1 - Fraction(slope) ** 2 / 2, 1 - Fraction(slope) ** 2  # at least
         return cls(normal, {**dict(zip(NAMES, [*p, *turns])), "friction": friction,
                             "preload": (preload[0] * low * cosine, preload[1] * high),
-                            "stiffness": (stiffness[0] * its_square / square, stiffness[1] / square)})
+                            "stiffness": (stiffness[0] * its_square / square, stiffness[1] / square)}, torsion=torsion)
 
     @classmethod
     def of_margin(cls, normal, p, friction, loads, stiffness, bits=128):
@@ -121,7 +144,7 @@ class Contact:
         return cls(normal, {name: (c, c) for name, c in numbers.items()}, loads, inverse)
 
     def cut(self, name, low, high):
-        return Contact(self.normal, {**self.ends, name: (low, high)}, self.loads, self.inverse)
+        return Contact(self.normal, {**self.ends, name: (low, high)}, self.loads, self.inverse, self.torsion)
 
     def corners(self, names):
         for ends in product(*(sorted(set(self.ends[name])) for name in names)):
@@ -146,19 +169,25 @@ class Contact:
                                        velocity(r, (q["x"], q["y"], q["z"])))
                 for q in self.corners((*GEOMETRY, "preload", "stiffness"))]
 
+    def slip(self, n, p, d):
+        """Section 15: with torsion the turn about the normal, too."""
+        return slip(n, p, d, self.normal) + ((dot(n, d[3:6]),) if self.torsion else ())
+
     def slips(self, r):
         """At all places."""
-        return [slip(n, p, r, self.normal) for p, n in self.places()]
+        return [self.slip(n, p, r) for p, n in self.places()]
 
     def alpha(self, y, rays, moves):
         cone = directions(s for r in rays for s in self.slips(r))
         tilt = max(dot(n, n) for _, n in self.places()) / self.square - 1
         found = []
         for (p, n), mu in product(self.places(), self.ends["friction"]):
-            z = slip(n, p, y, self.normal)
-            signed = dot(z, z)
-            if moves and not in_cone(minus(z), cone):
-                signed = max(-dot(s, z) * abs(dot(s, z)) / dot(s, s) for s in cone)
+            z = self.slip(n, p, y)
+            signed = along(z, z, self.gamma)
+            if moves:
+                point = nearest(minus(z), cone, self.gamma)
+                # If the nearest is 0, none is nearer in angle than the rays' own.
+                signed = along(point, point, self.gamma) or max(-along(s, z, self.gamma) * abs(along(s, z, self.gamma)) / along(s, s, self.gamma) for s in cone)
             found.append(dot(n, velocity(y, p)) + root_above(mu * mu * self.square * signed)
                          + 3 * tilt / 2 * root_above(mu * mu * self.square * dot(z, z)))
         return max(found)
@@ -182,7 +211,7 @@ class Region:
         contact = self.contacts[i]
         cone = directions(s for r in self.rays for s in contact.slips(r))
         return all(self.barred([r for r in self.rays
-                                if in_cone(minus(slip(n, p, r, contact.normal)), cone)])
+                                if in_cone(minus(contact.slip(n, p, r)), cone, contact.gamma)])
                    for p, n in contact.places())
 
     def leaf_holds(self, y):

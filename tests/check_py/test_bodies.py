@@ -2,8 +2,11 @@
 """Grasp files of several bodies (FORMAT.md, section 14) that are malformed: where, and what would be right. (What is true of them is
 for tests/rules.)"""
 
+import collections
 import copy
+import random
 import unittest
+from fractions import Fraction
 
 from support import Case, certificate
 
@@ -31,6 +34,53 @@ def changed(place, value):
     else:
         inside[last] = value
     return hand
+
+
+# A pad that slides and turns on the ground, pressed with what does not depend on that: no preload is a matter of motion.
+PAD = {
+    "format": "stickslip-grasp/3",
+    "bodies": [{"name": "x", "slide": [1, 0, 0]}, {"name": "y", "slide": [0, 1, 0], "on": "x"},
+               {"name": "pad", "hinge": {"at": [0, 0, 0], "axis": [0, 0, 1]}, "on": "y"}],
+    "joints": [{"turns": {name: 1}} for name in ("x", "y", "pad")],
+}
+
+
+class SoftTest(Case):
+    """Section 15."""
+
+    def random_tree(self, rng, contacts, leaf, depth):
+        kind = rng.choice(["slip", "plane", "plane", "leaf"]) if depth else "leaf"
+        if kind == "leaf":
+            return [leaf()]
+        node = ["slip", rng.randrange(contacts)] if kind == "slip" else ["plane", *(rng.choice([-1, 0, 0, 1]) for _ in range(4))]
+        return [node] + [one for _ in range(2) for one in self.random_tree(rng, contacts, leaf, depth - 1)]
+
+    def test_checkers_say_the_same_of_any_tree(self):
+        """Loads are near what friction holds, so that leaves hold or not by what is known of slips there."""
+        rng, tally = random.Random(15), collections.Counter()
+        for _ in range(600):
+            contacts = []
+            for _ in range(rng.randint(1, 2)):
+                length, size = rng.choice([1, 2, 3]), Fraction(rng.randint(-2, 2), 2)
+                wide = rng.random() < 0.3
+                contacts.append({
+                    "of": "pad", "position": [{"min": str(size), "max": str(size + Fraction(1, 8))} if wide else str(size), rng.randint(-1, 1), 0],
+                    "normal": [0, 0, length], "friction": {"min": "1/2", "max": "3/4"} if wide else "3/4", "preload": rng.choice([2, 4]),
+                    "torsion": rng.choice([0, "1/2", 1, 2])})
+            size = Fraction(sum(contact["preload"] for contact in contacts) * 3, 4) * Fraction(rng.randint(8, 14), 10)
+            ways = [(Fraction(3, 5), Fraction(4, 5), 0), (Fraction(2, 3), Fraction(-1, 3), Fraction(2, 3)), (0, 0, 1), (1, 0, 0)]
+            w = [size * c for c in rng.choice(ways)]
+
+            def leaf():
+                return ["leaf", *(str(-c + rng.choice([0, 0, -1, 1, size, -size])) for c in w)]
+
+            w_text = list(map(str, w))
+            code, report, _, _ = self.run_both({**PAD, "contacts": contacts, "wrench": w_text}, certificate(
+                len(contacts), w_text, tree=self.random_tree(rng, len(contacts), leaf, rng.randint(0, 4))))
+            self.assertIn(report["rule"], (None, "leaf-bound", "node-certain"))
+            tally["accepted" if code == 0 else "deep" if report["node"] > 2 else "else"] += 1
+        self.assertGreater(tally["accepted"], 30, tally)
+        self.assertGreater(tally["deep"], 50, tally)
 
 
 class BodiesTest(Case):

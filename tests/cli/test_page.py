@@ -143,6 +143,68 @@ class Page(Case):
         self.assertEqual([answer[part] for part in ("region", "margin", "map")], [None] * 3)
         self.assertEqual({message.split(":")[0] for message in answer["messages"]}, {"region", "margin", "map"})
 
+    def test_several_bodies(self):
+        grasp = os.path.join(EXAMPLES, "bodies-gripper.json")
+        answer = answer_in(self.page(grasp, "--time-limit", "2"))
+        self.assertEqual(answer["decide"], self.json("decide", grasp, "--floats"))
+        self.assertEqual((answer["dimension"], answer["states"], answer["region"], answer["map"]), (3, None, None, None))
+        said = [message for message in answer["messages"] if "several bodies" in message]
+        self.assertEqual([message.split(":")[0] for message in said], ["states", "region", "map"])
+        proof = self.write("p.json", answer["certificate"])
+        self.assertEqual(run(CHECK, self.write("g.json", answer["grasp"]), proof)[0], DONE)
+        bodies = answer["mechanism"]["bodies"]
+        self.assertEqual([body["name"] for body in bodies], ["disc", "l1", "l2", "r1", "r2"])
+        self.assertEqual([(c["of"], c["by"]) for c in answer["contacts"]], [(0, 2), (0, 4), (0, 1), (0, 3)])
+        # A fingertip turns with its own joint about its hinge, and with the joint before it about that one's.
+        z = dict(zip(answer["mechanism"]["coordinates"], answer["decide"]["twist_float"]))
+        x, y = 0.3, 0.7
+        moved = [0.0, 0.0]
+        for turn, (hx, hy) in ((z["r1"], (2, -2)), (z["r2"], (1.2, 0))):
+            moved[0] -= turn * (y - hy)
+            moved[1] += turn * (x - hx)
+        dx, dy, r = (sum(j * q for j, q in zip(row, answer["decide"]["twist_float"])) for row in bodies[4]["motion"])
+        self.assertAlmostEqual(dx - r * y, moved[0], places=12)
+        self.assertAlmostEqual(dy + r * x, moved[1], places=12)
+
+    def test_a_box_of_several_bodies(self):
+        grasp = os.path.join(EXAMPLES, "bodies-gripper.json")
+        answer = answer_in(self.page(grasp, "--uncertain", "friction=5%,stiffness=5%,wrench=1%", "--time-limit", "2"))
+        self.assertEqual((answer["decide"]["verdict"], answer["decide"]["box"], answer["margin"]), ("stable", True, None))
+        # Of the grasp in the middle: the disc is in balance, and what slips has all the friction that there is.
+        forces = [near["force_float"] for near in answer["near"]["contacts"]]
+        total = [0, -1, 0]
+        for contact, (fx, fy) in zip(answer["contacts"], forces):
+            x, y = contact["position"]
+            total = [a + b for a, b in zip(total, (fx, fy, x * fy - y * fx))]
+            nx, ny = contact["normal"]
+            self.assertAlmostEqual(abs(ny * fx - nx * fy), contact["friction"] * (nx * fx + ny * fy), places=6)
+        self.assertLess(max(map(abs, total)), 1e-6)
+
+    def test_bodies_in_space_are_there_once(self):
+        cube = {"vertices": [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 2)],
+                "faces": [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]}
+        grasp = {"format": "stickslip-grasp/3", "bodies": [{"name": "low", "mesh": cube}, {"name": "up"}],
+                 "defaults": {"friction": "1/2"},
+                 "contacts": [{"of": of, "by": by, "position": [x, y, z], "normal": [0, 0, 1]}
+                              for of, by, z in (("low", "ground", 0), ("up", "low", 2))
+                              for x, y in ((-1, -1), (1, -1), (0, 1))],
+                 "loads": [{"body": "low", "weight": 1, "at": [0, 0, 1]}, {"body": "up", "weight": 1, "at": [0, 0, 3]},
+                           {"body": "up", "wrench": [{"min": "1/8", "max": 1}, 0, 0, 0, "1/4", 0]}]}
+        answer = answer_in(self.page("-", "--time-limit", "5", stdin=json.dumps(grasp)))
+        self.assertEqual((answer["dimension"], answer["decide"]["verdict"]), (6, "fragile"))
+        text = json.dumps(answer)
+        self.assertEqual(json.loads(answer["grasp"])["bodies"][0]["mesh"], cube)
+        self.assertEqual(text.count("vertices"), 1)
+        for verdict in ("stable", "unstable"):
+            self.assertEqual(answer["examples"][verdict]["decide"]["verdict"], verdict)
+
+    def test_the_margin_of_several_bodies(self):
+        grasp = os.path.join(EXAMPLES, "bodies-stack.json")
+        answer = answer_in(self.page(grasp, "--wrench", "0,0,0,1,-1,-3/2", "--time-limit", "0"))
+        expected = self.json("margin", grasp, "--direction", "0,0,0,1,-1,-3/2", "--floats", "--no-warnings")
+        self.assertEqual({key: answer["margin"][key] for key in ("resisted", "refuted")},
+                         {key: expected[key] for key in ("resisted", "refuted")})
+
     def test_cases(self):
         grasp = self.write("cases.json", CASES)
         quick = ("--time-limit", "1")  # without a map

@@ -112,6 +112,116 @@ test("an unstable grasp in space", () => {
   assert.strictEqual(opened.page.checkProof().answer, "accepted");
 });
 
+// Several bodies.
+
+const corpus = (name) => path.join(ROOT, "tests", "corpus", "bodies", name + ".grasp.json");
+const kSeveral = {
+  "stacked": [[example("bodies-stack"), "--case", "pushed above"], "stable"],
+  "stacked, of which one slides": [[example("bodies-stack"), "--case", "the upper one slides"], "unstable"],
+  "stacked, with uncertain friction": [[example("bodies-stack"), "--case", "pushed above", "--uncertain", "friction=80%"], "fragile"],
+  "that are links": [[example("bodies-gripper")], "stable"],
+  "that are links, in a box": [[example("bodies-gripper"), "--uncertain", "friction=5%"], "stable"],
+  "in space": [[example("bodies-hand")], "stable"],
+  "on a slide in space": [[corpus("link_in_space_unstable")], "unstable"],
+  "between soft fingers": [[example("bodies-cap"), "--case", "turned"], "stable"],
+  "between soft fingers that slip": [[example("bodies-cap"), "--case", "tilts"], "unstable"],
+  "without a contact": [[corpus("uncertain_spring_stable")], "stable"],
+};
+for (const [name, [grasp, verdict]] of Object.entries(kSeveral)) {
+  test("several bodies " + name, () => {
+    const made = pageOf(...grasp);
+    const opened = openWith(made);
+    const { answer } = made;
+    if (answer.contacts.length > 0) isWhole(opened, answer, verdict);
+    else assert.strictEqual(opened.find("#verdict").dataset.verdict, verdict);
+    if (answer.certificate) assert.strictEqual(opened.page.checkProof().answer, "accepted");
+    assert.match(opened.text("#why"), /states, region: there are several bodies/);
+    assert.doesNotMatch(opened.text("main"), /undefined|NaN|\bnull\b|\[object/);
+    for (const element of opened.root.querySelectorAll("[transform]"))
+      assert.doesNotMatch(element.getAttribute("transform"), /NaN|undefined/);
+    if (!answer.examples) return;
+    for (const one of ["stable", "unstable"]) {
+      opened.find(`[data-choice="grasp-${one}"]`).click();
+      isWhole(opened, opened.page.answer, one);
+      assert.strictEqual(opened.page.checkProof().answer, "accepted");
+    }
+  });
+}
+
+/** The place of a point of the page after transformations of the plane, the last of them first. */
+function transformed(text, point) {
+  const matrices = [...text.matchAll(/matrix\(([^)]*)\)/g)].map((found) => found[1].split(" ").map(Number));
+  return matrices.reduceRight(([x, y], [a, b, c, d, e, f]) => [a * x + c * y + e, b * x + d * y + f], point);
+}
+const away = (p, q) => Math.hypot(...p.map((x, j) => x - q[j]));
+
+test("a soft finger has a moment, and opposes what turns about its normal", () => {
+  const { root, page } = openWith(pageOf(example("bodies-cap"), "--case", "off centre"));
+  // 18/5 about x, one half of it each.
+  const moments = root.querySelectorAll("td[data-column]").filter((e) => e.dataset.column === "moment");
+  assert.deepStrictEqual(moments.map((e) => e.textContent), ["(~1.8, 0, 0)", "(~1.8, 0, 0)"]);
+  // About the line through both, on which no point of contact moves.
+  const turn = { twist: ["0", "-1/2", "0", "-1", "0", "0"], slips: new Map(), open: new Set() };
+  assert.deepStrictEqual([...page.drift(turn).opposing], [true, true]);
+  page.answer.contacts.forEach((contact) => delete contact.torsion);
+  assert.deepStrictEqual([...page.drift(turn).opposing], [false, false]);
+});
+
+test("links stay on their hinges, and move by their coordinates", () => {
+  const made = pageOf(example("bodies-gripper"));
+  const { page, root } = openWith(made);
+  const { place, scale, frame } = page.bodyView();
+  const ghosts = root.querySelectorAll(".moving").map((e) => e.getAttribute("transform"));
+  assert.strictEqual(ghosts.length, 5);
+  const [disc, l1, l2, r1, r2] = ghosts;
+  for (const [link, on, hinge] of [
+    [l1, "", [-2, -2]],
+    [l2, l1, [-1.2, 0]],
+    [r1, "", [2, -2]],
+    [r2, r1, [1.2, 0]],
+  ])
+    assert.ok(away(transformed(link, place(hinge)), transformed(on, place(hinge))) < 1e-6);
+  // The disc sinks by its coordinate, and a link's turn is all that it has of its own joint and of that before it.
+  const factor = page.enlargement(page.motion().twist, frame);
+  const z = Object.fromEntries(made.answer.decide.coordinates.map((name, j) => [name, made.answer.decide.twist_float[j]]));
+  const sunk = transformed(disc, [0, 0])[1];
+  assert.ok(Math.abs(sunk - (-z["disc.y"] * factor * scale) / frame.radius) < 1e-6);
+  const turn = (text) => {
+    const [from, to] = [[0, 0], [1, 0]].map((point) => transformed(text, point));
+    return Math.atan2(from[1] - to[1], to[0] - from[0]);
+  };
+  assert.ok(Math.abs(turn(r2) - factor * (z.r1 + z.r2)) < 1e-9);
+  assert.ok(Math.abs(turn(l1) + factor * z.l1) < 1e-9);
+});
+
+test("links stay on their hinges in space", () => {
+  const { page } = openWith(pageOf(example("bodies-hand")));
+  const state = page.spaceState();
+  assert.deepStrictEqual([...state.bodies], [0, 1, 2, 3, 4, 5, 6]);
+  const { frame } = page.bodyView();
+  const moved = (m, p) => [0, 1, 2].map((j) => m[j] * p[0] + m[4 + j] * p[1] + m[8 + j] * p[2] + m[12 + j]);
+  page.bodies().forEach(({ link }, b) => {
+    if (!link) return;
+    for (const along of [0, 1]) {
+      const p = link.at.map((x, j) => (x + along * link.axis[j] - frame.centre[j]) / frame.radius);
+      assert.ok(away(moved(state.moved[b], p), link.on === null ? p : moved(state.moved[link.on], p)) < 1e-6);
+    }
+  });
+  assert.ok(away(moved(state.moved[2], [0, 0, 0]), [0, 0, 0]) > 0.01, "they move");
+});
+
+test("a load of several bodies is drawn at each, with what it turns", () => {
+  const { page, root, text } = openWith(pageOf(example("bodies-stack"), "--case", "pushed above"));
+  const arrows = () => root.querySelectorAll("path.load").map((e) => e.getAttribute("data-value")).filter(Boolean);
+  assert.deepStrictEqual(arrows(), ["0,-10", "4,-10"]);
+  // 4 at the height 3/2, the middle of the upper box.
+  assert.doesNotMatch(text("#body-legend"), /torque/);
+  page.answer.wrench = [0, -10, 1, 4, -10, -2];
+  page.draw();
+  assert.match(text("#body-legend"), /torque on low 1 N m/);
+  assert.match(text("#body-legend"), /torque on up 4 N m/);
+});
+
 test("a length that is irrational makes no box", () => {
   const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "page-")), "cup.json");
   const contact = (position, normal) => ({ position, normal });

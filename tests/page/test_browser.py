@@ -376,7 +376,7 @@ class Space(PageTest):
             "faces": [face for i in range(rows) for j in range(100) for a, b in [(100 * i + j, 100 * i + (j + 1) % 100)]
                       for face in ([a, a + 100, b], [b, a + 100, b + 100])]}}
         self.open(in_file(self.folder, grasp), *QUICK)
-        self.assertEqual(self.js("return StickslipPage.solid.triangles.length"), 10000)
+        self.assertEqual(self.js("return StickslipPage.solids[0].triangles.length"), 10000)
         self.assertLess(self.size, 3000000)
         self.assertGreater(self.colours(), 30)
         before = self.shot()
@@ -404,6 +404,71 @@ class Space(PageTest):
         self.assertFalse(self.find("#check").is_displayed())
 
 
+class Several(PageTest):
+    """Several bodies: all are drawn, and the checker in the browser judges what is said of them."""
+
+    def refuses(self, forged, rule):
+        self.assertEqual(self.check_proof(), "accepted")
+        self.js("StickslipPage.answer.certificate = arguments[0]; StickslipPage.draw()", json.dumps(forged))
+        self.assertEqual(self.js("return StickslipPage.checkProof().answer"), "rejected")
+        self.assertIn(rule, self.text("#proof-result"))
+
+    def forces(self):
+        return [[float(x) for x in value.split(",")] for value in self.attributes("#body path.force", "data-value")]
+
+    def test_boxes_on_a_table(self):
+        grasp, case = example("bodies-stack"), ("--case", "pushed above")
+        answer = self.open(grasp, *case, *QUICK)
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "stable")
+        shapes = self.attributes("#body path.body", "d")
+        self.assertEqual((len(shapes), len(set(shapes))), (2, 2))
+        self.assertEqual(len(self.all("#body .moving")), 2)
+        self.assertEqual(self.forces(), [[float(Fraction(x)) for x in c["force"]] for c in decide(grasp, *case)["contacts"]])
+        self.assertIn("up turns clockwise", self.text("#motion-words"))
+        self.assertIn("there are several bodies", self.text("#why"))
+        for panel in ("sphere", "region", "map"):
+            self.assertFalse(self.find(f"#{panel}-panel").is_displayed())
+        self.picture("bodies-stack")
+        forged = json.loads(answer["certificate"])
+        forged["twist"][4] = str(Fraction(forged["twist"][4]) - 1)
+        self.refuses(forged, "witness-balance")
+
+    def test_the_upper_box_slides(self):
+        answer = self.open(example("bodies-stack"), "--case", "the upper one slides", *QUICK)
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "unstable")
+        self.assertIn("The load drives this motion", self.text("#motion-words"))
+        self.assertEqual(len(self.all("#body .moving .virtual-ghost")), 2)
+        self.picture("bodies-stack-unstable")
+        forged = json.loads(answer["certificate"])
+        leaf = next(node for node in forged["tree"] if node[0] == "leaf")
+        leaf[1:] = [str(-Fraction(y)) for y in leaf[1:]]
+        self.refuses(forged, "leaf-bound")
+
+    def test_fingers_with_joints(self):
+        self.open(example("bodies-gripper"), *QUICK)
+        self.assertEqual(len(self.all("#body path.body")), 5)
+        self.assertEqual(len(self.all("#body .hinge")), 4)
+        self.assertIn("tendon", self.text("#contacts .springs"))
+        self.assertEqual(self.check_proof(), "accepted")
+        self.fits()
+        self.picture("bodies-gripper")
+
+    def test_a_hand_in_space(self):
+        answer = self.open(example("bodies-hand"), *QUICK)
+        self.assertEqual(self.js("return StickslipPage.spaceState().bodies"), list(range(7)))
+        self.assertNotIn(None, self.js("return StickslipPage.spaceState().moved"))
+        self.assertIn("ball turns about the axis", self.text("#motion-words"))
+        canvas = self.find("#space-canvas")
+        shot = "return document.getElementById('space-canvas').toDataURL()"
+        before = self.js(shot)
+        self.drag(canvas, 80, 30)
+        self.assertNotEqual(self.js(shot), before)
+        self.picture("bodies-hand")
+        forged = json.loads(answer["certificate"])
+        forged["shares"][0][1][2] = "73/215"  # of 72/215
+        self.refuses(forged, "witness-balance")
+
+
 class Reading(PageTest):
     def test_dark(self):
         self.set_media(prefers_color_scheme="dark")
@@ -420,7 +485,7 @@ class Reading(PageTest):
 
     def test_narrow(self):
         for grasp, options, name in ((FIG1, ("--wrench", "0,11/10,0"), "narrow-unstable"), (example("bracket"), (), "narrow"),
-                                     (example("space-corner"), QUICK, "narrow-space")):
+                                     (example("space-corner"), QUICK, "narrow-space"), (example("bodies-gripper"), QUICK, "narrow-bodies")):
             self.set_size(360, 740)
             self.open(grasp, *options)
             self.fits()

@@ -264,6 +264,26 @@ class Live(PageTest):
         self.assertNotEqual(after["position"], before["position"])
         self.assertAlmostEqual(sum(x * x for x in after["normal"]), 1, places=5)
 
+    def test_several_bodies(self):
+        self.serve(example("bodies-stack"))
+        self.rest()
+        self.assertEqual(self.all("[data-handle]"), [], "nothing is dragged")
+        self.assertIn("nothing is dragged", self.text("#live"))
+        # Friction 1/2 holds 5 on the upper box, and 1/4 does not hold 4.
+        self.js("const list = arguments[0]; list.value = 'pushed above'; list.dispatchEvent(new Event('change'))",
+                self.find("#live-case"))
+        self.assertEqual(self.agrees("--case", "pushed above"), "stable")
+        friction = self.find("#live-friction")
+        friction.clear()
+        friction.send_keys("0.25")
+        self.assertEqual(self.agrees("--case", "pushed above"), "unstable")
+        load = self.find("#live-load-3")  # up.x
+        load.clear()
+        load.send_keys("2", Keys.TAB)
+        self.assertEqual(self.agrees(), "stable")
+        self.assertEqual(self.check_proof(), "accepted")
+        self.picture("live-bodies")
+
     def test_a_late_verdict_is_announced_and_replaced(self):
         self.serve(in_file(self.folder, cube()))
         self.rest()

@@ -4,6 +4,7 @@
 import json
 import os
 import pickle
+import re
 import subprocess
 from decimal import Decimal
 from fractions import Fraction
@@ -307,7 +308,6 @@ HAND = EXAMPLES / "bodies-hand.json"
     lambda a: stickslip.class_margin(a, (0, 1, 0)),
     lambda a: stickslip.friction_margin(a),
     lambda a: a.snap(),
-    lambda a: a.page(),
 ])
 def test_what_is_for_one_body(ask):
     for assembly in (blocks(), Assembly.from_file(HAND)):
@@ -317,7 +317,7 @@ def test_what_is_for_one_body(ask):
 
 
 def test_pictures(tmp_path):
-    """In the plane those of the program."""
+    """Those of the program."""
     load = (0, -10, 0, 4, -10, -4)
     answer = decide(blocks(), load)
     (tmp_path / "blocks.json").write_text(blocks().to_text())
@@ -329,8 +329,16 @@ def test_pictures(tmp_path):
     assert "in the middle of a box" in box.plot()[:] and box._repr_svg_() == box.plot()
 
 
-def test_no_picture_in_space():
+def test_pictures_in_space():
     answer = decide(Assembly.from_file(HAND))
-    assert answer._repr_svg_() is None and "<table>" in answer._repr_html_()
-    with pytest.raises(InputError, match="several bodies in space"):
-        answer.plot()
+    picture = subprocess.run([os.environ["STICKSLIP"], "plot", "grasp", HAND], check=True, timeout=300,
+                             capture_output=True, text=True).stdout
+    assert answer.plot() == answer._repr_svg_() == picture
+
+
+def test_a_page(tmp_path):
+    page = Assembly.from_file(HAND).page(tmp_path / "hand.html", time_limit=0.5)
+    found = re.search(r'id="answer">(.*?)</script>', (tmp_path / "hand.html").read_text(), re.DOTALL)
+    answer = json.loads(found[1])
+    assert answer["decide"]["verdict"] == "stable" and len(answer["mechanism"]["bodies"]) == 7
+    assert page == (tmp_path / "hand.html").read_text()

@@ -25,11 +25,11 @@ STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
 # Where each rule can fail first.
 ALL = set(corpus.KINDS)
 PLANE = {"plane", "plane_box", "plane_margin", "plane_region", "plane_class"}
-BODIES = {"bodies", "bodies_margin", "bodies_space"}
+BODIES = {"bodies", "bodies_margin", "bodies_space", "bodies_soft"}
 BOXES = {"plane_box", "space_box", "space_margin"} | BODIES  # normals of irrational length make a margin in space a box
 WITNESSES = {"plane", "plane_margin", "plane_region", "space", "space_margin"} | BODIES
 CLASSES = {"plane_class", "space_class"}
-CUT = {"plane", "plane_box", "space", "space_box", "bodies", "bodies_space"}
+CUT = {"plane", "plane_box", "space", "space_box", "bodies", "bodies_space", "bodies_soft"}
 BY_DEGREE = ALL - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
@@ -37,7 +37,7 @@ WHERE = {
                      "question-preload-direction", "question-uncertain"], ALL),
     "question-plane": PLANE - {"plane_margin"},  # there question-direction fails before
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
-    "witness-root": {"space", "space_margin", "bodies_space"},
+    "witness-root": {"space", "space_margin", "bodies_space", "bodies_soft"},
     "witness-box": BOXES,
     **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], ALL),
     "leaf-bound": ALL - CLASSES,
@@ -47,8 +47,8 @@ WHERE = {
     **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
     "degree-free": PARTS,
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
-    "segment-mode": {"plane_margin", "space_margin", "bodies_margin"},
-    **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin", "bodies_margin"}),
+    "segment-mode": {"plane_margin", "space_margin", "bodies_margin", "bodies_soft"},
+    **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin", "bodies_margin", "bodies_soft"}),
     **dict.fromkeys(["question-inertia", "class-twist", "class-force", "class-balance", "class-motion", "class-leaf"],
                     CLASSES),
     "class-slip": {"space_class"},
@@ -196,7 +196,8 @@ class RulesTest(unittest.TestCase):
                 kind = ["bodies" if several else None, "space" if in_space else None if several else "plane", {
                     "margin": "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
                         entry.certificate["verdict"])]
-                self.assertEqual("_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
+                soft = '"torsion"' in json.dumps(entry.grasp)
+                self.assertEqual("bodies_soft" if soft else "_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
     def test_check_py(self):
         self.expect(self.entries, [report for report, _, _ in self.check_py.values()])

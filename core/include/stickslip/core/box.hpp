@@ -34,6 +34,11 @@ struct UncertainContact {
   Interval preload{};              ///< P >= 0, force
   Rational slope{0};               ///< of the normal, 0 <= slope < 1
 
+  /// In space: e >= 0, a length: the friction of a soft pad has a moment about the normal, at
+  /// most e times as large as a force across it (certificate/FORMAT.md, section 15). With one
+  /// the normal is certain.
+  Rational torsion{0};
+
   /// \{ Of several bodies: the one that is pressed, into which the normal points, and the
   /// other.
   BodyIndex of{};

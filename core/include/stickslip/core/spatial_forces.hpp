@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// The contact forces of an equilibrium in space, or of several bodies, by the laws of
-/// certificate/FORMAT.md, sections 7 and 14. Of bodies in the plane the third coordinates of
-/// vectors are 0.
+/// certificate/FORMAT.md, sections 7, 14 and 15. Of bodies in the plane the third coordinates
+/// of vectors are 0.
 #pragma once
 
 #include <utility>
@@ -21,6 +21,8 @@ struct SpatialForce {
   Vector3 slip{};      ///< of the object along the tangent plane; 0 where it sticks
   Vector3 friction{};  ///< orthogonal to n
   Vector3 force{};     ///< a n + friction, on the object
+  Rational spin{0};    ///< of a contact with torsion: n.omega, how the object turns about n
+  Rational moment{0};  ///< of a contact with torsion: that of friction is moment n
 };
 
 /// The forces, by contact, that follow from the motion d, or the state, of an equilibrium.
@@ -31,6 +33,9 @@ struct SpatialForce {
 std::vector<SpatialForce> forces_of(
     const GraspBox& grasp, const RationalRow& d,
     const std::vector<std::pair<ContactId, RationalRow>>& shares);
+
+/// The moment of friction about the normal of a contact with torsion, on the body.
+RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact);
 
 /// Of several bodies, by spring: the torques, tensions and forces of ratchets at a state.
 std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z);

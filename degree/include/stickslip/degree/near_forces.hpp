@@ -10,8 +10,9 @@
 
 namespace stickslip {
 
-/// Forces near those of an equilibrium near the motion d, by contact, in doubles. What nearly
-/// sticks has slip 0, and friction within its cone by which the sum comes nearest to 0.
+/// Forces near those of an equilibrium near the motion d, or the state, by contact, in doubles.
+/// What nearly sticks has slip 0, and friction within its cone by which the sum comes nearest
+/// to 0. Requires a question that is a box.
 std::vector<SpatialForce> near_forces(const Question& question, const RationalRow& d);
 
 }  // namespace stickslip

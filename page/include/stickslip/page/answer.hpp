@@ -7,18 +7,24 @@
 /// be had is null, and a sentence of `messages` says why.
 ///
 ///  - `format` is "stickslip-page/1"; `live`: whether a server answers further questions.
-///  - `name` of the grasp; `dimension` of its motions, 3 in the plane and 6 in space.
-///  - `grasp`: the grasp file as text, of version 2. Places on the outline are written as
-///    positions and normals, and loads as a wrench. In space it has the body, if one is given;
-///    the texts of `examples` and the files in `decide` leave it out.
+///  - `name` of the grasp; `dimension` of a body's motions, 3 in the plane and 6 in space.
+///  - `grasp`: the grasp file as text, of version 2, or 3 of several bodies. Places on the
+///    outline are written as positions and normals, and loads as a wrench. In space it has the
+///    bodies that are given; the texts of `examples` and the files in `decide` leave them out.
 ///  - `question`: `wrench`, `case`, `preload`, `normal_law` and `uncertain`, as text; null
 ///  where
 ///    the file is taken as it is.
 ///  - `cases`: the names of the file's. Of one that has some, if nothing is chosen the first is
 ///    asked about.
-///  - `contacts`: `position`, `normal` (of length 1), `friction`, `stiffness` and `preload` of
-///    each, and `wrench`, the load: doubles, of intervals their middle.
+///  - `contacts`: `position`, `normal` (of length 1), `friction`, `stiffness`, `preload` and,
+///  if it
+///    is not 0, `torsion` of each, and `wrench`, the load: doubles, of intervals their middle.
 ///  - `outline`: a list of rings of points, or null.
+///  - `mechanism`: null, or of several bodies `coordinates`, the names of those of a state z;
+///    `bodies`, of each its `name`, `outline`, `link` (null, or `slides`, `at`, `axis` and
+///    `on`) and `motion`, the rows of J, with which it moves by J z; and `springs`, `kind`,
+///    `name` and `place` of each. A contact then has `of` and `by`, indices of bodies, null of
+///    the ground.
 ///  - `decide`: as `decide --json --floats` prints it; `certificate`: its text, or null.
 ///  - `near`: of a stable verdict that is proved without stating an equilibrium, what may be
 ///    drawn of one: `twist_float` and `contacts`, as `decide` has them else. It proves nothing.
@@ -31,7 +37,8 @@
 ///    `boundary`, indices of vertices: of a face in order, counterclockwise from outside.
 ///    Vectors have length 1.
 ///  - `region`: as `region --json --floats`, of forces with the torque that the load has; in
-///    space of forces along the two axes along which the load has most.
+///    space of forces along the two axes along which the load has most. Null of several bodies,
+///    as are `states` and `map`.
 ///  - `margin`: as `margin --json --floats` along the load.
 ///  - `map`: as `map --json --floats` over factors of friction and load, from 0 to 2.
 ///  - `messages`: sentences for people.

@@ -38,6 +38,13 @@ namespace stickslip {
 ///   people, as the caption says, with data-near in place of data-value.
 /// - Unstable: the grasp and its load.
 ///
+/// Several bodies are drawn in the same way, in the plane or in space: each with its outline or
+/// mesh, or a hull of its contacts, of a link of its hinges too; with the load at the middle of
+/// each that is no link, and names. Forces are those on the body that a contact presses, and
+/// the motion of a contact is that of this body seen from the other one.
+///
+/// - Stable: as in space. Unstable: the bodies and their load.
+///
 /// `verdict` is the answer to `question`, and not by degree in the plane. Requires that nothing
 /// of the question is uncertain but lengths that are irrational. Throws InputError as Problem
 /// does; ContractError if the verdict does not fit the question.

@@ -66,8 +66,4 @@ class GraspLaw : public Law {
 /// bits.
 GraspLaw law_of(const Question& question, unsigned bits);
 
-/// A basis of the forces of friction, with as many coordinates as a slip has: in space, across
-/// n.
-std::vector<RationalRow> friction_directions(const LawContact& contact);
-
 }  // namespace stickslip

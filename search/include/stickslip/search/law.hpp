@@ -5,6 +5,7 @@
 /// doubles (certificate/FORMAT.md, sections 6 and 7).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -19,7 +20,9 @@
 
 namespace stickslip {
 
-/// Of a slip or of a force across a normal, in doubles.
+/// Of a slip or of a friction force, in doubles: coordinates by LawContact::directions, so that
+/// lengths and products are those of numbers. There is one in the plane, there are two in space
+/// and three with torsion; the others are 0.
 using Double3 = std::array<double, 3>;
 
 /// Its length.
@@ -32,15 +35,16 @@ std::vector<Rational> ends_of(const Interval& interval);
 
 /// N and S with a contact's geometry at one of its corners.
 struct CornerRow {
-  RationalRow normal;      ///< N
-  std::vector<Row> slip;   ///< S times slip_factor: one row in the plane, three in space
-  Rational slip_factor;    ///< > 0
-  Reals normal_rounded{};  ///< N, in the law's units
-  std::vector<Reals> slip_rounded{};  ///< S, in the law's units
+  RationalRow normal;  ///< N
+  /// S times slip_factor: one row in the plane, three in space, four with torsion.
+  std::vector<Row> slip;
+  Rational slip_factor;               ///< > 0
+  Reals normal_rounded{};             ///< N, in the law's units
+  std::vector<Reals> slip_rounded{};  ///< S by direction, in the law's units
 
   /// S as functions of so many coordinates of points, primitive.
   std::vector<Row> slip_planes(std::size_t coordinates) const;
-  /// That of friction, with as many coordinates as a slip has.
+  /// That of friction, with as many numbers as a slip has.
   RationalRow wrench_of(const RationalRow& friction) const;
   /// From a multiple of S.
   void set_slip(const std::vector<RationalRow>& multiple, const Rational& factor);
@@ -72,12 +76,15 @@ struct LawContact {
   /// Of n uncertain numbers of its geometry 2^n, the first number changing fastest.
   /// (S is as in the format, along n and in space across n0.)
   std::vector<CornerRow> corners;
-  Rational squared_length{1};           ///< L^2, of n0: friction is at most mu L a
-  Interval friction;                    ///< mu
-  Interval preload;                     ///< P'
-  Interval rate{};                      ///< P^u' of a margin, whose ends go with those of P'
-  Interval stiffness;                   ///< k'
-  IntegerVector3 axis{};                ///< in space: n0, across which slips are
+  Rational squared_length{1};  ///< L^2, of n0: friction is at most mu L a
+  Interval friction;           ///< mu
+  Interval preload;            ///< P'
+  Interval rate{};             ///< P^u' of a margin, whose ends go with those of P'
+  Interval stiffness;          ///< k'
+  IntegerVector3 axis{};       ///< in space: n0, across which slips are
+  Rational spin_weight{0};     ///< e^2 / L^2: of the fourth number in |s|^2
+  /// Friction forces, none of which does work on the slip of another: a basis of all.
+  std::vector<RationalRow> directions{{1}};
   std::optional<ContactPlace> place{};  ///< of what the corners are, if it is a grasp's
   Rational tilt{0};        ///< in space: delta, the largest |n|^2 / L^2 - 1 of a corner
   bool is_spring = false;  ///< its force is v, of either sign: no law separates or rubs it
@@ -97,7 +104,7 @@ struct LawContact {
   std::array<double, 2> preloads{};
   std::array<double, 2> rates{};
   std::array<double, 2> stiffnesses{};
-  std::array<Double3, 2> tangents{};  ///< in space: of length 1, across n
+  std::vector<double> direction_sizes{};  ///< their lengths
   /// Whether rows, preloads, rates and stiffnesses are 0 or between 2^-200 and 2^200, so that
   /// no product with a point of norm 1 overflows or vanishes. If not, doubles decide no sign.
   bool is_moderate = true;
@@ -105,8 +112,32 @@ struct LawContact {
 
   /// Whether there is one corner.
   bool geometry_is_certain() const { return corners.size() == 1; }
-  /// How many coordinates a slip has: 1 in the plane, 3 in space.
-  std::size_t slip_dimension() const { return corners.front().slip.size(); }
+  /// How many numbers a slip is: 1 in the plane, 3 in space, 4 with torsion.
+  std::size_t slip_numbers() const { return corners.front().slip.size(); }
+  /// The dimension of the space that they are in: 1, 2 or 3.
+  std::size_t slip_dimension() const { return directions.size(); }
+  /// <a, b> of two slips, in integers: times the denominator of spin_weight.
+  template <class Slip>
+  Integer product(const Slip& a, const Slip& b) const {
+    Integer across = 0;
+    for (std::size_t k = 0; k < std::min<std::size_t>(slip_numbers(), 3); ++k) {
+      across += a[k] * b[k];
+    }
+    if (slip_numbers() < 4) return across;
+    return denominator(spin_weight) * across + numerator(spin_weight) * a[3] * b[3];
+  }
+  /// |f|^2 of a friction force.
+  Rational squared_force(const RationalRow& f) const {
+    Rational sum = 0;
+    for (std::size_t k = 0; k < f.size(); ++k) {
+      sum += k == 3 ? Rational(f[k] * f[k] / spin_weight) : Rational(f[k] * f[k]);
+    }
+    return sum;
+  }
+  /// A friction force with these coordinates, each rounded to so many bits.
+  RationalRow force_near(const Double3& coordinates, int bits) const;
+  /// The coordinates of a slip, or a multiple of it, of norm 1; 0 of 0.
+  Double3 direction_of(const IntegerVector<4>& slip) const;
 };
 
 /// All contacts, springs among them, and the load. Coordinates of motions that are rotations

@@ -16,6 +16,9 @@
 
 namespace stickslip {
 
+/// A slip of the format, times a factor; of fewer numbers the others are 0.
+using ExactSlip = IntegerVector<4>;
+
 /// The slips of a contact on a region.
 struct SlipCone {
   bool moves = false;  ///< as the format says
@@ -23,6 +26,7 @@ struct SlipCone {
   /// Generators and corners whose slips generate the same cone, unless it is whole: none if
   /// there is no slip at all.
   std::vector<std::pair<std::size_t, std::size_t>> sides;
+  std::vector<Double3> units{};  ///< of a cone in three dimensions: the directions of the sides
 };
 
 /// The region with what is settled about each contact. Its law must outlive it.
@@ -66,7 +70,7 @@ class MotionRegion : public StrictCone {
     return low_[contact * generators_.size() + generator];
   }
   /// \}
-  /// s in doubles; 0 where it is 0. Of a slip of one coordinate the others are 0.
+  /// s in doubles; 0 where it is 0.
   const Double3& slip(std::size_t contact, std::size_t generator, std::size_t corner) const {
     return slip_values_[first_[contact] + generator * law_->contacts[contact].corners.size() +
                         corner];
@@ -89,17 +93,19 @@ class MotionRegion : public StrictCone {
   void find_slips(std::size_t contact);
   void find_sign(SlipCone& cone, std::size_t contact) const;
   void find_sides(SlipCone& cone, std::size_t contact) const;
+  void find_solid(SlipCone& cone, std::size_t contact) const;
   /// StrictCone::bars, or a strict slip is 0 on all of them.
   bool bars_all(const std::vector<std::size_t>& zeros) const;
   Rational most_work(std::size_t contact, const Row& y) const;
-  IntegerVector3 exact_slip(std::size_t contact, std::size_t generator,
-                            std::size_t corner) const;
+  ExactSlip exact_slip(std::size_t contact, std::size_t generator, std::size_t corner) const;
+  const std::vector<ExactSlip>& exact_sides(std::size_t contact) const;
 
   const Law* law_;
   std::vector<char> strict_slips_;  ///< by contact
   std::vector<char> still_;         ///< by contact: s is 0 everywhere
   std::vector<Separation> separations_;
   std::vector<SlipCone> slips_;
+  mutable std::vector<std::vector<ExactSlip>> exact_sides_;  ///< by contact; empty: not yet
   std::vector<Reals> generators_;
   std::vector<double> high_;  ///< by contact and generator, as low_
   std::vector<double> low_;

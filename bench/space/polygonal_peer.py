@@ -61,6 +61,8 @@ def read(file):
 
 def read_bodies(grasp):
     of = Mechanics(grasp)
+    if of.across == 3:
+        raise SystemExit("soft fingers: their friction has no polygon")
     contacts = list(zip(of.normal, of.slips, of.friction, of.stiffness, of.preload))
     # A ratchet is a contact without friction, which pushes along its row.
     contacts += [(row, np.zeros((of.dim - 1, of.count)), 0, k, force) for row, k, force, only in of.springs if only]

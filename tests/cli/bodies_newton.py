@@ -3,11 +3,12 @@
 
 Written from mechanics and not from the rows of the program: how points move follows from kinematics, body by body and
 joint by joint; what forces do to free bodies and joints from statics. That the one is the other turned over, by the
-principle of virtual work, is checked for each contact and spring.
+principle of virtual work, is checked for each contact.
 
 Unknown are the motion z and the friction t of every contact. They are an equilibrium if all balances and if each t is
 the point of its disc (in the plane an interval) |t| <= mu a that is nearest to t - r s, with the slip s, a normal force
-a = max(0, P - k n.d) and any r > 0: then t is in the disc, and where s is not 0 it is mu a long and against s."""
+a = max(0, P - k n.d) and any r > 0: then t is in the disc, and where s is not 0 it is mu a long and against s. Of a soft
+finger a turn about the normal times its torsion e is a further number of s, and the moment over e one of t."""
 
 from fractions import Fraction as F
 
@@ -33,7 +34,7 @@ class Mechanics:
     def __init__(self, grasp):
         self.bodies = {b["name"]: b for b in grasp["bodies"]}
         self.joints = grasp.get("joints", [])
-        contacts = [{"stiffness": 1, "preload": 0, **grasp.get("defaults", {}), **c} for c in grasp["contacts"]]
+        contacts = [{"stiffness": 1, "preload": 0, "torsion": 0, **grasp.get("defaults", {}), **c} for c in grasp["contacts"]]
         self.dim = len(contacts[0]["position"]) if contacts else 2
         self.turns = 1 if self.dim == 2 else 3
         self.first, count = {}, 0
@@ -46,20 +47,26 @@ class Mechanics:
             self.load += numbers(grasp["wrench"])
         for load in grasp.get("loads", []):
             self.load += self.pull(load)
-        units = [c["normal"] / np.linalg.norm(c["normal"]) for c in map(self.read, contacts)]
-        places = [numbers(c["position"]) for c in contacts]
-        self.friction, self.stiffness, self.preload = (
-            numbers([c[key] for c in contacts]) for key in ("friction", "stiffness", "preload"))
+        normals = [numbers(c["normal"]) for c in contacts]
+        units, places = [n / np.linalg.norm(n) for n in normals], [numbers(c["position"]) for c in contacts]
+        self.friction, self.stiffness, self.preload, torsion = (
+            numbers([c[key] for c in contacts]) for key in ("friction", "stiffness", "preload", "torsion"))
         moves = [self.speed(c["of"], p) - self.speed(c.get("by"), p) for c, p in zip(contacts, places)]
         pushes = [self.push(c["of"], p) - self.push(c.get("by"), p) for c, p in zip(contacts, places)]
-        for move, push in zip(moves, pushes):
-            assert np.allclose(move.T, push, atol=1e-12 * (1 + np.abs(push).max()))
         across = [np.linalg.svd(n[None, :])[2][1:] for n in units]
-        m, q = len(contacts), self.dim - 1
+        m, soft = len(contacts), bool(np.any(torsion))
+        self.across = self.dim - 1 + soft
         self.normal = np.array([n @ move for n, move in zip(units, moves)]).reshape(m, self.count)
-        self.slips = np.array([t @ move for t, move in zip(across, moves)]).reshape(m, q, self.count)
         self.pressing = np.array([push @ n for n, push in zip(units, pushes)]).reshape(m, self.count)
-        self.rubbing = np.array([push @ t.T for t, push in zip(across, pushes)]).reshape(m, self.count, q)
+        slips, rubbing = ([t @ move for t, move in zip(across, moves)], [push @ t.T for t, push in zip(across, pushes)])
+        if soft:
+            for i, (c, n, e) in enumerate(zip(contacts, units, torsion)):
+                slips[i] = np.vstack([slips[i], e * n @ (self.spin(c["of"]) - self.spin(c.get("by")))])
+                rubbing[i] = np.column_stack([rubbing[i], e * (self.twist(c["of"], n) - self.twist(c.get("by"), n))])
+        self.slips = np.array(slips).reshape(m, self.across, self.count)
+        self.rubbing = np.array(rubbing).reshape(m, self.count, self.across)
+        for one, other in ((self.normal, self.pressing), (self.slips.transpose(0, 2, 1), self.rubbing)):
+            assert np.allclose(one, other, atol=1e-12 * (1 + np.abs(other).max(initial=0)))
         self.springs = []  # row of joints, stiffness, force, pushes only
         for k, joint in enumerate(self.joints):
             row = np.zeros(self.count)
@@ -73,10 +80,6 @@ class Mechanics:
         force_rows = [f for f in range(self.count) if not self.is_turn(f)]
         self.size = max([np.abs(self.load[force_rows]).max(initial=0), np.abs(self.load).max() / self.lengths,
                          *self.preload, *(abs(s[2]) / self.lengths for s in self.springs)])
-
-    @staticmethod
-    def read(contact):
-        return {"normal": numbers(contact["normal"])}
 
     def is_turn(self, coordinate):
         if coordinate < self.joint:
@@ -122,6 +125,29 @@ class Mechanics:
             rows += np.outer(move, self.rate(link))
         return rows
 
+    def spin(self, name):
+        """How fast a body in space turns: a row for each axis."""
+        rows = np.zeros((3, self.count))
+        chain, free = self.outboard(name)
+        if free is not None:
+            rows[:, self.first[free] + 3:self.first[free] + 6] = np.eye(3)
+        for link in chain:
+            if "hinge" in self.bodies[link]:
+                rows += np.outer(self.hinge(link)[1], self.rate(link))
+        return rows
+
+    def twist(self, name, torque):
+        """What a torque on a body does to free bodies and joints."""
+        total = np.zeros(self.count)
+        chain, free = self.outboard(name)
+        if free is not None:
+            at = self.first[free] + self.dim
+            total[at:at + self.turns] += torque
+        for link in chain:
+            if "hinge" in self.bodies[link]:
+                total += self.hinge(link)[1] @ torque * self.rate(link)
+        return total
+
     def push(self, name, p):
         """What a force at the point p of a body does to free bodies and joints, by columns."""
         columns = np.zeros((self.count, self.dim))
@@ -141,19 +167,12 @@ class Mechanics:
         return columns
 
     def pull(self, load):
-        chain, free = self.outboard(load["body"])
         total = np.zeros(self.count)
         if "wrench" in load:
             at = self.first[load["body"]]
             total[at:at + self.dim + self.turns] = numbers(load["wrench"])
         elif "torque" in load:
-            torque = np.atleast_1d(numbers([load["torque"]] if self.dim == 2 else load["torque"]))
-            if free is not None:
-                at = self.first[free] + self.dim
-                total[at:at + self.turns] += torque
-            for link in chain:
-                if "hinge" in self.bodies[link]:
-                    total += self.hinge(link)[1] @ torque * self.rate(link)
+            total += self.twist(load["body"], numbers([load["torque"]] if self.dim == 2 else load["torque"]))
         else:
             force = numbers(load.get("force", load.get("direction", [*[0] * (self.dim - 1), -1])))
             if "weight" in load:
@@ -167,7 +186,7 @@ class Residual:
 
     def __init__(self, mechanics):
         self.of = m = mechanics
-        self.contacts, self.across = len(m.friction), m.dim - 1
+        self.contacts, self.across = len(m.friction), m.across
         self.n = m.count + self.contacts * self.across
         soft = np.median(m.stiffness) if self.contacts else 1
         turn = np.array([m.is_turn(j) for j in range(m.count)], dtype=bool)

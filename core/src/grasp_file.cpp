@@ -204,7 +204,13 @@ UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std:
     contact.position.push_back(c.z.ends());
     contact.normal.push_back(c.normal_z);
   }
-  if (c.own.torsion) contact.torsion = *c.own.torsion;
+  if (c.own.torsion) {
+    if (!in_space) {
+      fail_at(member_path(path, "torsion"), "torsion, but the grasp is in the plane",
+              "remove it: in the plane no contact turns about its normal");
+    }
+    contact.torsion = *c.own.torsion;
+  }
   check_contact(contact, path);
   return contact;
 }

@@ -221,7 +221,7 @@ def main():
     parser.add_argument("--limit", type=float, default=60)
     parser.add_argument("--save", metavar="FOLDER")
     parser.add_argument("examples", nargs="*", metavar="EXAMPLE")
-    asked = parser.parse_args()
+    asked = parser.parse_intermixed_args()
     print("| example | there | D, contacts | stiffness 1 | s | 1/2 to 3/2 | s |\n|---|---|---|---|--:|---|--:|")
     with tempfile.TemporaryDirectory() as folder:
         for name, (source, supports, mu, degrees, densities, there) in EXAMPLES.items():

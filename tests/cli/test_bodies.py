@@ -305,7 +305,8 @@ class ReversedContacts(Bodies):
     """What is warned of, and what is as near to it as can be and right."""
 
     def warnings(self, content, *words):
-        return [w["text"] for w in self.json("decide", self.write("g.json", content), *words)["warnings"]]
+        out = stickslip("decide", self.write("g.json", content), "--json", *words)[1]  # decided or not
+        return [w["text"] for w in json.loads(out)["warnings"]]
 
     def said(self, content, *words):
         """The contacts that are said to be reversed."""

@@ -499,9 +499,9 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
   if (result.empty() && !is_pressed) {
     Newton pressed(grasp_);
     pressed.press_ = 1;
-    if (auto found = pressed.solve(Reals::Zero(grasp_.motions()))) {
-      auto polished = polish(*found);
-      result.push_back(polished ? std::move(*polished) : std::move(*found));
+    const auto found = pressed.solve(Reals::Zero(grasp_.motions()));
+    if (auto polished = found ? polish(*found) : std::nullopt) {
+      result.push_back(std::move(*polished));
     }
   }
   return result;

@@ -19,8 +19,12 @@ using Pull = Walls::Pull;
 
 /// In so many, forces on all walls tell which A is best.
 constexpr std::size_t kFewDimensions = 3;
-/// Of a tree that is worth a try.
+/// A wall of a parallelepiped has 2^(rank - 1) vertices, and one of a simplex rank.
+constexpr std::size_t kMostOfParallelepipeds = 6;
+/// \{ Of a tree that is worth a try.
 constexpr std::size_t kFewNodes = 40;
+constexpr std::size_t kSomeNodes = 300;
+/// \}
 
 /// One proposal of walls, grown until they are refuted.
 struct Attempt {
@@ -59,6 +63,8 @@ class DegreeSearch {
   std::optional<DegreeProof> prove_by_moves(const NearEquilibrium& near);
   std::optional<DegreeProof> prove_in_mode(const NearEquilibrium& near, double size,
                                            std::size_t node_limit);
+  std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near,
+                                            std::size_t node_limit);
   std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near, double part,
                                             double slip, std::size_t node_limit);
   std::optional<DegreeProof> prove_with(Walls walls, const Attempt& attempt,
@@ -83,8 +89,6 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
       {3e-4, kFewNodes, 0, most},   {3e-5, kFewNodes, 0, most},
       {3e-2, limit, growths, most}, {1e-3, limit, growths, most},
       {3e-1, limit, growths, most}, {3e-2, limit, growths, most, true}};
-  // A wall of a parallelepiped has 2^(rank - 1) vertices, and one of a simplex rank.
-  constexpr std::size_t kMostOfParallelepipeds = 6;
   if (about_.span.rank() > kMostOfParallelepipeds) {
     attempts.pop_back();
     for (Attempt& attempt : attempts) attempt.is_simplex = true;
@@ -100,26 +104,13 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
     if (moves) walls.enclose(*moves);
     if (auto proof = prove_with(std::move(walls), attempt, {Pull::kTwists})) return proof;
   }
-  return std::nullopt;
+  return limits_.is_wide ? std::nullopt : prove_smoothly(near, std::min(limit, kSomeNodes));
 }
 
-/// Where a mode ends near the equilibrium, as of many contacts, walls across smooth forces are
-/// best, and what is proposed need not be exact.
-std::optional<DegreeProof> DegreeSearch::prove_quickly(const NearEquilibrium& proposed) {
-  const auto polished = Newton(about_.grasp).polish(proposed);
-  if (polished) {
-    if (auto proof = prove_in_mode(*polished, 3e-1, kFewNodes)) return proof;
-  }
-  constexpr std::size_t kSomeNodes = 300;
-  return prove_smoothly(polished ? *polished : proposed, 0.03, 0.1, kSomeNodes);
-}
-
-std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) {
-  const std::size_t limit = limits_.node_limit;
-  for (const double size : {3e-1, 3e-2, 3e-3, 3e-4, 3e-5}) {
-    if (auto proof = prove_in_mode(near, size, kFewNodes)) return proof;
-  }
-  if (auto proof = prove_in_mode(near, 3e-1, limit)) return proof;
+/// With walls across smooth forces, of one size after another.
+std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& near,
+                                                        std::size_t node_limit) {
+  if (node_limit == 0) return std::nullopt;
   for (const auto& [force, slip] : {std::pair{0.03, 0.1},
                                     {0.3, 1.0},
                                     {0.3, 0.1},
@@ -130,8 +121,28 @@ std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) 
                                     {0.1, 10.0},
                                     {0.1, 0.01},
                                     {0.01, 1.0}}) {
-    if (auto proof = prove_smoothly(near, force, slip, limit)) return proof;
+    if (auto proof = prove_smoothly(near, force, slip, node_limit)) return proof;
   }
+  return std::nullopt;
+}
+
+/// Where a mode ends near the equilibrium, as of many contacts, walls across smooth forces are
+/// best, and what is proposed need not be exact.
+std::optional<DegreeProof> DegreeSearch::prove_quickly(const NearEquilibrium& proposed) {
+  const auto polished = Newton(about_.grasp).polish(proposed);
+  if (polished) {
+    if (auto proof = prove_in_mode(*polished, 3e-1, kFewNodes)) return proof;
+  }
+  return prove_smoothly(polished ? *polished : proposed, 0.03, 0.1, kSomeNodes);
+}
+
+std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) {
+  const std::size_t limit = limits_.node_limit;
+  for (const double size : {3e-1, 3e-2, 3e-3, 3e-4, 3e-5}) {
+    if (auto proof = prove_in_mode(near, size, kFewNodes)) return proof;
+  }
+  if (auto proof = prove_in_mode(near, 3e-1, limit)) return proof;
+  if (auto proof = prove_smoothly(near, limit)) return proof;
   for (const double size : {3e-2, 1e-3}) {
     if (auto proof = prove_in_mode(near, size, limit)) return proof;
   }
@@ -163,7 +174,10 @@ std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& n
       Newton(about_.grasp).answer(near.motion, slip * left / stiffness);
   Walls walls(about_.grasp, about_.span, near, answer, left);
   if (!walls.is_sound()) return std::nullopt;
-  return prove_with(std::move(walls), {0, node_limit, 0, limits_.most_nodes}, {Pull::kAnswer});
+  return prove_with(
+      std::move(walls),
+      {0, node_limit, 0, limits_.most_nodes, about_.span.rank() > kMostOfParallelepipeds},
+      {Pull::kAnswer});
 }
 
 /// Walls that fit the moves: where the equilibrium goes farthest, or as far as the first order

@@ -30,6 +30,10 @@ measure space_grasps /usr/bin/python3 "$root/bench/space/grasps.py" "$build/spac
 measure space_targets /usr/bin/python3 "$root/bench/space/targets.py" --programs "$build/bin" "$build"/space_grasps/*.json
 measure space_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --program "$build/bin/stickslip" "$build"/space_grasps/*.json
 measure bodies /usr/bin/python3 "$root/bench/bodies/bodies_bench.py"
+small_bodies=(stack2 stack3 stack4 row2 row4 arch3 grip2 grip4 box2 box3)
+measure bodies_saved /usr/bin/python3 "$root/bench/bodies/bodies_bench.py" --save "$build/bodies" "${small_bodies[@]}"
+measure bodies_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --program "$build/bin/stickslip" --bound 400 "$build"/bodies/*_0.01?.json
+measure bodies_starts /usr/bin/python3 "$root/bench/bodies/random_starts.py" "${small_bodies[@]}" plane space
 measure batch batch_bench "$build/bin/stickslip"
 measure one_call /usr/bin/python3 "$root/bench/batch/one_call_bench.py" "$build/bin"
 measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bin"

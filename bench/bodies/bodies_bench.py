@@ -2,7 +2,7 @@
 """Several bodies: how long `stickslip decide` takes, with default options and numbers of all digits, beside the multiple of a load
 at which families of assemblies and grippers are lost; and how long stickslip-check takes to agree.
 
-    bench/bodies/bodies_bench.py [--count N] [FAMILY ...]
+    bench/bodies/bodies_bench.py [--count N] [--save FOLDER] [FAMILY ...]
 
 Families: stack2 to stack4, row2, row4, row8 (blocks squeezed between walls), arch3, arch5, arch7, grip2, grip4 (two fingers and a
 tendon), box2, box3 (stacked in space), squeezed2 (in space), soft3, soft4 (soft fingers on a ball). For each it finds the multiple by bisection, to 1e-3, and decides 1 %
@@ -171,16 +171,30 @@ def threshold(at):
     return low, high
 
 
-def measure(name, count):
+def about_thresholds(name, count):
+    """Assemblies of a family: how they were made, as in the table, and they."""
     make, size = FAMILIES[name]
-    found = {"1 % beyond": [], "1 % below": [], "at 80 %": []}
     for seed in range(count):
         at = make(size, random.Random(seed))
         ends = threshold(at)
         if ends is None:
             continue
-        for key, multiple in zip(found, (ends[1] * 1.01, ends[0] * .99, ends[0] * .8)):
-            found[key].append(decide(at(multiple)))
+        for key, multiple in (("1 % beyond", ends[1] * 1.01), ("1 % below", ends[0] * .99), ("at 80 %", ends[0] * .8)):
+            yield key, at(multiple)
+
+
+def save(name, count, folder):
+    os.makedirs(folder, exist_ok=True)
+    for number, (key, grasp) in enumerate(about_thresholds(name, count)):
+        kind = {"1 % beyond": "0.01u", "1 % below": "0.01s", "at 80 %": "0.2s"}[key]
+        with open(os.path.join(folder, f"{name}_{number // 3}_{kind}.json"), "w", encoding="utf-8") as out:
+            json.dump(grasp, out)
+
+
+def measure(name, count):
+    found = {}
+    for key, grasp in about_thresholds(name, count):
+        found.setdefault(key, []).append(decide(grasp))
     for key, answers in found.items():
         verdicts = ", ".join(f"{sum(a[0] == v for a in answers)} {v}" for v in sorted({a[0] for a in answers}))
         columns = [f"{statistics.median(a[k] for a in answers):.3g} / {max(a[k] for a in answers):.3g}" for k in (1, 2, 3)]
@@ -190,8 +204,13 @@ def measure(name, count):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=5)
+    parser.add_argument("--save", metavar="FOLDER", help="write them there, for bench/space/polygonal_peer.py, and do no more")
     parser.add_argument("families", nargs="*", metavar="FAMILY")
     asked = parser.parse_args()
+    if asked.save:
+        for name in asked.families or FAMILIES:
+            save(name, asked.count, asked.save)
+        return
     print("| family | load | verdicts | nodes, median / most | s | s to check |\n|---|---|---|--:|--:|--:|")
     for name in asked.families or FAMILIES:
         measure(name, asked.count)

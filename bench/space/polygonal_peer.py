@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `stickslip decide` is measured against in space: the same grasps with polygonal friction, by a
-mixed-integer program in doubles (HiGHS, by SciPy).
+"""What `stickslip decide` is measured against in space, and of several bodies: the same grasps with polygonal friction,
+by a mixed-integer program in doubles (HiGHS, by SciPy).
 
     python3 bench/space/polygonal_peer.py --program build/bin/stickslip [--edges 8] [--limit 60] FILE...
 
@@ -13,6 +13,8 @@ With directions e_j to the vertices, shares b_j >= 0 of them, and the slip's spe
 so that a contact sticks, slips with its friction at a vertex or between two neighbours, up to half an angle
 of the polygon off the slip, or is open. Each product is a choice, a binary variable, and either factor is at
 most it times a bound, as all quantities are taken to be below --bound times the largest load or preload.
+In the plane the polygon has two vertices and is no approximation, and springs of joints and tendons are linear: there
+what is not exact are doubles and bounds.
 Says stable if the program has a solution, unstable if it has none, and timeout after --limit seconds of the processor.
 """
 
@@ -30,11 +32,15 @@ from scipy.optimize import Bounds, LinearConstraint, milp
 
 from grasps import decided
 
+from bodies_newton import Mechanics  # of tests/cli, where grasps looks, too
+
 
 def read(file):
-    """Contacts, as (normal row, slip rows, friction, stiffness, preload), and the load."""
+    """Contacts, as (normal row, slip rows, friction, stiffness, preload), the load, and springs, as (row, stiffness, force)."""
     with open(file, encoding="utf-8") as content:
         grasp = json.load(content)
+    if grasp["format"] == "stickslip-grasp/3":
+        return read_bodies(grasp)
 
     def number(x):
         return float(Fraction(str(x)))
@@ -50,20 +56,34 @@ def read(file):
         laws = {"stiffness": 1, "preload": 0, **grasp.get("defaults", {}), **c}
         contacts.append((np.concatenate([n, np.cross(p, n)]), np.hstack([tangents, np.cross(p, tangents)]),
                          *(number(laws[key]) for key in ("friction", "stiffness", "preload"))))
-    return contacts, np.array([number(w) for w in grasp["wrench"]])
+    return contacts, np.array([number(w) for w in grasp["wrench"]]), []
 
 
-def peer(contacts, wrench, edges=8, bound=20):
+def read_bodies(grasp):
+    of = Mechanics(grasp)
+    if of.across == 3:
+        raise SystemExit("soft fingers: their friction has no polygon")
+    contacts = list(zip(of.normal, of.slips, of.friction, of.stiffness, of.preload))
+    # A ratchet is a contact without friction, which pushes along its row.
+    contacts += [(row, np.zeros((of.dim - 1, of.count)), 0, k, force) for row, k, force, only in of.springs if only]
+    return contacts, of.load, [(row, k, force) for row, k, force, only in of.springs if not only]
+
+
+def peer(contacts, wrench, springs, edges=8, bound=20):
     """Its verdict; if stable, the largest angle in degrees between friction and what Coulomb's would be."""
-    size = max(np.abs(wrench).max(), max(c[4] for c in contacts))
+    motions = len(wrench)
+    size = max(np.abs(wrench).max(), *(c[4] for c in contacts), *(abs(force) for _, _, force in springs), 0, 0)
     if size == 0:
         return "stable", 0
-    angles = 2 * np.pi * np.arange(edges) / edges
-    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    if all(len(slip) == 1 for _, slip, *_ in contacts):
+        edges, directions = 2, np.array([[1.0], [-1.0]])
+    else:
+        angles = 2 * np.pi * np.arange(edges) / edges
+        directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     each = 3 + 2 * edges + 1  # a, l, may it be closed, may it slip, shares, may they be used
-    count = 6 + each * len(contacts)
+    count = motions + each * len(contacts)
     lower, upper, binary = np.zeros(count), np.full(count, float(bound)), np.zeros(count)
-    lower[:6] = -bound
+    lower[:motions] = -bound
     rows, lows, highs = [], [], []
 
     def between(low, row, high):
@@ -77,10 +97,14 @@ def peer(contacts, wrench, edges=8, bound=20):
             row[index] = value
         return row
 
-    twist, free = slice(0, 6), np.inf
-    balance = np.zeros((6, count))
+    twist, free = slice(0, motions), np.inf
+    balance = np.zeros((motions, count))
+    load = np.array(wrench, dtype=float)
+    for row, stiffness, force in springs:
+        load += force * row
+        balance[:, twist] -= stiffness * np.outer(row, row)
     for i, (normal, slip, mu, stiffness, preload) in enumerate(contacts):
-        start = 6 + each * i
+        start = motions + each * i
         a, speed, closed, slips = range(start, start + 4)
         shares = np.arange(start + 4, start + 4 + edges)
         chosen = shares + edges
@@ -106,8 +130,8 @@ def peer(contacts, wrench, edges=8, bound=20):
             between(0, row_of(against), free)
             between(-free, row_of([*against, (choice, 2 * bound)]), 2 * bound)
             between(-free, row_of([(share, 1), (choice, -bound)]), 0)
-    for row, load in zip(balance, wrench / size):
-        between(-load, row, -load)
+    for row, part in zip(balance, load / size):
+        between(-part, row, -part)
     found = milp(np.zeros(count), integrality=binary, bounds=Bounds(lower, upper),
                  constraints=LinearConstraint(np.array(rows), lows, highs))
     verdict = {0: "stable", 2: "unstable"}.get(found.status, f"failed: {found.message}")
@@ -115,7 +139,7 @@ def peer(contacts, wrench, edges=8, bound=20):
         return verdict, 0
     angle = 0
     for i, (_, slip, *_) in enumerate(contacts):
-        start = 6 + each * i
+        start = motions + each * i
         s, f = slip @ found.x[twist], directions.T @ found.x[start + 4:start + 4 + edges]
         if found.x[start] > 1e-6 and np.linalg.norm(s) > 1e-6 and f.any():
             angle = max(angle, np.arccos(np.clip(-s @ f / np.linalg.norm(s) / np.linalg.norm(f), -1, 1)))

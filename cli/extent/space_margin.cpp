@@ -62,8 +62,7 @@ int answer_margin_in_space(const Question& question, const SpaceMarginArguments&
         margin_certificate_text(question, margin, producer_of(box_engine(question))));
   }
   Warnings warnings;
-  if (arguments.warnings && question.mechanism() == nullptr)
-    warnings = model_warnings(question, margin);
+  if (arguments.warnings) warnings = model_warnings(question, margin);
   NumberText text(arguments.output);
   if (arguments.output.json) {
     std::cout

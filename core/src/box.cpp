@@ -63,10 +63,6 @@ void check_contact(const UncertainContact& contact, const std::string& path) {
                      "the torsion is " + to_readable_string(contact.torsion),
                      "it is a length, the moment of friction over its force, and 0 or more");
   }
-  if (!contact.torsion.is_zero() && contact.normal.size() != 3) {
-    throw InputError("", path + ".torsion", "torsion, but the grasp is in the plane",
-                     "remove it; in the plane a contact cannot turn about its normal");
-  }
   if (!contact.torsion.is_zero() && !contact.slope.is_zero()) {
     throw InputError("", path + ".normal", "the normal of a contact with torsion is uncertain",
                      "give the normal without a slope, or remove the torsion");

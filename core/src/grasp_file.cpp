@@ -204,7 +204,13 @@ UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std:
     contact.position.push_back(c.z.ends());
     contact.normal.push_back(c.normal_z);
   }
-  if (c.own.torsion) contact.torsion = *c.own.torsion;
+  if (c.own.torsion) {
+    if (!in_space) {
+      fail_at(member_path(path, "torsion"), "torsion, but the grasp is in the plane",
+              "remove it: in the plane no contact turns about its normal");
+    }
+    contact.torsion = *c.own.torsion;
+  }
   check_contact(contact, path);
   return contact;
 }
@@ -564,13 +570,16 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
   const Properties defaults = read_defaults(grasp, read, spatial);
   GraspFile result;
   auto& box = result.content.emplace<GraspBox>();
-  const auto mechanism = std::make_shared<const Mechanism>(read_mechanism(grasp, spatial));
+  const auto mechanism = std::make_shared<Mechanism>(read_mechanism(grasp, spatial));
   box.mechanism = mechanism;
   box.springs = read_springs(grasp, *mechanism, read);
   const LoadSpace space{spatial, mechanism.get()};
   box.wrench = read_load(grasp, "", space, read).value_or(WrenchBox(mechanism->coordinates()));
   for (ReadCase& one : read_cases(grasp, box.wrench, space, read)) {
     result.cases.push_back({std::move(one.name), std::move(one.load)});
+  }
+  for (auto& [body, point] : weight_points(grasp, *mechanism)) {
+    mechanism->bodies[body].weights.push_back(std::move(point));
   }
   fill_in(contacts_, defaults);
   refuse_intervals(first_interval_, true, intervals);

@@ -228,4 +228,23 @@ std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
   return cases;
 }
 
+std::vector<std::pair<std::size_t, RationalRow>> weight_points(const JsonNode& root,
+                                                               const Mechanism& mechanism) {
+  std::vector<std::pair<std::size_t, RationalRow>> points;
+  const auto add_loads_of = [&](const JsonNode& object) {
+    const JsonNode* loads = object.find("loads");
+    if (loads == nullptr) return;
+    for (const JsonNode& load : loads->children) {
+      if (load.find("weight") == nullptr) continue;
+      points.emplace_back(mechanism.body_named(load.find("body")->text, "body"),
+                          read_coordinates(load, "", "at", forms(mechanism.in_space)));
+    }
+  };
+  add_loads_of(root);
+  const JsonNode* cases = root.find("cases");
+  if (cases == nullptr) return points;
+  for (const JsonNode& one : cases->children) add_loads_of(one);
+  return points;
+}
+
 }  // namespace stickslip::core_detail

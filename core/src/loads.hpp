@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "intervals.hpp"
@@ -37,6 +38,11 @@ struct ReadCase {
 /// The elements of "cases"; none if there is no such key.
 std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
                                  const LoadSpace& space, IntervalReader& read);
+
+/// Where the weights of loads, also those of cases, pull at which body. Requires that all these
+/// were read.
+std::vector<std::pair<std::size_t, RationalRow>> weight_points(const JsonNode& root,
+                                                               const Mechanism& mechanism);
 
 /// Whether some component is no number.
 bool is_uncertain(const WrenchBox& wrench);

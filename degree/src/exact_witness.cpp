@@ -14,11 +14,10 @@
 namespace stickslip {
 namespace {
 
-/// A number of few bits near x, which is about `size`.
-Rational near(double x, double size) {
+/// A number of these bits near x, which is about `size`.
+Rational near(double x, double size, int bits) {
   if (!(size > 0) || !std::isfinite(size) || !std::isfinite(x)) return 0;
-  constexpr int kBits = 30;
-  const double unit = std::ldexp(1.0, std::ilogb(size) - kBits);
+  const double unit = std::ldexp(1.0, std::ilogb(size) - bits);
   return rational_from_double(std::round(x / unit) * unit);
 }
 
@@ -200,10 +199,9 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
   return true;
 }
 
-}  // namespace
-
-std::optional<ShareWitness> exact_witness(const GraspLaw& model,
-                                          const NearEquilibrium& near_one) {
+/// With friction rounded to these bits.
+std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
+                                            const NearEquilibrium& near_one, int bits) {
   const std::size_t m = model.contacts.size();
   std::vector<bool> closed;
   for (std::size_t i = 0; i < m; ++i) {
@@ -255,7 +253,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
     const Double3& f = near_one.friction[i];
     for (std::size_t k = 0; k < c.directions.size(); ++k) {
       const double size = c.direction_sizes[k];
-      BalanceTerm term{RationalVector::Zero(d), near(f[k] / size, most / size),
+      BalanceTerm term{RationalVector::Zero(d), near(f[k] / size, most / size, bits),
                        most - norm_of(f), i, as_rationals(c.directions[k])};
       term.wrench = as_rationals(row.wrench_of(c.directions[k]));
       rest -= term.value * term.wrench;
@@ -297,6 +295,15 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
     witness.shares.emplace_back(ContactId(i), friction[i]);
   }
   return witness;
+}
+
+}  // namespace
+
+std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
+  constexpr int kShort = 20;  // for people
+  constexpr int kLong = 30;   // near the borders of cones
+  auto witness = witness_in_bits(model, near, kShort);
+  return witness ? witness : witness_in_bits(model, near, kLong);
 }
 
 }  // namespace stickslip

@@ -493,12 +493,15 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
     });
     if (!is_known) result.push_back(std::move(*found));
   }
-  if (result.empty() && press_ == 0) {
+  const bool is_pressed =
+      std::any_of(grasp_.contacts.begin(), grasp_.contacts.end(),
+                  [](const RoundedContact& c) { return !c.is_spring && c.preload > 0; });
+  if (result.empty() && !is_pressed) {
     Newton pressed(grasp_);
     pressed.press_ = 1;
-    if (auto found = pressed.solve(Reals::Zero(grasp_.motions()))) {
-      auto polished = polish(*found);
-      result.push_back(polished ? std::move(*polished) : std::move(*found));
+    const auto found = pressed.solve(Reals::Zero(grasp_.motions()));
+    if (auto polished = found ? polish(*found) : std::nullopt) {
+      result.push_back(std::move(*polished));
     }
   }
   return result;

@@ -23,9 +23,7 @@ std::string names_of(const Mechanism& mechanism) {
 void check_size(const std::optional<RationalRow>& row, const char* place,
                 const AnyGrasp& grasp) {
   const Mechanism* mechanism = mechanism_of(grasp);
-  const std::size_t size = mechanism != nullptr ? mechanism->coordinates()
-                           : in_space(grasp)    ? 6
-                                                : 3;
+  const std::size_t size = wrench_of(grasp).size();
   if (!row || row->size() == size) return;
   throw InputError(
       "", place, "it has " + std::to_string(row->size()) + " numbers",

@@ -214,8 +214,11 @@ class BodiesReader {
       if (link_of(b) != nullptr || shapes_[b].points.empty()) continue;
       const auto first =
           w.begin() + static_cast<std::ptrdiff_t>(mechanism_->first_coordinate(b));
-      const RationalRow at(first, first + (question_.in_space() ? 3 : 2));
-      pulls.push_back({shapes_[b].middle(), of_space(at)});
+      const bool in_space = question_.in_space();
+      const RationalRow at(first, first + (in_space ? 3 : 2));
+      const Vector3 torque =
+          in_space ? Vector3{first[3], first[4], first[5]} : Vector3{0, 0, first[2]};
+      pulls.push_back({point_of_pull(shapes_[b], of_space(at), torque), of_space(at)});
     }
     Rational largest = 0;
     for (const auto& [at, pull] : pulls) largest = std::max(largest, size_of(pull));
@@ -231,6 +234,29 @@ class BodiesReader {
     } else {
       ink_.describe_load("Load: " + named(w), question_.law);
     }
+  }
+
+  /// Where a force with this torque about the origin acts on a body: near its middle, on the
+  /// line along which it may be shifted, if that meets the body; else in the middle.
+  InkVector point_of_pull(const Shape& shape, const Vector3& pull,
+                          const Vector3& torque) const {
+    const InkVector middle = shape.middle();
+    if (size_of(pull).is_zero()) return middle;
+    const Vector3 arm = stickslip::cross(centre_, pull);
+    const Vector3 about{torque[0] - arm[0], torque[1] - arm[1], torque[2] - arm[2]};
+    const InkVector foot = over_size(stickslip::cross(pull, about),
+                                     Rational(stickslip::dot(pull, pull)) * radius_);
+    const InkVector along = over_size(pull, size_of(pull));
+    const InkVector to_middle = sum(middle, -1, foot);
+    const InkVector at =
+        sum(foot, stickslip::dot(to_middle, along) / stickslip::dot(along, along), along);
+    double reach = 0;  // squared
+    for (const InkVector& point : shape.points) {
+      const InkVector from = sum(point, -1, middle);
+      reach = std::max(reach, stickslip::dot(from, from));
+    }
+    const InkVector off = sum(at, -1, middle);
+    return stickslip::dot(off, off) <= reach ? at : middle;
   }
 
   /// Of one body: with the torque about the centre of the scene.

@@ -123,7 +123,6 @@ Engine engine_for(const GraspFile& grasp, const std::string& name) {
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
-  if (warnings) require_one_body(grasp.content, "looking for traps of the model");
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   AnswerOptions options{engine_for(grasp, engine), node_limit, warnings};
   // Warnings need an exact equilibrium.

@@ -146,7 +146,6 @@ py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& dire
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
                            std::size_t node_limit, bool warnings, const py::object& accuracy) {
-  if (warnings) require_one_body(grasp.content, "looking for traps of the model");
   const Question question = question_in_box(
       grasp, question_options(wrench, preload, bilateral, direction, preload_direction));
   SpatialMarginOptions options;

@@ -154,8 +154,7 @@ def decide(
             In space 0 is one with which twelve contacts take about a minute at most.
         threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
-            does not balance (docs/model.md). Takes longer than most verdicts; of one question and
-            one body.
+            does not balance (docs/model.md). Takes longer than most verdicts; of one question.
 
     Raises:
         InputError: an argument is wrong, there is no load, or a preloaded contact has a normal of

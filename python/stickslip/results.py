@@ -31,7 +31,8 @@ def _is_shown(grasp: Grasp) -> bool:
 class ModelWarning(NamedTuple):
     """Where an exact answer may mislead (docs/model.md)."""
 
-    trap: str  # "large-motion", "unbalanced-preload", "lost-preload" or "assumed-stiffness"
+    trap: str  # "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness"
+               # or "reversed-contact"
     text: str
 
 

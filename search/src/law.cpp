@@ -131,15 +131,13 @@ RationalRow LawContact::force_near(const Double3& coordinates, int bits) const {
 }
 
 Double3 LawContact::direction_of(const IntegerVector<4>& slip) const {
-  RationalRow along;
-  for (const RationalRow& direction : directions) {
-    Rational& sum = along.emplace_back();
-    for (std::size_t j = 0; j < direction.size(); ++j) sum += direction[j] * Rational(slip[j]);
-  }
-  const Reals rounded = in_doubles(primitive_multiple(along));
+  if (slip_dimension() == 1) return {static_cast<double>(slip[0].sign()), 0, 0};
+  const std::array<double, 4> rounded = in_doubles(slip);
   Double3 result{};
   for (std::size_t k = 0; k < directions.size(); ++k) {
-    result[k] = rounded[static_cast<Eigen::Index>(k)] / direction_sizes[k];
+    for (std::size_t j = 0; j < slip_numbers(); ++j) {
+      result[k] += unit_directions[k][j] * rounded[j];
+    }
   }
   normalize(result);
   return result;
@@ -178,8 +176,14 @@ void Law::complete(double farthest) {
     c.whole.reset();
     if (c.slip_dimension() == 1 && c.corners.size() > 1) c.whole = whole_corners(c);
     c.direction_sizes.clear();
+    c.unit_directions.clear();
     for (const RationalRow& direction : c.directions) {
-      c.direction_sizes.push_back(std::sqrt(to_double(c.squared_force(direction))));
+      const double size = std::sqrt(to_double(c.squared_force(direction)));
+      c.direction_sizes.push_back(size);
+      std::array<double, 4>& unit = c.unit_directions.emplace_back();
+      for (std::size_t j = 0; j < direction.size(); ++j) {
+        unit[j] = to_double(direction[j]) / size;
+      }
     }
     c.is_moderate = true;
     const auto over = [&](const Rational& exact, double scale) {

@@ -125,9 +125,8 @@ Double3 across(const Double3& direction, const Double3& towards) {
 Row in_few_numbers(const LawContact& c, const Double3& coordinates, int bits) {
   Reals numbers = Reals::Zero(static_cast<Eigen::Index>(c.slip_numbers()));
   for (std::size_t k = 0; k < c.slip_dimension(); ++k) {
-    const double part = coordinates[k] / c.direction_sizes[k];
     for (std::size_t j = 0; j < c.slip_numbers(); ++j) {
-      numbers[static_cast<Eigen::Index>(j)] += part * to_double(c.directions[k][j]);
+      numbers[static_cast<Eigen::Index>(j)] += coordinates[k] * c.unit_directions[k][j];
     }
   }
   return in_bits(numbers, bits);

@@ -296,7 +296,9 @@ void MotionRegion::compute_slips(std::size_t contact) {
       if (!law_->contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
         constexpr double kLeast = 1e-100;  // whose square does not vanish
         const double before = std::max(std::sqrt(dot(s, s)), kLeast);
-        s = law_->contacts[contact].direction_of(exact_slip(contact, g, c));
+        const ExactSlip exact = exact_slip(contact, g, c);
+        s = law_->contacts[contact].direction_of(exact);
+        if (is_zero(s) && exact != ExactSlip{}) s[0] = 1;  // some direction, as it is not 0
         for (double& entry : s) entry *= before;
       }
       slip_values_[first_[contact] + g * corners.size() + c] = s;
@@ -515,7 +517,8 @@ void MotionRegion::find_solid(SlipCone& cone, std::size_t contact) const {
   };
   constexpr double kClear = 1e-7;
   const auto found = nearest_wrench(Double3{1, 0, 0}, worst, true);
-  if (!found.separated || !(worst(found.twist)->work < -kClear * norm_of(found.twist))) {
+  if (!c.is_moderate || !found.separated ||
+      !(worst(found.twist)->work < -kClear * norm_of(found.twist))) {
     std::vector<RationalRow> coordinates;
     for (const auto& [g, k] : cone.sides) {
       const ExactSlip s = exact_slip(contact, g, k);

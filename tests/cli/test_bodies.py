@@ -1,16 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Several bodies, links and springs: thresholds in closed form from both sides, every verdict through all checkers that
-judge it, and Z3 on small random ones, whose text is written from mechanics and knows no rows."""
+judge it, Newton's method against all that are unstable, and Z3 on small random ones; both are written from mechanics
+and know no rows."""
 
+import glob
 import json
 import os
 import random
+import re
 import unittest
 from fractions import Fraction as F
 
+import numpy as np
+from bodies_newton import equilibria
 from bodies_smt import smt
-from test_cli import checkers, run, stickslip
+from test_cli import HERE, checkers, run, stickslip
 from test_space import Z3, Space, all_but_proved
+
+ROOT = os.path.join(HERE, "..", "..")
 
 
 def text(x):
@@ -51,9 +58,75 @@ def stack(widths, heights, frictions, weights, push, height):
     return least, grasp(names, contacts, [*loads, force(names[-1], (push, 0), (0, height))])
 
 
+def random_assembly(rng, dim):
+    """Two or three bodies, free or on hinges and slides, and whatever joins them."""
+    def number(a, b):
+        return F(rng.randint(a, b), rng.choice((1, 2, 3)))
+
+    def point(b):
+        return [number(-b, b) for _ in range(dim)]
+
+    def unit():
+        n = [F(0)] * dim
+        n[:] = rng.choice(([1], [3, 4]) if dim == 2 else ([1], [3, 4], [1, 2, 2])) + n
+        n = [rng.choice((1, -1)) * x for x in n[:dim]]
+        rng.shuffle(n)
+        return n
+
+    bodies, joints = ["body"], []
+    for j in range(rng.randint(1, 2)):
+        kind = rng.choice(("free", "hinge", "slide"))
+        name = f"n{j}"
+        if kind == "free":
+            bodies.append(name)
+            continue
+        if kind == "hinge":
+            place = text(point(3)) if dim == 2 else {"at": text(point(3)), "axis": text(unit())}
+        else:
+            place = text([1, *point(2)[1:]])
+        link = {"name": name, kind: place}
+        if rng.random() < 0.4 and j:
+            link["on"] = "n0"
+        bodies.append(link)
+        joints.append({"turns": {name: str(F(rng.choice((1, -1, 2))))},
+                       **({"stiffness": str(number(1, 4))} if rng.random() < 0.7 else {}),
+                       **({"torque": str(number(-2, 2))} if rng.random() < 0.5 else {})})
+    names = [b if isinstance(b, str) else b["name"] for b in bodies]
+    links = [b["name"] for b in bodies if not isinstance(b, str)]
+    contacts = []
+    for _ in range(rng.randint(3, 5) + 2 * (dim - 2)):
+        of, by = rng.sample([*names, None], 2)
+        if of is None:
+            of, by = by, None
+        contacts.append(contact(of, point(2), unit(), by=by, friction=rng.choice((0, F(1, 3), F(1, 2), 1)),
+                                preload=rng.choice((0, 1, 2)), stiffness=number(1, 4)))
+    others = {}
+    if links and rng.random() < 0.6:
+        others["tendons"] = [{"over": {l: str(rng.choice((1, F(1, 2), -1))) for l in links},
+                              "stiffness": str(number(0, 2)), "tension": str(number(-2, 2))}]
+    if links and rng.random() < 0.4:
+        others["ratchets"] = [{"over": {links[0]: str(rng.choice((1, -1)))}, "stiffness": 2,
+                               "preload": str(rng.choice((0, 1)))}]
+    at = [number(-1, 1), *[0] * (dim - 1)]
+    content = grasp(bodies, contacts, [force(rng.choice(names), point(2), at)], joints=joints, **others)
+    if "tendons" in others:
+        arms = others["tendons"][0]["over"]
+        if not any(sum(F(a) * F(j["turns"].get(l, 0)) for l, a in arms.items()) for j in joints):
+            return random_assembly(rng, dim)  # nothing moves the tendon
+    return content
+
+
 class Bodies(Space):
     judges = staticmethod(all_but_proved)
     engine = "bodies"
+
+    def decide(self, content, *words):
+        """Where it is unstable, Newton's method from some starts finds nothing."""
+        answer = super().decide(content, *words)
+        if answer["verdict"] == "unstable" and not words and '"min"' not in json.dumps(content):
+            found = equilibria(content, 16, np.random.default_rng(1))
+            self.assertEqual(found[0], 0, (found, json.dumps(content)))
+        return answer
 
 
 class ClosedForms(Bodies):
@@ -228,58 +301,189 @@ class ClosedForms(Bodies):
         self.assert_threshold(hand, F(16, 5))
 
 
+class ReversedContacts(Bodies):
+    """What is warned of, and what is as near to it as can be and right."""
+
+    def warnings(self, content, *words):
+        out = stickslip("decide", self.write("g.json", content), "--json", *words)[1]  # decided or not
+        return [w["text"] for w in json.loads(out)["warnings"]]
+
+    def said(self, content, *words):
+        """The contacts that are said to be reversed."""
+        for text in self.warnings(content, *words):
+            return [int(i) for i in re.findall(r"contacts\[(\d+)\]", text)]
+        return []
+
+    def test_examples_are_right(self):
+        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "grasps", "bodies-*.json"))):
+            answer = self.json("decide", file)
+            for one in answer.get("cases", [answer]):
+                self.assertEqual(one["warnings"], [], file)
+
+    def test_of_and_by_exchanged(self):
+        content = stack((1, F(1, 2)), (1, 1), (F(1, 2), F(1, 2)), (1, 1), 0, 2)[1]
+        self.assertEqual(self.warnings(content), [])
+        for k in (2, 3):
+            exchanged = json.loads(json.dumps(content))
+            exchanged["contacts"][k].update({"of": "b0", "by": "b1"})
+            self.assertEqual(self.warnings(exchanged), [
+                f'contacts[{k}] would pull "b0" and "b1" apart: its normal points away from "b0", which it presses, '
+                'to "b1"; swap "of" and "by", or turn the normal round'])
+        for words in ((), ("--uncertain", "position=1/100,friction=10%", "--node-limit", "1")):
+            self.assertEqual(self.said(exchanged, *words), [3])
+        file = self.write("g.json", exchanged)
+        self.assertIn('\nWarning: contacts[3] would pull "b0"', stickslip("decide", file)[1])
+        self.assertNotIn("warnings", self.json("decide", file, "--no-warnings"))
+        margin = self.json("margin", file, "--direction", "0,-1,0,0,-1,0", "--accuracy", "1/10")
+        self.assertEqual([w["trap"] for w in margin["warnings"]], ["reversed-contact"])
+        for contact_of_both in exchanged["contacts"][2:]:
+            contact_of_both["normal"] = ["0", "-1"]
+        self.assertEqual(self.said(exchanged), [2])  # contact 3 is exchanged and turned round
+
+    def test_a_box_on_the_ground_and_one_that_hangs(self):
+        # Of a hook, too, all is below the contacts, and they push it up.
+        def box(height, *signs):
+            return grasp(["box"], [contact("box", (x, 0), (0, s), friction=1) for x, s in zip((-1, 1), signs)],
+                         [weight("box", 1, (0, height))])
+        self.assertEqual(self.warnings(box(1, -1, -1)), [
+            'contacts[0] would pull "box" and the ground apart: its normal points away from "box", which it presses, '
+            "to the ground; turn the normal round; the same of contacts[1]"])
+        self.assertEqual([self.said(box(*how)) for how in ((1, 1, -1), (1, 1, 1), (-1, 1, 1), (0, -1, -1))],
+                         [[1], [], [], []])
+
+    def test_a_ring_that_jaws_open_in(self):
+        # On all jaws it is on the other side, but on the one below alone the load pulls it where this one pushes.
+        def ring(*signs):
+            return grasp(["ring"], [contact("ring", p, [s * x for x in p], friction=1, preload=1)
+                                    for s, p in zip(signs, ((0, -1), (F(4, 5), F(3, 5)), (-F(4, 5), F(3, 5))))],
+                         [weight("ring", 1, (0, 0))])
+        self.assertEqual(self.said(ring(1, 1, 1)), [])
+        self.assertEqual(self.said(ring(1, -1, -1)), [0])
+
+    def test_an_outline_tells_where_points_do_not(self):
+        # A channel that stands on a peg inside it, or has a jaw in a corner; hung up, and pressed by the peg from above.
+        channel = [[0, 0], [4, 0], [4, 3], [3, 3], [3, 1], [1, 1], [1, 3], [0, 3]]
+
+        def held(position, normal, outline=True):
+            return grasp([{"name": "c", **({"outline": text(channel)} if outline else {})}, "peg"],
+                         [contact("c", position, normal, by="peg", friction=1), contact("peg", (2, 9), (0, 1), friction=1),
+                          contact("c", (0, 3), (1, 0), friction=1), contact("c", (4, 0), (-1, 0), friction=1)],
+                         [weight("c", 1, (2, 0))])
+        for position, normal in (((2, 1), (0, -1)), ((2, 0), (0, 1)), ((3, 2), (1, 0)),  # on edges
+                                 ((0, 0), (1, 1)), ((0, 0), (0, 1)), ((4, 0), (-3, 1)),  # at corners
+                                 ((1, 1), (-1, -2)), ((3, 1), (1, 0))):  # inside, and along its edges
+            back = tuple(-x for x in normal)
+            self.assertEqual((self.said(held(position, normal)), self.said(held(position, back))), ([], [0]), position)
+        for position, normal in (((2, F(1, 2)), (0, -1)), ((3, 1), (1, 1)), ((2, 2), (0, 1))):  # off it, or askew
+            self.assertEqual(self.said(held(position, normal)), [])
+        self.assertEqual(self.said(held((2, 1), (0, 1), outline=False)), [])  # its weight is below, its corner above
+        hole = [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [3, 1], [3, 3], [1, 3]]]
+        for s in (1, -1):
+            ring = grasp([{"name": "ring", "outline": text(hole)}], [contact("ring", (2, 3), (0, s), friction=1)],
+                         [weight("ring", 1, (2, 0))])
+            self.assertEqual(self.said(ring), [] if s == 1 else [0])
+
+    def test_rounded_numbers_of_a_face_that_is_inclined(self):
+        def wedge(sign, off):
+            # Along (4, 3); the normal is (-3, 4).
+            place = (4 - 3 * off, 3 + 4 * off)
+            return grasp(["a", "b"], [contact("b", (0, 0), (-3 * sign, 4 * sign), by="a", friction=1),
+                                      contact("b", place, (-3 * sign, 4 * sign), by="a", friction=1)],
+                         [weight("a", 1, (2, 0)), weight("b", 1, (2, 3))])
+        for off in (0, F(1, 10**9), -F(1, 10**9)):
+            self.assertEqual((self.said(wedge(1, off)), self.said(wedge(-1, off))), ([], [0, 1]))
+        self.assertEqual(self.said(wedge(-1, F(1, 999))), [])  # of either contact the other is on both sides
+        self.assertEqual(self.said(wedge(-1, F(1, 1001))), [0, 1])
+
+    def test_in_space_by_meshes_and_by_hinges(self):
+        def boxes(sign, mesh):
+            bodies = []
+            for name, z in (("low", 0), ("up", 1)):
+                corners = [[x, y, z + h] for h in (0, 1) for x in (0, 1) for y in (0, 1)]
+                faces = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
+                bodies.append({"name": name, **({"mesh": {"vertices": corners, "faces": faces}} if mesh else {})})
+            return grasp(bodies, [contact("up", (x, y, 1), (0, 0, sign), by="low", friction=1)
+                                  for x, y in ((0, 0), (1, 0), (0, 1), (1, 1))], [])
+        self.assertEqual([self.said(boxes(s, True), "--node-limit", "1") for s in (1, -1)], [[], [0, 1, 2, 3]])
+        self.assertEqual(self.said(boxes(-1, False), "--node-limit", "1"), [])  # nothing tells
+
+        def finger(sign, hinge):
+            return grasp(["ball", {"name": "f", "hinge": {"at": text(hinge), "axis": [0, 1, 0]}}],
+                         [contact("ball", (-1, 0, 0), (sign, 0, 0), by="f", friction=1)],
+                         [weight("ball", 1, (0, 0, 0))], joints=[{"turns": {"f": 1}}])
+        self.assertEqual([self.said(finger(s, (-2, 0, -3))) for s in (1, -1)], [[], [0]])
+        self.assertEqual(self.said(finger(-1, (0, 0, -3))), [])  # it may open in a ring
+
+
 class AgainstZ3(Bodies):
     def test_small_random_ones(self):
         rng = random.Random(7)
-        number = lambda a, b: F(rng.randint(a, b), rng.choice((1, 2, 3)))
         agreed = {"sat": 0, "unsat": 0}
-        for k in range(40):
-            bodies, joints = ["body"], []
-            for j in range(rng.randint(1, 2)):
-                kind = rng.choice(("free", "hinge", "slide"))
-                name = f"n{j}"
-                if kind == "free":
-                    bodies.append(name)
-                    continue
-                place = [number(-3, 3), number(-3, 3)] if kind == "hinge" else [1, number(-2, 2)]
-                link = {"name": name, kind: text(place)}
-                if rng.random() < 0.4 and j:
-                    link["on"] = "n0"
-                bodies.append(link)
-                joints.append({"turns": {name: str(F(rng.choice((1, -1, 2))))},
-                               **({"stiffness": str(number(1, 4))} if rng.random() < 0.7 else {}),
-                               **({"torque": str(number(-2, 2))} if rng.random() < 0.5 else {})})
-            names = [b if isinstance(b, str) else b["name"] for b in bodies]
-            links = [b["name"] for b in bodies if not isinstance(b, str)]
-            contacts = []
-            for _ in range(rng.randint(3, 5)):
-                of, by = rng.sample([*names, None], 2)
-                if of is None:
-                    of, by = by, None
-                contacts.append(contact(of, (number(-2, 2), number(-2, 2)),
-                                        rng.choice(((0, 1), (1, 0), (-1, 0), (3, 4), (0, -1), (-4, 3))), by=by,
-                                        friction=rng.choice((0, F(1, 3), F(1, 2), 1)),
-                                        preload=rng.choice((0, 1, 2)), stiffness=number(1, 4)))
-            others = {}
-            if links and rng.random() < 0.6:
-                others["tendons"] = [{"over": {l: str(rng.choice((1, F(1, 2), -1))) for l in links},
-                                      "stiffness": str(number(0, 2)), "tension": str(number(-2, 2))}]
-            if links and rng.random() < 0.4:
-                others["ratchets"] = [{"over": {links[0]: rng.choice((1, -1))}, "stiffness": 2,
-                                       "preload": str(rng.choice((0, 1)))}]
-            content = grasp(bodies, contacts,
-                            [force(rng.choice(names), (number(-2, 2), number(-2, 2)), (number(-1, 1), 0))],
-                            joints=joints, **others)
-            if "tendons" in others:
-                arms = others["tendons"][0]["over"]
-                turns = [sum(F(a) * F(j["turns"].get(l, 0)) for l, a in arms.items()) for j in joints]
-                if not any(turns):
-                    continue
+        for _ in range(40):
+            content = random_assembly(rng, 2)
             z3 = run(Z3, "-T:5", "-in", stdin=smt(content))[1].strip()
             self.assertIn(z3, ("sat", "unsat"))
             self.assertEqual(self.verdict(content), "stable" if z3 == "sat" else "unstable", json.dumps(content))
             agreed[z3] += 1
         self.assertGreaterEqual(min(agreed.values()), 8)
+
+
+class AgainstNewton(Bodies):
+    """Where a tree says unstable no start leads to an equilibrium, and where one is stable some does."""
+
+    def ask(self, content, starts):
+        verdict = self.verdict(content)
+        if verdict == "undecided":
+            return verdict, 0
+        found, stay = equilibria(content, starts, np.random.default_rng(2))
+        if verdict == "unstable":
+            self.assertEqual(found, 0, f"{stay} of {found} are no ties: {json.dumps(content)}")
+        return verdict, found
+
+    def assert_sees(self, asked, least):
+        """There are so many of either, and all that are stable are seen."""
+        verdicts = [verdict for verdict, _ in asked]
+        self.assertGreaterEqual(min(verdicts.count("stable"), verdicts.count("unstable")), least)
+        self.assertEqual([one for one in asked if one[0] == "stable" and one[1] == 0], [])
+
+    def test_random_ones_in_the_plane(self):
+        rng = random.Random(3)
+        self.assert_sees([self.ask(random_assembly(rng, 2), 40) for _ in range(30)], 10)
+
+    def test_random_ones_in_space(self):
+        # Those that hold are mostly undecided: a body drifts off, and no equilibrium is by itself.
+        rng = random.Random(3)
+        verdicts = [self.ask(random_assembly(rng, 3), 40)[0] for _ in range(20)]
+        self.assertGreaterEqual(verdicts.count("unstable"), 10)
+
+    def test_examples_and_corpus(self):
+        asked = []
+        for file in sorted(glob.glob(os.path.join(ROOT, "examples", "grasps", "bodies-*.json")) +
+                           glob.glob(os.path.join(ROOT, "tests", "corpus", "bodies", "*stable.grasp.json"))):
+            with open(file, encoding="utf-8") as content:
+                content = json.load(content)
+            common = content.pop("loads", [])
+            for case in content.pop("cases", [{"loads": []}]):
+                one = {**content, **case, "loads": common + case.pop("loads")}
+                if '"min"' not in json.dumps(one) and "wrench" not in one:
+                    one.pop("name", None)
+                    asked.append(self.ask(one, 60))
+        self.assert_sees(asked, 4)
+
+    def test_it_sees_what_is_near_a_threshold(self):
+        def boxes(push):  # of weight 1; the upper one slides at 1/2
+            contacts = [contact(of, (x, y, z), (0, 0, 1), by=by, friction=F(1, 2))
+                        for of, by, z in (("low", None, 0), ("up", "low", 1)) for x in (-1, 1) for y in (-1, 1)]
+            return grasp(["low", "up"], contacts, [weight("low", 1, (0, 0, 0)), weight("up", 1, (0, 0, 1)),
+                                                   force("up", (3 * push / 5, 4 * push / 5, 0), (0, 0, 1))])
+        def slope(friction):  # of 3 in 4
+            return grasp(["b"], [contact("b", (x, 0), (0, 1), friction=1 / friction) for x in (-1, 1)],
+                         [{**weight("b", 1, (0, F(1, 10))), "direction": text((3, -4))}])
+        shape = ((1, F(3, 5)), (1, 1), (F(1, 2), F(1, 5)), (1, 2))
+        for grasp_at, value in ((lambda f: stack(*shape, f, F(3, 2))[1], F(2, 5)), (boxes, F(1, 2)), (slope, F(4, 3))):
+            for part, sees in ((F(999, 1000), True), (F(1001, 1000), False)):
+                found, stay = equilibria(grasp_at(part * value), 40, np.random.default_rng(4))
+                self.assertEqual((found > 0, stay > 0), (sees, sees))
 
 
 if __name__ == "__main__":

@@ -122,7 +122,7 @@ class BodiesPlot(unittest.TestCase):
         return found
 
     def test_the_page_about_them_shows_what_is_drawn(self):
-        for name, options in (("bodies-hand", ()), ("bodies-stack", ("--case", "pushed above"))):
+        for name, options in (("bodies-hand", ()), ("bodies-stack", ("--case", "pushed above")), ("bodies-cap", ("--case", "off centre"))):
             with open(os.path.join(ROOT, "docs", name + ".svg"), encoding="utf-8") as file:
                 self.assertEqual(file.read(), stickslip("plot", "grasp", os.path.join(EXAMPLES, name + ".json"), *options)[1])
 

@@ -265,6 +265,18 @@ def test_errors_of_content(content, place):
     assert error.value.place == place and error.value.remedy
 
 
+def test_a_contact_that_is_turned_round():
+    assert decide(blocks(), warnings=True).warnings == ()
+    turned = blocks(contacts=[{"of": "low", "position": [-1, 0], "normal": [0, 1]},
+                              {"of": "low", "position": [1, 0], "normal": [0, 1]},
+                              {"of": "low", "by": "up", "position": [0, 1], "normal": [0, 1]}])
+    for answer in (decide(turned, warnings=True), stickslip.margin(turned, (0, 0, 0, 1, 0, 0), warnings=True)):
+        [warning] = answer.warnings
+        assert warning.trap == "reversed-contact"
+        assert warning.text.startswith('contacts[2] would pull "low" and "up" apart')
+    assert decide(turned).warnings == ()
+
+
 def test_errors_of_arguments():
     with pytest.raises(InputError) as error:
         decide(blocks(), (0, -10, 0))
@@ -274,10 +286,6 @@ def test_errors_of_arguments():
     assert error.value.place == "direction"
     with pytest.raises(InputError, match="several bodies"):
         decide(blocks(), engine="states")
-    for ask in (lambda: decide(blocks(), warnings=True),
-                lambda: stickslip.margin(blocks(), (0, 0, 0, 1, 0, 0), warnings=True)):
-        with pytest.raises(InputError, match="traps of the model is for one body only"):
-            ask()
     text = Grasp([[0, 0]], [[0, 1]], 1, wrench=(0, -1, 0)).to_text()
     assert type(Grasp.from_text(text)) is Grasp
     with pytest.raises(InputError, match="one body"):

@@ -24,7 +24,7 @@ std::string root(const Rational& square) {
 
 const char* to_string(ModelTrap trap) {
   constexpr const char* kNames[] = {"large-motion", "unbalanced-preload", "lost-preload",
-                                    "assumed-stiffness"};
+                                    "assumed-stiffness", "reversed-contact"};
   return kNames[static_cast<std::size_t>(trap)];
 }
 

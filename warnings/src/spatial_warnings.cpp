@@ -8,6 +8,7 @@
 
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/degree/newton.hpp"
+#include "stickslip/warnings/contact_signs.hpp"
 
 namespace stickslip {
 
@@ -147,10 +148,17 @@ std::optional<std::string> assumed_stiffness_of(const Question& question, bool s
   return assumed_stiffness(trial);
 }
 
+std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
+  ModelWarnings warnings;
+  warnings.add(ModelTrap::kReversedContact, reversed_contacts(grasp));
+  return std::move(warnings).take();
+}
+
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const Question& question,
                                          const BoxDecision& decision) {
+  if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   if (!question.box()->is_point()) return {};
   const GraspBox& grasp = *question.box();
   const std::vector<Rational> preloads = preloads_of(grasp);
@@ -172,6 +180,7 @@ std::vector<ModelWarning> model_warnings(const Question& question,
 
 std::vector<ModelWarning> model_warnings(const Question& question,
                                          const SpatialMargin& margin) {
+  if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   const GraspBox& grasp = *question.box();
   ModelWarnings warnings;
   const auto preloads_at = [&](const Rational& multiple) {

@@ -60,6 +60,7 @@ struct Body {
   std::optional<Link> link{};          ///< nothing: it moves freely
   std::vector<Polygon> outline{};      ///< in the plane; may be empty
   std::shared_ptr<const Mesh> mesh{};  ///< in space; may be null
+  std::vector<RationalRow> weights{};  ///< where weights of its file pull at it: points of it
 };
 
 /// Numbers != 0 for links: how fast each turns.

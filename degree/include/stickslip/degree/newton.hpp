@@ -52,8 +52,8 @@ class Newton {
   /// where it was lost.
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
   /// With what is closed at rest sticking, from rest, and from motions at random, always the
-  /// same: those that differ. If there are none, once more with all contacts pressed at first.
-  /// Of some the mode is not certain.
+  /// same: those that differ. If there are none, and no preloads, once more with all contacts
+  /// pressed at first. Of some the mode is not certain.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
   /// How forces answer a motion, against it, with friction smooth over slips of this size.
   Eigen::MatrixXd answer(const Reals& motion, double smooth) const;
@@ -68,8 +68,9 @@ class Newton {
   Reals change_with_smooth(const Reals& d, double smooth) const;
 
   const RoundedGrasp& grasp_;
-  /// By how much deeper all contacts are pressed than they are, over the size of slips over which
-  /// friction is smooth: a grasp that hangs together by its loads alone has no forces at rest.
+  /// By how much deeper all contacts are pressed than they are, over the size of slips over
+  /// which friction is smooth: a grasp that hangs together by its loads alone has no forces at
+  /// rest.
   double press_ = 0;
 };
 

@@ -104,7 +104,8 @@ struct LawContact {
   std::array<double, 2> preloads{};
   std::array<double, 2> rates{};
   std::array<double, 2> stiffnesses{};
-  std::vector<double> direction_sizes{};  ///< their lengths
+  std::vector<double> direction_sizes{};                 ///< their lengths
+  std::vector<std::array<double, 4>> unit_directions{};  ///< of length 1
   /// Whether rows, preloads, rates and stiffnesses are 0 or between 2^-200 and 2^200, so that
   /// no product with a point of norm 1 overflows or vanishes. If not, doubles decide no sign.
   bool is_moderate = true;
@@ -136,7 +137,8 @@ struct LawContact {
   }
   /// A friction force with these coordinates, each rounded to so many bits.
   RationalRow force_near(const Double3& coordinates, int bits) const;
-  /// The coordinates of a slip, or a multiple of it, of norm 1; 0 of 0.
+  /// The coordinates of a slip, or a multiple of it, of norm 1; 0 of 0, and perhaps where
+  /// numbers are not moderate.
   Double3 direction_of(const IntegerVector<4>& slip) const;
 };
 

@@ -29,9 +29,16 @@ inline constexpr std::size_t kNodesToVary = 64;
 /// \}
 
 /// The sorts of warning, in the order in which they are given.
-enum class ModelTrap { kLargeMotion, kUnbalancedPreload, kLostPreload, kAssumedStiffness };
+enum class ModelTrap {
+  kLargeMotion,
+  kUnbalancedPreload,
+  kLostPreload,
+  kAssumedStiffness,
+  kReversedContact
+};
 
-/// "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness".
+/// "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness",
+/// "reversed-contact".
 const char* to_string(ModelTrap trap);
 
 /// At most one of each sort.

@@ -29,7 +29,7 @@ Integers = Tuple[int, ...]
 
 Matrix = Tuple[Vector, ...]  # by columns
 
-PLANE, SPACE = 3, 6  # §1, §7: the dimension of a body's motions and wrenches; of several D is another (§14)
+PLANE, SPACE = 3, 6  # §1: the dimension of a body's motions and wrenches; of several D is another (§14)
 
 
 class Malformed(Exception):
@@ -402,7 +402,7 @@ class Contact(NamedTuple):
 
     @property
     def gamma(self) -> Fraction:
-        """§15"""
+        """§1"""
         return self.torsion ** 2 / dot(self.normal, self.normal)
 
 
@@ -459,7 +459,7 @@ class Row(NamedTuple):
     friction: Fraction
     v: Vector  # v_i(x) = v·x for a point x = (d, h, ℓ)
     normal: Vector
-    gamma: Fraction  # §15
+    gamma: Fraction  # §1
     spring: bool
 
     @property
@@ -469,12 +469,12 @@ class Row(NamedTuple):
 
 
 def starred(s: Vector, gamma: Fraction) -> Vector:
-    """§15: s*, whose product with t is ⟨s, t⟩."""
+    """§1: s*, whose product with t is ⟨s, t⟩."""
     return s[:3] + tuple(gamma * c for c in s[3:])
 
 
 def force_square(f: Vector, gamma: Fraction) -> Fraction:
-    """§15: the square of the length of friction, or of a share."""
+    """§1: the square of the length of friction, or of a share."""
     return dot(f[:3], f[:3]) + sum(c * c / gamma for c in f[3:])
 
 
@@ -700,7 +700,7 @@ def read_outline(source: Source, value: Any, where: str = "outline") -> List[Lis
 
 
 def check_body(source: Source, value: Any, where: str = "body") -> None:
-    """§7: it has no meaning here."""
+    """§1: it has no meaning here."""
     fields = source.members(value, where, "vertices faces")
     vertices = source.array(fields["vertices"], f"{where}.vertices")
     for i, vertex in enumerate(vertices):
@@ -742,7 +742,7 @@ def read_place(source: Source, value: Any, place: str,
 
 
 def show_dimension(source: Source, top: Dict[str, Any]) -> None:
-    """§7: which grasps are in space."""
+    """§1: which grasps are in space."""
     contacts, wrench = top["contacts"], top.get("wrench")
     shown, length = wrench, SPACE
     if contacts:
@@ -842,13 +842,13 @@ def make_row(contact: Contact, growth: Fraction) -> Row:
 
 def slip_rows(motion: Optional[Matrix], point: Sequence[Fraction], n: Vector, straight: Vector,
               gamma: Fraction) -> List[Vector]:
-    """T, or the rows of S; with torsion the fourth is that of the turn about n (§15)."""
+    """T, or the rows of S; with torsion the fourth is that of the turn about n (§1)."""
     wrenches = [at(point, t) for t in across(n, straight)] + [zeros(3) + n] * (gamma > 0)
     return [pulled(motion, wrench) for wrench in wrenches]
 
 
 def across(n: Vector, straight: Vector) -> List[Vector]:
-    """What the slip of §1 and §7 is measured along: t, or the rows of the projection along n on the
+    """What the slip of §1 is measured along: t, or the rows of the projection along n on the
     plane across n⁰, `straight`. Along a coordinate nothing slips (§14)."""
     if len(n) == 1:
         return []
@@ -859,7 +859,7 @@ def across(n: Vector, straight: Vector) -> List[Vector]:
 
 
 def turns(n: Vector) -> List[Vector]:
-    """The ways in which the normal n⁰ may turn: t⁰ of §6, or U and V of §7."""
+    """The ways in which the normal n⁰ may turn: t⁰, or U and V, of §6."""
     if len(n) < 3:
         return across(n, n)
     least = min(range(3), key=lambda j: abs(n[j]))
@@ -886,7 +886,7 @@ def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
 
 
 def check_dimension(asked: Options, grasp: Grasp) -> None:
-    """§7: so many numbers as the grasp has."""
+    """§1: so many numbers as the grasp has."""
     for part, vector in (("wrench", asked.wrench), ("direction", asked.direction)):
         if vector is not None and len(vector) != grasp.dimension:
             raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
@@ -1198,7 +1198,7 @@ class Claim(NamedTuple):
 
 
 class Node(NamedTuple):
-    """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y; §6: part has
+    """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y; part has
     a name, an index (`contact`) and a number; §12: held has a piece (`contact`); §13: touch has a
     contact, and leaf t and y as numbers, and multipliers."""
     kind: str
@@ -1251,7 +1251,7 @@ Segment = Union[Tuple[Witness, Witness], DegreeProof]
 
 
 class RangeProof(NamedTuple):
-    """§7, a CLAIM of a margin in space."""
+    """§5, a CLAIM."""
     stable: bool
     interval: Interval
     points: List[Witness] = []  # of a stable claim: two, or one, or none and then
@@ -1585,7 +1585,7 @@ def read_shape(source: Source, fields: Dict[str, Any], walls: str, place: str,
 
 
 def read_node(source: Source, value: Any, place: str, more: int) -> Node:
-    """§4, the table of nodes, §6 and §12."""
+    """§4, the table of nodes, and §12."""
     kind, *rest = source.array(value, place) or [None]
     dimension = source.dimension
     if kind == "part" and not more:
@@ -1772,7 +1772,7 @@ class Parameters(NamedTuple):
     growth: Bounds             # Pᵘ'
     motion: Optional[Matrix] = None  # §14: G
     spring: bool = False
-    gamma: Fraction = Fraction(0)    # §15
+    gamma: Fraction = Fraction(0)    # §1
 
 
 class Terms:
@@ -1848,7 +1848,7 @@ class Terms:
 
 
 class PlanarTerms(Terms):
-    """§4, §6."""
+    """§4, in the plane."""
 
     def __init__(self, c: Parameters) -> None:
         super().__init__(c)
@@ -1862,11 +1862,11 @@ class PlanarTerms(Terms):
         self.edges = {s: [tuple(int(z * edge_factor) for z in edge) for edge in edges]
                       for s, edges in ends.items()}
         self.edge_factor = edge_factor
-        # Where P' alone is uncertain, §6 says no more than §4 of the P' that makes the bound large.
+        # Where P' alone is uncertain, §4 says of the P' that makes the bound large what it says of one grasp.
         self.by_preload = (len(self.corners) == 1 and x["friction"].certain
                            and stiffness.certain)
         if self.by_preload:
-            self.all_v.sort(key=lambda v: v[-2:])  # by the end of P', or of c of §7
+            self.all_v.sort(key=lambda v: v[-2:])  # by the end of P', or of c of §5
             return
         self.normals, normal_factor = [], integers([z for n in normals for z in n])[1]
         self.normals = [tuple(int(z * normal_factor) for z in n) for n in normals]
@@ -1923,7 +1923,7 @@ class PlanarTerms(Terms):
         return Fraction(alpha, self.edge_factor * factor)
 
     def bound(self, y: Integers, sign_: int, mixed: bool, points: Sequence[Integers]) -> List[Fraction]:
-        """§6: the bound b_i(r) on each ray, where y is a multiple without denominators."""
+        """§4: the bound b_i(r) on each ray, where y is a multiple without denominators."""
         low, high = self.friction
         best: List[int] = []
         for s in {1: (-low, -high), -1: (low, high), 0: (-high, high)}[sign_]:
@@ -1954,7 +1954,7 @@ class PlanarTerms(Terms):
 
 
 class SlipCone:
-    """§7, §15: C_i, the sums of these slips, by its dual cone: all z with z·s ≥ 0 for them."""
+    """§7: C_i, the sums of these slips, by its dual cone: all z with z·s ≥ 0 for them."""
 
     def __init__(self, slips: Sequence[Integers], gamma: Fraction) -> None:
         # ⟨s, t⟩ = Σ weights_j s_j t_j over the denominator of γ.
@@ -2016,7 +2016,7 @@ ROOT_BITS = 64
 
 
 def root_above(signed_square: Fraction) -> Fraction:
-    """§7: the bound of √q, or where q < 0 is given, of −√−q."""
+    """§6: the bound of √q, or where q < 0 is given, of −√−q."""
     if signed_square >= 0:
         return root_bounds(signed_square, ROOT_BITS).high
     return -root_bounds(-signed_square, ROOT_BITS).low
@@ -2147,7 +2147,7 @@ class Root(NamedTuple):
     conditions: List[Condition]
     bilateral: bool = False       # cut also by v_i ≥ 0, where that is certain
     path: str = ""                # that leads here
-    direction: Sequence[Vector] = ()  # of list 2 (§6): A(d − h d⁰), by rows
+    direction: Sequence[Vector] = ()  # of list 2 (§6): A e, by rows
     pieces: Sequence[Cone] = ()   # §12: the dual cones of the load parts of each
 
 
@@ -2322,7 +2322,7 @@ def check_leaf(region: Region, y: Vector) -> None:
 
 
 def children(region: Region, node: Node) -> List[Region]:
-    """The table of nodes, and §6, parts: the children in order."""
+    """§4, the table of nodes: the children in order."""
     i, box = node.contact, region.box
     if node.kind == "part":
         return [Region(region, f"{node.name} {i} {name}", box=half)
@@ -2628,7 +2628,7 @@ def check_shape(part: DegreeProof, box: Box, place: str) -> None:
 
 
 def shares_of(low: Fraction, high: Optional[Fraction]) -> Tuple[Vector, Vector]:
-    """s and t of §5 as functions of (h, ℓ): those with (h, ℓ) = s·(h, ℓ of x') + t·(h, ℓ of x"), by
+    """s and t of §6 as functions of (h, ℓ): those with (h, ℓ) = s·(h, ℓ of x') + t·(h, ℓ of x"), by
     Cramer's rule. If low == high, as of one verdict, x' and x" are one point: s = h, t = 0."""
     (a, b), (c, d) = (1, low), (0, low) if high is None else (1, high)
     det = a * d - b * c
@@ -2716,7 +2716,7 @@ def check_parts(parts: Sequence[Part], box: Box, bilateral: bool) -> None:
                        f"part {len(parts)}{waiting[-1][1]}")
 
 
-# ---- §7 Margins in space ----------------------------------------------------------------------
+# ---- §5 Claims --------------------------------------------------------------------------------
 
 
 def at_rest(question: Question) -> bool:
@@ -3197,7 +3197,7 @@ def listed_wrench(wrench: Wrench) -> List[Union[str, List[str]]]:
 
 
 def tolerances(asked: Options) -> Dict[str, str]:
-    """In the order of §6."""
+    """In the order of §2."""
     given = asked.uncertain or {}
     return {kind: str(given[kind]) for kind in KINDS if kind in given}
 

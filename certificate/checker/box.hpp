@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The box of parameters that trees are about (FORMAT.md §6, §7), and what they need of each
+/// The box of parameters that trees are about (FORMAT.md §6), and what they need of each
 /// contact: its functions at the corners of the box, of which a contact without uncertainty has
-/// one (§1 and §7, Rows).
+/// one (§1, "Rows").
 ///
 /// Of one body the dimension D of twists and wrenches is 3 in the plane and 6 in space. There
 /// is no other difference between the two than how many coordinates positions have, and slips:
@@ -32,7 +32,7 @@ constexpr std::size_t coordinates(std::size_t dimension) {
 /// The wrench, or the twist row, of a force at a point.
 Vector at_point(const Vector& point, const Vector& force);
 
-/// FORMAT.md §6, the table, and §7; kWrench is of no contact.
+/// FORMAT.md §6, the table; kWrench is of no contact.
 enum class Parameter : std::int8_t {
   kX,
   kY,
@@ -55,8 +55,8 @@ constexpr bool is_parameter(Parameter name, bool in_space) {
   return in_space ? name != Parameter::kTurn : !of_space;
 }
 
-/// A way in which a normal may turn, and the most: t0 and `slope` in the plane (FORMAT.md §6),
-/// U and V with the bounds of their parameters in space (§7). What has no normal has none.
+/// A way in which a normal may turn, and the most: t0 and `slope` in the plane, U and V with
+/// the bounds of their parameters in space (FORMAT.md §6). What has no normal has none.
 struct Turn {
   Vector way;
   Rational most;
@@ -69,7 +69,7 @@ struct ContactBox {
   Vector normal;                                  ///< n0; none of a ratchet or a spring
   std::array<Bounds, kContactParameters> bounds;  ///< by Parameter
   Bounds growth;  ///< of a margin: P^u', whose ends go with those of P'
-  /// Of the product of slips (FORMAT.md §15); 0 if they have three numbers.
+  /// Of the product of slips (FORMAT.md §1); 0 if they have three numbers.
   Rational gamma = 0;
 
   const Bounds& operator[](Parameter name) const {
@@ -77,7 +77,7 @@ struct ContactBox {
   }
 };
 
-/// s*, so that s*.t is the product of slips (FORMAT.md §15); without torsion s.
+/// s*, so that s*.t is the product of slips (FORMAT.md §1); without torsion s.
 Vector conjugate(const ContactBox& contact, Vector s);
 /// The square of the length of friction.
 Rational friction_square(const ContactBox& contact, const Vector& f);

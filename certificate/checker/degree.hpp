@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Proofs that every grasp in a box is stable (FORMAT.md §6, "Stable: by degree"), for every
-/// multiple of a range (§5, "Segments by degree", and §7, "Margins").
+/// multiple of a range (§5).
 #pragma once
 
 #include <cstdint>

@@ -216,7 +216,7 @@ class GraspReader {
     }
   }
 
-  /// FORMAT.md §7: it has no meaning here.
+  /// FORMAT.md §1: it has no meaning here.
   void read_body(const Value& value, const Where& body) const {
     expect_object(value, body, {"vertices", "faces"});
     const Value& vertices = member(value, body, "vertices");

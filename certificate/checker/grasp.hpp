@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The grasp file, `stickslip-grasp/1`, `/2` or `/3` (FORMAT.md §1, §6, §7 and §14,
+/// The grasp file, `stickslip-grasp/1`, `/2` or `/3` (FORMAT.md §1, §6, §14 and §15,
 /// docs/grasp_file.md).
 #pragma once
 

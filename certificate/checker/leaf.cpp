@@ -23,7 +23,7 @@ Rational short_above(const Rational& x) {
   return result;
 }
 
-/// U_s of FORMAT.md §6 as the largest of linear functions of (d, h, l), up to a factor: adds
+/// U_s of FORMAT.md §4 as the largest of linear functions of (d, h, l), up to a factor: adds
 /// them. `alpha` is alpha_s by corner.
 void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<Form>& bounds) {
   // Corners are numbered in binary, sums of two corners, k, by the same digits in base 3.

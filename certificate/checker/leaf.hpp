@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The bound of a leaf: the most work on a virtual twist that the forces of a region can do
-/// (FORMAT.md §4, §6 and, in space, §7).
+/// (FORMAT.md §4 and, in space, §7).
 #pragma once
 
 #include <optional>

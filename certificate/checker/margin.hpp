@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Margins (FORMAT.md §5): the claimed intervals, the segments that prove them resisted, and
-/// the gaps that they leave, which trees prove not to be. And margins in space (§7): claims,
-/// each with its proof.
+/// the gaps that they leave, which trees prove not to be. And claims, each with its proof.
 #pragma once
 
 #include <cstdint>

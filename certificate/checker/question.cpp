@@ -13,7 +13,7 @@ namespace {
   throw Malformed{"the question", part, problem};
 }
 
-/// FORMAT.md §7 and §14: as many numbers as the grasp has.
+/// FORMAT.md §1: as many numbers as the grasp has.
 void check_dimension(const Grasp& grasp, const Options& options) {
   const auto check = [&](const std::optional<Vector>& vector, const char* part) {
     if (!vector || vector->size() == grasp.dimension()) return;

@@ -92,11 +92,11 @@ struct Question {
   Wrench widened;                  ///< w
   Vector growth;                   ///< u; 0 for one verdict
   Fixed<Vector> preload_growth;    ///< P^u; empty if none is asked for
-  bool is_box = false;             ///< FORMAT.md §6, §7
+  bool is_box = false;             ///< FORMAT.md §6; of claims §5
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 
   std::size_t dimension() const { return wrench.size(); }
-  /// Whether a margin would be a list of claims (FORMAT.md §7), not all that is resisted (§5).
+  /// Whether a margin would be a list of claims (FORMAT.md §5), not all that is resisted.
   bool claims() const { return in_space || several; }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The part of a cone where some functions are strict, by its generators, and which sets of
-/// them are barred (FORMAT.md §4, §7).
+/// them are barred (FORMAT.md §4).
 #pragma once
 
 #include <cstddef>

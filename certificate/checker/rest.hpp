@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Proofs that every grasp in a box is stable with all contacts at rest (FORMAT.md §6, "Stable:
-/// at rest", and §7, "Margins").
+/// at rest").
 #pragma once
 
 #include <string>

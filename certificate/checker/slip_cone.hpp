@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Slips in space, and the cone C_i of FORMAT.md §7 and §15: all sums of slips of one contact
+/// Slips in space, and the cone C_i of FORMAT.md §7: all sums of slips of one contact
 /// with multiples >= 0. Of the three numbers of a slip, which is across n, one follows from the
 /// others and is left out; with torsion there is a fourth. So a slip is a point of a plane, or
 /// of a space of three dimensions, with a product.

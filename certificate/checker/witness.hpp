@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Equilibria: their forces are computed from what is stated (FORMAT.md §3, §7), and must
-/// balance the load. And segments between two (§5, §7).
+/// Equilibria: their forces are computed from what is stated (FORMAT.md §3), and must
+/// balance the load. And segments between two (§5).
 #pragma once
 
 #include <optional>

@@ -207,7 +207,7 @@ Lemma at_multiple d h l forces lambda : equilibrium_at g d h l forces -> h = 1 -
   Model.stable_at g lambda.
 Proof. intros H -> ->. exists d, forces. now apply equilibrium_at_one. Qed.
 
-(* FORMAT.md section 5, "Why" of segments. *)
+(* FORMAT.md section 3, "Modes", and section 5, "Why" of segments. *)
 Lemma segment_resists p ss p' ss' l1 lambda :
   check_at two_sided rows ld p = inl ss -> check_at two_sided rows ld p' = inl ss' ->
   same_mode rows ss ss' = true -> multiple p = Some l1 -> Q2R l1 <= lambda ->

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* The mechanics in space, over the real numbers (FORMAT.md section 7), as Model.v has it in the plane. *)
+(* The mechanics in space, over the real numbers (FORMAT.md section 1), as Model.v has it in the plane. *)
 From Coq Require Import Reals List.
 From Proved Require Model.
 Import ListNotations.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* Trees in space (FORMAT.md section 7): Tree.v for slips of three values, which have no sign, but are
+(* Trees in space (FORMAT.md section 4): Tree.v for slips of three values, which have no sign, but are
    zero or not. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Question Cone Meaning Numbers Box Leaf Walk.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* Witnesses in space (FORMAT.md section 7).  `witness_stable`: what is accepted is an equilibrium. *)
+(* Witnesses in space (FORMAT.md section 3).  `witness_stable`: what is accepted is an equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Question Cone Meaning Numbers Box Leaf Witness Margin.
 From Proved Require Import SpaceBox SpaceLeaf.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
 (* Witnesses (FORMAT.md section 3), at points x = (d, h, l) in integers, and pairs of them that share a
-   mode (section 5).  `point_is_equilibrium`: a point that is accepted is an equilibrium for the
+   mode.  `point_is_equilibrium`: a point that is accepted is an equilibrium for the
    wrench h w + l u and the preloads h P + l P^u.  `mixture`: so is every mixture of two points of one
    mode. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.

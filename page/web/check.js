@@ -479,7 +479,7 @@ function object_at(value, place) {
 
 const inside = (place, name) => (place === '' ? name : `${place}.${name}`);
 
-// ---------------------------------------------------------------------------- The grasp file (§1, §6, §7)
+// ---------------------------------------------------------------------------- The grasp file (§1, §6)
 
 /** The exact value of a number's text in a grasp file or an option, or null. */
 function exact_decimal(text) {
@@ -589,7 +589,7 @@ function named_by(number, list, place, what) {
   return list[Number(k.n)];
 }
 
-/** FORMAT.md §7, §14: a mesh, which has no meaning here. */
+/** FORMAT.md §1, §14: a mesh, which has no meaning here. */
 function check_mesh(value, where) {
   known_members(value, where, ['vertices', 'faces'], ['vertices', 'faces']);
   const vertices = array_of(value.get('vertices'), `${where}.vertices`)
@@ -1084,7 +1084,7 @@ function ask(grasp, options) {
     wrench, load, contacts, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
 }
 
-// ---------------------------------------------------------------------------- The certificate (§2, §6, §7)
+// ---------------------------------------------------------------------------- The certificate (§2, §5, §6)
 
 function read_number(value, place) {
   const text = value instanceof Numeral ? value.text : value;
@@ -1364,7 +1364,7 @@ function agree(asked, stated) {
   if (!KINDS.every(same)) differ('question-uncertain', tolerances_text(theirs), tolerances_text(asked.uncertain));
 }
 
-// ---------------------------------------------------------------------------- Boxes (§6) and rows (§1, §7)
+// ---------------------------------------------------------------------------- Boxes (§6) and rows (§1)
 
 const is_point = ([low, high]) => low.equals(high);
 const middle = ([low, high]) => low.plus(high).half();
@@ -1393,7 +1393,7 @@ const has_sign = (row, sign) => row.every((x) => (sign > 0 ? x >= 0n : x <= 0n))
 const geometry_names = (numbers) => [[], ['x', 'y', 'turn'], ['x', 'y', 'z', 'turn_u', 'turn_v']][numbers - 1];
 const parameter_names = (numbers) => [...geometry_names(numbers), ...(numbers > 1 ? ['friction'] : []), 'preload', 'stiffness'];
 
-/** The ways in which a normal n⁰ may turn: t⁰ = (−n_y, n_x) of §6, or U and V of §7. */
+/** The ways in which a normal n⁰ may turn: t⁰ = (−n_y, n_x) or U and V, of §6. */
 function turns_of(n) {
   if (n.length === 1) return [];
   if (n.length === 2) return [[n[1].negated(), n[0]]];
@@ -1561,9 +1561,9 @@ class Box {
   }
 }
 
-// ---------------------------------------------------------------------------- Witnesses (§3, §7)
+// ---------------------------------------------------------------------------- Witnesses (§3)
 
-/** s* of §15, times the denominator of γ: its product with t is ⟨s, t⟩. */
+/** s* of §1, times the denominator of γ: its product with t is ⟨s, t⟩. */
 const starred = (s, gamma) => s.map((x, j) => x * (j < 3 ? gamma.d : gamma.n));
 /** The square of the length of a friction force, or of a share. */
 const friction_square = (f, gamma) => f.reduce((sum, x, j) => sum.plus(j < 3 ? x.times(x) : x.times(x).over(gamma)), ZERO);
@@ -1761,7 +1761,7 @@ class DualCone {
 const star_of = (s, {matrix}) => matrix.map((row) => dot(row, s));
 const slip_square = (s, metric) => new Fraction(dot(star_of(s, metric), s), metric.over);
 
-/** C_i of §7 and §15, the cone of these slips, which are without what follows from their other numbers. */
+/** C_i of §7, the cone of these slips, which are without what follows from their other numbers. */
 class SlipCone {
   constructor(slips, metric) {
     const size = metric.matrix.length;
@@ -1851,7 +1851,7 @@ class Region {
   get isBarred() { return this.generators.reduce((mask, {barred}) => mask & barred, this.everyone) !== 0n; }
 
   /**
-   * Of each contact: whether it is closed, open or mixed, and its sign, in space 1 if it moves (§4, §6, §7). What is
+   * Of each contact: whether it is closed, open or mixed, and its sign, in space 1 if it moves (§4, §7). What is
    * closed or open or has a sign here is so in every child, as its rays are in this region, and its box in this box.
    */
   get contacts() {
@@ -1941,7 +1941,7 @@ function pressures({normals, push, pull, one}, {d, h, l}) {
   return [pushed(0) - most_pull, pushed(1) - least_pull];
 }
 
-// ---------------------------------------------------------------------------- Leaves (§4, §6, §7)
+// ---------------------------------------------------------------------------- Leaves (§4, §7)
 
 /**
  * What refuses a leaf, or null. y is a vector of integers: any positive multiple serves. Closed contacts of certain
@@ -2049,7 +2049,7 @@ function plane_bound(contact, y, side, closed) {
   return {term, d: d * whole};
 }
 
-/** A bound from above of √q, or with sign −1 of −√q (§7). q need not be in lowest terms. */
+/** A bound from above of √q, or with sign −1 of −√q (§6). q need not be in lowest terms. */
 function root_above(q, sign) {
   if (q.isZero()) return ZERO;
   const root = rational_root(q);
@@ -2086,7 +2086,7 @@ function space_bound(region, contact, i, y, moves, closed) {
   return {term, d};
 }
 
-// ---------------------------------------------------------------------------- Trees (§4, §6)
+// ---------------------------------------------------------------------------- Trees (§4)
 
 /** The steps from a root; what a tree is part of is the first, if it has a name. */
 class Path {
@@ -2212,7 +2212,7 @@ function range_root(question, box, range) {
   return region;
 }
 
-// ---------------------------------------------------------------------------- Stable at rest (§6, §7)
+// ---------------------------------------------------------------------------- Stable at rest (§6)
 
 /** A part at rest, for the multiples from factors[0] to factors[1], or for the only one. */
 function check_rest(question, box, {rest, answers, reach}, place, tally, factors) {
@@ -2273,7 +2273,7 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
   ++tally.rests;
 }
 
-// ---------------------------------------------------------------------------- Stable by degree (§6, §7)
+// ---------------------------------------------------------------------------- Stable by degree (§6)
 
 /** A basis of the vectors that are 0 by every row: elimination to rows that each have a column of their own. */
 function kernel(rows) {
@@ -2396,7 +2396,7 @@ function check_parts(question, box, parts, tally) {
   });
 }
 
-// ---------------------------------------------------------------------------- Margins (§5, §7)
+// ---------------------------------------------------------------------------- Margins (§5)
 
 /** Whether w and all P are 0. */
 function is_unloaded(question) {

@@ -113,7 +113,7 @@ def root_above(q):
 
 
 class Contact:
-    """A normal, and intervals of the parameters of section 7 by name; in a margin also P and P^u,
+    """A normal, and intervals of the parameters of section 6 by name; in a margin also P and P^u,
     whose multiples by 1/L, in an interval, are the preloads."""
 
     def __init__(self, normal, ends, loads=None, inverse=None, torsion=0):
@@ -170,7 +170,7 @@ class Contact:
                 for q in self.corners((*GEOMETRY, "preload", "stiffness"))]
 
     def slip(self, n, p, d):
-        """Section 15: with torsion the turn about the normal, too."""
+        """Section 1: with torsion the turn about the normal, too."""
         return slip(n, p, d, self.normal) + ((dot(n, d[3:6]),) if self.torsion else ())
 
     def slips(self, r):

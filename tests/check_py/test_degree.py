@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Stable by degree (certificate/FORMAT.md, sections 6 and 7) on simplices and where there are free
+"""Stable by degree (certificate/FORMAT.md, section 6) on simplices and where there are free
 motions: the syntax, proofs that a search finds, and mutants.
 """
 

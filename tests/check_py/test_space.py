@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Grasps in space (certificate/FORMAT.md, section 7): what is read, properties of margins, and a twin."""
+"""Grasps in space (certificate/FORMAT.md, sections 1, 5 and 7): what is read, properties of margins, and a twin."""
 
 import collections
 import glob
@@ -480,7 +480,7 @@ class TwinTest(Case):
             return contacts, [spread(rng, rng.randint(-3, 3), share / 2) for _ in range(6)]
 
         self.compare(rng, lambda: of_verdict(False), 60)
-        self.compare(rng, lambda: of_verdict(True), 60)  # section 15
+        self.compare(rng, lambda: of_verdict(True), 60)  # k = 3
 
     def test_leaves_of_margins(self):
         """With irrational lengths, growing wrenches and growing preloads."""

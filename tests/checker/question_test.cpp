@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of FORMAT.md §1 and §7, and where a grasp file is malformed. What is asked, and what
+// The rows of FORMAT.md §1, and where a grasp file is malformed. What is asked, and what
 // cannot be, is for tests/rules and tests/check_py.
 #include "question.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cone C_i of FORMAT.md §7 and §15, and M(c), on small sets of a grid: against all sets of
+// The cone C_i of FORMAT.md §7, and M(c), on small sets of a grid: against all sets of
 // three of its generators, in the numbers of the document, of which none is left out.
 #include "slip_cone.hpp"
 

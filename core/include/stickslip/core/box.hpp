@@ -5,7 +5,7 @@
 ///
 /// Frame in space: the object frame, right-handed. A twist d = (u, omega) moves the point p to
 /// p + u + omega x p; a wrench is a force and its torque about the origin. Friction is
-/// Coulomb's cone (certificate/FORMAT.md, section 7), without a choice of tangents. The plane
+/// Coulomb's cone (certificate/FORMAT.md, section 1), without a choice of tangents. The plane
 /// has the conventions of grasp.hpp.
 #pragma once
 
@@ -53,7 +53,7 @@ struct Turn {
 };
 
 /// Those of a contact, all at once. In the plane there is one, by (-n_y, n_x) and the slope. In
-/// space two, u and v of certificate/FORMAT.md, section 7; every normal of the contact is among
+/// space two, u and v of certificate/FORMAT.md, section 6; every normal of the contact is among
 /// n + e_u u + e_v v, and some others are: of those the tangent is up to 1.42 times the slope.
 std::vector<Turn> turns_of(const UncertainContact& contact);
 /// n + the sum of e_j direction_j.

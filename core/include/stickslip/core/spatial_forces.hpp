@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// The contact forces of an equilibrium in space, or of several bodies, by the laws of
-/// certificate/FORMAT.md, sections 7, 14 and 15. Of bodies in the plane the third coordinates
+/// certificate/FORMAT.md, section 1. Of bodies in the plane the third coordinates
 /// of vectors are 0.
 #pragma once
 

@@ -8,7 +8,7 @@
 /// - Is the verdict right? If not, how far is the load from one for which it would be: is this
 ///   a wrong answer, or a *tie* that no double-precision program can be expected to see?
 /// - By how much does the claimed solution miss each condition of problem.hpp, or in space of
-///   certificate/FORMAT.md, section 7?
+///   certificate/FORMAT.md, section 1?
 /// - Is there an exact equilibrium of the same kind nearby?
 ///
 /// Frames and signs are those of the question: forces are those of the contacts on the object,

@@ -40,7 +40,7 @@
 /// between the two, which friction enlarges, depends on M.
 ///
 /// **In space** friction is Coulomb's own cone. The rows of a contact are those of
-/// certificate/FORMAT.md, section 7: N = (n, p x n), and S a, its slip under the acceleration
+/// certificate/FORMAT.md, section 1: N = (n, p x n), and S a, its slip under the acceleration
 /// a. A contact force is a_i N_i + (f_i, p_i x f_i), f_i.n_i = 0, with the laws of friction
 ///
 ///     |f_i| <= mu_i |n_i| a_i,     f_i = -mu_i |n_i| a_i s / |s|  if s = S_i a != 0.

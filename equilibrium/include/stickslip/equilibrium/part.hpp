@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Parameters of a box of grasps, and parts into which a proof cuts it (certificate/FORMAT.md,
-/// sections 6 and 7).
+/// section 6).
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Margins in space: multiples l >= 0 for which a grasp is stable under the wrench w + l u and
-/// the preloads P + l P^u (certificate/FORMAT.md, section 7). Ends of what is resisted are
+/// the preloads P + l P^u (certificate/FORMAT.md, section 5). Ends of what is resisted are
 /// algebraic numbers there, so that some multiples near them are left undecided.
 ///
 /// **Method.** An equilibrium is followed as the multiple grows and falls, in steps that become

@@ -2,7 +2,7 @@
 /// \file
 /// The largest work that the force of a contact in the plane can do on a virtual twist when its
 /// geometry is uncertain: a product of two functions that are multilinear in it, bounded by
-/// Bernstein coefficients (certificate/FORMAT.md, section 6), in any kind of number.
+/// Bernstein coefficients (certificate/FORMAT.md, section 4), in any kind of number.
 #pragma once
 
 #include <algorithm>

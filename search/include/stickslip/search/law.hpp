@@ -2,7 +2,7 @@
 /// \file
 /// The law of a grasp whose numbers are intervals, for motions of any number of coordinates:
 /// its contacts as rows at the corners of what is uncertain of their geometry, exactly and in
-/// doubles (certificate/FORMAT.md, sections 6 and 7).
+/// doubles (certificate/FORMAT.md, sections 1 and 6).
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// A region of motions as a node of a tree sees it, and the rules of its leaves
-/// (certificate/FORMAT.md, sections 4, 6 and 7), exactly.
+/// (certificate/FORMAT.md, sections 4 and 7), exactly.
 #pragma once
 
 #include <array>

@@ -46,20 +46,33 @@ RationalVector as_rationals(const RationalRow& a) {
   return result;
 }
 
-/// The motion of these, by columns, that is nearest to one in doubles.
-RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
+/// Of which multiples of these motions, by columns, the sum is nearest to one in doubles.
+Eigen::VectorXd multiples_near(const RationalMatrix& motions, const Reals& motion) {
   Eigen::MatrixXd rounded(motions.rows(), motions.cols());
   for (Eigen::Index k = 0; k < motions.cols(); ++k) {
     for (Eigen::Index j = 0; j < motions.rows(); ++j) {
       rounded(j, k) = to_double(motions(j, k));
     }
   }
-  const Eigen::VectorXd parts = least_squares(rounded, motion);
+  return least_squares(rounded, motion);
+}
+
+/// That sum.
+RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
+  const Eigen::VectorXd parts = multiples_near(motions, motion);
   RationalVector result = RationalVector::Zero(motions.rows());
   for (Eigen::Index k = 0; k < motions.cols(); ++k) {
     if (std::isfinite(parts[k])) result += rational_from_double(parts[k]) * motions.col(k);
   }
   return result;
+}
+
+/// Not in the law's units.
+Reals unscaled(const GraspLaw& model, Reals motion) {
+  for (std::size_t j = 0; j < model.motions; ++j) {
+    motion[static_cast<Eigen::Index>(j)] /= model.unit(j);
+  }
+  return motion;
 }
 
 /// Two contacts on one face have the same slip, but where numbers are rounded: then one sticks,
@@ -69,11 +82,7 @@ RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
 class RoundedFaces {
  public:
   RoundedFaces(const GraspLaw& model, const NearEquilibrium& near)
-      : model_(model), near_(near), motion_(near.motion) {
-    for (std::size_t j = 0; j < model.motions; ++j) {
-      motion_[static_cast<Eigen::Index>(j)] /= model.unit(j);
-    }
-  }
+      : model_(model), near_(near), motion_(unscaled(model, near.motion)) {}
 
   /// Takes those that slip out of `sticking`, and notes the signs of their slips.
   void let_slip(std::vector<std::size_t>& sticking, std::vector<int>& slips) const {
@@ -199,9 +208,11 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
   return true;
 }
 
-/// With friction rounded to these bits.
+/// With friction rounded to these bits. What may move at will is at rest, or where it is in
+/// doubles: a body that nothing holds is at rest only if nothing pushes it there.
 std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
-                                            const NearEquilibrium& near_one, int bits) {
+                                            const NearEquilibrium& near_one, int bits,
+                                            bool is_at_rest) {
   const std::size_t m = model.contacts.size();
   std::vector<bool> closed;
   for (std::size_t i = 0; i < m; ++i) {
@@ -244,6 +255,14 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
     for (Eigen::Index k = 0; k < motions.cols(); ++k) {
       const Rational rise = normal.dot(motions.col(k));
       terms[static_cast<std::size_t>(k)].wrench -= Rational(c.stiffness.low * rise) * edge;
+    }
+  }
+  if (!is_at_rest) {
+    const Eigen::VectorXd multiples = multiples_near(motions, unscaled(model, near_one.motion));
+    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+      BalanceTerm& term = terms[static_cast<std::size_t>(k)];
+      term.value = near(multiples[k], multiples.lpNorm<Eigen::Infinity>(), bits);
+      rest -= term.value * term.wrench;
     }
   }
   for (const std::size_t i : sticking) {
@@ -302,8 +321,12 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
 std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
   constexpr int kShort = 20;  // for people
   constexpr int kLong = 30;   // near the borders of cones
-  auto witness = witness_in_bits(model, near, kShort);
-  return witness ? witness : witness_in_bits(model, near, kLong);
+  for (const bool is_at_rest : {true, false}) {
+    for (const int bits : {kShort, kLong}) {
+      if (auto witness = witness_in_bits(model, near, bits, is_at_rest)) return witness;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace stickslip

@@ -165,3 +165,22 @@ class Model:
 
 def smt(grasp):
     return Model(grasp).text()
+
+
+def statics(grasp):
+    """Whether forces in the friction cones alone balance the weights of free bodies, whatever moves."""
+    lines, sums = ["(set-logic QF_LRA)"], {b["name"]: ([], [], []) for b in grasp["bodies"]}
+    for i, c in enumerate(grasp["contacts"]):
+        a, t, edge = f"a{i}", f"t{i}", times(exact(c["friction"]), f"a{i}")
+        lines.append(f"(declare-const {a} Real) (declare-const {t} Real) (assert (and (>= {a} 0) (<= {t} {edge}) (>= (+ {t} {edge}) 0)))")
+        (nx, ny), (px, py) = ([exact(x) for x in c[key]] for key in ("normal", "position"))
+        for body, side in ((c["of"], 1), (c.get("by"), -1)):
+            terms = ((nx, -ny), (ny, nx), (px * ny - py * nx, px * nx + py * ny))
+            for k, (along, across) in enumerate(terms if body else ()):
+                sums[body][k].extend((times(side * along, a), times(side * across, t)))
+    for load in grasp["loads"]:
+        w, x = exact(load["weight"]), exact(load["at"][0])
+        sums[load["body"]][1].append(number(-w))
+        sums[load["body"]][2].append(number(-w * x))
+    lines += [f"(assert (= 0 {plus(*terms)}))" for three in sums.values() for terms in three]
+    return "\n".join([*lines, "(check-sat)"])

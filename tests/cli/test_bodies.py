@@ -5,6 +5,7 @@ and know no rows."""
 
 import glob
 import json
+import math
 import os
 import random
 import re
@@ -13,7 +14,7 @@ from fractions import Fraction as F
 
 import numpy as np
 from bodies_newton import equilibria
-from bodies_smt import smt
+from bodies_smt import smt, statics
 from test_cli import HERE, checkers, run, stickslip
 from test_space import Z3, Space, all_but_proved
 
@@ -116,6 +117,21 @@ def random_assembly(rng, dim):
     return content
 
 
+def arch(stones, thickness, mu):
+    """Half a circle of equal stones, each of the weight 1."""
+    def on_circle(part):
+        u = F(round(math.tan(math.pi / 2 * part) * 256), 256) if part < 1 else None
+        return (F(-1), F(0)) if u is None else ((1 - u * u) / (1 + u * u), 2 * u / (1 + u * u))
+
+    names, contacts = [f"b{k}" for k in range(stones)], []
+    for k in range(stones + 1):
+        x, y = on_circle(1 - F(k, stones))
+        of, by, side = (names[k], names[k - 1] if k else None, 1) if k < stones else (names[-1], None, -1)
+        contacts += [contact(of, (r * x, r * y), (side * y, -side * x), by=by, friction=mu, stiffness=100)
+                     for r in (1 - thickness / 2, 1 + thickness / 2)]
+    return grasp(names, contacts, [weight(name, 1, on_circle(1 - F(2 * k + 1, 2 * stones))) for k, name in enumerate(names)])
+
+
 class Bodies(Space):
     judges = staticmethod(all_but_proved)
     engine = "bodies"
@@ -151,6 +167,27 @@ class ClosedForms(Bodies):
                 contacts += [contact(of, (k, y), (side, 0), by=by, friction=F(1, 4), preload=2) for y in (-1, 1)]
             return grasp("abc", contacts, [force("b", (0, pull), (F(3, 2), 0))])
         self.assert_threshold(row, 2 * F(1, 4) * 4)
+
+    def test_an_arch_has_a_least_friction_and_a_least_thickness(self):
+        # By statics alone, which Z3 decides: below these no forces are in balance. For three stones that is where the friction of
+        # the keystone lets it down as far as that at the foot holds: 3 t (t + tan 30) = 1 - t tan 30 with t = mu.
+        def least(at, low, high):
+            while high - low > high / 2000:
+                middle = F(round((low + high) * 2**15), 2**16)
+                stands = run(Z3, "-in", stdin=statics(at(middle)))[1].strip()
+                self.assertIn(stands, ("sat", "unsat"))
+                low, high = (low, middle) if stands == "sat" else (middle, high)
+            return high
+        for stones in (3, 5, 7):
+            frictions = lambda mu, n=stones: arch(n, F(2, 5), mu)
+            mu = least(frictions, F(1, 20), F(2))
+            self.assertEqual([self.verdict(frictions(mu * part)) for part in (F(199, 200), F(201, 200))], ["unstable", "stable"])
+            if stones == 3:
+                self.assertAlmostEqual(float(mu), (-2 / 3**.5 + (4 / 3 + 3)**.5) / 3, delta=0.002)
+                continue  # three are not thinner than their line of thrust
+            shapes = lambda t, n=stones: arch(n, t, F(4, 5))
+            thickness = least(shapes, F(1, 50), F(1))
+            self.assertEqual([self.verdict(shapes(thickness * part)) for part in (F(199, 200), F(201, 200))], ["unstable", "stable"])
 
     def test_a_ladder_on_a_cart(self):
         # On a smooth wall and a cart that a spring holds back; the cart is let go where the ladder's foot slips: with the

@@ -50,9 +50,16 @@ ApproximateEquilibrium approximate(const Grasp& grasp, const Claim& claim) {
   return result;
 }
 
-/// In space, in doubles: what bears more than `small` is closed, and sticks.
-NearEquilibrium modes_of_claim(const GraspBox& grasp, const Claim& claim, double small) {
+/// In space, in doubles: what bears more than `small` is closed, and sticks. Without a motion
+/// nothing moves.
+NearEquilibrium modes_of_claim(const GraspBox& grasp, const GraspLaw& law, const Claim& claim,
+                               double small) {
   NearEquilibrium near;
+  near.motion = Reals::Zero(static_cast<Eigen::Index>(law.motions));
+  for (std::size_t j = 0; claim.twist && j < law.motions; ++j) {
+    near.motion[static_cast<Eigen::Index>(j)] = to_double((*claim.twist)[j]);
+  }
+  law.scale(near.motion);
   const std::size_t m = grasp.contacts.size();
   near.normal.resize(m);
   near.friction.resize(m);
@@ -64,7 +71,7 @@ NearEquilibrium modes_of_claim(const GraspBox& grasp, const Claim& claim, double
       const RationalRow& f = (*claim.forces)[i];
       const RationalRow tangential = contact.across(f);
       near.normal[i] = to_double(contact.along(f));
-      for (std::size_t j = 0; j < 3; ++j) near.friction[i][j] = to_double(tangential[j]);
+      near.friction[i] = law.contacts[i].coordinates_of(tangential);
     } else {
       const auto [low, high] =
           contact.separation(contact.displacement(*claim.twist)).between(64);
@@ -89,7 +96,7 @@ std::optional<ShareWitness> find_spatial_witness_like(const Question& question,
   const GraspLaw law(grasp, question.law);
   const double force = to_double(residual_scale(grasp, claim).force);
   for (const double small : {0.0, 1e-12, 1e-9, 1e-6}) {
-    auto witness = exact_witness(law, modes_of_claim(grasp, claim, small * force));
+    auto witness = exact_witness(law, modes_of_claim(grasp, law, claim, small * force));
     if (witness) return witness;
   }
   return std::nullopt;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "stickslip/core/error.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -126,6 +128,15 @@ RationalRow LawContact::force_near(const Double3& coordinates, int bits) const {
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const Rational part = rational_in_bits(coordinates[k] / direction_sizes[k], bits);
     for (std::size_t j = 0; j < result.size(); ++j) result[j] += part * directions[k][j];
+  }
+  return result;
+}
+
+Double3 LawContact::coordinates_of(const RationalRow& force) const {
+  require(slip_dimension() < 3, "the force of a contact with torsion");
+  Double3 result{};
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    result[k] = to_double(dot(directions[k], force)) / direction_sizes[k];
   }
   return result;
 }

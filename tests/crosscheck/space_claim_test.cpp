@@ -245,10 +245,17 @@ TEST(SpaceClaims, AnEquilibriumThatSlips) {
 // One contact slips and the other, along whose normal it moves, sticks with friction. With so
 // few nodes the engine knows nothing of it, and the claim is the proof.
 TEST(SpaceClaims, AnEquilibriumProvesItself) {
-  const Question question =
-      ask_about({contact({0, 0, 0}, {0, 0, 2}, kHalf), contact({0, 0, 0}, {-6, -8, 10}, kHalf)},
-                {5, 15, -20, 0, 0, 0});
-  const Claim claim = solution({6, 8, -10, 0, 0, 0}, {{-3, -4, 10}, {-2, -11, 10}});
+  // Each contact three times, so that no proof by degree is as short as the limit.
+  std::vector<UncertainContact> contacts;
+  std::vector<RationalRow> forces;
+  for (int k = 0; k < 3; ++k) {
+    contacts.push_back(contact({k, 0, 0}, {0, 0, 2}, kHalf));
+    contacts.push_back(contact({k, 0, 0}, {-6, -8, 10}, kHalf));
+    forces.push_back({-3, -4, 10});
+    forces.push_back({-2, -11, 10});
+  }
+  const Question question = ask_about(contacts, {15, 45, -60, 0, 60, 45});
+  const Claim claim = solution({6, 8, -10, 0, 0, 0}, forces);
   ClaimOptions options;
   options.node_limit = 1;
   EXPECT_EQ(judge(question, verdict(true), options).claim_class, ClaimClass::kUndecided);
@@ -257,7 +264,7 @@ TEST(SpaceClaims, AnEquilibriumProvesItself) {
   expect_none(report.residuals);
   const auto* stable = std::get_if<Stable>(&report.answer.verdict);
   ASSERT_NE(stable, nullptr);
-  EXPECT_EQ(std::get<ShareWitness>(stable->proof).shares.size(), 1U);
+  EXPECT_EQ(std::get<ShareWitness>(stable->proof).shares.size(), 3U);
   // Next to it, it proves nothing.
   Claim off = claim;
   (*off.forces)[1][2] += number("1e-30");

@@ -137,6 +137,8 @@ struct LawContact {
   }
   /// A friction force with these coordinates, each rounded to so many bits.
   RationalRow force_near(const Double3& coordinates, int bits) const;
+  /// The coordinates of a friction force without torsion.
+  Double3 coordinates_of(const RationalRow& force) const;
   /// The coordinates of a slip, or a multiple of it, of norm 1; 0 of 0, and perhaps where
   /// numbers are not moderate.
   Double3 direction_of(const IntegerVector<4>& slip) const;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/grasp_law.hpp"
 
 namespace stickslip {
@@ -55,6 +56,32 @@ TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
       EXPECT_TRUE(to == -1 || (is_friction && to == 0)) << n << ": " << to;
     }
     EXPECT_EQ(undecided, 1U);
+  }
+}
+
+// Two pads press with 1, and each carries half of the load by friction of at least 2/5: at rest
+// for all frictions up to 4/5. The load is a tenth less at its other end, so that in the middle
+// of the box there is friction to spare either way.
+TEST(AtRest, IsProvedUpToWhereTheLeastFrictionEnds) {
+  for (const auto& [load, is_proved] :
+       {std::pair{Rational(79, 100), true}, {Rational(81, 100), false}}) {
+    GraspBox box;
+    for (const int side : {-1, 1}) {
+      UncertainContact c;
+      c.position = {point_interval(side), point_interval(0)};
+      c.normal = {-side, 0};
+      c.friction = {Rational(2, 5), Rational(3, 5)};
+      c.preload = point_interval(1);
+      box.contacts.push_back(c);
+    }
+    box.wrench = {{}, {-load, Rational(1, 10) - load}, {}};
+    box.check();
+    const GraspLaw law(box, NormalLaw::kUnilateral);
+    const RoundedBox rounded(law);
+    const std::vector<NearEquilibrium> found =
+        Newton(rounded.at(rounded.middle())).solve_from(3);
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(prove_at_rest(law, found.front()).has_value(), is_proved) << load;
   }
 }
 

@@ -1,30 +1,33 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions and validation
-# on; then the share of the lines of core, lp, equilibrium, motion, planar and the checker that they ran.
+# on.
 #   scripts/sanitize.sh         without the tests that take longest; CI runs this
-#   scripts/sanitize.sh --all   all of them
+#   scripts/sanitize.sh --all   all of them; then the share of the lines of core, lp, equilibrium,
+#                               motion, planar and the checker that they ran
 # Line by line: build-asan/coverage/index.html.
 set -euo pipefail
 STICKSLIP_BUILD_DIR=${STICKSLIP_BUILD_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build-asan}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 # These run nothing that was compiled with sanitizers, or wait for a browser.
 left_out=(--exclude-regex '^(check_js|check_py_spool|doxygen|layout|page_browser|page_live)$' --fixture-exclude-cleanup check_py_spool)
-long_tests=ON
+all=ON
 case ${1-} in
-  "") left_out+=(--label-exclude long) long_tests=OFF ;;  # and their programs are not built
+  "") left_out+=(--label-exclude long) all=OFF ;;  # and their programs are not built
   --all) ;;
   *) fail "unknown argument '$1'; none, or --all" ;;
 esac
 
-install_packages "${build_packages[@]}" "${test_packages[@]}" python3-numpy gcovr
+install_packages "${build_packages[@]}" "${test_packages[@]}" python3-numpy
+[ "$all" = OFF ] || install_packages gcovr
 step "Configuring with sanitizers" configure cmake --preset asan -S "$root" -B "$build" $together \
-  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON -DSTICKSLIP_LONG_TESTS=$long_tests \
+  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=$all -DSTICKSLIP_LONG_TESTS=$all \
   -DPython3_EXECUTABLE=/usr/bin/python3
 step "Building with sanitizers (several minutes the first time)" build \
   cmake --build "$build" -j "$(jobs_for_build)"
 find "$build" -name '*.gcda' -delete
 ctest --test-dir "$build" --output-on-failure -j "$(jobs_for_build)" "${left_out[@]}"
+[ "$all" = ON ] || exit 0
 
 lines=$build/coverage/lines.json
 mkdir -p "$build/coverage"

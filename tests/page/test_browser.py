@@ -19,6 +19,11 @@ def mark_of(contact):
     return MARKS[contact["slip"]] if contact["closed"] else "open"
 
 
+def is_written(path):
+    """A download begins as an empty file."""
+    return os.path.exists(path) and os.path.getsize(path) > 0
+
+
 class Planar(PageTest):
     def test_a_stable_grasp_with_an_outline(self):
         grasp = example("bracket")
@@ -302,7 +307,7 @@ class Proofs(PageTest):
         self.find("#save-proof").click()
         self.find("#save-grasp").click()
         names = [os.path.join(self.downloads, name) for name in ("Fig-1.json", "Fig-1.certificate.json")]
-        self.wait(lambda: all(map(os.path.exists, names)), "two files")
+        self.wait(lambda: all(map(is_written, names)), "two files")
         checked = subprocess.run([STICKSLIP_CHECK, *names], capture_output=True, text=True, check=False)
         self.assertEqual(checked.stdout.split("\n")[0], "accepted", checked.stderr)
 
@@ -355,7 +360,7 @@ class Space(PageTest):
         self.assertIn("8 vertices and 6 faces", self.text("#exact"))
         self.find("#save-grasp").click()
         saved = os.path.join(self.downloads, "grasp.json")
-        self.wait(lambda: os.path.exists(saved), "the file")
+        self.wait(lambda: is_written(saved), "the file")
         with open(saved, encoding="utf-8") as file:
             self.assertEqual(json.load(file)["body"], cube()["body"])
         self.assertEqual(decide(saved)["verdict"], "stable")

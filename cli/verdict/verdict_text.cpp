@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict_text.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -61,9 +60,7 @@ struct EquilibriumText {
   /// the moment about the normal.
   std::string forces_text(const GraspBox& grasp, const ShareWitness& witness) const {
     Rows rows{{"contact", "of", "by", "normal", "force", ""}};
-    const bool is_soft =
-        std::any_of(grasp.contacts.begin(), grasp.contacts.end(),
-                    [](const UncertainContact& contact) { return !contact.torsion.is_zero(); });
+    const bool is_soft = has_torsion(grasp);
     if (is_soft) rows.front().insert(rows.front().end() - 1, "moment");
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/spatial_forces.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "stickslip/core/error.hpp"
@@ -83,6 +84,11 @@ std::vector<SpatialForce> forces_of(
     }
   }
   return forces;
+}
+
+bool has_torsion(const GraspBox& grasp) {
+  return std::any_of(grasp.contacts.begin(), grasp.contacts.end(),
+                     [](const UncertainContact& c) { return !c.torsion.is_zero(); });
 }
 
 RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
@@ -59,12 +57,8 @@ struct EquilibriumFields {
     });
     result["closed"] =
         tuple_of(forces, [](const SpatialForce& f) { return py::bool_(f.normal.sign() > 0); });
-    const std::vector<UncertainContact>& contacts = answer.question.box()->contacts;
-    const bool is_soft =
-        std::any_of(contacts.begin(), contacts.end(),
-                    [](const UncertainContact& contact) { return !contact.torsion.is_zero(); });
-    if (is_soft) {
-      auto contact = contacts.begin();
+    if (has_torsion(*answer.question.box())) {
+      auto contact = answer.question.box()->contacts.begin();
       result["moments"] = tuple_of(forces, [&](const SpatialForce& f) {
         return tuple_of(moment_of(f, *contact++), fraction);
       });

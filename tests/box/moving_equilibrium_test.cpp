@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/grasp_law.hpp"
@@ -13,21 +14,27 @@
 namespace stickslip {
 namespace {
 
-// Two pads press from the left and the right, with 1, and carry a weight of 1/2: nothing moves,
-// and each of them has half of the load. They let go where 1/4 (1 + s) is all that there may
-// be, 1/2 (1 - s/5) (1 - s/10): at this part s of the way to less friction, less preload and
-// more load.
-TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
+/// At the left and the right of a body, with friction of 2/5 to 3/5.
+GraspBox two_pads(const Interval& preload, WrenchBox load) {
   GraspBox box;
   for (const int side : {-1, 1}) {
     UncertainContact c;
     c.position = {point_interval(side), point_interval(0)};
     c.normal = {-side, 0};
     c.friction = {Rational(2, 5), Rational(3, 5)};
-    c.preload = {Rational(9, 10), Rational(11, 10)};
+    c.preload = preload;
     box.contacts.push_back(c);
   }
-  box.wrench = {{}, {-1, 0}, {}};
+  box.wrench = std::move(load);
+  return box;
+}
+
+// Two pads press from the left and the right, with 1, and carry a weight of 1/2: nothing moves,
+// and each of them has half of the load. They let go where 1/4 (1 + s) is all that there may
+// be, 1/2 (1 - s/5) (1 - s/10): at this part s of the way to less friction, less preload and
+// more load.
+TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
+  GraspBox box = two_pads({Rational(9, 10), Rational(11, 10)}, {{}, {-1, 0}, {}});
   box.check();
   const double expected = (0.8 - std::sqrt(0.6)) / 0.04;
   for (const bool in_space : {false, true}) {
@@ -65,16 +72,7 @@ TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
 TEST(AtRest, IsProvedUpToWhereTheLeastFrictionEnds) {
   for (const auto& [load, is_proved] :
        {std::pair{Rational(79, 100), true}, {Rational(81, 100), false}}) {
-    GraspBox box;
-    for (const int side : {-1, 1}) {
-      UncertainContact c;
-      c.position = {point_interval(side), point_interval(0)};
-      c.normal = {-side, 0};
-      c.friction = {Rational(2, 5), Rational(3, 5)};
-      c.preload = point_interval(1);
-      box.contacts.push_back(c);
-    }
-    box.wrench = {{}, {-load, Rational(1, 10) - load}, {}};
+    const GraspBox box = two_pads(point_interval(1), {{}, {-load, Rational(1, 10) - load}, {}});
     box.check();
     const GraspLaw law(box, NormalLaw::kUnilateral);
     const RoundedBox rounded(law);

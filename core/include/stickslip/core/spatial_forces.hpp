@@ -34,6 +34,9 @@ std::vector<SpatialForce> forces_of(
     const GraspBox& grasp, const RationalRow& d,
     const std::vector<std::pair<ContactId, RationalRow>>& shares);
 
+/// Whether some contact has torsion.
+bool has_torsion(const GraspBox& grasp);
+
 /// The moment of friction about the normal of a contact with torsion, on the body.
 RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact);
 

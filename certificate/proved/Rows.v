@@ -50,13 +50,13 @@ Definition work (r : row) (f : force) (y : list R) : R :=
 Definition normal_law (l : Model.law) (r : row) (v a : R) : Prop :=
   if spring r then a = v else Model.normal_law l v a.
 
-(* What a force has to be at the point (d, h, l). *)
+(* What a force has to be at the point (d, h, l): the normal law, Coulomb's cone, and that friction takes up as
+   much work as the cone allows, which `against_slip` shows to be the law of FORMAT.md. *)
 Definition obeys (w : Model.law) (d : list R) (h l : R) (r : row) (f : force) : Prop :=
   let (a, g) := f in
   normal_law w r (v r d h l) a /\
   size (weights r) g <= rho r * a /\
-  (0 < size (weights r) (slip r d) ->
-     g = scaled (- (rho r * a / size (weights r) (slip r d))) (slip r d)).
+  product (weights r) g (slip r d) = - (rho r * a) * size (weights r) (slip r d).
 
 Record system := System {
   dimension : nat;              (* D *)
@@ -155,4 +155,62 @@ Proof.
   replace (size ws s * size ws t * (size ws s * size ws t))
     with (size ws s * size ws s * (size ws t * size ws t)) in H by ring.
   rewrite !size_square in H by exact P. lra.
+Qed.
+
+Fixpoint plus (a b : list R) : list R :=
+  match a, b with
+  | x :: a', y :: b' => (x + y) :: plus a' b'
+  | [], _ => b
+  | _, [] => a
+  end.
+
+Lemma product_plus ws a b t : product ws (plus a b) t = product ws a t + product ws b t.
+Proof.
+  revert a b t. induction ws as [|w ws IH]; intros [|x a] [|y b] [|z t]; cbn; try ring. rewrite IH. ring.
+Qed.
+
+Lemma dot_plus a b d : dot (plus a b) d = dot a d + dot b d.
+Proof. revert b d. induction a as [|x a IH]; intros [|y b] [|z d]; cbn; try ring. rewrite IH. ring. Qed.
+
+Lemma size_plus ws s t : positive ws -> size ws (plus s t) <= size ws s + size ws t.
+Proof.
+  intros P. pose proof (size_nonneg ws s) as A. pose proof (size_nonneg ws t) as B.
+  apply Rnot_lt_le. intros L. pose proof (product_bound ws s t P) as C.
+  assert ((size ws s + size ws t) * (size ws s + size ws t) < size ws (plus s t) * size ws (plus s t))
+    by (apply Rmult_le_0_lt_compat; lra).
+  rewrite size_square, product_plus, !(product_sym ws _ (plus s t)), !product_plus in H by exact P.
+  rewrite (product_sym ws t s) in H.
+  pose proof (size_square ws s P). pose proof (size_square ws t P). lra.
+Qed.
+
+Lemma size_zero ws s t : positive ws -> size ws s = 0 -> product ws s t = 0.
+Proof.
+  intros P Z. pose proof (product_bound ws s t P) as A.
+  pose proof (product_bound ws (scaled (-1) s) t P) as B. rewrite product_scaled in B.
+  assert (size ws (scaled (-1) s) = 0).
+  { unfold size in *. rewrite product_scaled, product_sym, product_scaled, <- Rmult_assoc.
+    now replace (-1 * -1 * product ws s s) with (product ws s s) by ring. }
+  rewrite H in B. rewrite Z in A. lra.
+Qed.
+
+(* Where something slips, friction is against it. *)
+Theorem against_slip ws g s most : positive ws -> size ws g <= most ->
+  product ws g s = - most * size ws s -> 0 < size ws s ->
+  forall t, product ws g t = - (most / size ws s) * product ws s t.
+Proof.
+  intros P C D S t. set (k := most / size ws s). set (z := plus g (scaled k s)).
+  assert (K : k * size ws s = most) by (unfold k; field; lra).
+  assert (Z : product ws z z <= 0).
+  { unfold z. rewrite product_plus, !(product_sym ws _ (plus g (scaled k s))), !product_plus.
+    rewrite !product_scaled, !(product_sym ws _ (scaled k s)), !product_scaled, (product_sym ws s g), D.
+    rewrite <- (size_square ws g P), <- (size_square ws s P).
+    pose proof (size_nonneg ws g).
+    assert (size ws g * size ws g <= most * most) by (apply Rmult_le_compat; lra).
+    replace (size ws g * size ws g + k * (- most * size ws s) +
+      (k * (- most * size ws s) + k * (k * (size ws s * size ws s))))
+      with (size ws g * size ws g - 2 * most * (k * size ws s) + (k * size ws s) * (k * size ws s)) by ring.
+    rewrite K. lra. }
+  assert (size ws z = 0).
+  { unfold size. pose proof (product_nonneg ws z P). replace (product ws z z) with 0 by lra. apply sqrt_0. }
+  pose proof (size_zero ws z t P H) as E. unfold z in E. rewrite product_plus, product_scaled in E. lra.
 Qed.

@@ -64,14 +64,15 @@ Proof. unfold Rows.v, v, contact_row; cbn [preload growth stiffness Rows.N Rows.
 Lemma obeys_is l d lambda c a g :
   Rows.obeys l d 1 lambda (contact_row c) (a, g) -> obeys l lambda (motion_of d) c (a, at_ g 0).
 Proof.
-  intros (L & C & S). rewrite v_is in L. rewrite slip_is in S. cbn [rho weights contact_row] in *.
+  intros (L & C & S). rewrite v_is in L. rewrite slip_is, size_one in S. cbn [rho weights contact_row] in *.
   assert (C' : Rabs (at_ g 0) <= friction c * a).
   { rewrite <- size_one. eapply Rle_trans; [|exact C]. right. unfold size. f_equal.
     destruct g; unfold at_; cbn; ring. }
-  unfold obeys. rewrite size_one in S. set (t := work (T c) (motion_of d)) in *.
-  split; [exact L|]. split; [exact C'|]. split; intros H.
-  - rewrite Rabs_right in S by lra. rewrite (S H). unfold at_; cbn. field. lra.
-  - rewrite Rabs_left in S by lra. rewrite S by lra. unfold at_; cbn. field. lra.
+  set (t := work (T c) (motion_of d)) in *.
+  replace (product [1] g [t]) with (at_ g 0 * t) in S by (destruct g; unfold at_; cbn; ring).
+  unfold obeys. fold t. split; [exact L|]. split; [exact C'|]. split; intros H.
+  - rewrite Rabs_right in S by lra. apply Rmult_eq_reg_r with t; lra.
+  - rewrite Rabs_left in S by lra. apply Rmult_eq_reg_r with t; lra.
 Qed.
 
 Lemma obeys_as_row l d lambda c f : obeys l lambda d c f ->
@@ -79,11 +80,11 @@ Lemma obeys_as_row l d lambda c f : obeys l lambda d c f ->
 Proof.
   destruct f as [a b]. intros (L & C & P & M). unfold row_force; cbn [fst snd Rows.obeys].
   rewrite v_is, slip_is, of_list. cbn [rho weights contact_row]. rewrite !size_one.
-  split; [exact L|]. split; [exact C|]. set (t := work (T c) d) in *. intros H.
-  unfold scaled; cbn. f_equal. destruct (Rlt_dec 0 t).
-  - rewrite P, Rabs_right by lra. field. lra.
-  - assert (t < 0) by (unfold Rabs in H; destruct (Rcase_abs t); lra).
-    rewrite M, Rabs_left by lra. field. lra.
+  split; [exact L|]. split; [exact C|]. set (t := work (T c) d) in *. cbn.
+  destruct (Rtotal_order t 0) as [H|[H|H]].
+  - rewrite M, Rabs_left by exact H. ring.
+  - rewrite H, Rabs_R0. ring.
+  - rewrite P, Rabs_right by lra. ring.
 Qed.
 
 Lemma works_are cs fs y :
@@ -252,20 +253,25 @@ Proof.
   unfold size, norm, dot, vector_of, at_. f_equal. destruct g as [|a [|b [|c g]]]; cbn; ring.
 Qed.
 
+Lemma three_positive : positive [1; 1; 1].
+Proof. repeat constructor; lra. Qed.
+
 Lemma space_obeys_is l d lambda c f : Rows.obeys l d 1 lambda (space_contact_row c) f ->
   obeys l lambda (screw_of d) c (space_force c f).
 Proof.
   destruct f as [a g]. intros (L & C & S). rewrite space_v_is in L. rewrite space_slip_is in S.
-  cbn [rho weights space_contact_row] in *. rewrite size_is in S. rewrite <- size_of_list in C.
+  cbn [rho weights space_contact_row] in *.
   unfold obeys, space_force; cbn [fst snd].
   split; [exact L|]. split; [apply dot_across|]. split.
-  - eapply Rle_trans; [apply norm_across|exact C].
-  - intros NZ. apply norm_positive in NZ. rewrite (S NZ).
-    set (k := - (friction c * length c * a / norm (slip c (screw_of d)))).
-    assert (E : vector_of (scaled k (vector_list (slip c (screw_of d)))) = scale k (slip c (screw_of d)))
-      by reflexivity.
-    rewrite E. apply across_idle. rewrite slip_across.
-    transitivity (k * dot (across (normal c) (moved c (screw_of d))) (normal c));
+  - rewrite <- size_of_list in C. eapply Rle_trans; [apply norm_across|exact C].
+  - intros NZ. apply norm_positive in NZ. rewrite <- size_is in NZ.
+    pose proof (against_slip _ _ _ _ three_positive C S NZ) as G. rewrite size_is in G.
+    set (s := slip c (screw_of d)) in *. set (k := friction c * length c * a / norm s) in *.
+    pose proof (G [1]) as G1. pose proof (G [0; 1]) as G2. pose proof (G [0; 0; 1]) as G3.
+    assert (E : vector_of g = scale (- k) s).
+    { unfold vector_of, scale, at_. destruct g as [|g1 [|g2 [|g3 g]]]; cbn in *; f_equal; lra. }
+    rewrite E. apply across_idle. unfold s. rewrite slip_across.
+    transitivity (- k * dot (across (normal c) (moved c (screw_of d))) (normal c));
       [unfold dot, scale; cbn; ring|]. rewrite dot_across. ring.
 Qed.
 
@@ -274,8 +280,23 @@ Lemma space_obeys_as_row l d lambda c f : obeys l lambda d c f ->
 Proof.
   destruct f as [a f]. intros (L & _ & C & S). unfold space_row_force; cbn [fst snd Rows.obeys].
   rewrite space_v_is, space_slip_is, screw_of_list. cbn [rho weights space_contact_row].
-  rewrite !size_is. split; [exact L|]. split; [exact C|]. intros NZ. rewrite S by now apply norm_positive.
-  reflexivity.
+  rewrite !size_is. split; [exact L|]. split; [exact C|].
+  rewrite product_three. change (vector_of (vector_list f)) with (Vector (x f) (y f) (z f)).
+  set (s := slip c d) in *. pose proof (sqrt_pos (dot s s)) as NN. fold (norm s) in NN.
+  assert (SQ : norm s * norm s = dot s s).
+  { apply sqrt_sqrt. unfold dot. pose proof (Rle_0_sqr (x s)) as A. pose proof (Rle_0_sqr (y s)) as B.
+    pose proof (Rle_0_sqr (z s)) as D. unfold Rsqr in *. lra. }
+  destruct (Rle_lt_or_eq_dec 0 (norm s) NN) as [P|Z].
+  - rewrite S by now apply norm_positive. set (m := friction c * length c * a).
+    replace (dot (Vector (x (scale (- (m / norm s)) s)) (y (scale (- (m / norm s)) s))
+                    (z (scale (- (m / norm s)) s))) s) with (- (m / norm s) * dot s s)
+      by (unfold dot, scale; cbn; ring).
+    rewrite <- SQ. field. lra.
+  - rewrite <- Z. rewrite <- Z in SQ. assert (E : s = zero).
+    { destruct s as [p q r]. unfold dot in SQ; cbn in SQ. pose proof (Rle_0_sqr p) as A.
+      pose proof (Rle_0_sqr q) as B. pose proof (Rle_0_sqr r) as D. unfold Rsqr in *. unfold zero.
+      f_equal; apply Rsqr_0_uniq; unfold Rsqr; lra. }
+    rewrite E. unfold dot, zero; cbn. ring.
 Qed.
 
 Lemma contact_work c a f d : dot f (normal c) = 0 ->

@@ -190,16 +190,19 @@ Proof.
   - intros E. injection E as -> -> ->. lra.
 Qed.
 
+Lemma no_length n : dot n n = 0 -> n = zero.
+Proof.
+  intros Z. destruct n as [p q r]. unfold dot in Z; cbn in Z. pose proof (Rle_0_sqr p) as A.
+  pose proof (Rle_0_sqr q) as B. pose proof (Rle_0_sqr r) as C.
+  unfold Rsqr in *. unfold zero. f_equal; apply Rsqr_0_uniq; unfold Rsqr; lra.
+Qed.
+
 (* What is along the normal of a friction does no work on slips, which are across it. *)
 Lemma friction_across c (g e : vector) :
   dot (across (normal c) g) (across (normal c) e) = dot g (across (normal c) e).
 Proof.
   unfold across. set (n := normal c). destruct (Req_dec (dot n n) 0) as [Z|Z].
-  - assert (E : n = zero).
-    { destruct n as [p q r]. unfold dot in Z; cbn in Z.
-      pose proof (Rle_0_sqr p) as A. pose proof (Rle_0_sqr q) as B. pose proof (Rle_0_sqr r) as C.
-      unfold Rsqr in *. unfold zero. f_equal; apply Rsqr_0_uniq; unfold Rsqr; lra. }
-    rewrite E. unfold dot, add, scale, zero; cbn. ring.
+  - rewrite (no_length n Z). unfold dot, add, scale, zero; cbn. ring.
   - unfold dot, add, scale in *; cbn in *. field. exact Z.
 Qed.
 
@@ -215,11 +218,7 @@ Qed.
 Lemma dot_across n g : dot (across n g) n = 0.
 Proof.
   unfold across. destruct (Req_dec (dot n n) 0) as [Z|Z].
-  - assert (E : n = zero).
-    { destruct n as [p q r]. unfold dot in Z; cbn in Z.
-      pose proof (Rle_0_sqr p) as A. pose proof (Rle_0_sqr q) as B. pose proof (Rle_0_sqr r) as C.
-      unfold Rsqr in *. unfold zero. f_equal; apply Rsqr_0_uniq; unfold Rsqr; lra. }
-    rewrite E. unfold dot, zero; cbn. ring.
+  - rewrite (no_length n Z). unfold dot, zero; cbn. ring.
   - unfold dot, add, scale in *; cbn in *. field. exact Z.
 Qed.
 
@@ -292,11 +291,7 @@ Proof.
                     (z (scale (- (m / norm s)) s))) s) with (- (m / norm s) * dot s s)
       by (unfold dot, scale; cbn; ring).
     rewrite <- SQ. field. lra.
-  - rewrite <- Z. rewrite <- Z in SQ. assert (E : s = zero).
-    { destruct s as [p q r]. unfold dot in SQ; cbn in SQ. pose proof (Rle_0_sqr p) as A.
-      pose proof (Rle_0_sqr q) as B. pose proof (Rle_0_sqr r) as D. unfold Rsqr in *. unfold zero.
-      f_equal; apply Rsqr_0_uniq; unfold Rsqr; lra. }
-    rewrite E. unfold dot, zero; cbn. ring.
+  - rewrite <- Z in *. rewrite (no_length s) by lra. unfold dot, zero; cbn. ring.
 Qed.
 
 Lemma contact_work c a f d : dot f (normal c) = 0 ->

@@ -226,6 +226,8 @@ val all_some_after :
 
 val all_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 list option
 
+val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option
+
 type json =
 | Null
 | Boolean of bool
@@ -367,7 +369,10 @@ type advice =
 
 type 'memory oracle = { begin0 : (nat -> 'memory);
                         advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list) }
+                                 -> 'memory * advice list);
+                        foremost : ('memory -> (Big_int_Z.big_int
+                                   list * bool) list -> Big_int_Z.big_int
+                                   list) }
 
 val qabs : q -> q
 
@@ -672,6 +677,12 @@ val cut_region :
 
 val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region
 
+val of_numbers :
+  (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list
+
+val cut_by :
+  'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region
+
 val child : 'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region
 
 val at_leaf : ('a1, 'a2) region -> form list list * ray list
@@ -691,8 +702,6 @@ val basis : nat -> nat -> form list
 val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region
 
 val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
-
-val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option
 
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
@@ -844,7 +853,7 @@ val segments_fail :
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
-val gaps_from : q -> bool -> (q * q option) list -> range list
+val gaps_from : q -> bool -> (q * q option) list -> range list -> range list
 
 val gaps : (q * q option) list -> range list
 

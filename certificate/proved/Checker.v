@@ -82,6 +82,82 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
     end
   else NotProvedHere "a margin of a box".
 
+(* ---- Claims ---- *)
+
+(* w and P are 0. *)
+Definition at_rest (q : question) : bool :=
+  let is_0 i := Qeq_bool (low i) 0 && Qeq_bool (high i) 0 in
+  forallb is_0 (wrench q) && forallb (fun c => is_0 (preload c)) (contacts q).
+
+(* Of the interval after one that ended with `before`. *)
+Definition in_order (stable : bool) (before : option Q) (lo : Q) (hi : option Q) : bool :=
+  match before with
+  | None => false
+  | Some b =>
+      Qle_bool b lo &&
+      match hi with Some h => if stable then Qle_bool lo h else Qlt_bool lo h | None => true end
+  end.
+
+(* Nothing, if the points hold all from lo to hi. *)
+Definition points_fail (q : question) (s : setting) (number : nat) (lo : Q) (hi : option Q)
+    (points : list witness) : option answer :=
+  let at_ l w := check_at (bilateral q) (dimension q) (rows s) (the_load s) (Point (Some l) w) in
+  let low := match hi with None => 1%Q | Some _ => lo end in
+  let failing rule second := Some (Rejected rule (AtPointOf number second)) in
+  if negb (is_one_grasp s) then failing "witness-box" false
+  else
+    match points, hi with
+    | [w], _ =>
+        match at_ low w with
+        | inr rule => failing rule false
+        | inl _ => if match hi with Some h => Qeq_bool lo h | None => true end then None
+                   else Some (NotProvedHere "one point of two")
+        end
+    | [w; w'], Some h =>
+        match at_ low w with
+        | inr rule => failing rule false
+        | inl ss =>
+            match at_ h w' with
+            | inr rule => failing rule true
+            | inl ss' =>
+                if same_mode ss ss' then None else Some (Rejected "segment-mode" (AtInterval number))
+            end
+        end
+    | _, _ => Some (NotProvedHere "points of another number")
+    end.
+
+(* With the claim, and as one with that before if they touch. *)
+Definition joined (resisted : list (Q * option Q)) (lo : Q) (hi : option Q) : list (Q * option Q) :=
+  match resisted with
+  | (lo', Some hi') :: rest => if Qeq_bool hi' lo then (lo', hi) :: rest else (lo, hi) :: resisted
+  | _ => (lo, hi) :: resisted
+  end.
+
+(* `resisted` and `refuted` are in reverse order. *)
+Fixpoint check_claims (q : question) (s : setting) (claims : list claim) (before : option Q) (number : nat)
+    (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool)) : answer :=
+  match claims with
+  | [] => Claims (rev_append resisted []) (rev_append refuted [])
+  | ClaimPart _ _ _ :: _ => NotProvedHere "a proof by degree or at rest"
+  | ClaimPoints lo hi points :: rest =>
+      if negb (in_order true before lo hi) then Rejected "interval-order" (AtInterval number)
+      else if match hi with None => negb (Qeq_bool lo 0 && at_rest q) | Some _ => false end
+      then Rejected "interval-whole" (AtInterval number)
+      else
+        match points_fail q s number lo hi points with
+        | Some failure => failure
+        | None => check_claims q s rest hi (S number) (joined resisted lo hi) refuted
+        end
+  | ClaimUnstable lo hi nodes :: rest =>
+      if negb (in_order false before lo hi) then Rejected "interval-order" (AtInterval number)
+      else
+        let with_low := match number with O => Qeq_bool lo 0 && negb (at_rest q) | _ => false end in
+        match refute q s [Range lo hi (negb with_low) true] nodes with
+        | Some (rule, node) => Rejected rule (AtNodeOf number node)
+        | None => check_claims q s rest hi (S number) resisted ((lo, hi, with_low) :: refuted)
+        end
+  end.
+
 Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "normals that are uncertain, or numbers of the question"
@@ -92,7 +168,10 @@ Definition check (q : question) (c : certificate) : answer :=
       | StableByParts _, false => NotProvedHere "a proof by degree or at rest"
       | MarginBy resisted segments nodes, true => check_margin q s resisted segments nodes
       | MarginByDegree, true => NotProvedHere "segments by degree"
-      | MarginInSpace _, true => NotProvedHere "a margin in space"
+      | MarginInSpace claims, true =>
+          if forallb (fun c => match c with ClaimPart _ _ _ => false | _ => true end) claims
+          then check_claims q s claims (Some 0%Q) 0 [] []
+          else NotProvedHere "a proof by degree or at rest"
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end
   end.

@@ -64,6 +64,9 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | Unstable => forall s, choice_of q s -> ~ Rows.stable_at s 0
   | Margin intervals => forall s, choice_of q s -> forall l, 0 <= l ->
       (Rows.stable_at s l <-> Exists (among l) intervals)
+  | Claims resisted refuted => forall s, choice_of q s -> forall l, 0 <= l ->
+      (Exists (among l) resisted -> Rows.stable_at s l) /\
+      (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
@@ -77,6 +80,49 @@ Proof.
   - intros St. apply (H (space_grasp_rows g)); [right; now exists g|]. now apply space_stable_as_rows.
   - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
   - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
+  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
+  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
+Qed.
+
+(* Where w and P are 0, so they are of each choice. *)
+Lemma choice_at_rest q s : choice_of q s -> at_rest q = true ->
+  (forall y, Rows.dot (Rows.wrench s) y = 0) /\ Forall (fun r => Rows.preload r = 0) (Rows.rows s).
+Proof.
+  intros C A. unfold at_rest in A. apply andb_true_iff in A as [Aw Ap].
+  assert (Z : forall i x, Qeq_bool (low i) 0 && Qeq_bool (high i) 0 = true -> within i x -> x = 0).
+  { intros i x H [L U]. apply andb_true_iff in H as [H1 H2].
+    apply Qeq_bool_eq, Qeq_eqR in H1, H2. rewrite Q2R_0 in *. lra. }
+  assert (Wz : forall w, Forall2 within (wrench q) w -> forall y, Rows.dot w y = 0).
+  { intros w F. revert Aw. induction F as [|i x is w W F IH]; intros Aw [|z y]; cbn; try reflexivity.
+    cbn in Aw. apply andb_true_iff in Aw as [Ai Aw]. rewrite (Z i x Ai W), (IH Aw y). ring. }
+  assert (Pz : forall (B : Type) (P : contact -> B -> Prop) (f : B -> Rows.row) cs,
+    (forall c b, P c b -> exists p len, within (preload c) p /\ Rows.preload (f b) = p / len) ->
+    Forall2 P (contacts q) cs -> Forall (fun r => Rows.preload r = 0) (map f cs)).
+  { intros B P f cs H F. revert Ap. induction F as [|c b qs cs Pc F IH]; intros Ap; cbn; constructor;
+      cbn in Ap; apply andb_true_iff in Ap as [Ai Ap]; [|now apply IH].
+    destruct (H c b Pc) as (p & len & W & ->). rewrite (Z _ _ Ai W). unfold Rdiv. ring. }
+  destruct C as [(g & (_ & F & W & _) & ->)|(g & (_ & F & W & _) & ->)];
+    (split; [now apply Wz|]); cbn [Rows.rows grasp_rows space_grasp_rows].
+  - apply (Pz _ chosen_contact); [|exact F]. intros c b (_ & _ & _ & Wp & _). do 2 eexists. split; [exact Wp|reflexivity].
+  - apply (Pz _ chosen_contact_in_space); [|exact F]. intros c b (_ & _ & _ & Wp & _). do 2 eexists.
+    split; [exact Wp|reflexivity].
+Qed.
+
+(* Then an equilibrium for one multiple is one for all, times a number. *)
+Lemma resists_all s l : (forall y, Rows.dot (Rows.wrench s) y = 0) ->
+  Forall (fun r => Rows.preload r = 0) (Rows.rows s) ->
+  Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s) ->
+  0 <= l -> Rows.stable_at s 1 -> Rows.stable_at s l.
+Proof.
+  intros W P Po L (d & fs & E).
+  destruct (mixture s _ _ _ _ _ _ _ _ l 0 L (Rle_refl 0) E E (self_modes s _ _ _ _ E Po)) as (gs & G).
+  exists (mix l d 0 d), gs. destruct G as (Len & O & B). split; [exact Len|]. split.
+  - clear B Po E W Len. revert P. induction O as [|r [a g] rs gs Or O IH]; intros P; [constructor|].
+    inversion P as [|? ? P1 P2]; subst. constructor; [|now apply IH].
+    destruct Or as (Law & Rest). split; [|exact Rest].
+    assert (V : Rows.v r (mix l d 0 d) (l * 1 + 0 * 1) (l * 1 + 0 * 1) = Rows.v r (mix l d 0 d) 1 l)
+      by (unfold Rows.v; rewrite P1; ring). now rewrite <- V.
+  - intros y. specialize (B y). unfold Rows.load in *. rewrite W in *. lra.
 Qed.
 
 Section Correct.
@@ -99,6 +145,93 @@ Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
 Proof.
   intros [] X. unfold is_one_grasp in X. apply andb_true_iff in X as [X1 X2].
   split; [exact X1|]. rewrite posed_load0 in *. now constructor.
+Qed.
+
+Lemma joined_holds l resisted lo hi : Exists (among l) (joined resisted lo hi) ->
+  among l (lo, hi) \/ Exists (among l) resisted.
+Proof.
+  unfold joined. assert (Plain : Exists (among l) ((lo, hi) :: resisted) -> among l (lo, hi) \/ Exists (among l) resisted)
+    by (intros E; inversion E; subst; auto).
+  destruct resisted as [|[lo' [hi'|]] rest]; [exact Plain| |exact Plain].
+  destruct (Qeq_bool hi' lo) eqn:T; [|exact Plain].
+  apply Qeq_bool_R in T. intros E. inversion E as [? ? [A B]|]; subst; [|right; now apply Exists_cons_tl].
+  cbn [fst snd] in *. destruct (Rle_dec l (Q2R hi')) as [H|H].
+  - right. apply Exists_cons_hd. now split.
+  - left. split; cbn [fst snd]; [lra|exact B].
+Qed.
+
+Lemma in_order_from stable before lo hi b : in_order stable before lo hi = true -> before = Some b ->
+  Q2R b <= Q2R lo /\ match hi with Some h => Q2R lo <= Q2R h | None => True end.
+Proof.
+  intros H ->. unfold in_order in H. apply andb_true_iff in H as [H1 H2]. split; [now apply Qle_bool_R|].
+  destruct hi as [h|]; [|exact I]. destruct stable; [now apply Qle_bool_R|]. left. now apply Qlt_bool_R.
+Qed.
+
+Lemma points_hold q st number lo hi points s l : poses q st s -> choice_of q s ->
+  points_fail q st number lo hi points = None ->
+  (hi = None -> Qeq_bool lo 0 && at_rest q = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
+Proof.
+  intros P C H Whole L [A B]. cbn [fst snd] in A, B. unfold points_fail in H.
+  destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
+  destruct (one_grasp _ _ _ P X) as [E Lo]. pose proof P as []. destruct posed_dimension0 as [_ D]. rewrite D in H.
+  assert (Po : Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s))
+    by (eapply rows_positive; eassumption).
+  destruct points as [|w [|w' [|? ?]]]; try discriminate.
+  - destruct (check_at _ _ _ _ (Point (Some (match hi with Some _ => lo | None => 1%Q end)) w)) as [ss|] eqn:K;
+      [|discriminate].
+    pose proof (point_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ K eq_refl) as St.
+    destruct hi as [h|].
+    + destruct (Qeq_bool lo h) eqn:T; [|discriminate]. apply Qeq_bool_R in T.
+      replace l with (Q2R lo) by lra. exact St.
+    + specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ R]. rewrite Q2R_1 in St.
+      destruct (choice_at_rest q s C R) as [Wz Pz]. now apply resists_all.
+  - destruct hi as [h|]; [|discriminate].
+    destruct (check_at _ _ _ _ (Point (Some lo) w)) as [ss|] eqn:K; [|discriminate].
+    destruct (check_at _ _ _ _ (Point (Some h) w')) as [ss'|] eqn:K'; [|discriminate].
+    destruct (same_mode ss ss') eqn:M; [|discriminate].
+    exact (segment_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ _ lo l K K' M eq_refl A B).
+Qed.
+
+Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
+  forall claims before number resisted refuted,
+  match before with Some b => 0 <= Q2R b | None => True end ->
+  true_of_rows q (Claims (rev_append resisted []) (rev_append refuted [])) ->
+  true_of_rows q (check_claims memory advisor q st claims before number resisted refuted).
+Proof.
+  intros P. induction claims as [|cl claims IH]; intros before number resisted refuted B0 T; cbn [check_claims];
+    [exact T|].
+  assert (T' : forall s, choice_of q s -> forall l, 0 <= l ->
+    (Exists (among l) resisted -> Rows.stable_at s l) /\ (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)).
+  { intros s C l L. destruct (T s C l L) as [A B]. rewrite !rev_append_rev, !app_nil_r in *.
+    split; intros E; [apply A|apply B]; now apply Exists_rev. }
+  assert (Back : forall resisted' refuted',
+    (forall s, choice_of q s -> forall l, 0 <= l ->
+      (Exists (among l) resisted' -> Rows.stable_at s l) /\ (Exists (refuted_by l) refuted' -> ~ Rows.stable_at s l)) ->
+    true_of_rows q (Claims (rev_append resisted' []) (rev_append refuted' []))).
+  { intros r1 r2 H s C l L. rewrite !rev_append_rev, !app_nil_r. destruct (H s C l L) as [A B].
+    split; intros E; apply Exists_rev in E; rewrite rev_involutive in E; [now apply A|now apply B]. }
+  destruct cl as [lo hi part|lo hi points|lo hi nodes]; [exact I| |].
+  - destruct (in_order true before lo hi) eqn:O; [cbn [negb]|exact I].
+    destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
+    destruct (match hi with None => _ | Some _ => false end) eqn:Wh; [exact I|].
+    destruct (points_fail q st number lo hi points) as [a|] eqn:K.
+    { destruct a; try exact I; exfalso; revert K; clear; unfold points_fail;
+        repeat match goal with |- context [match ?x with _ => _ end] => destruct x end; discriminate. }
+    apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
+    split; [|exact B]. intros E. apply joined_holds in E as [E|E]; [|now apply A].
+    apply (points_hold q st number lo hi points s l (P s C) C K); try assumption.
+    intros ->. now apply negb_false_iff.
+  - destruct (in_order false before lo hi) eqn:O; [cbn [negb]|exact I].
+    destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
+    set (with_low := match number with O => _ | S _ => false end).
+    destruct (refute _ _ _ _ _ _) as [[rule node]|] eqn:R; [exact I|].
+    apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
+    split; [exact A|]. intros E. apply Exists_cons in E as [E|E]; [|now apply B].
+    unfold refuted_by in E. destruct E as [Lo Hi].
+    apply (refute_correct q st s _ _ l (P s C) R L). constructor. unfold in_range; cbn [range_low range_high open_low open_high].
+    split; [destruct Lo as [Lo|[_ Lo]]; lra|]. split.
+    + intros N. destruct Lo as [Lo|[Wl _]]; [exact Lo|]. fold with_low in Wl. rewrite Wl in N. discriminate.
+    + destruct hi as [h|]; [|exact I]. split; [lra|auto].
 Qed.
 
 Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
@@ -128,6 +261,9 @@ Proof.
     + intros A. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in SF.
       eapply segments_resist; try eassumption; [discriminate|].
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
+  - (* claims *)
+    destruct (forallb _ claims); [|exact I]. apply claims_true; [exact P|rewrite Q2R_0; lra|].
+    intros s C l L. split; intros E; inversion E.
 Qed.
 
 (* Whatever the certificate and the oracle's advice are, the answer is true. *)

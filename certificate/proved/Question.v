@@ -91,12 +91,17 @@ Inductive place :=
   | AtContact (number : Z)            (* of a witness *)
   | AtInterval (number : nat)
   | AtSegment (number : nat)
-  | AtPoint (segment : nat) (second : bool).
+  | AtPoint (segment : nat) (second : bool)
+  | AtPointOf (interval : nat) (second : bool)
+  | AtNodeOf (interval : nat) (number : nat).
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)
   | Unstable                                       (* likewise *)
   | Margin (resisted : list (Q * option Q))        (* exactly these multiples; None: no end *)
+  (* These multiples, and not those between the numbers of these; where the flag is set, not at the low one
+     either.  Nothing is claimed of others. *)
+  | Claims (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool))
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 

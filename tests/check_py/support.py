@@ -28,6 +28,7 @@ STICKSLIP_PROVED = os.environ.get("STICKSLIP_PROVED")
 NOT_JUDGED = 3  # by stickslip-proved: its theorem does not cover the question
 sys.path[:0] = [os.path.dirname(CHECK), os.path.join(HERE, "..", "rules"), os.path.join(HERE, "..", "support"), HERE]
 
+import batch  # noqa: E402
 import check  # noqa: E402
 import corpus  # noqa: E402, F401
 from in_process import in_process  # noqa: E402
@@ -78,11 +79,9 @@ def as_bytes(content):
 
 
 def is_covered(certificate_file):
-    """Whether stickslip-proved judges this of one body: no proof by degree or at rest, and no margin in space."""
+    """Whether stickslip-proved judges this of one body: no proof by degree or at rest."""
     try:
-        content = json.loads(as_bytes(certificate_file))
-        by_degree = any(isinstance(segment, dict) for segment in content.get("segments", []))
-        return "parts" not in content and "intervals" not in content and not by_degree
+        return not batch.has_parts(json.loads(as_bytes(certificate_file)))
     except (ValueError, TypeError, AttributeError, RecursionError):
         return True
 

@@ -88,15 +88,22 @@ def check_js(lines):
     return len(wrong)
 
 
+def has_parts(certificate):
+    """Whether something of it is proved by degree or at rest."""
+    def is_part(evidence):
+        return isinstance(evidence, dict) and "shares" not in evidence
+
+    claims = certificate.get("intervals")
+    return "parts" in certificate or any(isinstance(segment, dict) for segment in certificate.get("segments") or []) or (
+        isinstance(claims, list) and any(isinstance(claim, list) and any(map(is_part, claim)) for claim in claims))
+
+
 def is_covered(question):
-    """Whether stickslip-proved judges this: no proof by degree, no margin in space, and not several bodies."""
+    """Whether stickslip-proved judges this: no proof by degree or at rest, and not several bodies."""
     if "stickslip-grasp/3" in question["grasp"]:  # whatever else is wrong
         return False
     try:
-        certificate = json.loads(question["certificate"])
-        segments = certificate.get("segments", [])
-        return ("parts" not in certificate and "intervals" not in certificate
-                and not any(isinstance(segment, dict) for segment in segments))
+        return not has_parts(json.loads(question["certificate"]))
     except (ValueError, TypeError, AttributeError, RecursionError):
         return True
 

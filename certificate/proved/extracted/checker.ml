@@ -1214,11 +1214,14 @@ type place =
 | AtInterval of nat
 | AtSegment of nat
 | AtPoint of nat * bool
+| AtPointOf of nat * bool
+| AtNodeOf of nat * nat
 
 type answer =
 | Stable
 | Unstable
 | Margin of (q * q option) list
+| Claims of (q * q option) list * ((q * q option) * bool) list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -3600,6 +3603,140 @@ let check_margin advisor q0 s resisted segments nodes =
               | None -> Margin resisted)))
   else NotProvedHere "a margin of a box"
 
+(** val at_rest : question -> bool **)
+
+let at_rest q0 =
+  let is_1 = fun i ->
+    (&&)
+      (qeq_bool i.low { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int })
+      (qeq_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int })
+  in
+  (&&) (forallb is_1 q0.wrench)
+    (forallb (fun c -> is_1 c.preload) q0.contacts)
+
+(** val in_order : bool -> q option -> q -> q option -> bool **)
+
+let in_order stable before lo hi =
+  match before with
+  | Some b ->
+    (&&) (qle_bool b lo)
+      (match hi with
+       | Some h -> if stable then qle_bool lo h else qlt_bool lo h
+       | None -> true)
+  | None -> false
+
+(** val points_fail :
+    question -> setting -> nat -> q -> q option -> witness list -> answer
+    option **)
+
+let points_fail q0 s number lo hi points =
+  let at_ = fun l w ->
+    check_at q0.bilateral q0.dimension s.rows s.the_load { multiple = (Some
+      l); point_witness = w }
+  in
+  let low0 =
+    match hi with
+    | Some _ -> lo
+    | None -> { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+  in
+  let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
+    second))))
+  in
+  if negb (is_one_grasp s)
+  then failing "witness-box" false
+  else (match points with
+        | [] -> Some (NotProvedHere "points of another number")
+        | w :: l ->
+          (match l with
+           | [] ->
+             (match at_ low0 w with
+              | Inl _ ->
+                if match hi with
+                   | Some h -> qeq_bool lo h
+                   | None -> true
+                then None
+                else Some (NotProvedHere "one point of two")
+              | Inr rule -> failing rule false)
+           | w' :: l0 ->
+             (match l0 with
+              | [] ->
+                (match hi with
+                 | Some h ->
+                   (match at_ low0 w with
+                    | Inl ss ->
+                      (match at_ h w' with
+                       | Inl ss' ->
+                         if same_mode ss ss'
+                         then None
+                         else Some (Rejected ("segment-mode", (AtInterval
+                                number)))
+                       | Inr rule -> failing rule true)
+                    | Inr rule -> failing rule false)
+                 | None -> Some (NotProvedHere "points of another number"))
+              | _ :: _ -> Some (NotProvedHere "points of another number"))))
+
+(** val joined :
+    (q * q option) list -> q -> q option -> (q * q option) list **)
+
+let joined resisted lo hi =
+  match resisted with
+  | [] -> (lo, hi) :: resisted
+  | p :: rest ->
+    let (lo', o) = p in
+    (match o with
+     | Some hi' ->
+       if qeq_bool hi' lo then (lo', hi) :: rest else (lo, hi) :: resisted
+     | None -> (lo, hi) :: resisted)
+
+(** val check_claims :
+    'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
+    (q * q option) list -> ((q * q option) * bool) list -> answer **)
+
+let rec check_claims advisor q0 s claims before number resisted refuted =
+  match claims with
+  | [] -> Claims ((rev_append resisted []), (rev_append refuted []))
+  | c :: rest ->
+    (match c with
+     | ClaimPart (_, _, _) -> NotProvedHere "a proof by degree or at rest"
+     | ClaimPoints (lo, hi, points) ->
+       if negb (in_order true before lo hi)
+       then Rejected ("interval-order", (AtInterval number))
+       else if match hi with
+               | Some _ -> false
+               | None ->
+                 negb
+                   ((&&)
+                     (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
+                       Big_int_Z.unit_big_int }) (at_rest q0))
+            then Rejected ("interval-whole", (AtInterval number))
+            else (match points_fail q0 s number lo hi points with
+                  | Some failure -> failure
+                  | None ->
+                    check_claims advisor q0 s rest hi (S number)
+                      (joined resisted lo hi) refuted)
+     | ClaimUnstable (lo, hi, nodes) ->
+       if negb (in_order false before lo hi)
+       then Rejected ("interval-order", (AtInterval number))
+       else let with_low =
+              match number with
+              | O ->
+                (&&)
+                  (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int }) (negb (at_rest q0))
+              | S _ -> false
+            in
+            (match refute advisor q0 s ({ range_low = lo; range_high = hi;
+                     open_low = (negb with_low); open_high = true } :: [])
+                     nodes with
+             | Some p ->
+               let (rule, node0) = p in
+               Rejected (rule, (AtNodeOf (number, node0)))
+             | None ->
+               check_claims advisor q0 s rest hi (S number) resisted (((lo,
+                 hi), with_low) :: refuted)))
+
 (** val check : 'a1 oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
@@ -3626,9 +3763,16 @@ let check advisor q0 c =
        if q0.is_margin
        then NotProvedHere "segments by degree"
        else NotProvedHere "a proof of something else than was asked"
-     | MarginInSpace _ ->
+     | MarginInSpace claims ->
        if q0.is_margin
-       then NotProvedHere "a margin in space"
+       then if forallb (fun c0 ->
+                 match c0 with
+                 | ClaimPart (_, _, _) -> false
+                 | _ -> true) claims
+            then check_claims advisor q0 s claims (Some { qnum =
+                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
+                   [] []
+            else NotProvedHere "a proof by degree or at rest"
        else NotProvedHere "a proof of something else than was asked")
   | None ->
     NotProvedHere "normals that are uncertain, or numbers of the question"

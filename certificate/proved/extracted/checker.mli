@@ -355,11 +355,14 @@ type place =
 | AtInterval of nat
 | AtSegment of nat
 | AtPoint of nat * bool
+| AtPointOf of nat * bool
+| AtNodeOf of nat * nat
 
 type answer =
 | Stable
 | Unstable
 | Margin of (q * q option) list
+| Claims of (q * q option) list * ((q * q option) * bool) list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -882,6 +885,19 @@ val check_tree : 'a1 oracle -> question -> setting -> node list -> answer
 val check_margin :
   'a1 oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
+
+val at_rest : question -> bool
+
+val in_order : bool -> q option -> q -> q option -> bool
+
+val points_fail :
+  question -> setting -> nat -> q -> q option -> witness list -> answer option
+
+val joined : (q * q option) list -> q -> q option -> (q * q option) list
+
+val check_claims :
+  'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
+  (q * q option) list -> ((q * q option) * bool) list -> answer
 
 val check : 'a1 oracle -> question -> certificate -> answer
 

@@ -88,7 +88,7 @@ Hypothesis inverse_not_zero : forall f, (forall j, (j < n)%nat -> inverse f j = 
 (* Forces at e, at the time s from 0 to 2; the larger k, the better they approach the law, *)
 Variable forces : nat -> R -> vec -> vec.
 Hypothesis forces_continuous : forall k j, (j < n)%nat -> forall s s' e e',
-  Un_cv s s' -> converges n e e' -> Un_cv (fun m => forces k (s m) (e m) j) (forces k s' e' j).
+  (forall m, 0 <= s m <= 2) -> Un_cv s s' -> converges n e e' -> Un_cv (fun m => forces k (s m) (e m) j) (forces k s' e' j).
 Hypothesis forces_at_0 : forall k e j, (j < n)%nat -> forces k 0 e j = pull e j.
 
 (* by which there is balance at the time s and e. *)
@@ -134,7 +134,7 @@ Proof.
   destruct (zero_in_box n (fun i => B i + 1) (fun e => inverse (forces k (time k e) e))) as [e _ Z].
   - exact B0.
   - intros j J u x U. apply (inverse_continuous j J (fun m => forces k (time k (u m)) (u m))).
-    intros i I. apply forces_continuous; [exact I| |exact U].
+    intros i I. apply forces_continuous; [exact I|intros m; apply time_range| |exact U].
     apply cv_multiple, cv_min; [apply cv_constant|]. apply cv_max; [apply cv_constant|].
     apply CV_mult; [|apply cv_constant]. now apply inside_continuous.
   - intros e j J _ E. specialize (B0 j J). rewrite Outside; [lra|exact J|]. apply (Face e j J).

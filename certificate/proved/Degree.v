@@ -260,11 +260,11 @@ Hypothesis way_holds : forall t e fs, 0 < t <= 1 -> on_wall e -> forces_obey t e
 (* The walls of K, and those that make it bounded. *)
 Definition all_walls : list (list R) := walls ++ free ++ map (scaled (-1)) free.
 
-Definition inside (e : vec) : R := fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 all_walls.
+Definition gap (e : vec) : R := fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 all_walls.
 
-Lemma inside_least e c : c <= inside e <-> c <= 1 /\ Forall (fun f => dot f (listed D e) <= 1 - c) all_walls.
+Lemma gap_least e c : c <= gap e <-> c <= 1 /\ Forall (fun f => dot f (listed D e) <= 1 - c) all_walls.
 Proof.
-  unfold inside. induction all_walls as [|f fs IH]; cbn.
+  unfold gap. induction all_walls as [|f fs IH]; cbn.
   - split; [auto|tauto].
   - split.
     + intros H. pose proof (Rmin_l (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 fs)).
@@ -273,25 +273,25 @@ Proof.
     + intros [C F]. inversion F; subst. apply Rmin_glb; [lra|]. now apply IH.
 Qed.
 
-Lemma inside_zero e : inside e = 0 -> Exists (fun f => dot f (listed D e) = 1) all_walls.
+Lemma gap_zero e : gap e = 0 -> Exists (fun f => dot f (listed D e) = 1) all_walls.
 Proof.
-  unfold inside. induction all_walls as [|f fs IH]; cbn; [lra|]. intros H.
+  unfold gap. induction all_walls as [|f fs IH]; cbn; [lra|]. intros H.
   unfold Rmin in H. destruct (Rle_dec _ _) in H; [left; lra|right; auto].
 Qed.
 
-Lemma inside_in_K e c : 0 <= c -> c <= inside e ->
+Lemma gap_in_K e c : 0 <= c -> c <= gap e ->
   in_K (listed D e) /\ Forall (fun z => -1 <= dot z (listed D e) <= 1) free.
 Proof.
-  intros C H. apply inside_least in H as [_ H]. unfold all_walls in H. rewrite !Forall_app in H.
+  intros C H. apply gap_least in H as [_ H]. unfold all_walls in H. rewrite !Forall_app in H.
   destruct H as (H1 & H2 & H3). split.
   - eapply Forall_impl; [|exact H1]. cbn. intros; lra.
   - rewrite Forall_map in H3. rewrite Forall_forall in *. intros z Hz. specialize (H2 z Hz). specialize (H3 z Hz).
     rewrite dot_scaled in H3. lra.
 Qed.
 
-Lemma inside_cv u x : converges D u x -> Un_cv (fun k => inside (u k)) (inside x).
+Lemma gap_cv u x : converges D u x -> Un_cv (fun k => gap (u k)) (gap x).
 Proof.
-  intros C. apply cv_listed in C. unfold inside. induction all_walls as [|f fs IH]; cbn; [apply cv_constant|].
+  intros C. apply cv_listed in C. unfold gap. induction all_walls as [|f fs IH]; cbn; [apply cv_constant|].
   apply (cv_min (fun k => 1 - dot f (listed D (u k)))); [|exact IH].
   apply (CV_minus (fun _ => 1)); [apply cv_constant|]. apply (cv_dot (fun _ => f)); [apply cv_list_constant|exact C].
 Qed.
@@ -432,11 +432,11 @@ Proof.
   rewrite (work_free t e fs z Hz F), (A_free z e Hz) in H. lra.
 Qed.
 
-Lemma on_a_wall e : inside e = 0 -> Forall (fun z => dot z (listed D e) = 0) free -> on_wall e.
+Lemma on_a_wall e : gap e = 0 -> Forall (fun z => dot z (listed D e) = 0) free -> on_wall e.
 Proof.
   intros H Z. split.
-  - apply (inside_in_K e 0); lra.
-  - apply inside_zero in H. unfold all_walls in H. rewrite !Exists_app, Exists_map in H.
+  - apply (gap_in_K e 0); lra.
+  - apply gap_zero in H. unfold all_walls in H. rewrite !Exists_app, Exists_map in H.
     rewrite Forall_forall in Z. destruct H as [H|[H|H]]; [exact H| |]; exfalso;
       apply Exists_exists in H as (z & Hz & E); specialize (Z z Hz); rewrite ?dot_scaled in E; lra.
 Qed.
@@ -457,7 +457,7 @@ Proof.
   apply Exists_exists in W as (f & _ & Hf). rewrite E, dot_sym, dot_scaled in Hf. lra.
 Qed.
 
-Lemma no_balance_on_walls s e : 0 <= s <= 2 -> inside e = 0 -> ~ balance s e.
+Lemma no_balance_on_walls s e : 0 <= s <= 2 -> gap e = 0 -> ~ balance s e.
 Proof.
   intros Rg I (fs & F & H). destruct (no_free_part _ _ _ _ _ F H) as [Z Sp]. pose proof (on_a_wall e I Z) as W.
   destruct (Req_dec s 0) as [->|S0].
@@ -481,13 +481,13 @@ Proof.
   assert (Unit : forall e j, (j < D)%nat -> dot (unit D j) (times A (listed D e)) + spread free (unit D j) (listed D e) =
     nth j (times M (listed D e)) 0).
   { intros e j J. rewrite <- M_is by apply length_listed. now rewrite dot_sym, dot_unit. }
-  destruct (homotopy D inside B) with (pull := fun e j => - nth j (times M (listed D e)) 0)
+  destruct (homotopy D gap B) with (pull := fun e j => - nth j (times M (listed D e)) 0)
     (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e (unit D j))
     (balance := balance) as (e & I & fs & F & H).
-  - intros u x U. now apply inside_cv.
-  - apply Rlt_le_trans with (1 / 2); [lra|]. apply inside_least. split; [lra|].
+  - intros u x U. now apply gap_cv.
+  - apply Rlt_le_trans with (1 / 2); [lra|]. apply gap_least. split; [lra|].
     apply Forall_forall. intros f _. rewrite dot_listed_zero. lra.
-  - intros e He. destruct (inside_in_K e 0 (Rle_refl 0) He) as [K1 K2]. now apply K_bounded.
+  - intros e He. destruct (gap_in_K e 0 (Rle_refl 0) He) as [K1 K2]. now apply K_bounded.
   - intros j J u x U. apply cv_nth, cv_times, cv_listed, U.
   - intros f e E j J.
     assert (X : listed D f = scaled (-1) (times M (listed D e))).
@@ -507,7 +507,7 @@ Proof.
     assert (L : later 2 = 1) by (unfold later; rewrite Rmax_right; lra).
     assert (P : portion 2 = 1) by (unfold portion; rewrite Rmin_left; lra). rewrite L in *.
     exists e, fs. split; [|split; [exact F|]].
-    + destruct (proj1 (inside_least e (inside e)) (Rle_refl _)) as [_ X]. unfold all_walls in X.
+    + destruct (proj1 (gap_least e (gap e)) (Rle_refl _)) as [_ X]. unfold all_walls in X.
       rewrite Forall_app in X. eapply Forall_impl; [|apply X]. cbn. intros; lra.
     + intros y. specialize (H y). rewrite Sp, P in H. lra.
 Qed.

@@ -48,6 +48,9 @@ Proof.
   apply Rabs_def1; apply Rnot_le_lt; intros L; nra.
 Qed.
 
+Lemma cv_same u v x : (forall k, u k = v k) -> Un_cv v x -> Un_cv u x.
+Proof. intros E V eps Eps. destruct (V eps Eps) as (N & H). exists N. intros k K. rewrite E. auto. Qed.
+
 Lemma cv_unique u x y : Un_cv u x -> Un_cv u y -> x = y.
 Proof. apply UL_sequence. Qed.
 

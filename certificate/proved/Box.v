@@ -40,6 +40,7 @@ Record inside_at (b : cbox) (r : Rows.row) (p : list R) (F : list R -> list (lis
   in_friction : within (box_friction b) mu;
   friction_nonneg : 0 <= mu;
   is_rho : Rows.rho r = mu * sqrt (Q2R (box_square b));
+  square_nonneg : 0 <= Q2R (box_square b);
   is_weights : Rows.weights r = map Q2R (box_weights b);
   weights_positive : Rows.positive (Rows.weights r);
   in_step : 0 <= t <= 1;
@@ -48,6 +49,7 @@ Record inside_at (b : cbox) (r : Rows.row) (p : list R) (F : list R -> list (lis
   in_stiffness : within (box_stiffness b) (Rows.stiffness r);
   is_spring : Rows.spring r = box_spring b;
   spring_alone : box_spring b = true -> Rows.slips r = [];
+  spring_signed : box_signed b = false -> box_spring b = false;
   is_signed : box_signed b = true ->
     (Rows.slips r = [] \/ exists T, Rows.slips r = [T]) /\ Rows.weights r = map (fun _ => 1) (Rows.slips r) /\
     Q2R (box_square b) = 1
@@ -64,6 +66,8 @@ Record row := Row {
   box : cbox;
   forms : multi (list form);        (* N and the slip's forms at the corners, times a factor *)
   forms_scale : scaling;
+  metric : list Z;                  (* the weights of the product of slips, times a factor *)
+  metric_scale : scaling;
   slip_certain : bool;
   (* of slips with a sign: they, and minus they *)
   tau : multi form;
@@ -148,6 +152,7 @@ Definition make_row (b : cbox) : row :=
              else Tip [] in
   let es := if box_signed b then edge_scaling b else none in
   let edges ss := if box_signed b then map (fun s => integer_tree es (edge_tree b s)) ss else [] in
+  let ms := scaling_of (box_weights b) in
   let ps := pull_scaling b in
   let pulls := map (fun e => integer_tree ps (pull_tree b e)) (pull_ends b) in
   let vs := map primitive (concat (map tips pulls)) in
@@ -156,6 +161,7 @@ Definition make_row (b : cbox) : row :=
   let denominator := if box_signed b then (over es * over ps * power n)%Z else 1%Z in
   let g := content [numerator; denominator] in
   Row b (if box_signed b then Tip [] else mmap (map (map (to_integer fs))) (geometry_tree b)) fs
+    (map (to_integer ms) (box_weights b)) ms
     (if box_signed b then same_forms (map primitive (tips tau)) else Nat.eqb n 0)
     tau (mmap negative tau)
     (edges (minus_ends (box_friction b))) (edges (ends (box_friction b))) (edges (full_range (box_friction b)))

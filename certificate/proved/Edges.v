@@ -352,7 +352,7 @@ Proof.
   assert (B0 : 0 <= bound (edges_term m y (edges strict rays it) true it)).
   { pose proof (nothing_bound ws) as Z0.
     assert (G : forall forms, 0 <= bound (bent m it forms true)).
-    { intros [|f forms]; [lra|]. apply (mixed_bound_nonneg rays ws W); [lia|exact O]. }
+    { intros [|f forms]; unfold bent; [lra|]. apply (mixed_bound_nonneg rays ws W); [lia|exact O]. }
     unfold edges_term. destruct (parameters it); [|apply G].
     destruct (pulls it) as [|q [|q' qs]]; try apply G. destruct (box_spring (box it)); [apply G|].
     destruct (Z.leb_spec (largest (map (fun e => up (m * weight it * dot (first_tip e) y)

@@ -5,6 +5,7 @@
     FORMAT.md section 2, and nothing of what a text means: numbers are still characters, objects may
     repeat members, and all else is read and refused here and in Read*.v. *)
 From Coq Require Import Bool List String ZArith.
+From Proved Require Export Lists.
 Import ListNotations.
 Local Open Scope string_scope.
 
@@ -50,10 +51,7 @@ Definition check_that (good : bool) (at_path : path) (problem : string) : result
 Definition is_text (wanted : string) (value : json) : bool :=
   match value with Text content => String.eqb content wanted | _ => false end.
 
-(** Lists can have a million elements, so what goes through them uses constant stack. *)
-Definition map_all {A B : Type} (f : A -> B) (items : list A) : list B :=
-  rev_append (fold_left (fun done item => f item :: done) items []) [].
-
+(** Of lists of any length, as in Lists.v. *)
 Section Each.
   Context {A B : Type}.
   Variable read : path -> A -> result B.

@@ -297,6 +297,59 @@ Proof.
   - cbn. rewrite !H, !E. pose proof (uncertain_positive _ _ C W). field. lra.
 Qed.
 
+Lemma eval_sum {A} (f g : A -> R) t ss :
+  eval (fun a => f a + g a) t ss = eval f t ss + eval g t ss.
+Proof.
+  revert ss. induction t as [a|l IHl h IHh]; intros ss; cbn; [reflexivity|].
+  destruct ss; rewrite ?IHl, ?IHh; ring.
+Qed.
+
+Lemma eval_constant {A} c (t : multi A) ss : eval (fun _ => c) t ss = c.
+Proof.
+  revert ss. induction t as [a|l IHl h IHh]; intros ss; cbn; [reflexivity|].
+  destruct ss; rewrite ?IHl, ?IHh; ring.
+Qed.
+
+(* A function of several parameters, at the corners of their box. *)
+Fixpoint corners {A : Type} (box : list interval) (f : list Q -> A) : multi A :=
+  match box with
+  | [] => Tip (f [])
+  | i :: box' => spread i (fun q => corners box' (fun qs => f (q :: qs)))
+  end.
+
+Fixpoint shares (box : list interval) (p : list R) : list R :=
+  match box, p with
+  | i :: box', x :: p' => share i x ++ shares box' p'
+  | _, _ => []
+  end.
+
+Lemma shares_good box p : Forall2 within box p -> Forall is_share (shares box p).
+Proof.
+  intros F. induction F as [|i x box p W F IH]; cbn; [constructor|]. apply Forall_app. split; [|exact IH].
+  now apply share_in.
+Qed.
+
+Fixpoint multiaffine (n : nat) (F : list R -> R) : Prop :=
+  match n with
+  | O => True
+  | S n' => (forall p, List.length p = n' -> affine (fun x => F (x :: p))) /\
+            (forall x, multiaffine n' (fun p => F (x :: p)))
+  end.
+
+Lemma same_length {A B} (P : A -> B -> Prop) l l' : Forall2 P l l' -> List.length l = List.length l'.
+Proof. induction 1; cbn; congruence. Qed.
+
+Lemma eval_corners {A} box (f : list Q -> A) g F p : Forall2 within box p ->
+  multiaffine (List.length box) F -> (forall qs, g (f qs) = F (map Q2R qs)) ->
+  eval g (corners box f) (shares box p) = F p.
+Proof.
+  intros W. revert f F. induction W as [|i x box p Wx W IH]; intros f F M E; cbn [corners shares].
+  - exact (E []).
+  - destruct M as [Mx M]. apply (eval_spread i _ g (fun x => F (x :: p))); [exact Wx| |].
+    + apply Mx. symmetry. now apply same_length in W.
+    + intros q. apply (IH _ (fun p => F (Q2R q :: p))); [apply M|]. intros qs. apply E.
+Qed.
+
 (* ---- A bound of a sum of products of multilinear functions ---- *)
 
 (* Each product is a polynomial of degree at most 2 in each parameter: its Bernstein coefficients,

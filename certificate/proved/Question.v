@@ -37,7 +37,7 @@ Record question := Question {
 
 (* The certificate, in the order of its text.  INDEX and CONTACT are whole numbers >= 0 of any
    size. *)
-Inductive parameter := PX | PY | PZ | PTurn | PFriction | PPreload | PStiffness | PWrench.
+Inductive parameter := PX | PY | PZ | PTurn | PTurnV | PFriction | PPreload | PStiffness | PWrench.
 
 Inductive node :=
   | Slip (contact_index : Z)

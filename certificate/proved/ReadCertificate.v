@@ -108,7 +108,7 @@ Definition read_parameter (s : shape) (at_path : path) (value : json) : result p
   let is name := is_text name value in
   if is "x" then Fine PX else if is "y" then Fine PY
   else if spatial s && is "z" then Fine PZ else if negb (spatial s) && is "turn" then Fine PTurn
-  else if spatial s && (is "turn_u" || is "turn_v") then Fine PTurn
+  else if spatial s && is "turn_u" then Fine PTurn else if spatial s && is "turn_v" then Fine PTurnV
   else if is "friction" then Fine PFriction else if is "preload" then Fine PPreload
   else if is "stiffness" then Fine PStiffness else if is "wrench" then Fine PWrench
   else expected (if spatial s then "x, y, z, turn_u, turn_v, friction, preload, stiffness or wrench"

@@ -4,7 +4,7 @@
    about.  RowsOfModels.v says that the equilibria of the models are those of their rows.
 
    Vectors are lists, which end in zeros: a dot product goes to the end of the shorter one. *)
-From Coq Require Import Reals List Lra.
+From Coq Require Import Reals List Lra Lia.
 From Proved Require Model.
 Import ListNotations.
 Open Scope R_scope.
@@ -191,6 +191,14 @@ Proof.
   { unfold size in *. rewrite product_scaled, product_sym, product_scaled, <- Rmult_assoc.
     now replace (-1 * -1 * product ws s s) with (product ws s s) by ring. }
   rewrite H in B. rewrite Z in A. lra.
+Qed.
+
+Lemma size_zero_nth ws s k : positive ws -> size ws s = 0 -> (k < List.length ws)%nat -> nth k s 0 = 0.
+Proof.
+  intros P Z L. pose proof (size_zero ws s (repeat 0 k ++ [1]) P Z) as E. clear Z.
+  revert k s L E. induction P as [|w ws Pw P IH]; intros [|k] [|x s] L E; cbn in *; try lia; try reflexivity.
+  - assert (product ws s [] = 0) by (destruct ws, s; reflexivity). nra.
+  - apply IH; [lia|]. lra.
 Qed.
 
 (* Where something slips, friction is against it. *)

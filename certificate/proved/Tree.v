@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: MIT *)
-(* Trees in the plane (FORMAT.md sections 4 and 6): the children of nodes, leaves, and the roots of
-   ranges of multiples.  `refuted_multiple`: where trees about ranges are accepted, no multiple
-   in a range has an equilibrium. *)
+(* Trees (FORMAT.md sections 4 and 6): the children of nodes, leaves, and the roots of ranges of multiples.
+   `refuted_multiple`: where trees about ranges are accepted, no multiple in a range has an
+   equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Box Leaf Walk.
-From Proved Require Model.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk.
+From Proved Require Rows Model.
 Import ListNotations.
 
 (* ---- Contacts by their number ---- *)
@@ -18,11 +18,13 @@ Fixpoint numbered {A} (l : list A) (i : Z) : option A :=
   | a :: l' => if i =? 0 then Some a else numbered l' (i - 1)
   end.
 
-Fixpoint replace {A} (l : list A) (i : Z) (new : A) : list A :=
+Fixpoint replace_after {A} (before l : list A) (i : Z) (new : A) : list A :=
   match l with
-  | [] => []
-  | a :: l' => if i =? 0 then new :: l' else a :: replace l' (i - 1) new
+  | [] => rev_append before []
+  | a :: l' => if i =? 0 then rev_append before (new :: l') else replace_after (a :: before) l' (i - 1) new
   end.
+
+Definition replace {A} (l : list A) (i : Z) (new : A) : list A := replace_after [] l i new.
 
 End Numbered.
 
@@ -31,42 +33,24 @@ Record range := Range {
   range_low : Q; range_high : option Q; open_low : bool; open_high : bool
 }.
 
-(* The box that a tree is about: rows, load, and two numbers M for leaves, a short one and one
-   that makes them exact. *)
-Record setting := Setting { rows : list row; the_load : load; short : Z; exact : Z }.
+(* The box that a tree is about: the dimension of motions, rows, load, the contacts whose slip is strict; and
+   two numbers M for leaves, a short one and one that makes them exact but for what with_alphas adds. *)
+Record setting := Setting {
+  dimension_of : nat; rows : list row; the_load : load; slipping : list Z; short : Z; exact : Z
+}.
 
 (* ---- Nodes ---- *)
 
 Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray) (y : list Q)
     : option string :=
-  let y' := map (to_integer (scaling_of y)) y in
-  let holds m := leaf_holds_by m (rows s) (the_load s) strict rays y' in
-  if barred strict rays || holds (short s) || (negb (Z.eqb (short s) (exact s)) && holds (exact s))
-  then None
-  else Some "leaf-bound"%string.
-
-Definition get (b : cbox) (name : parameter) : interval :=
-  match name with
-  | PX => box_x b
-  | PY => box_y b
-  | PTurn => box_turn b
-  | PFriction => box_friction b
-  | PPreload => box_preload b
-  | _ => box_stiffness b
-  end.
-
-Definition set (b : cbox) (name : parameter) (i : interval) : cbox :=
-  match b with
-  | CBox x y t f p k nx ny g =>
-      match name with
-      | PX => CBox i y t f p k nx ny g
-      | PY => CBox x i t f p k nx ny g
-      | PTurn => CBox x y i f p k nx ny g
-      | PFriction => CBox x y t i p k nx ny g
-      | PPreload => CBox x y t f i k nx ny g
-      | _ => CBox x y t f p i nx ny g
-      end
-  end.
+  let sc := scaling_of y in
+  let y' := map (to_integer sc) y in
+  if barred strict rays then None
+  else
+    let them := pressers strict rays (slipping s) (unit_of sc) y' (rows s) 0 [] in
+    let holds m := leaf_holds_by m them (the_load s) strict rays y' in
+    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_alphas (exact s) them) then None
+    else Some "leaf-bound"%string.
 
 Definition is_inside (i : interval) (c : Q) : bool :=
   negb (Qle_bool c (low i)) && negb (Qle_bool (high i) c).
@@ -74,20 +58,63 @@ Definition is_inside (i : interval) (c : Q) : bool :=
 Definition low_half (i : interval) (c : Q) := Interval (low i) c.
 Definition high_half (i : interval) (c : Q) := Interval c (high i).
 
+Definition same_parameter (a b : parameter) : bool :=
+  match a, b with
+  | PX, PX | PY, PY | PZ, PZ | PTurn, PTurn | PTurnV, PTurnV
+  | PFriction, PFriction | PPreload, PPreload | PStiffness, PStiffness | PWrench, PWrench => true
+  | _, _ => false
+  end.
+
+Fixpoint get_named (name : parameter) (names : list parameter) (is : list interval) : option interval :=
+  match names, is with
+  | n :: names', i :: is' => if same_parameter n name then Some i else get_named name names' is'
+  | _, _ => None
+  end.
+
+Fixpoint set_named (name : parameter) (new : interval) (names : list parameter) (is : list interval)
+    : list interval :=
+  match names, is with
+  | n :: names', i :: is' => if same_parameter n name then new :: is' else i :: set_named name new names' is'
+  | _, _ => is
+  end.
+
+(* Ratchets and springs have none. *)
+Definition has_friction (b : cbox) : bool := match box_normal b with [] => false | _ => true end.
+
+Definition get (b : cbox) (name : parameter) : option interval :=
+  match name with
+  | PFriction => if has_friction b then Some (box_friction b) else None
+  | PPreload => Some (box_preload b)
+  | PStiffness => Some (box_stiffness b)
+  | PWrench => None
+  | _ => get_named name (box_names b) (box_geometry b)
+  end.
+
+Definition set (b : cbox) (name : parameter) (i : interval) : cbox :=
+  match b with
+  | CBox names g f m p u k sq n w sg sp =>
+      match name with
+      | PFriction => CBox names g f i p u k sq n w sg sp
+      | PPreload => CBox names g f m i u k sq n w sg sp
+      | PStiffness => CBox names g f m p u i sq n w sg sp
+      | PWrench => b
+      | _ => CBox names (set_named name i names g) f m p u k sq n w sg sp
+      end
+  end.
+
 Definition set_row (s : setting) (index : Z) (b : cbox) : setting :=
   let row := make_row b in
-  Setting (replace (rows s) index row) (the_load s) (short s)
+  Setting (dimension_of s) (replace (rows s) index row) (the_load s) (slipping s) (short s)
     (Z.lcm (exact s) (over_weight row)).
 
 Definition set_load (s : setting) (w : list interval) : setting :=
   let ld := make_load w (load_growth (the_load s)) in
-  Setting (rows s) ld (short s) (Z.lcm (exact s) (over (load_scaling ld))).
+  Setting (dimension_of s) (rows s) ld (slipping s) (short s) (Z.lcm (exact s) (over (load_scaling ld))).
 
 (* The two halves of a box, or the rule that fails. *)
 Definition halves (s : setting) (name : parameter) (index : Z) (c : Q)
     : (setting * setting) + string :=
   match name with
-  | PZ => inr "part-contact"%string
   | PWrench =>
       match numbered (load_box (the_load s)) index with
       | None => inr "part-contact"%string
@@ -101,11 +128,15 @@ Definition halves (s : setting) (name : parameter) (index : Z) (c : Q)
       match numbered (rows s) index with
       | None => inr "part-contact"%string
       | Some row =>
-          let i := get (box row) name in
-          if is_inside i c then
-            inl (set_row s index (set (box row) name (low_half i c)),
-                 set_row s index (set (box row) name (high_half i c)))
-          else inr "part-inside"%string
+          match get (box row) name with
+          | None => inr "part-contact"%string
+          | Some i =>
+              (* Preloads that grow are in margins, which have no parts. *)
+              if is_inside i c && (negb (same_parameter name PPreload) || certain (box_growth (box row))) then
+                inl (set_row s index (set (box row) name (low_half i c)),
+                     set_row s index (set (box row) name (high_half i c)))
+              else inr "part-inside"%string
+          end
       end
   end.
 
@@ -116,30 +147,44 @@ Definition not_below (s : setting) (f : form) : branch setting := Branch [(f, fa
 (* f = 0 *)
 Definition on_plane (s : setting) (f : form) : branch setting := Branch [(f, true)] [] [] s.
 
+(* The numbers of a node `plane`, which end with those of h and l. *)
+Definition plane_numbers (d : nat) (a : list Q) : list Q := nth d a 0%Q :: nth (S d) a 0%Q :: firstn d a.
+
+Definition slip_forms (row : row) : list form := map of_motion (firstn (List.length (metric row)) (tl (first_tip (forms row)))).
+
 (* The children of a node, or the rule that fails. *)
 Definition split (s : setting) (n : node) : list (branch setting) + string :=
   match n with
   | Leaf _ => inl []
   | Plane a =>
+      let a := plane_numbers (dimension_of s) a in
       let f := map (to_integer (scaling_of a)) a in
       inl [not_below s f; above s (negative f)]
   | Slip i =>
       match numbered (rows s) i with
       | None => inr "node-contact"%string
       | Some row =>
-          if tau_certain row then
+          if negb (has_friction (box row)) then inr "node-contact"%string
+          else if negb (slip_certain row) then inr "node-certain"%string
+          else if box_signed (box row) then
             let f := first_tip (tau row) in
             inl [above s f; on_plane s f; above s (negative f)]
-          else inr "node-certain"%string
+          else
+            let fs := slip_forms row in
+            inl [Branch (map (fun f => (f, true)) fs) [] [] s;
+                 Branch [] [] [fs] (Setting (dimension_of s) (rows s) (the_load s) (i :: slipping s)
+                                      (short s) (exact s))]
       end
   | Separation i =>
       match numbered (rows s) i with
       | None => inr "node-contact"%string
       | Some row =>
-          match separates row with
-          | Some f => inl [not_below s f; above s (negative f)]
-          | None => inr "node-certain"%string
-          end
+          if box_spring (box row) then inr "node-contact"%string
+          else
+            match separates row with
+            | Some f => inl [not_below s f; above s (negative f)]
+            | None => inr "node-certain"%string
+            end
       end
   | Cut name i c =>
       match halves s name i c with
@@ -153,29 +198,34 @@ Definition split (s : setting) (n : node) : list (branch setting) + string :=
 Section Root.
 Open Scope Z_scope.
 
-(* l - a h, after the coordinates of d *)
-Definition l_above (d : nat) (a : Q) : form := repeat 0 d ++ [- Qnum a; Zpos (Qden a)].
-Definition h_form (d : nat) : form := repeat 0 d ++ [1].
+(* l - a h *)
+Definition l_above (a : Q) : form := [- Qnum a; Zpos (Qden a)].
+Definition h_form : form := [1].
 
-Definition range_conditions (d : nat) (g : range) : list form :=
-  h_form d :: l_above d (range_low g) ::
-  match range_high g with Some b => [negative (l_above d b)] | None => [] end.
+Definition range_conditions (g : range) : list form :=
+  h_form :: l_above (range_low g) ::
+  match range_high g with Some b => [negative (l_above b)] | None => [] end.
 
-Definition range_strict (d : nat) (g : range) : list form :=
-  h_form d :: (if open_low g then [l_above d (range_low g)] else []) ++
+Definition range_strict (g : range) : list form :=
+  h_form :: (if open_low g then [l_above (range_low g)] else []) ++
   match range_high g with
-  | Some b => if open_high g then [negative (l_above d b)] else []
+  | Some b => if open_high g then [negative (l_above b)] else []
   | None => []
   end.
 
-Definition separating (rows : list row) : list form :=
-  flat_map (fun r => match separates r with Some f => [f] | None => [] end) rows.
+(* After the conditions `before`, those of the bilateral law. *)
+Definition separating (rows : list row) (before : list form) : list form :=
+  rev_append
+    (fold_left (fun fs r => match separates r with
+                            | Some f => if box_spring (box r) then fs else f :: fs
+                            | None => fs
+                            end) rows (rev_append before [])) [].
 
 Definition root_branch (two_sided : bool) (s : setting) (g : range) : branch setting :=
+  let fs := range_conditions g in
   Branch
-    (map (fun f => (f, false))
-      (range_conditions 3 g ++ if two_sided then separating (rows s) else []))
-    (range_strict 3 g) [] s.
+    (map_all (fun f => (f, false)) (if two_sided then separating (rows s) fs else fs))
+    (range_strict g) [] s.
 
 End Root.
 
@@ -184,63 +234,142 @@ End Root.
 Section Proofs.
 Open Scope R_scope.
 
+Lemma replace_cons {A} (a : A) l i new : (i =? 0)%Z = false ->
+  replace (a :: l) i new = a :: replace l (i - 1) new.
+Proof.
+  assert (G : forall l before i new, @replace_after A before l i new = rev before ++ replace l i new).
+  { unfold replace. induction l0 as [|b l0 IH]; intros before j n; cbn [replace_after].
+    - rewrite rev_append_rev. reflexivity.
+    - destruct (Z.eqb j 0); [now rewrite rev_append_rev|]. rewrite IH, (IH [b]). cbn. now rewrite <- app_assoc. }
+  intros E. unfold replace at 1. cbn [replace_after]. rewrite E, G. reflexivity.
+Qed.
+
 (* A part: which half may depend on the point, here on the contact of that number. *)
 Lemma numbered_replace_either {A B} (P : A -> B -> Prop) l l' i a new new' :
   Forall2 P l l' -> numbered l i = Some a -> (forall b, P a b -> P new b \/ P new' b) ->
   Forall2 P (replace l i new) l' \/ Forall2 P (replace l i new') l'.
 Proof.
-  intros F. revert i. induction F as [|x y l l' Hxy F IH]; intros i; cbn; [discriminate|].
-  destruct (Z.eqb i 0); intros E H.
-  - injection E as ->. destruct (H _ Hxy); [left|right]; now constructor.
-  - destruct (IH _ E H); [left|right]; now constructor.
+  intros F. revert i. induction F as [|x y l l' Hxy F IH]; intros i; cbn [numbered]; [discriminate|].
+  destruct (Z.eqb i 0) eqn:Z.
+  - intros E H. injection E as ->. unfold replace; cbn [replace_after]. rewrite Z. cbn [rev_append].
+    destruct (H _ Hxy); [left|right]; now constructor.
+  - intros E H. rewrite !replace_cons by exact Z. destruct (IH _ E H); [left|right]; now constructor.
+Qed.
+
+Lemma numbered_is {A} (l : list A) i a : numbered l i = Some a ->
+  exists k, i = Z.of_nat k /\ nth_error l k = Some a.
+Proof.
+  revert i. induction l as [|b l IH]; intros i H; cbn in H; [discriminate|].
+  destruct (Z.eqb_spec i 0) as [Z|Z].
+  - exists O. split; [lia|exact H].
+  - destruct (IH _ H) as (k & E & N). exists (S k). split; [lia|exact N].
+Qed.
+
+Lemma fits_at {A B} (P : A -> B -> Prop) l l' k a : Forall2 P l l' -> nth_error l k = Some a ->
+  exists b, nth_error l' k = Some b /\ P a b.
+Proof.
+  intros F. revert k. induction F as [|x y l l' H F IH]; intros [|k]; cbn; try discriminate.
+  - intros E. injection E as <-. now exists y.
+  - apply IH.
 Qed.
 
 Lemma within_halves i c x : within i x -> within (low_half i c) x \/ within (high_half i c) x.
 Proof. unfold within; cbn. intros [L H]. destruct (Rle_dec x (Q2R c)); [left|right]; lra. Qed.
 
-Lemma set_inside b name c e k : inside b e k ->
-  inside (set b name (low_half (get b name) c)) e k \/
-  inside (set b name (high_half (get b name) c)) e k.
+Lemma set_named_within name names is p i c : Forall2 within is p -> get_named name names is = Some i ->
+  Forall2 within (set_named name (low_half i c) names is) p \/
+  Forall2 within (set_named name (high_half i c) names is) p.
 Proof.
-  intros [X Y T F P K NX NY G F0]. destruct b as [bx by_ bt bf bp bk nx ny g].
-  assert (K' := within_halves _ c _ K).
-  destruct name; cbn in *;
-    [ destruct (within_halves _ c _ X) as [H|H]
-    | destruct (within_halves _ c _ Y) as [H|H]
-    | destruct K' as [H|H]
-    | destruct (within_halves _ c _ T) as [H|H]
-    | destruct (within_halves _ c _ F) as [H|H]
-    | destruct (within_halves _ c _ P) as [H|H]
-    | destruct K' as [H|H]
-    | destruct K' as [H|H] ]; [left|right|..]; try (left; constructor; cbn; assumption);
-    try (right; constructor; cbn; assumption); constructor; cbn; assumption.
+  intros F. revert names. induction F as [|j x is p W F IH]; intros [|n names]; cbn; try discriminate.
+  destruct (same_parameter n name).
+  - intros E. injection E as ->. destruct (within_halves i c x W); [left|right]; now constructor.
+  - intros E. destruct (IH names E); [left|right]; now constructor.
 Qed.
 
-Lemma halves_cover s name i c l h g lambda d forces : halves s name i c = inl (l, h) ->
-  solution (rows s) (the_load s) g lambda d forces ->
-  solution (rows l) (the_load l) g lambda d forces \/
-  solution (rows h) (the_load h) g lambda d forces.
+Lemma set_named_length name i names is : List.length (set_named name i names is) = List.length is.
 Proof.
-  intros H [F LE LW LU L E].
-  destruct name; cbn [halves] in H; try discriminate.
-  7: {
-    destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
-    destruct (is_inside iv c); [|discriminate]. injection H as <- <-. cbn.
-    destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
-      (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right];
-      constructor; cbn; try assumption; reflexivity. }
-  all: destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate];
-    destruct (is_inside _ c); [|discriminate]; injection H as <- <-; cbn;
-    match goal with |- context [set _ ?name (low_half _ _)] =>
-      destruct (numbered_replace_either fits (rows s) (Model.contacts g) i row
-        (make_row (set (box row) name (low_half (get (box row) name) c)))
-        (make_row (set (box row) name (high_half (get (box row) name) c))) F N) as [F'|F'];
-      [intros k [_ (e & Ie)]; destruct (set_inside _ name c e k Ie); [left|right];
-         (split; [reflexivity|now exists e])
-      |left; constructor; assumption|right; constructor; assumption]
-    end.
+  revert is. induction names as [|n names IH]; intros [|j is]; cbn; try reflexivity.
+  destruct (same_parameter n name); cbn; [reflexivity|]. now rewrite IH.
 Qed.
 
+Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i c = true ->
+  negb (same_parameter name PPreload) || certain (box_growth b) = true ->
+  inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
+Proof.
+  intros (p & F & mu & t & [Ge Fo Ra Af Fr F0 Rh Sq We Wp St Pr Gr K Sp Sa Ss Si]) E C G.
+  destruct b as [names g f m pl u k sq n w sg sp]. cbn in *.
+  assert (Geometry : forall name', get_named name' names g = Some i ->
+    inside (CBox names (set_named name' (low_half i c) names g) f m pl u k sq n w sg sp) r \/
+    inside (CBox names (set_named name' (high_half i c) names g) f m pl u k sq n w sg sp) r).
+  { intros name' E'. destruct (set_named_within name' names g p i c Ge E') as [H|H]; [left|right];
+      exists p, F, mu, t; constructor; cbn; try assumption; intros; rewrite set_named_length; apply Af. }
+  destruct name; cbn in *; try discriminate; try (now apply Geometry).
+  - destruct (has_friction _); [|discriminate]. injection E as <-.
+    destruct (within_halves _ c _ Fr); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
+  - injection E as <-. unfold certain in G. apply Qeq_bool_eq, Qeq_eqR in G.
+    apply andb_true_iff in C as [C1 C2]. apply negb_true_iff in C1, C2.
+    assert (L : Q2R (low pl) < Q2R c).
+    { apply Rnot_le_lt. intros L. apply Rle_Qle, Qle_bool_iff in L. congruence. }
+    assert (H : Q2R c < Q2R (high pl)).
+    { apply Rnot_le_lt. intros L'. apply Rle_Qle, Qle_bool_iff in L'. congruence. }
+    rewrite <- G in *. destruct St as [T0 T1].
+    destruct (Rle_dec (Rows.preload r) (Q2R c)) as [D|D]; [left|right].
+    + set (t' := (Rows.preload r - Q2R (low pl)) / (Q2R c - Q2R (low pl))).
+      assert (E : Rows.preload r = (1 - t') * Q2R (low pl) + t' * Q2R c) by (unfold t'; field; lra).
+      assert (0 <= t' <= 1).
+      { assert (Q2R (low pl) <= Rows.preload r).
+        { rewrite Pr. assert (0 <= t * (Q2R (high pl) - Q2R (low pl))) by (apply Rmult_le_pos; lra). lra. }
+        split.
+        - apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat. lra.
+        - apply Rmult_le_reg_r with (Q2R c - Q2R (low pl)); [lra|]. unfold t'. field_simplify; lra. }
+      exists p, F, mu, t'. constructor; cbn; try assumption. rewrite <- G. lra.
+    + set (t' := (Rows.preload r - Q2R c) / (Q2R (high pl) - Q2R c)).
+      assert (E : Rows.preload r = (1 - t') * Q2R c + t' * Q2R (high pl)) by (unfold t'; field; lra).
+      assert (0 <= t' <= 1).
+      { assert (Rows.preload r <= Q2R (high pl)).
+        { rewrite Pr. assert (0 <= (1 - t) * (Q2R (high pl) - Q2R (low pl))) by (apply Rmult_le_pos; lra). lra. }
+        split.
+        - apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat. lra.
+        - apply Rmult_le_reg_r with (Q2R (high pl) - Q2R c); [lra|]. unfold t'. field_simplify; lra. }
+      exists p, F, mu, t'. constructor; cbn; try assumption. rewrite <- G. lra.
+  - injection E as <-.
+    destruct (within_halves _ c _ K); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
+Qed.
+
+Lemma halves_cover s name i c lo hi sys d h l fs : halves s name i c = inl (lo, hi) ->
+  solution (rows s) (the_load s) sys d h l fs ->
+  (slipping lo = slipping s /\ slipping hi = slipping s) /\
+  (solution (rows lo) (the_load lo) sys d h l fs \/ solution (rows hi) (the_load hi) sys d h l fs).
+Proof.
+  intros H [F LE LW LU H0 L0 E].
+  assert (Row : name <> PWrench -> match numbered (rows s) i with
+      | None => inr "part-contact"%string
+      | Some row => match get (box row) name with
+          | None => inr "part-contact"%string
+          | Some iv =>
+              if is_inside iv c && (negb (same_parameter name PPreload) || certain (box_growth (box row))) then
+                inl (set_row s i (set (box row) name (low_half iv c)),
+                     set_row s i (set (box row) name (high_half iv c)))
+              else inr "part-inside"%string
+          end
+      end = inl (lo, hi) ->
+    (slipping lo = slipping s /\ slipping hi = slipping s) /\
+    (solution (rows lo) (the_load lo) sys d h l fs \/ solution (rows hi) (the_load hi) sys d h l fs)).
+  { intros _ R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
+    destruct (get (box row) name) as [iv|] eqn:Ge; [|discriminate].
+    destruct (is_inside iv c && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [C G].
+    injection R as <- <-. cbn. split; [auto|].
+    destruct (numbered_replace_either fits (rows s) (Rows.rows sys) i row
+      (make_row (set (box row) name (low_half iv c))) (make_row (set (box row) name (high_half iv c))) F N)
+      as [F'|F']; [|left; constructor; assumption|right; constructor; assumption].
+    intros k [_ Ik]. destruct (set_inside _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
+  destruct name; cbn [halves] in H; try (apply Row; [discriminate|exact H]).
+  destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
+  destruct (is_inside iv c); [|discriminate]. injection H as <- <-. cbn. split; [auto|].
+  destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
+    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right];
+    constructor; cbn; try assumption; reflexivity.
+Qed.
 
 Definition in_range (g : range) (lambda : R) :=
   Q2R (range_low g) <= lambda /\ (open_low g = true -> Q2R (range_low g) < lambda) /\
@@ -249,122 +378,116 @@ Definition in_range (g : range) (lambda : R) :=
   | None => True
   end.
 
-Lemma rdot_zeros (x : list R) (a : form) d : (d <= List.length x)%nat ->
-  rdot (repeat 0%Z d ++ a) x = rdot a (skipn d x).
+Lemma l_above_at d q lambda : rdot (l_above q) (1 :: lambda :: d) = IZR (Zpos (Qden q)) * (lambda - Q2R q).
 Proof.
-  revert x. induction d as [|d IH]; intros x L; cbn; [reflexivity|].
-  destruct x as [|t x]; cbn in L; [lia|]. cbn. rewrite IH by lia. lra.
+  unfold l_above, Q2R. cbn -[IZR]. rewrite opp_IZR. field. apply not_0_IZR. discriminate.
 Qed.
 
-(* x = (d, 1, lambda) *)
-Definition ends_in (x : list R) (d : nat) (lambda : R) := skipn d x = [1; lambda].
-
-Lemma ends_length x d lambda : ends_in x d lambda -> (d <= List.length x)%nat.
+Lemma range_conditions_met d g lambda : in_range g lambda ->
+  Forall (fun f => 0 <= rdot f (1 :: lambda :: d)) (range_conditions g) /\
+  Forall (fun f => rdot f (1 :: lambda :: d) <> 0) (range_strict g).
 Proof.
-  unfold ends_in. intros E. destruct (le_lt_dec d (List.length x)); [assumption|].
-  rewrite skipn_all2 in E by lia. discriminate.
-Qed.
-
-Lemma l_above_at x d q lambda : ends_in x d lambda ->
-  rdot (l_above d q) x = IZR (Zpos (Qden q)) * (lambda - Q2R q).
-Proof.
-  intros E. unfold l_above. rewrite rdot_zeros by (eapply ends_length; eassumption).
-  rewrite E. unfold Q2R. cbn -[IZR]. rewrite opp_IZR. field.
-  apply not_0_IZR. discriminate.
-Qed.
-
-Lemma range_conditions_met x d g lambda : ends_in x d lambda -> in_range g lambda ->
-  Forall (fun f => 0 <= rdot f x) (range_conditions d g) /\
-  Forall (fun f => rdot f x <> 0) (range_strict d g).
-Proof.
-  intros E (Lo & OLo & Hi). assert (PD : forall q : Q, 0 < IZR (Zpos (Qden q))) by (intros; apply IZR_lt; lia).
-  assert (H1 : rdot (h_form d) x = 1).
-  { unfold h_form. rewrite rdot_zeros by (eapply ends_length; eassumption). rewrite E. cbn. lra. }
-  pose proof (PD (range_low g)). pose proof (l_above_at x d (range_low g) lambda E) as EL.
+  intros (Lo & OLo & Hi). assert (PD : forall q : Q, 0 < IZR (Zpos (Qden q))) by (intros; apply IZR_lt; lia).
+  set (x := 1 :: lambda :: d).
+  assert (H1 : rdot h_form x = 1) by (unfold h_form, x; cbn; lra).
+  pose proof (PD (range_low g)). pose proof (l_above_at d (range_low g) lambda) as EL. fold x in EL.
   split.
   - constructor; [lra|]. constructor; [rewrite EL; nra|].
     destruct (range_high g) as [b|]; [|constructor]. constructor; [|constructor].
-    rewrite rdot_negative, (l_above_at x d b lambda E). pose proof (PD b). destruct Hi. nra.
+    pose proof (l_above_at d b lambda) as EB. fold x in EB.
+    rewrite rdot_negative, EB. pose proof (PD b). destruct Hi. nra.
   - constructor; [lra|]. apply Forall_app. split.
     + destruct (open_low g); constructor; [|constructor]. rewrite EL. specialize (OLo eq_refl). nra.
     + destruct (range_high g) as [b|]; [|constructor]. destruct Hi as [Hi OHi].
-      destruct (open_high g); constructor; [|constructor].
-      rewrite rdot_negative, (l_above_at x d b lambda E). specialize (OHi eq_refl).
-      pose proof (PD b). nra.
+      destruct (open_high g); constructor; [|constructor]. pose proof (l_above_at d b lambda) as EB. fold x in EB.
+      rewrite rdot_negative, EB. specialize (OHi eq_refl). pose proof (PD b). nra.
 Qed.
 
-Lemma rdot_all_zero a x : all_zero a = true -> rdot a x = 0.
-Proof.
-  revert x; induction a as [|z a IH]; intros [|t x]; cbn -[Z.eqb]; try reflexivity.
-  intros H. apply andb_true_iff in H as [Hz H]. apply Z.eqb_eq in Hz. subst z.
-  rewrite IH by exact H. lra.
-Qed.
-
-Lemma rdot_primitive f x : rdot f x = IZR (content f) * rdot (primitive f) x.
-Proof.
-  unfold primitive. pose proof (content_divides f) as D. destruct (Z.eqb_spec (content f) 1) as [E|_].
-  - rewrite E. lra.
-  - revert D. generalize (content f) as c. intros c. revert x.
-    induction f as [|z f IH]; intros [|t x] D; cbn; try lra.
-    rewrite IH by (intros; apply D; now right).
-    rewrite (D z) at 1 by now left. rewrite mult_IZR. ring.
-Qed.
-
-(* Where v is certain, the form that stands for it is not negative if v is not. *)
-Lemma separates_nonneg row c d lambda f : fits row c -> separates row = Some f ->
-  0 <= Model.v c lambda d -> 0 <= rdot f (located d 1 lambda).
-Proof.
-  intros [E (e & In_e)] S V. apply Rnot_lt_le. intros L.
-  set (b := box row) in *. set (x := located d 1 lambda) in *.
-  assert (Same : forall g, In g (pull_tips row) -> rdot (primitive g) x = rdot f x).
-  { rewrite E in S. cbn [separates make_row] in S. unfold pull_tips. rewrite E.
-    cbn [pulls make_row]. set (tips0 := List.concat _) in *.
-    destruct (map primitive tips0) as [|f0 fs] eqn:M; [discriminate|].
-    destruct (same_forms (f0 :: fs)) eqn:SF; [|discriminate]. injection S as ->.
-    cbn in SF. rewrite forallb_forall in SF. intros g Hg. apply (in_map primitive) in Hg.
-    rewrite M in Hg. destruct Hg as [<-|Hg]; [reflexivity|].
-    specialize (SF _ Hg). pose proof (rdot_all_zero _ x SF) as Z. rewrite rdot_combine in Z. lra. }
-  pose proof (v_as_pull d lambda c) as VP.
-  assert (B : 1 * Model.v c lambda d <= unit (pull_scaling b) * rdot f x).
-  { apply (v_bound d lambda b e c In_e). intros p k Hpk.
-    rewrite Rmult_1_l. apply Rmult_le_compat_l; [left; apply pull_unit|].
-    apply eval_most; [apply (shares_good b e c In_e)|]. intros g Hg.
-    rewrite rdot_primitive, Same.
-    - pose proof (content_positive g) as C. apply IZR_le with (n := 1%Z) in C || idtac.
-      assert (1 <= IZR (content g)) by (apply IZR_le; lia). fold x. nra.
-    - rewrite E. fold b. eapply pull_tip_in; [apply pull_in; eassumption | exact Hg]. }
-  pose proof (pull_unit b). fold x in L. nra.
-Qed.
-
-
-(* ---- Solutions in the plane ---- *)
+(* ---- Solutions ---- *)
 
 Definition solves (s : setting) (x : list R) :=
-  exists g lambda d forces, x = located d 1 lambda /\
-    solution (rows s) (the_load s) g lambda d forces.
+  exists sys d h l fs, x = h :: l :: d /\ solution (rows s) (the_load s) sys d h l fs /\
+    slips_at (slipping s) (Rows.rows sys) d.
+
+(* Where the geometry is certain, the slip is zero where its forms are. *)
+Lemma slip_forms_zero row r d h l : fits row r -> slip_certain row = true -> box_signed (box row) = false ->
+  Forall (fun f => rdot f (h :: l :: d) = 0) (slip_forms row) \/
+  (0 < Rows.size (Rows.weights r) (Rows.slip r d) /\ not_zero (h :: l :: d) (slip_forms row)).
+Proof.
+  intros [E (p & F & mu & t & I)] C Sg.
+  assert (SS : shares_in (box row) p = []).
+  { rewrite E in C. cbn [slip_certain make_row] in C. rewrite Sg in C. apply Nat.eqb_eq in C.
+    unfold shares_in. apply length_zero_iff_nil. rewrite (shares_count _ _ (in_geometry _ _ _ _ _ _ I)). exact C. }
+  set (u := unit (forms_scaling (box row))). assert (U : 0 < u) by apply unit_positive.
+  set (T := first_tip (forms row)).
+  assert (Nth : forall j, nth j (Rows.slip r d) 0 = u * rdot (nth (S j) T []) d).
+  { intros j. pose proof (forms_corners (box row) r p F mu t I (S j) d Sg) as X.
+    rewrite SS, eval_first, <- E in X. transitivity (Rows.dot (nth j (Rows.slips r) []) d); [|exact X].
+    unfold Rows.slip. change 0 with (Rows.dot [] d) at 1. apply (map_nth (fun f => Rows.dot f d)). }
+  assert (Of : forall f, rdot (of_motion f) (h :: l :: d) = rdot f d) by (intros; apply rdot_of_motion).
+  unfold slip_forms. fold T. set (k := List.length (metric row)).
+  assert (Cases : Forall (fun f => rdot f d = 0) (firstn k (tl T)) \/
+                  Exists (fun f => rdot f d <> 0) (firstn k (tl T))).
+  { induction (firstn k (tl T)) as [|f fs [IH|IH]]; [now left| |right; now right].
+    destruct (Req_dec (rdot f d) 0); [left; now constructor|right; now left]. }
+  destruct Cases as [Z|NZ].
+  - left. apply Forall_map. eapply Forall_impl; [|exact Z]. intros f. cbv beta. now rewrite Of.
+  - right. split.
+    + destruct (Rle_lt_or_eq_dec 0 _ (Rows.size_nonneg (Rows.weights r) (Rows.slip r d))) as [P|P]; [exact P|].
+      exfalso. apply Exists_exists in NZ as (f & Hf & NZ). apply NZ.
+      apply In_nth with (d := []) in Hf as (j & Lj & <-). rewrite firstn_length in Lj.
+      assert (NT : nth j (firstn k (tl T)) [] = nth (S j) T []).
+      { transitivity (nth j (tl T) []); [|destruct T; [destruct j; reflexivity|reflexivity]].
+        rewrite <- (firstn_skipn k (tl T)) at 2. rewrite app_nth1; [reflexivity|]. rewrite firstn_length. lia. }
+      rewrite NT. symmetry in P.
+      assert (LW : (j < List.length (Rows.weights r))%nat).
+      { rewrite (is_weights _ _ _ _ _ _ I), map_length. unfold k in Lj. rewrite E in Lj.
+        cbn [metric make_row] in Lj. rewrite map_length in Lj. lia. }
+      apply Rmult_eq_reg_l with u; [|lra]. rewrite Rmult_0_r. rewrite <- Nth.
+      apply (Rows.size_zero_nth (Rows.weights r)); [apply (weights_positive _ _ _ _ _ _ I)|exact P|exact LW].
+    + apply Exists_exists in NZ as (f & Hf & NZ). apply Exists_exists. exists (of_motion f).
+      split; [now apply in_map|]. now rewrite Of.
+Qed.
 
 Lemma split_covers s n bs x : (forall y, n <> Leaf y) -> split s n = inl bs -> solves s x ->
   exists b, In b bs /\ takes solves b x.
 Proof.
   intros NL H S.
-  destruct n as [i|i|a|name i c|y]; cbn in H.
+  destruct n as [i|i|a|name i c|y]; cbn [split] in H.
+  - destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
+    destruct (negb (has_friction (box row))); [discriminate|].
+    destruct (slip_certain row) eqn:SC; [|discriminate]. cbn [negb] in H.
+    destruct (box_signed (box row)) eqn:Sg; injection H as <-.
+    + set (f := first_tip (tau row)) in *. destruct (Rtotal_order (rdot f x) 0) as [P|[P|P]].
+      * exists (above s (negative f)). split; [cbn; auto|]. apply takes_above; [exact S|].
+        rewrite rdot_negative. lra.
+      * exists (on_plane s f). split; [cbn; auto|]. constructor; cbn; [exact S| |constructor|constructor].
+        constructor; [exact P|constructor].
+      * exists (above s f). split; [cbn; auto|]. now apply takes_above.
+    + destruct S as (sys & d & h & l & fs & -> & S & SL).
+      destruct (numbered_is _ _ _ N) as (k & -> & NR).
+      destruct (fits_at _ _ _ _ _ (rows_fit _ _ _ _ _ _ _ S) NR) as (r & Nr & Fr).
+      destruct (slip_forms_zero row r d h l Fr SC Sg) as [Z|[NZ Z]].
+      * eexists. split; [now left|]. constructor; cbn [branch_setting conditions new_strict new_moving];
+          [now exists sys, d, h, l, fs| |constructor|constructor].
+        apply Forall_map. eapply Forall_impl; [|exact Z]. intros f E. exact E.
+      * eexists. split; [right; now left|].
+        constructor; cbn [branch_setting conditions new_strict new_moving];
+          [|constructor|constructor|constructor; [exact Z|constructor]].
+        exists sys, d, h, l, fs. split; [reflexivity|]. split; [exact S|].
+        intros k' r' H Nr'. cbn in H. apply orb_true_iff in H as [H|H]; [|now apply (SL k' r')].
+        apply Z.eqb_eq, Nat2Z.inj in H. subst k'. rewrite Nr in Nr'. injection Nr' as <-. exact NZ.
   - destruct (numbered (rows s) i) as [row|]; [|discriminate].
-    destruct (tau_certain row); [|discriminate]. set (f := first_tip (tau row)) in *.
-    injection H as <-. destruct (Rtotal_order (rdot f x) 0) as [P|[P|P]].
-    + exists (above s (negative f)). split; [cbn; auto|]. apply takes_above; [exact S|]. rewrite rdot_negative. lra.
-    + exists (on_plane s f). split; [cbn; auto|]. constructor; cbn; [exact S| |constructor|constructor].
-      constructor; [exact P|constructor].
-    + exists (above s f). split; [cbn; auto|]. now apply takes_above.
-  - destruct (numbered (rows s) i) as [row|]; [|discriminate].
+    destruct (box_spring (box row)); [discriminate|].
     destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (takes_side f).
   - injection H as <-. now apply takes_side.
-  - destruct (halves s name i c) as [[l h]|] eqn:E; [|discriminate]. injection H as <-.
-    destruct S as (g & lambda & d & forces & X & S).
-    destruct (halves_cover _ _ _ _ _ _ g lambda d forces E S) as [S'|S'].
-    + exists (Branch [] [] [] l). split; [cbn; auto|]. constructor; cbn; try constructor.
-      now exists g, lambda, d, forces.
-    + exists (Branch [] [] [] h). split; [cbn; auto|]. constructor; cbn; try constructor.
-      now exists g, lambda, d, forces.
+  - destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate]. injection H as <-.
+    destruct S as (sys & d & h & l & fs & X & S & SL).
+    destruct (halves_cover _ _ _ _ _ _ sys d h l fs E S) as [[El Eh] [S'|S']].
+    + exists (Branch [] [] [] lo). split; [cbn; auto|]. constructor; cbn; try constructor.
+      exists sys, d, h, l, fs. rewrite El. auto.
+    + exists (Branch [] [] [] hi). split; [cbn; auto|]. constructor; cbn; try constructor.
+      exists sys, d, h, l, fs. rewrite Eh. auto.
   - now destruct (NL y).
 Qed.
 
@@ -373,39 +496,55 @@ Lemma leaf_refuted s strict rays y x :
   spans (map coordinates rays) (fun a => rdot a x) -> Forall (not_zero x) strict ->
   solves s x -> False.
 Proof.
-  unfold leaf_fails. intros H G (ws & W & Sp) T (g & lambda & d & forces & -> & S).
-  destruct (_ || _ || _) eqn:C in H; [|discriminate]. clear H.
-  assert (L : forall m, leaf_holds_by m (rows s) (the_load s) strict rays
-                (map (to_integer (scaling_of y)) y) = true -> False).
-  { intros m Hm. assert (Hm' := Hm). unfold leaf_holds_by in Hm'.
-    set (z := map _ y) in *. destruct z as [|y1 [|y2 [|y3 [|? ?]]]]; try discriminate.
-    apply andb_true_iff in Hm' as [M _]. apply Z.ltb_lt in M.
-    rewrite (leaf_refutes strict rays d lambda G T ws W Sp y1 y2 y3 m M _ _ g forces S) in Hm.
-    discriminate. }
-  apply orb_true_iff in C as [C|C]; [apply orb_true_iff in C as [C|C]|].
-  - apply (not_barred strict rays (located d 1 lambda) G T ws Sp rays); auto.
+  unfold leaf_fails. intros H G (ws & W & Sp) T (sys & d & h & l & fs & -> & S & SL).
+  destruct (barred strict rays) eqn:B.
+  { apply (not_barred strict rays (h :: l :: d) G T ws Sp rays); auto.
     eapply Forall_impl; [|exact W]. intros p [_ Hp]. right.
-    apply in_map_iff in Hp as (q & Hq & Hin). exists q. auto.
-  - exact (L _ C).
-  - apply andb_true_iff in C as [_ C]. exact (L _ C).
+    apply in_map_iff in Hp as (q & Hq & Hin). exists q. auto. }
+  set (y' := map _ y) in *. set (them := pressers _ _ _ _ _ _ _ _) in *.
+  assert (FP : 0 < Q2R (unit_of (scaling_of y))).
+  { rewrite unit_of_is by apply common_denominator_positive. apply unit_positive. }
+  assert (L : forall m, leaf_holds_by m them (the_load s) strict rays y' = true -> False).
+  { intros m Hm. assert (Hm' := Hm). unfold leaf_holds_by in Hm'.
+    apply andb_true_iff in Hm' as [M _]. apply Z.ltb_lt in M. unfold them in Hm.
+    rewrite (leaf_refutes strict rays d h l G T ws W Sp y' _ FP m M (rows s) (the_load s) (slipping s) sys fs S SL)
+      in Hm. discriminate. }
+  destruct (_ || _) eqn:C in H; [|discriminate]. clear H.
+  apply orb_true_iff in C as [C|C]; [|exact (L _ C)]. apply andb_true_iff in C as [_ C]. exact (L _ C).
 Qed.
 
-Lemma root_takes (two_sided : bool) s rng g lambda d forces :
-  solution (rows s) (the_load s) g lambda d forces ->
-  Model.normal g = (if two_sided then Model.bilateral else Model.unilateral) ->
-  in_range rng lambda -> takes solves (root_branch two_sided s rng) (located d 1 lambda).
+Lemma Forall_separating (P : form -> Prop) rows before : Forall P before ->
+  (forall r f, In r rows -> separates r = Some f -> box_spring (box r) = false -> P f) ->
+  Forall P (separating rows before).
 Proof.
-  intros S Law R. set (x := located d 1 lambda).
-  destruct (range_conditions_met x 3 rng lambda eq_refl R) as [C T].
+  intros B H. unfold separating. rewrite rev_append_rev, app_nil_r, rev_append_rev, app_nil_r.
+  apply Forall_rev. assert (B' : Forall P (rev before)) by now apply Forall_rev.
+  revert B'. generalize (rev before). clear B.
+  induction rows as [|r rows IH]; intros done D; cbn [fold_left]; [exact D|].
+  apply IH; [intros; eapply H; eauto; now right|].
+  destruct (separates r) as [f|] eqn:E; [|exact D]. destruct (box_spring (box r)) eqn:Sp; [exact D|].
+  constructor; [|exact D]. apply (H r f); [now left|exact E|exact Sp].
+Qed.
+
+Lemma root_takes (two_sided : bool) s rng sys d lambda fs :
+  solution (rows s) (the_load s) sys d 1 lambda fs -> slips_at (slipping s) (Rows.rows sys) d ->
+  Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  in_range rng lambda -> takes solves (root_branch two_sided s rng) (1 :: lambda :: d).
+Proof.
+  intros S SL Law R. set (x := 1 :: lambda :: d).
+  destruct (range_conditions_met d rng lambda R) as [C T].
   constructor; cbn [branch_setting conditions new_strict new_moving root_branch];
-    [now exists g, lambda, d, forces| |exact T|constructor].
-  apply Forall_map. apply Forall_app. split; [exact C|].
-  destruct two_sided; [|constructor]. destruct S as [F _ _ _ _ [Ob _]]. rewrite Law in Ob.
-  clear - F Ob. unfold separating. revert forces Ob. generalize (rows s) (Model.contacts g) F.
-  clear F. intros rws cs F. induction F as [|row c rws cs Fc F IH]; intros fs Ob; [constructor|].
-  inversion Ob as [|? [a b] ? fs' O1 O2]; subst. cbn [flat_map]. apply Forall_app.
-  split; [|eapply IH; eassumption]. destruct (separates row) as [f|] eqn:E; constructor; [|constructor].
-  unfold meets; cbn. eapply separates_nonneg; [exact Fc|exact E|]. apply O1.
+    [now exists sys, d, 1, lambda, fs| |exact T|constructor].
+  rewrite map_all_is. apply Forall_map.
+  destruct two_sided; [|exact C].
+  apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
+  intros row f Hr E Sp. destruct S as [F _ _ _ _ _ (_ & Ob & _)]. rewrite Law in Ob.
+  apply In_nth_error in Hr as (k & Hr).
+  destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er (p & G & mu & t & I)]).
+  destruct (fits_at _ _ _ _ _ Ob Nr) as ([a g] & _ & (La & _)).
+  unfold Rows.normal_law in La. rewrite (is_spring _ _ _ _ _ _ I), Sp in La. destruct La as [_ V].
+  unfold meets; cbn [snd fst]. rewrite Er in E.
+  exact (separates_nonneg d 1 lambda (box row) r p G mu t I f E V).
 Qed.
 
 End Proofs.
@@ -417,20 +556,23 @@ Variable advisor : oracle memory.
 Definition walk_ranges (most_depth : Z) (two_sided : bool) (s : setting) (ranges : list range)
     (nodes : list node) : option (string * nat) :=
   walk memory advisor setting split leaf_fails most_depth nodes
-    (map (fun g => root memory advisor setting 5 (root_branch two_sided s g)) ranges) 0.
+    (map_all (fun g => root memory advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
 
-Theorem refuted_multiple most (two_sided : bool) s ranges nodes g lambda d forces :
+Theorem refuted_multiple most (two_sided : bool) s ranges nodes sys lambda d fs :
+  slipping s = [] -> dimension_of s = Rows.dimension sys ->
   walk_ranges most two_sided s ranges nodes = None ->
-  solution (rows s) (the_load s) g lambda d forces ->
-  Model.normal g = (if two_sided then Model.bilateral else Model.unilateral) ->
+  solution (rows s) (the_load s) sys d 1 lambda fs ->
+  Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Exists (fun r => in_range r lambda) ranges -> False.
 Proof.
-  intros W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
+  intros SE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
+  unfold walk_ranges in W. rewrite map_all_is in W.
   apply (walk_refutes memory advisor setting split leaf_fails solves) in W.
   - rewrite Forall_forall in W. eapply W.
     + apply in_map_iff. now exists rng.
-    + apply (root_home _ _ _ _ 5 _ (located d 1 lambda)); [reflexivity|].
-      eapply root_takes; eassumption.
+    + apply (root_home _ _ _ _ _ _ (1 :: lambda :: d)).
+      * cbn. rewrite D. destruct S as [_ _ _ _ _ _ (L & _)]. now rewrite L.
+      * eapply root_takes; try eassumption. intros k r H. rewrite SE in H. discriminate.
   - intros s' n bs x. apply split_covers.
   - intros s' st rs y x. apply leaf_refuted.
   - apply Forall_map, Forall_forall. intros r _. apply root_good.

@@ -4,7 +4,7 @@
    the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
    list of nodes is accepted for some roots, no solution is at home in any of them. *)
 From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
-From Proved Require Import Question Cone Box Leaf.
+From Proved Require Import Question Cone Box Terms.
 Import ListNotations.
 
 Section Walk.
@@ -126,12 +126,6 @@ Lemma takes_above s f x : solves s x -> 0 < rdot f x -> takes (Branch [(f, false
 Proof.
   intros S P. constructor; cbn; [exact S| | |constructor]; constructor; try constructor;
     unfold meets; cbn; lra.
-Qed.
-
-Lemma rdot_negative f x : rdot (negative f) x = - rdot f x.
-Proof.
-  revert x. induction f as [|z f IH]; intros [|t x]; cbn; try ring.
-  rewrite opp_IZR. unfold negative in IH. rewrite IH. ring.
 Qed.
 
 Lemma takes_side s f x : solves s x -> exists b,

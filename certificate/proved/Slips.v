@@ -1,0 +1,791 @@
+(* SPDX-License-Identifier: MIT *)
+(* Slips of more than one component (FORMAT.md section 7).  The slips of a contact at the rays of a region
+   generate a cone; whether the contact moves, and how much of its friction can work on y, are decided by
+   planes that have all of that cone on one side.  `force_bound`: no force does more work on y than alpha
+   times its a. *)
+From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
+From Proved Require Import Question Cone Meaning Numbers Root Box Terms.
+From Proved Require Rows.
+Import ListNotations.
+
+(* ---- Cones of slips ---- *)
+
+Section Checker.
+Open Scope Z_scope.
+
+Variable ms : list Z.   (* the weights of the product *)
+
+Fixpoint inner_of (ms s t : form) : Z :=
+  match ms, s, t with
+  | m :: ms', x :: s', y :: t' => m * x * y + inner_of ms' s' t'
+  | _, _, _ => 0
+  end.
+
+Notation inner := (inner_of ms).
+
+Definition slip_at (t : list form) (d : form) : form := map (fun f => dot f d) (tl t).
+
+Definition motion_of (r : ray) : form := match coordinates r with _ :: _ :: d => d | _ => [] end.
+
+Definition slips (g : multi (list form)) (rays : list ray) : list form :=
+  flat_map (fun t => map (fun r => slip_at t (motion_of r)) rays) (tips g).
+
+(* Whether w.s / |s| is less than w.t / |t|. *)
+Definition less_along (w s t : form) : bool :=
+  inner w s * Z.abs (inner w s) * inner t t <? inner w t * Z.abs (inner w t) * inner s s.
+
+(* The generator that is nearest to w. *)
+Definition nearest (w : form) (gens : list form) : option form :=
+  fold_left (fun best s =>
+    if all_zero s then best
+    else match best with
+         | None => Some s
+         | Some b => if less_along w b s then Some s else best
+         end) gens None.
+
+(* |s|^2 times the part of w across s. *)
+Definition part_across (w s : form) : form := combine (inner s s) w (- inner w s) s.
+
+Definition nowhere_along (gens : list form) (e : form) : bool :=
+  forallb (fun s => inner s e <=? 0) gens.
+
+(* If w is outside of the cone, an e with e.w > 0 and e.s <= 0 for all generators: its
+   distance from the cone. *)
+Definition separator (gens : list form) (w : form) : option form :=
+  let e := match nearest w gens with
+           | Some s => if 0 <? inner w s then part_across w s else w
+           | None => w
+           end in
+  if nowhere_along gens e && (0 <? inner w e) then Some e else None.
+
+(* The rays with -s in the cone. `separators` are those that were found. *)
+Fixpoint opposed (gens separators : list form) (rays : list (form * ray)) : list ray :=
+  match rays with
+  | [] => []
+  | (s, r) :: rays' =>
+      let w := negative s in
+      if existsb (fun e => 0 <? inner w e) separators then opposed gens separators rays'
+      else match separator gens w with
+           | Some e => opposed gens (e :: separators) rays'
+           | None => r :: opposed gens separators rays'
+           end
+  end.
+
+Definition must_move (strict : list (list form)) (g : multi (list form)) (gens : list form)
+    (rays : list ray) : bool :=
+  forallb (fun t =>
+    barred strict (opposed gens [] (map (fun r => (slip_at t (motion_of r), r)) rays))) (tips g).
+
+(* The largest w.s / |s| in the cone, for w = -z: its sign, and its square as a fraction. If w is in the
+   cone, |z|. *)
+Definition most_along (gens : list form) (z : form) : bool * Z * Z :=
+  let w := negative z in
+  let whole := (false, inner z z, 1) in
+  match nearest w gens with
+  | None => whole
+  | Some s =>
+      let a := inner w s in
+      if 0 <=? a then
+        if nowhere_along gens (part_across w s) && (0 <? inner s s) then (false, a * a, inner s s)
+        else whole
+      else if forallb (fun g => (inner w g <=? 0) && (a * a * inner g g <=? inner w g * inner w g * inner s s))
+                gens && (0 <? inner s s)
+           then (true, a * a, inner s s)
+           else whole
+  end.
+
+End Checker.
+
+Section Contacts.
+Open Scope Z_scope.
+
+Definition unit_of (s : scaling) : Q := Qmake (times s) (Z.to_pos (over s)).
+
+(* At a corner; `factor` is that of y. *)
+Definition corner_alpha (row : row) (factor : Q) (y : form) (gens : list form) (moves : bool)
+    (t : list form) : Q :=
+  let z := slip_at t y in
+  let '(below, n, d) := if moves then most_along (metric row) gens z else (false, inner_of (metric row) z z, 1) in
+  let mu := if below then low (box_friction (box row)) else high (box_friction (box row)) in
+  let u := (unit_of (forms_scale row) * factor)%Q in
+  let q := (mu * mu * box_square (box row) * unit_of (metric_scale row) * (u * u) * Qmake n (Z.to_pos d))%Q in
+  reduced (u * inject_Z (dot (nth 0 t []) y) +
+    (if below then if Qle_bool 0 mu then - root_below q else 0 else root_above q))%Q.
+
+Fixpoint largest_q (qs : list Q) : Q :=
+  match qs with
+  | [] => 0%Q
+  | [q] => q
+  | q :: qs' => let m := largest_q qs' in if Qle_bool q m then m else q
+  end.
+
+(* Of y in integers: alpha is that of factor * y, over the factor. *)
+Definition alpha (strict : list (list form)) (rays : list ray) (slipping : bool) (row : row)
+    (factor : Q) (y : form) : Q :=
+  let frictionless := Qeq_bool (high (box_friction (box row))) 0 in
+  let gens := if frictionless then [] else slips (forms row) rays in
+  let moves := negb frictionless &&
+    (slipping || must_move (metric row) strict (forms row) gens rays) in
+  reduced (largest_q (map (corner_alpha row factor y gens moves) (tips (forms row))) / factor)%Q.
+
+Definition alpha_term (m : Z) (a : Q) (mixed : bool) (row : row) : term :=
+  let n := m * Qnum a * times (pull_scale row) in
+  let d := Zpos (Qden a) * over (pull_scale row) in
+  match pull_tips row with
+  | [v] =>
+      let c := up n d in
+      if mixed then (if c <=? 0 then Nothing else Bend c 1 [v] true) else Line c v
+  | vs =>
+      if mixed && (Qnum a <=? 0) then Nothing
+      else Bend (m * times (pull_scale row)) d (map (map (Z.mul (Qnum a))) vs) mixed
+  end.
+
+(* A multiple of the denominators. *)
+Definition alpha_over (a : Q) (row : row) : Z := Zpos (Qden a) * over (pull_scale row).
+
+End Contacts.
+
+(* ---- Proofs: cones ---- *)
+
+Section Cones.
+Open Scope R_scope.
+
+Variable ms : list Z.
+Let W := map IZR ms.
+Hypothesis positive : Rows.positive W.
+
+Notation inner := (inner_of ms).
+Notation product := (Rows.product W).
+Notation size := (Rows.size W).
+Notation real := (map IZR).
+
+Lemma inner_is s t : IZR (inner s t) = product (real s) (real t).
+Proof.
+  unfold W. clear. revert s t. induction ms as [|m ms' IH]; intros [|x s] [|y t]; cbn; try reflexivity.
+  now rewrite plus_IZR, !mult_IZR, IH.
+Qed.
+
+Lemma product_negative s e : product (real (negative s)) e = - product (real s) e.
+Proof.
+  unfold W. clear. revert s e. induction ms as [|m ms' IH]; intros [|x s] [|y e]; cbn; try ring.
+  unfold negative in IH. rewrite IH, opp_IZR. ring.
+Qed.
+
+Lemma product_combine p a q c e :
+  product (real (combine p a q c)) e = IZR p * product (real a) e + IZR q * product (real c) e.
+Proof.
+  assert (S : forall ms' k a e, Rows.product (map IZR ms') (real (map (Z.mul k) a)) e =
+    IZR k * Rows.product (map IZR ms') (real a) e).
+  { clear. induction ms' as [|m ms' IH]; intros k [|x a] [|y e]; cbn; try ring.
+    rewrite IH, mult_IZR. ring. }
+  unfold W. clear W positive. revert a c e.
+  induction ms as [|m ms' IH]; intros [|x a] [|z c] [|y e]; cbn; try ring.
+  - rewrite S, mult_IZR. ring.
+  - rewrite S, mult_IZR. ring.
+  - rewrite IH, plus_IZR, !mult_IZR. ring.
+Qed.
+
+Lemma nearest_in w gens s : nearest ms w gens = Some s -> In s gens.
+Proof.
+  unfold nearest. assert (A : forall l best, (forall b, best = Some b -> In b gens) ->
+    (forall g, In g l -> In g gens) ->
+    fold_left (fun best s => if all_zero s then best
+      else match best with None => Some s
+           | Some b => if less_along ms w b s then Some s else best end) l best = Some s -> In s gens).
+  { induction l as [|g l IH]; intros best B G H; cbn in H; [now apply B|].
+    eapply IH; [|intros; apply G; now right|exact H].
+    intros b Eb. destruct (all_zero g); [now apply B|]. destruct best as [b0|].
+    - destruct (less_along ms w b0 g); [|now apply B]. injection Eb as <-. apply G. now left.
+    - injection Eb as <-. apply G. now left. }
+  intros H. eapply A; [| |exact H]; [discriminate|auto].
+Qed.
+
+(* A cone of slips is known by the vectors e with e.s <= 0 for all its generators s. *)
+Definition in_dual (gens : list form) (e : list R) := forall g, In g gens -> product (real g) e <= 0.
+
+Definition in_cone (gens : list form) (s : list R) := forall e, in_dual gens e -> product s e <= 0.
+
+Lemma nowhere_along_dual gens e : nowhere_along ms gens e = true -> in_dual gens (real e).
+Proof.
+  unfold nowhere_along. rewrite forallb_forall. intros H g Hg. specialize (H g Hg).
+  apply Z.leb_le, IZR_le in H. rewrite inner_is in H. exact H.
+Qed.
+
+Lemma sqrt_of_square a d : 0 <= a -> 0 < d -> sqrt (a * a / d) = a / sqrt d.
+Proof.
+  intros A D. unfold Rdiv. rewrite sqrt_mult_alt by nra. rewrite sqrt_square by exact A.
+  f_equal. now apply sqrt_inv.
+Qed.
+
+Theorem most_along_bound gens z s : in_cone gens s ->
+  let '(below, n, d) := most_along ms gens z in
+  (0 <= n)%Z /\ (0 < d)%Z /\
+  - product (real z) s <= (if below then -1 else 1) * sqrt (IZR n / IZR d) * size s.
+Proof.
+  intros C. set (w := negative z).
+  assert (WE : forall s, product (real w) s = - product (real z) s) by (intros; apply product_negative).
+  assert (Whole : (0 <= inner z z)%Z /\ (0 < 1)%Z /\
+    - product (real z) s <= 1 * sqrt (IZR (inner z z) / IZR 1) * size s).
+  { split; [|split; [lia|]].
+    - apply le_IZR. rewrite inner_is. now apply Rows.product_nonneg.
+    - rewrite Rmult_1_l. replace (IZR (inner z z) / IZR 1) with (product (real w) (real w)).
+      + rewrite <- WE. now apply Rows.product_bound.
+      + rewrite WE, Rows.product_sym, WE, inner_is. field. }
+  unfold most_along. fold w.
+  destruct (nearest ms w gens) as [g|] eqn:Near; [|exact Whole].
+  apply nearest_in in Near. set (a := inner w g). set (gg := inner g g).
+  assert (GG : IZR gg = product (real g) (real g)) by apply inner_is.
+  assert (AA : IZR a = product (real w) (real g)) by apply inner_is.
+  destruct (Z.leb_spec 0 a) as [A0|A0].
+  - destruct (nowhere_along ms gens (part_across ms w g) && (0 <? gg)%Z) eqn:H; [|exact Whole].
+    apply andb_true_iff in H as [H P]. apply Z.ltb_lt in P. split; [nia|]. split; [exact P|].
+    apply nowhere_along_dual, C in H. rewrite Rows.product_sym in H. unfold part_across in H.
+    rewrite product_combine, opp_IZR in H. fold a gg in H.
+    apply IZR_lt in P. apply IZR_le in A0. rewrite Rmult_1_l, mult_IZR, sqrt_of_square by lra.
+    pose proof (sqrt_lt_R0 _ P) as R0. pose proof (sqrt_sqrt (IZR gg) ltac:(lra)) as R2.
+    pose proof (Rows.product_bound W (real g) s positive) as Cy.
+    assert (LT : size (real g) = sqrt (IZR gg)) by (unfold Rows.size; now rewrite GG).
+    rewrite LT in Cy. rewrite <- WE. set (root := sqrt (IZR gg)) in *.
+    apply Rmult_le_reg_l with (IZR gg); [exact P|].
+    replace (IZR gg * (IZR a / root * size s)) with (IZR a * (root * size s))
+      by (rewrite <- R2 at 1; field; lra).
+    apply Rle_trans with (IZR a * product (real g) s); [lra|].
+    apply Rmult_le_compat_l; lra.
+  - destruct (forallb _ gens && (0 <? gg)%Z) eqn:H; [|exact Whole].
+    apply andb_true_iff in H as [H P]. apply Z.ltb_lt in P. split; [nia|]. split; [exact P|].
+    rewrite forallb_forall in H. apply IZR_lt in P, A0.
+    replace (IZR (a * a)) with (- IZR a * - IZR a) by (rewrite mult_IZR; ring).
+    rewrite sqrt_of_square by lra.
+    pose proof (sqrt_lt_R0 _ P) as R0. pose proof (sqrt_sqrt (IZR gg) ltac:(lra)) as R2.
+    set (root := sqrt (IZR gg)) in *.
+    pose proof (Rows.size_nonneg W s) as L0. pose proof (Rows.size_square W s positive) as L2.
+    set (L := size s) in *. set (M := IZR a / root).
+    assert (M0 : M < 0).
+    { unfold M. assert (0 < - IZR a / root) by (apply Rdiv_lt_0_compat; lra).
+      unfold Rdiv in *. lra. }
+    assert (MR : M * root = IZR a) by (unfold M; field; lra).
+    replace (-1 * (- IZR a / root) * L) with (M * L) by (unfold M; field; lra).
+    rewrite <- WE. destruct (Req_dec L 0) as [LZ|LZ].
+    + rewrite Rows.product_sym, (Rows.size_zero W s (real w) positive LZ), LZ. lra.
+    + (* w - M s / |s| has no generator along it *)
+      set (e := Rows.plus (real w) (Rows.scaled (- M / L) s)).
+      assert (PE : forall v, product v e = product (real w) v - M / L * product s v).
+      { intros v. unfold e. rewrite Rows.product_sym, Rows.product_plus, Rows.product_scaled. field. exact LZ. }
+      assert (D : in_dual gens e).
+      { intros h Hh. specialize (H h Hh). apply andb_true_iff in H as [H1 H2].
+        apply Z.leb_le, IZR_le in H1. apply Z.leb_le, IZR_le in H2. rewrite !mult_IZR in H2.
+        fold gg in H2. rewrite PE.
+        set (hh := inner h h) in *. set (wh := inner w h) in *.
+        assert (HH : IZR hh = product (real h) (real h)) by apply inner_is.
+        assert (WH : IZR wh = product (real w) (real h)) by apply inner_is.
+        pose proof (Rows.size_nonneg W (real h)) as G0. pose proof (Rows.size_square W (real h) positive) as G2.
+        pose proof (Rows.product_bound W s (real h) positive) as Cy. fold L in Cy.
+        set (G := size (real h)) in *. rewrite <- HH in G2. rewrite <- WH.
+        (* w.h <= M |h| *)
+        assert (B : IZR wh <= M * G).
+        { apply Rnot_lt_le. intros Lt.
+          assert (X : IZR a * G < IZR wh * root).
+          { replace (IZR a * G) with (M * G * root) by (rewrite <- MR; ring).
+            apply Rmult_lt_compat_r; assumption. }
+          assert (Y : (- (IZR wh * root)) * (- (IZR wh * root)) < (- (IZR a * G)) * (- (IZR a * G))).
+          { apply Rmult_le_0_lt_compat; try lra; nra. }
+          assert (Z : IZR a * IZR a * IZR hh <= IZR wh * IZR wh * IZR gg) by lra.
+          rewrite <- G2, <- R2 in Z. lra. }
+        assert (U : product s (real h) / L <= G).
+        { apply Rmult_le_reg_r with L; [lra|]. unfold Rdiv.
+          rewrite Rmult_assoc, Rinv_l by exact LZ. lra. }
+        unfold Rdiv in *. nra. }
+      specialize (C _ D). rewrite PE in C. rewrite <- L2 in C.
+      replace (M / L * (L * L)) with (M * L) in C by (field; exact LZ). lra.
+Qed.
+
+Definition separates_cone (gens : list form) (e : form) := nowhere_along ms gens e = true.
+
+Lemma separator_is gs w e : separator ms gs w = Some e ->
+  separates_cone gs e /\ (0 < inner w e)%Z.
+Proof.
+  unfold separator. set (e0 := match nearest ms w gs with Some s => _ | None => w end).
+  intros H. destruct (nowhere_along ms gs e0 && (0 <? inner w e0)%Z) eqn:C; [|discriminate].
+  injection H as <-. apply andb_true_iff in C as [C1 C2]. apply Z.ltb_lt in C2. now split.
+Qed.
+
+Lemma opposed_is gs seps rs : Forall (separates_cone gs) seps ->
+  (forall q, In q (opposed ms gs seps rs) -> exists s, In (s, q) rs) /\
+  forall s q, In (s, q) rs -> In q (opposed ms gs seps rs) \/
+    exists e, separates_cone gs e /\ (0 < inner (negative s) e)%Z.
+Proof.
+  revert seps. induction rs as [|[s q] rs IH]; intros seps V; [split; [intros ? []|intros ? ? []]|].
+  cbn [opposed].
+  destruct (existsb (fun e => (0 <? inner (negative s) e)%Z) seps) eqn:Ex.
+  - destruct (IH seps V) as [A B]. split.
+    + intros q' Hq. destruct (A q' Hq) as (s' & H). exists s'. now right.
+    + intros s' q' [E|H]; [|exact (B s' q' H)]. injection E as <- <-. right.
+      apply existsb_exists in Ex as (e & He & P). rewrite Forall_forall in V.
+      exists e. split; [auto|now apply Z.ltb_lt].
+  - destruct (separator ms gs (negative s)) as [e|] eqn:Sep.
+    + destruct (separator_is _ _ _ Sep) as [V1 P].
+      destruct (IH (e :: seps) (Forall_cons _ V1 V)) as [A B]. split.
+      * intros q' Hq. destruct (A q' Hq) as (s' & H). exists s'. now right.
+      * intros s' q' [E|H]; [|exact (B s' q' H)]. injection E as <- <-. right. now exists e.
+    + destruct (IH seps V) as [A B]. split.
+      * intros q' [<-|Hq]; [exists s; now left|]. destruct (A q' Hq) as (s' & H). exists s'. now right.
+      * intros s' q' [E|H]; [injection E as <- <-; left; now left|].
+        destruct (B s' q' H); [left; now right|now right].
+Qed.
+
+(* The corner that a choice in the box is not far from: a sum over corners that is 0, of terms that are not
+   positive, has the term 0 there. *)
+Lemma heavy_tip {A} (t : multi A) ss : Forall is_share ss ->
+  exists c, In c (tips t) /\
+    forall f, (forall a, In a (tips t) -> f a <= 0) -> eval f t ss = 0 -> f c = 0.
+Proof.
+  revert ss. induction t as [a|l IHl h IHh]; intros ss S.
+  - exists a. split; [now left|]. intros f _ E. exact E.
+  - destruct S as [|s ss Hs S].
+    + destruct (IHl [] (Forall_nil _)) as (c & Hc & H). exists c. split; [cbn; apply in_or_app; auto|].
+      intros f N E. apply H; [|exact E]. intros; apply N; cbn; apply in_or_app; auto.
+    + destruct Hs as [S0 S1]. destruct (Rlt_dec s 1) as [L|L].
+      * destruct (IHl ss S) as (c & Hc & H). exists c. split; [cbn; apply in_or_app; auto|].
+        intros f N E. cbn in E.
+        assert (Nl : eval f l ss <= 0) by (apply eval_most; [exact S|]; intros; apply N; cbn; apply in_or_app; auto).
+        assert (Nh : eval f h ss <= 0) by (apply eval_most; [exact S|]; intros; apply N; cbn; apply in_or_app; auto).
+        apply H; [intros; apply N; cbn; apply in_or_app; auto|]. nra.
+      * assert (s = 1) by lra. subst s.
+        destruct (IHh ss S) as (c & Hc & H). exists c. split; [cbn; apply in_or_app; auto|].
+        intros f N E. cbn in E. apply H; [intros; apply N; cbn; apply in_or_app; auto|]. lra.
+Qed.
+
+End Cones.
+
+(* ---- A contact's force does at most alpha max(0, v) of work ---- *)
+
+Section Contact.
+Open Scope R_scope.
+
+Variable strict : list (list form).
+Variable rays : list ray.
+Variables (d : list R) (h l : R).
+Let x := h :: l :: d.
+Hypothesis rays_know : Forall (knows strict) rays.
+Hypothesis strict_at_x : Forall (Exists (fun f => rdot f x <> 0)) strict.
+Variable ws : list (R * form).
+Hypothesis W : weights (map coordinates rays) ws.
+Hypothesis spanned : forall a, rdot a x = total a ws.
+
+Variable y : form.
+Let yv := map IZR y.
+Variable factor : Q.
+Hypothesis factor_positive : 0 < Q2R factor.
+
+Variable b : cbox.
+Variable r : Rows.row.
+Variables (p : list R) (F : list R -> list (list R)) (mu st : R).
+Hypothesis I : inside_at b r p F mu st.
+Hypothesis unsigned : box_signed b = false.
+Let it := make_row b.
+Let ss := shares_in b p.
+Let u := unit (forms_scaling b).
+Let ms := metric it.
+Let mu_unit := unit (metric_scale it).
+Let G := map IZR ms.
+Notation product := (Rows.product G).
+Notation real := (map IZR).
+
+Let gens := slips (forms it) rays.
+
+Lemma u_positive : 0 < u.
+Proof. apply unit_positive. Qed.
+
+Lemma mu_unit_positive : 0 < mu_unit.
+Proof. apply unit_positive. Qed.
+
+Lemma weights_are : Rows.weights r = map (Rmult mu_unit) G.
+Proof.
+  rewrite (is_weights _ _ _ _ _ _ I). unfold G, ms, mu_unit, it. cbn [metric metric_scale make_row].
+  rewrite !map_map. apply map_ext_in. intros q Hq. now apply to_integer_exact.
+Qed.
+
+Lemma metric_positive : Rows.positive G.
+Proof.
+  pose proof (weights_positive _ _ _ _ _ _ I) as P. rewrite weights_are in P. unfold Rows.positive in *.
+  rewrite Forall_map in P. eapply Forall_impl; [|exact P]. cbn. intros z Z. pose proof mu_unit_positive.
+  apply Rnot_le_lt. intros N. assert (0 <= mu_unit * - z) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+Lemma product_is s e : Rows.product (Rows.weights r) s e = mu_unit * product s e.
+Proof.
+  rewrite weights_are. clear. revert s e. induction G as [|g G' IH]; intros [|z s] [|w e]; cbn; try ring.
+  rewrite IH. ring.
+Qed.
+
+Lemma size_is s : Rows.size (Rows.weights r) s = sqrt mu_unit * Rows.size G s.
+Proof.
+  unfold Rows.size. rewrite product_is. apply sqrt_mult_alt. left. apply mu_unit_positive.
+Qed.
+
+(* A slip at a corner, and the whole slip. *)
+Definition slip_of (t : list form) (d' : list R) : list R := map (fun f => rdot f d') (tl t).
+
+Lemma slip_of_integers t z : slip_of t (real z) = real (slip_at t z).
+Proof. unfold slip_of, slip_at. rewrite map_map. apply map_ext. intros f. apply rdot_integers. Qed.
+
+Lemma nth_slip_of t d' j : nth j (slip_of t d') 0 = rdot (nth (S j) t []) d'.
+Proof.
+  unfold slip_of. change 0 with (rdot [] d') at 1. rewrite (map_nth (fun f => rdot f d')).
+  destruct t as [|n t]; [destruct j; reflexivity|reflexivity].
+Qed.
+
+Lemma product_skipn ws0 (w : R) s z e j :
+  Rows.product (w :: ws0) (skipn j s) (z :: e) =
+  w * z * nth j s 0 + Rows.product ws0 (skipn (S j) s) e.
+Proof.
+  revert j. induction s as [|a s IH]; intros [|j].
+  - cbn. destruct ws0; cbn; ring.
+  - cbn. destruct ws0; cbn; ring.
+  - cbn. ring.
+  - exact (IH j).
+Qed.
+
+Lemma slip_corners e d' :
+  product (Rows.slip r d') e = u * eval (fun t => product (slip_of t d') e) (forms it) ss.
+Proof.
+  assert (A : forall ws0 j e, Rows.product ws0 (skipn j (Rows.slip r d')) e =
+    u * eval (fun t => Rows.product ws0 (skipn j (slip_of t d')) e) (forms it) ss).
+  { induction ws0 as [|w ws0 IH]; intros j [|z e0].
+    1, 2: cbn; rewrite eval_constant; ring.
+    - rewrite (eval_same _ (fun _ => 0)), eval_constant by (intros a _; cbv beta; destruct (skipn j (slip_of a d')); reflexivity).
+      destruct (skipn j (Rows.slip r d')); cbn; ring.
+    - rewrite product_skipn.
+      rewrite (eval_same _ (fun t => w * z * rdot (nth (S j) t []) d' +
+        Rows.product ws0 (skipn (S j) (slip_of t d')) e0))
+        by (intros a _; cbv beta; now rewrite product_skipn, nth_slip_of).
+      rewrite eval_sum, eval_multiple, IH.
+      pose proof (forms_corners b r p F mu st I (S j) d' unsigned) as E. cbn [nth] in E.
+      assert (N : nth j (Rows.slip r d') 0 = Rows.dot (nth j (Rows.slips r) []) d').
+      { unfold Rows.slip. change 0 with (Rows.dot [] d') at 1. apply (map_nth (fun f => Rows.dot f d')). }
+      rewrite N, E. fold u ss. unfold it.
+      match goal with |- w * z * (u * ?A) + u * ?B = u * (w * z * ?A' + ?B') =>
+        change A' with A; change B' with B end. ring. }
+  exact (A G 0%nat e).
+Qed.
+
+Lemma N_corners d' : Rows.dot (Rows.N r) d' = u * eval (fun t => rdot (nth 0 t []) d') (forms it) ss.
+Proof. exact (forms_corners b r p F mu st I 0 d' unsigned). Qed.
+
+(* A sum over the rays of the point. *)
+Fixpoint sum_over (H : form -> R) (ws : list (R * form)) : R :=
+  match ws with [] => 0 | (w, q) :: ws' => w * H q + sum_over H ws' end.
+
+Definition ray_motion (q : form) : form := match q with _ :: _ :: d' => d' | _ => [] end.
+
+Lemma dot_motion f q : dot (of_motion f) q = dot f (ray_motion q).
+Proof. destruct q as [|a [|c q]]; unfold of_motion, ray_motion; cbn; destruct f; reflexivity || lia. Qed.
+
+Lemma rdot_rays f : rdot f d = sum_over (fun q => IZR (dot f (ray_motion q))) ws.
+Proof.
+  rewrite <- (rdot_of_motion f h l d). fold x. rewrite spanned. clear.
+  induction ws as [|[w q] ws' IH]; cbn -[of_motion]; [reflexivity|]. now rewrite IH, dot_motion.
+Qed.
+
+Lemma product_rays t0 e : product (slip_of t0 d) e =
+  sum_over (fun q => product (real (slip_at t0 (ray_motion q))) e) ws.
+Proof.
+  assert (A : forall ws0 fs e, Rows.product ws0 (map (fun f => rdot f d) fs) e =
+    sum_over (fun q => Rows.product ws0 (real (map (fun f => dot f (ray_motion q)) fs)) e) ws).
+  { assert (Z : sum_over (fun _ => 0) ws = 0) by (clear; induction ws as [|[w q] ws' IH]; cbn; lra).
+    induction ws0 as [|w ws0 IH]; intros [|f fs] [|z e0]; cbn; try (now rewrite Z).
+    rewrite IH, rdot_rays. clear. induction ws as [|[w0 q] ws' IH]; cbn; [ring|]. rewrite <- IH. ring. }
+  apply A.
+Qed.
+
+Lemma sums_nonpos H ws' : weights (map coordinates rays) ws' ->
+  (forall q, In q (map coordinates rays) -> H q <= 0) -> sum_over H ws' <= 0.
+Proof.
+  intros Wl N. induction Wl as [|[w q] l' [Hw Hq] Wl IH]; cbn; [lra|]. cbn in Hw, Hq.
+  specialize (N _ Hq). assert (0 <= w * - H q) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+Lemma sum_over_zero H : (forall q, In q (map coordinates rays) -> H q <= 0) ->
+  sum_over H ws = 0 -> Forall (fun wq => fst wq = 0 \/ H (snd wq) = 0) ws.
+Proof.
+  intros N. clear spanned. revert W. generalize ws as l'. intros l' Wl.
+  induction Wl as [|[w q] l' [Hw Hq] Wl IH]; cbn; [constructor|]. intros E. cbn in Hw, Hq.
+  pose proof (sums_nonpos H l' Wl N) as N0. pose proof (N _ Hq) as N'.
+  assert (0 <= w * - H q) by (apply Rmult_le_pos; lra).
+  constructor; [|apply IH; lra]. cbn.
+  assert (Z : w * H q = 0) by lra. now apply Rmult_integral in Z.
+Qed.
+
+Lemma ray_slip t0 q : In t0 (tips (forms it)) -> In q (map coordinates rays) ->
+  In (slip_at t0 (ray_motion q)) gens.
+Proof.
+  intros Ht Hq. apply in_map_iff in Hq as (q' & <- & Hq). unfold gens, slips.
+  apply in_flat_map. exists t0. split; [exact Ht|]. apply in_map_iff. now exists q'.
+Qed.
+
+Lemma slip_in_cone : in_cone ms gens (Rows.slip r d).
+Proof.
+  intros e D. rewrite slip_corners.
+  assert (eval (fun t => product (slip_of t d) e) (forms it) ss <= 0).
+  { apply eval_most; [apply (shares_valid b r p F mu st I)|]. intros t0 Ht. rewrite product_rays.
+    apply sums_nonpos; [exact W|]. intros q Hq. apply D. now apply ray_slip. }
+  pose proof u_positive. nra.
+Qed.
+
+Lemma must_move_moves : must_move ms strict (forms it) gens rays = true ->
+  0 < Rows.size (Rows.weights r) (Rows.slip r d).
+Proof.
+  intros M. rewrite size_is. pose proof (sqrt_lt_R0 _ mu_unit_positive) as U.
+  destruct (Rle_lt_or_eq_dec 0 _ (Rows.size_nonneg G (Rows.slip r d))) as [H|Zero];
+    [now apply Rmult_lt_0_compat|]. exfalso. symmetry in Zero.
+  unfold must_move in M. rewrite forallb_forall in M.
+  destruct (heavy_tip (forms it) ss (shares_valid b r p F mu st I)) as (t0 & Ht & Heavy).
+  specialize (M t0 Ht).
+  set (rs := map (fun q => (slip_at t0 (motion_of q), q)) rays) in *.
+  destruct (opposed_is ms gens [] rs (Forall_nil _)) as [Sub Out].
+  refine (not_barred strict rays x rays_know strict_at_x ws spanned (opposed ms gens [] rs) _ M _).
+  - intros q Hq. destruct (Sub q Hq) as (s & H). unfold rs in H.
+    apply in_map_iff in H as (q' & E & H). injection E as _ <-. exact H.
+  - assert (Z0 : forall e, in_dual ms gens e ->
+      Forall (fun wq => fst wq = 0 \/ product (real (slip_at t0 (ray_motion (snd wq)))) e = 0) ws).
+    { intros e D. apply (sum_over_zero (fun q => product (real (slip_at t0 (ray_motion q))) e)).
+      - intros q Hq. apply D. now apply ray_slip.
+      - rewrite <- product_rays. apply (Heavy (fun t => product (slip_of t d) e)).
+        + intros t1 Ht1. rewrite product_rays. apply sums_nonpos; [exact W|]. intros q Hq. apply D.
+          now apply ray_slip.
+        + pose proof (slip_corners e d) as E.
+          rewrite (Rows.size_zero G _ e metric_positive Zero) in E. pose proof u_positive.
+          apply Rmult_eq_reg_l with u; [|lra]. rewrite <- E. ring. }
+    apply Forall_forall. intros [w q] Hwq. cbn.
+    pose proof W as W0. unfold weights in W0. rewrite Forall_forall in W0. destruct (W0 _ Hwq) as [_ Hq].
+    cbn in Hq. apply in_map_iff in Hq as (q' & <- & Hq).
+    destruct (Out (slip_at t0 (motion_of q')) q') as [H|(e & SC & P)].
+    { unfold rs. apply in_map_iff. now exists q'. }
+    + right. now exists q'.
+    + left. pose proof (Z0 _ (nowhere_along_dual ms _ _ SC)) as Fz. rewrite Forall_forall in Fz.
+      destruct (Fz _ Hwq) as [E|E]; [exact E|]. exfalso. cbn [snd] in E.
+      apply IZR_lt in P. rewrite inner_is, product_negative in P.
+      change (motion_of q') with (ray_motion (coordinates q')) in P. fold G in P. lra.
+Qed.
+
+Lemma unit_of_is sc : (0 < over sc)%Z -> Q2R (unit_of sc) = unit sc.
+Proof. intros O. unfold unit_of, Q2R, unit; cbn. rewrite Z2Pos.id by exact O. reflexivity. Qed.
+
+(* What friction can do on y, at a corner. *)
+Lemma corner_bound (moves : bool) a g t0 : 0 <= a ->
+  let s := Rows.slip r d in
+  Rows.size (Rows.weights r) g <= Rows.rho r * a ->
+  Rows.product (Rows.weights r) g s = - (Rows.rho r * a) * Rows.size (Rows.weights r) s ->
+  (moves = true -> 0 < Rows.size (Rows.weights r) s) ->
+  let z := slip_at t0 y in
+  a * (u * Q2R factor * IZR (dot (nth 0 t0 []) y)) +
+  u * Q2R factor * Rows.product (Rows.weights r) g (real z)
+  <= a * Q2R (corner_alpha it factor y gens moves t0).
+Proof.
+  intros A0 s Cone Diss Hm z. unfold corner_alpha. fold z. fold ms.
+  set (res := if moves then most_along ms gens z else (false, inner_of ms z z, 1%Z)).
+  destruct res as [[below n] den] eqn:Res.
+  pose proof u_positive as UP. pose proof mu_unit_positive as MU. pose proof metric_positive as MP0.
+  pose proof (friction_nonneg _ _ _ _ _ _ I) as M0. pose proof (in_friction _ _ _ _ _ _ I) as [Wl Wh].
+  set (len := sqrt (Q2R (box_square b))). assert (LP : 0 <= len) by apply sqrt_pos.
+  assert (RE : Rows.rho r = mu * len) by apply (is_rho _ _ _ _ _ _ I).
+  set (um := sqrt mu_unit). assert (UM : 0 <= um) by apply sqrt_pos.
+  assert (UM2 : um * um = mu_unit) by (apply sqrt_sqrt; lra).
+  set (R := Rows.rho r * a). assert (R0 : 0 <= R) by (unfold R; rewrite RE; repeat apply Rmult_le_pos; lra).
+  (* the work of friction, by its sign *)
+  assert (B : (0 <= n)%Z /\ (0 < den)%Z /\
+    Rows.product (Rows.weights r) g (real z) <= (if below then -1 else 1) * sqrt (IZR n / IZR den) * (um * R)).
+  { destruct moves.
+    - specialize (Hm eq_refl).
+      rewrite (Rows.against_slip _ _ _ _ (weights_positive _ _ _ _ _ _ I) Cone Diss Hm).
+      pose proof (most_along_bound ms MP0 gens z _ slip_in_cone) as Mo.
+      unfold res in Res. rewrite Res in Mo. destruct Mo as (N0 & D0 & Mo).
+      split; [exact N0|]. split; [exact D0|]. fold s in Mo. fold R.
+      rewrite size_is in Hm. rewrite product_is, size_is. change (sqrt mu_unit) with um in Hm |- *. set (S := Rows.size G s) in *.
+      assert (SP : 0 < S) by (apply Rnot_le_lt; intros N; assert (0 <= um * - S) by (apply Rmult_le_pos; lra); lra).
+      assert (UP' : 0 < um) by (apply sqrt_lt_R0; lra).
+      rewrite Rows.product_sym. rewrite <- UM2.
+      replace (- (R / (um * S)) * (um * um * product (real z) s)) with (R * um / S * - product (real z) s)
+        by (field; lra).
+      apply Rle_trans with (R * um / S * ((if below then -1 else 1) * sqrt (IZR n / IZR den) * S)).
+      + apply Rmult_le_compat_l; [|exact Mo]. apply Rmult_le_pos; [now apply Rmult_le_pos|].
+        left. now apply Rinv_0_lt_compat.
+      + right. field. lra.
+    - unfold res in Res. injection Res as <- <- <-.
+      assert (ZZ : IZR (inner_of ms z z) = product (real z) (real z)) by apply inner_is.
+      split; [apply le_IZR; rewrite ZZ; now apply Rows.product_nonneg|]. split; [lia|].
+      eapply Rle_trans; [apply Rows.product_bound; apply (weights_positive _ _ _ _ _ _ I)|].
+      rewrite (size_is (real z)). fold um.
+      replace (sqrt (IZR (inner_of ms z z) / IZR 1)) with (Rows.size G (real z))
+        by (unfold Rows.size; f_equal; rewrite ZZ; field).
+      pose proof (Rows.size_nonneg G (real z)) as S0. set (S := Rows.size G (real z)) in *. fold R in Cone.
+      apply Rle_trans with (R * (um * S)); [|right; ring].
+      apply Rmult_le_compat_r; [now apply Rmult_le_pos|exact Cone]. }
+  destruct B as (N0 & D0 & B).
+  set (U := u * Q2R factor). assert (UP' : 0 < U) by (apply Rmult_lt_0_compat; assumption).
+  change (box it) with b.
+  set (mq := if below then low (box_friction b) else high (box_friction b)).
+  set (uq := (unit_of (forms_scale it) * factor)%Q).
+  assert (UQ : Q2R uq = U).
+  { unfold uq, it. cbn [forms_scale make_row]. rewrite unsigned.
+    rewrite Q2R_mult, unit_of_is; [reflexivity|]. apply common_denominator_positive. }
+  assert (MQ : Q2R (unit_of (metric_scale it)) = mu_unit)
+    by (apply unit_of_is; apply common_denominator_positive).
+  set (q := (mq * mq * box_square b * unit_of (metric_scale it) * (uq * uq) * (n # Z.to_pos den))%Q).
+  apply IZR_le in N0 as N0'. apply IZR_lt in D0 as D0'.
+  assert (FR : Q2R (n # Z.to_pos den) = IZR n / IZR den).
+  { unfold Q2R; cbn. now rewrite Z2Pos.id. }
+  assert (SqP : len * len = Q2R (box_square b)).
+  { apply sqrt_sqrt. apply (square_nonneg _ _ _ _ _ _ I). }
+  assert (QE : Q2R q = (Q2R mq * len * um * U) * (Q2R mq * len * um * U) * (IZR n / IZR den)).
+  { unfold q. rewrite !Q2R_mult, UQ, FR, MQ, <- SqP, <- UM2. ring. }
+  assert (FN : 0 <= IZR n / IZR den).
+  { apply Rmult_le_pos; [exact N0'|]. left. now apply Rinv_0_lt_compat. }
+  set (root := sqrt (IZR n / IZR den)) in *. assert (Rt0 : 0 <= root) by apply sqrt_pos.
+  rewrite reduced_same, Q2R_plus, Q2R_mult, UQ.
+  replace (Q2R (inject_Z (dot (nth 0 t0 []) y))) with (IZR (dot (nth 0 t0 []) y))
+    by (unfold Q2R; cbn; field).
+  set (Ny := IZR (dot (nth 0 t0 []) y)).
+  rewrite (Rmult_plus_distr_l a). apply Rplus_le_compat_l.
+  apply Rle_trans with (U * ((if below then -1 else 1) * root * (um * R))).
+  { apply Rmult_le_compat_l; lra. }
+  assert (Keep : forall m1 m2, 0 <= m1 <= m2 -> m1 * len * um * U * root <= m2 * len * um * U * root).
+  { intros m1 m2 [H1 H2]. repeat (apply Rmult_le_compat_r; [lra|]). exact H2. }
+  assert (SQ : 0 <= Q2R mq -> sqrt (Q2R q) = Q2R mq * len * um * U * root).
+  { intros MP. rewrite QE, sqrt_mult_alt by apply Rle_0_sqr. rewrite sqrt_square; [reflexivity|].
+    apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; lra. }
+  assert (QP : 0 <= Q2R q) by (rewrite QE; apply Rmult_le_pos; [apply Rle_0_sqr|exact FN]).
+  unfold R. rewrite RE. destruct below.
+  - destruct (Qle_bool 0 mq) eqn:MP.
+    + apply Qle_bool_R in MP. rewrite Q2R_0 in MP. rewrite Q2R_opp.
+      pose proof (root_below_is q QP) as RB. rewrite (SQ MP) in RB.
+      pose proof (Keep (Q2R mq) mu (conj MP Wl)) as K.
+      assert (a * Q2R (root_below q) <= a * (mu * len * um * U * root))
+        by (apply Rmult_le_compat_l; lra). lra.
+    + rewrite Q2R_0, Rmult_0_r.
+      assert (0 <= U * (root * (um * (mu * len * a)))); [|lra].
+      apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|].
+      apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; lra.
+  - assert (MP : 0 <= Q2R mq) by (unfold mq; lra).
+    pose proof (root_above_is q QP) as RA. rewrite (SQ MP) in RA.
+    pose proof (Keep mu (Q2R mq) (conj M0 Wh)) as K.
+    assert (a * (mu * len * um * U * root) <= a * Q2R (root_above q))
+      by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+Lemma largest_q_above qs q : In q qs -> Q2R q <= Q2R (largest_q qs).
+Proof.
+  induction qs as [|q0 qs IH]; [intros []|]. intros H.
+  assert (E : largest_q (q0 :: qs) = match qs with [] => q0 | _ =>
+    let m := largest_q qs in if Qle_bool q0 m then m else q0 end) by now destruct qs.
+  rewrite E. destruct qs as [|q1 qs].
+  - destruct H as [<-|[]]. lra.
+  - cbv zeta. set (m := largest_q (q1 :: qs)) in *. destruct (Qle_bool q0 m) eqn:C.
+    + apply Qle_bool_R in C. destruct H as [<-|H]; [exact C|auto].
+    + assert (Q2R m <= Q2R q0).
+      { apply Rnot_lt_le. intros L. apply Rlt_le, Rle_Qle, Qle_bool_iff in L. congruence. }
+      destruct H as [<-|H]; [lra|]. specialize (IH H). lra.
+Qed.
+
+Theorem force_bound w (slipping : bool) a g : Rows.obeys w d h l r (a, g) -> 0 <= a ->
+  (slipping = true -> 0 < Rows.size (Rows.weights r) (Rows.slip r d)) ->
+  Rows.work r (a, g) yv <= a * Q2R (alpha strict rays slipping it factor y).
+Proof.
+  intros (_ & Cone & Diss) A0 HS. unfold Rows.work. cbn [fst snd].
+  rewrite (Rows.product_sym _ g), product_is, slip_corners, N_corners.
+  set (frictionless := Qeq_bool (high (box_friction (box it))) 0).
+  set (moves := negb frictionless && (slipping || must_move ms strict (forms it) gens rays)).
+  set (top := largest_q (map (corner_alpha it factor y gens moves) (tips (forms it)))).
+  assert (AE : Q2R (alpha strict rays slipping it factor y) = Q2R top / Q2R factor).
+  { assert (E : alpha strict rays slipping it factor y = reduced (top / factor)).
+    { unfold alpha. fold frictionless. fold gens. fold ms. unfold top, moves.
+      destruct frictionless; reflexivity. }
+    rewrite E, reduced_same, Q2R_div; [reflexivity|].
+    intros Z. apply Qeq_eqR in Z. rewrite Q2R_0 in Z. lra. }
+  assert (MV : moves = true -> 0 < Rows.size (Rows.weights r) (Rows.slip r d)).
+  { unfold moves. intros M. apply andb_true_iff in M as [_ M]. apply orb_true_iff in M as [M|M].
+    - auto.
+    - now apply must_move_moves. }
+  rewrite AE. apply Rmult_le_reg_l with (Q2R factor); [exact factor_positive|].
+  replace (Q2R factor * (a * (Q2R top / Q2R factor))) with (a * Q2R top) by (field; lra).
+  match goal with |- Q2R factor * (a * (u * ?A) + mu_unit * (u * ?B)) <= _ =>
+    replace (Q2R factor * (a * (u * A) + mu_unit * (u * B)))
+      with ((a * (u * Q2R factor)) * A + (u * Q2R factor * mu_unit) * B) by ring end.
+  rewrite <- !eval_multiple, <- eval_sum.
+  apply eval_most; [apply (shares_valid b r p F mu st I)|]. intros t0 Ht.
+  unfold yv. rewrite rdot_integers, slip_of_integers.
+  replace (u * Q2R factor * mu_unit * product (real (slip_at t0 y)) g)
+    with (u * Q2R factor * Rows.product (Rows.weights r) g (real (slip_at t0 y)))
+    by (rewrite product_is, (Rows.product_sym _ g); ring).
+  replace (a * (u * Q2R factor) * IZR (dot (nth 0 t0 []) y))
+    with (a * (u * Q2R factor * IZR (dot (nth 0 t0 []) y))) by ring.
+  eapply Rle_trans; [apply (corner_bound moves a g t0 A0 Cone Diss MV)|].
+  apply Rmult_le_compat_l; [exact A0|]. apply largest_q_above. now apply in_map.
+Qed.
+
+(* ---- The term of alpha ---- *)
+
+Variable m : Z.
+Hypothesis m_positive : (0 < m)%Z.
+Notation bound t := (over_rays (value t) ws).
+Let v := Rows.v r d h l.
+Let p_unit := unit (pull_scaling b).
+
+(* m alpha max(0, v) is at most the term. *)
+Lemma alpha_term_bound al (mixed : bool) a : a = Rmax 0 v ->
+  (mixed = false -> 0 <= v) ->
+  IZR m * (a * Q2R al) <= bound (alpha_term m al mixed it).
+Proof.
+  intros Ha Closed. assert (PU : 0 < p_unit) by apply pull_unit. apply IZR_lt in m_positive as MP.
+  assert (OP : (0 < over (pull_scale it))%Z) by apply common_denominator_positive.
+  assert (TP : (0 < times (pull_scale it))%Z) by apply content_positive.
+  set (n := (m * Qnum al * times (pull_scale it))%Z).
+  set (den := (Zpos (Qden al) * over (pull_scale it))%Z).
+  assert (DP : (0 < den)%Z) by (unfold den; lia).
+  apply IZR_lt in DP as DP'. apply IZR_lt in OP as OP'.
+  assert (QD : 0 < IZR (Zpos (Qden al))) by (apply IZR_lt; lia).
+  assert (FE : IZR n / IZR den = IZR m * Q2R al * p_unit).
+  { unfold n, den, p_unit, unit, Q2R. rewrite !mult_IZR. change (pull_scale it) with (pull_scaling b).
+    field. change (pull_scale it) with (pull_scaling b) in OP'. lra. }
+  pose proof (nothing_bound ws) as B0.
+  assert (A0 : 0 <= a) by (rewrite Ha; apply Rmax_l).
+  assert (Sign : Q2R al <= 0 -> IZR m * (a * Q2R al) <= 0).
+  { intros N. assert (a * Q2R al <= 0) by nra. nra. }
+  (* If it presses, a = v. *)
+  assert (Press : forall U, 0 <= U \/ mixed = false -> (0 <= v -> IZR m * Q2R al * v <= U) ->
+    IZR m * (a * Q2R al) <= U).
+  { intros U U0 H. destruct (Rle_dec 0 v) as [V|V].
+    - rewrite Ha, Rmax_right by exact V. replace (IZR m * (v * Q2R al)) with (IZR m * Q2R al * v) by ring.
+      auto.
+    - destruct U0 as [U0|E]; [|specialize (Closed E); lra].
+      rewrite Ha, Rmax_left by lra. lra. }
+  assert (General : forall vs, vs = pull_tips it ->
+    IZR m * (a * Q2R al) <= bound (if mixed && (Qnum al <=? 0)%Z then Nothing
+      else Bend (m * times (pull_scale it)) den (map (map (Z.mul (Qnum al))) vs) mixed)).
+  { intros vs ->. destruct (mixed && (Qnum al <=? 0)%Z) eqn:C.
+    - apply andb_true_iff in C as [_ C]. apply Z.leb_le, IZR_le in C. rewrite B0. apply Sign.
+      unfold Q2R. assert (0 < / IZR (Zpos (Qden al))) by now apply Rinv_0_lt_compat. nra.
+    - apply Press.
+      + destruct mixed; [left|now right]. apply (mixed_bound_nonneg rays ws W); [nia|exact DP].
+      + intros V. apply (v_bound d h l b r p F mu st I). intros f Hf. fold p_unit x.
+        eapply Rle_trans; [|apply (bend_bound rays x ws W spanned _ _ _ _ (map (Z.mul (Qnum al)) f));
+          [nia|exact DP|now apply in_map]].
+        right. rewrite <- FE, rdot_scaled. unfold n. rewrite !mult_IZR. unfold Rdiv. ring. }
+  unfold alpha_term. fold n den. destruct (pull_tips it) as [|v0 [|v1 vs]] eqn:PT;
+    try (apply General; reflexivity).
+  pose proof (up_above n den DP) as UA. rewrite FE in UA. set (k := up n den) in *.
+  assert (VE : v = p_unit * rdot v0 x) by (apply (v_of_one d h l b r p F mu st I); exact PT).
+  assert (One : 0 <= v -> IZR m * Q2R al * v <= IZR k * rdot v0 x).
+  { intros V. assert (0 <= rdot v0 x) by nra. rewrite VE, <- Rmult_assoc. now apply Rmult_le_compat_r. }
+  destruct mixed.
+  - destruct (Z.leb_spec k 0) as [K|K].
+    + apply IZR_le in K. rewrite B0. apply Sign. apply Rnot_lt_le. intros P.
+      assert (0 < IZR m * Q2R al * p_unit) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; assumption). lra.
+    + apply Press; [left; apply (mixed_bound_nonneg rays ws W); lia|]. intros V.
+      eapply Rle_trans; [exact (One V)|].
+      replace (IZR k) with (IZR k / IZR 1) by (field; lra).
+      apply (bend_bound rays x ws W spanned); [lia|lia|now left].
+  - rewrite (line_bound x ws spanned). apply Press; [now right|]. exact One.
+Qed.
+
+End Contact.

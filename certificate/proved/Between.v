@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
 (* From the middle of a contact's box (Box.v) to a choice in it there is a straight way, on which its row
-   changes continuously and stays in the box: `way_of`. *)
+   changes continuously and stays in the box: `way_to`. *)
 From Coq Require Import List Arith ZArith QArith Qreals Reals Lra Lia Bool FunctionalExtensionality.
 From Proved Require Import Question Meaning Numbers Root Box Brouwer Homotopy RowLimits Degree.
 From Proved Require Rows.
@@ -157,8 +157,6 @@ Variable r : Rows.row.
 Variables (p : list R) (F : list R -> list (list R)) (mu t : R).
 Hypothesis I : inside_at b r p F mu t.
 Hypothesis r_proper : proper D r.
-Hypothesis forms_shape : forall p p', List.length p = List.length (box_geometry b) ->
-  List.length p' = List.length (box_geometry b) -> map (@List.length R) (F p) = map (@List.length R) (F p').
 
 Hypothesis sound : friction_sound b = true.
 
@@ -180,7 +178,7 @@ Proof. unfold center. now rewrite map_length, p_length. Qed.
 
 Lemma shape_at s : map (@List.length R) (F (mixed s center p)) = D :: map (@List.length R) (Rows.slips r).
 Proof.
-  rewrite (forms_shape _ p); [|rewrite mixed_length, center_length; [apply p_length|apply center_length]|apply p_length].
+  rewrite (forms_shape _ _ _ _ _ _ I _ p); [|rewrite mixed_length, center_length; [apply p_length|apply center_length]|apply p_length].
   rewrite <- (is_forms _ _ _ _ _ _ I). cbn. now rewrite (N_length _ _ r_proper).
 Qed.
 
@@ -266,6 +264,7 @@ Proof.
   - rewrite mixed_start by apply center_length. unfold center. clear.
     induction (box_geometry b) as [|i is IH]; cbn; constructor; [apply exactly_within|exact IH].
   - intros j d. rewrite map_length. apply (forms_affine _ _ _ _ _ _ I).
+  - intros q q'. rewrite map_length. apply (forms_shape _ _ _ _ _ _ I).
   - unfold friction_at. rewrite M. apply exactly_within.
   - unfold row_at. cbn. rewrite M. rewrite middle_is. unfold mix. lra.
   - unfold row_at. cbn. rewrite M. rewrite middle_is. unfold mix. lra.
@@ -309,3 +308,16 @@ Proof.
 Qed.
 
 End Way.
+
+(* The way, from the time 0 to the time 1. *)
+Theorem way_to D b r : inside b r -> proper D r -> friction_sound b = true -> exists way : R -> Rows.row,
+  way 1 = r /\ inside (middle_box b) (way 0) /\
+  (forall s, 0 <= s <= 1 -> inside b (way s) /\ proper D (way s)) /\
+  (forall s s', Un_cv s s' -> cv_row (fun k => way (s k)) (way s')).
+Proof.
+  intros (p & F & mu & t & I) P S. exists (row_at b r p F mu t). split; [|split; [|split]].
+  - now apply (row_at_end D).
+  - now apply (row_at_middle D).
+  - intros s Hs. split; [|now apply (row_at_proper D)]. eexists _, _, _, _. now apply (row_at_inside D).
+  - intros s s' C. now apply (row_at_continuous D).
+Qed.

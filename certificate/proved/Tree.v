@@ -40,6 +40,25 @@ Record setting := Setting {
   dimension_of : nat; rows : list row; the_load : load; pushes : matrix; slipping : list Z; short : Z; exact : Z
 }.
 
+Section Numbers.
+Open Scope Z_scope.
+
+(* A multiple of all denominators of leaves; and a power of two with which every term of a leaf
+   keeps about 64 bits, if that is shorter. *)
+Definition common_multiple (rows : list row) (ld : load) : Z :=
+  fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
+
+Definition short_multiple (rows : list row) (multiple : Z) : Z :=
+  let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
+  let short := Z.shiftl 1 (Z.log2 most + 65) in
+  if short <? multiple then short else multiple.
+
+End Numbers.
+
+Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : matrix) : setting :=
+  let m := common_multiple rows ld in
+  Setting dimension rows ld pushes [] (short_multiple rows m) m.
+
 (* ---- Nodes ---- *)
 
 Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray) (y : list Q)
@@ -300,13 +319,13 @@ Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i
   negb (same_parameter name PPreload) || certain (box_growth b) = true ->
   inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
 Proof.
-  intros (p & F & mu & t & [Ge Fo Ra Af Fr F0 Rh Sq We Wp St Pr Gr K Sp Sa Ss Si]) E C G.
+  intros (p & F & mu & t & [Ge Fo Ra Af Sh Fr F0 Rh Sq We Wp St Pr Gr K Sp Sa Ss Si]) E C G.
   destruct b as [names g f m pl u k sq n w sg sp]. cbn in *.
   assert (Geometry : forall name', get_named name' names g = Some i ->
     inside (CBox names (set_named name' (low_half i c) names g) f m pl u k sq n w sg sp) r \/
     inside (CBox names (set_named name' (high_half i c) names g) f m pl u k sq n w sg sp) r).
   { intros name' E'. destruct (set_named_within name' names g p i c Ge E') as [H|H]; [left|right];
-      exists p, F, mu, t; constructor; cbn; try assumption; intros; rewrite set_named_length; apply Af. }
+      exists p, F, mu, t; constructor; cbn; try assumption; intros; rewrite set_named_length in *; auto. }
   destruct name; cbn in *; try discriminate; try (now apply Geometry).
   - destruct (has_friction _); [|discriminate]. injection E as <-.
     destruct (within_halves _ c _ Fr); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.

@@ -282,10 +282,10 @@ Proof.
     apply (cv_list_by_numbers (nth j (D :: map (@List.length R) (Rows.slips r)) O)); [intros; apply Len|apply Len|].
     intros i Hi. set (n := nth j (D :: map _ _) O) in *.
     assert (E : forall q, nth i (nth j (F (mixed q center p)) []) 0 =
-      Rows.dot (nth j (F (mixed q center p)) []) (Degree.unit n i)) by (intros; now rewrite dot_unit).
-    rewrite E. apply cv_same with (fun k => Rows.dot (nth j (F (mixed (s k) center p)) []) (Degree.unit n i));
+      Rows.dot (nth j (F (mixed q center p)) []) (basis_vector n i)) by (intros; now rewrite dot_unit).
+    rewrite E. apply cv_same with (fun k => Rows.dot (nth j (F (mixed (s k) center p)) []) (basis_vector n i));
       [intros; apply E|].
-    apply (multiaffine_cv _ _ (fun q => Rows.dot (nth j (F q) []) (Degree.unit n i))); [|exact Cp].
+    apply (multiaffine_cv _ _ (fun q => Rows.dot (nth j (F q) []) (basis_vector n i))); [|exact Cp].
     rewrite mixed_length, center_length, p_length by apply center_length. apply (forms_affine _ _ _ _ _ _ I). }
   constructor; cbn.
   - specialize (Forms O). rewrite nth_0 in Forms.

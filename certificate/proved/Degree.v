@@ -15,10 +15,10 @@ Open Scope R_scope.
 Fixpoint sum_to (n : nat) (f : nat -> R) : R :=
   match n with O => 0 | S n' => f O + sum_to n' (fun i => f (S i)) end.
 
-Fixpoint unit (n i : nat) : list R :=
+Fixpoint basis_vector (n i : nat) : list R :=
   match n with
   | O => []
-  | S n' => match i with O => 1 :: repeat 0 n' | S i' => 0 :: unit n' i' end
+  | S n' => match i with O => 1 :: repeat 0 n' | S i' => 0 :: basis_vector n' i' end
   end.
 
 Lemma sum_same n f g : (forall i, (i < n)%nat -> f i = g i) -> sum_to n f = sum_to n g.
@@ -45,7 +45,7 @@ Proof. now destruct a. Qed.
 Lemma dot_zeros a n : dot a (repeat 0 n) = 0.
 Proof. revert n. induction a as [|x a IH]; intros [|n]; cbn; try ring. rewrite IH. ring. Qed.
 
-Lemma dot_unit a n i : (i < n)%nat -> dot a (unit n i) = nth i a 0.
+Lemma dot_unit a n i : (i < n)%nat -> dot a (basis_vector n i) = nth i a 0.
 Proof.
   revert n i. induction a as [|x a IH]; intros [|n] [|i] I; cbn; try lia; try reflexivity.
   - rewrite dot_zeros. ring.
@@ -76,7 +76,7 @@ Lemma dot_sym a b : dot a b = dot b a.
 Proof. revert b. induction a as [|x a IH]; intros [|y b]; cbn; try reflexivity. rewrite IH. ring. Qed.
 
 (* Works are known by those on the n unit vectors. *)
-Definition known_by_units (n : nat) (f : list R -> R) := forall y, f y = sum_to n (fun i => nth i y 0 * f (unit n i)).
+Definition known_by_units (n : nat) (f : list R -> R) := forall y, f y = sum_to n (fun i => nth i y 0 * f (basis_vector n i)).
 
 Lemma dot_known n a : List.length a = n -> known_by_units n (dot a).
 Proof.
@@ -324,7 +324,7 @@ Proof.
   pose proof (known_plus D _ _ K1 (known_multiple D (-1) _ K2) y) as E. cbn beta in E.
   eapply eq_trans; [|eapply eq_trans; [exact E|]].
   - rewrite (dot_sym y). ring.
-  - apply sum_same. intros i _. rewrite (dot_sym (unit D i)). ring.
+  - apply sum_same. intros i _. rewrite (dot_sym (basis_vector D i)). ring.
 Qed.
 
 Lemma cv_portion s s' : Un_cv s s' -> Un_cv (fun k => portion (s k)) (portion s').
@@ -385,7 +385,7 @@ Proof.
 Qed.
 
 Lemma balance_closed phi s s' e e' : onward phi -> Un_cv s s' -> converges D e e' -> (forall k, 0 <= s k <= 2) ->
-  (forall k j, (j < D)%nat -> net (phi k) (s k) (e k) (unit D j) = 0) -> balance s' e'.
+  (forall k j, (j < D)%nat -> net (phi k) (s k) (e k) (basis_vector D j) = 0) -> balance s' e'.
 Proof.
   intros P S E Rg Z.
   destruct (systems_continuous (fun k => later (s k)) (later s')) as (Cr & _ & _ & Ch & Cl & _).
@@ -478,11 +478,11 @@ Qed.
 Theorem stable_by_degree : exists e fs, Forall (fun f => dot f (listed D e) < 1) walls /\
   forces_obey 1 e fs /\ forall y, total_work 1 fs y = 0.
 Proof.
-  assert (Unit : forall e j, (j < D)%nat -> dot (unit D j) (times A (listed D e)) + spread free (unit D j) (listed D e) =
+  assert (Unit : forall e j, (j < D)%nat -> dot (basis_vector D j) (times A (listed D e)) + spread free (basis_vector D j) (listed D e) =
     nth j (times M (listed D e)) 0).
   { intros e j J. rewrite <- M_is by apply length_listed. now rewrite dot_sym, dot_unit. }
   destruct (homotopy D gap B) with (pull := fun e j => - nth j (times M (listed D e)) 0)
-    (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e (unit D j))
+    (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e (basis_vector D j))
     (balance := balance) as (e & I & fs & F & H).
   - intros u x U. now apply gap_cv.
   - apply Rlt_le_trans with (1 / 2); [lra|]. apply gap_least. split; [lra|].

@@ -136,14 +136,14 @@ Proof.
   now rewrite (same_vectors_real _ _ E), (IH b H).
 Qed.
 
-Lemma unit_vector_is n i : (i < n)%nat -> real (unit_vector n i) = Degree.unit n i.
+Lemma unit_vector_is n i : (i < n)%nat -> real (unit_vector n i) = basis_vector n i.
 Proof.
   unfold unit_vector, real. rewrite map_map. revert i.
   assert (Z : forall n i s, (i < s)%nat -> map (fun j => Q2R (if Nat.eqb i j then 1 else 0)) (seq s n) = repeat 0 n).
   { clear. induction n as [|n IH]; intros i s L; cbn [seq map repeat]; [reflexivity|].
     destruct (Nat.eqb_spec i s); [lia|]. now rewrite Q2R_0, IH by lia. }
-  assert (G : forall i s, (i < n)%nat -> map (fun j => Q2R (if Nat.eqb (s + i) j then 1 else 0)) (seq s n) = Degree.unit n i).
-  { induction n as [|n' IH]; intros i s L; [lia|]. cbn [seq map Degree.unit]. destruct i as [|i].
+  assert (G : forall i s, (i < n)%nat -> map (fun j => Q2R (if Nat.eqb (s + i) j then 1 else 0)) (seq s n) = basis_vector n i).
+  { induction n as [|n' IH]; intros i s L; [lia|]. cbn [seq map basis_vector]. destruct i as [|i].
     - rewrite Nat.add_0_r, Nat.eqb_refl, Z by lia. f_equal. unfold Q2R; cbn; lra.
     - destruct (Nat.eqb_spec (s + S i) s); [lia|]. rewrite Q2R_0. f_equal.
       rewrite <- (IH i (S s)) by lia. now rewrite Nat.add_succ_r. }

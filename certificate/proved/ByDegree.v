@@ -1,0 +1,322 @@
+(* SPDX-License-Identifier: MIT *)
+(* Stable by degree (FORMAT.md section 6): the rules, for the box of a setting and a range of multiples.
+   `stable_by_degree_in_box`: where they hold, every system in the box is stable at every multiple. *)
+From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Walk Tree.
+From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between.
+From Proved Require Rows Model.
+Import ListNotations.
+
+(* All but the trees: from alpha to beta, or to infinity. *)
+Record degree_proof := DegreeProof {
+  low_multiple : Q; high_multiple : option Q;
+  first_twist : vector; last_twist : vector;        (* d', d'' *)
+  is_a_simplex : bool; wall_rows : matrix;          (* E *)
+  direction_rows : matrix                           (* A *)
+}.
+
+Section Rules.
+Open Scope Q_scope.
+
+Variable g : degree_proof.
+
+Definition one_multiple : bool :=
+  match high_multiple g with Some b => Qeq_bool (low_multiple g) b | None => false end.
+
+(* s and t, by their numbers of h and l. *)
+Definition s_and_t : vector * vector :=
+  let a := low_multiple g in
+  if one_multiple then ([1; 0], [0; 0])
+  else
+    match high_multiple g with
+    | Some b => ([b / (b - a); - / (b - a)], [- a / (b - a); / (b - a)])
+    | None => ([1; 0], [-1; / a])
+    end.
+
+(* f.e at the point (h, l, d), where e = d - s d' - t d''. *)
+Definition relative (f : vector) : vector :=
+  plus_times (plus_times [] (- inner f (first_twist g)) (fst s_and_t)) (- inner f (last_twist g)) (snd s_and_t) ++ f.
+
+(* s + t - f.e *)
+Definition room (f : vector) : vector :=
+  plus_times (plus_times (fst s_and_t) 1 (snd s_and_t)) (-1) (relative f).
+
+Definition to_form (a : vector) : form := map (to_integer (scaling_of a)) a.
+
+(* s >= 0 and t >= 0; if there is one multiple, it is l / h. *)
+Definition base_conditions : list (form * bool) :=
+  (to_form (fst s_and_t), false) :: (to_form (snd s_and_t), false) ::
+  if one_multiple then [(to_form [- low_multiple g; 1], true)] else [].
+
+Definition walls : matrix := walls_of (is_a_simplex g) (wall_rows g).
+
+Definition in_K_conditions : list (form * bool) := map (fun f => (to_form (room f), false)) walls.
+
+(* On each wall in turn, with further conditions. *)
+Fixpoint wall_branches (more : list (form * bool)) (s : setting) (before after : matrix) : list (branch setting) :=
+  match after with
+  | [] => []
+  | f :: after' =>
+      Branch (base_conditions ++ more ++ (to_form (room f), true) ::
+              map (fun f => (to_form (room f), false)) (before ++ after'))
+        [to_form (plus_times (fst s_and_t) 1 (snd s_and_t))] [] s
+      :: wall_branches more s (before ++ [f]) after'
+  end.
+
+Definition middle_setting (s : setting) : setting :=
+  make_setting (dimension_of s) (map (fun r => make_row (middle_box (box r))) (rows s))
+    (make_load (map only_middle (load_box (the_load s))) (load_growth (the_load s)))
+    (map relative (direction_rows g)).
+
+Definition middle_conditions : list (form * bool) :=
+  if one_multiple then [] else [(to_form (plus_times (fst s_and_t) (-1) (snd s_and_t)), true)].
+
+Definition point_box (b : cbox) : bool :=
+  forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) && certain (box_growth b) &&
+  certain (box_stiffness b).
+
+Definition is_point (s : setting) : bool :=
+  forallb (fun r => point_box (box r)) (rows s) && forallb certain (load_box (the_load s)).
+
+Definition branches (s : setting) : list (branch setting) :=
+  (if is_point s && one_multiple then [] else wall_branches [] s [] walls) ++
+  wall_branches middle_conditions (middle_setting s) [] walls.
+
+(* No force of a contact depends on z, or does work on it. *)
+Definition row_free (z : vector) (b : cbox) : bool :=
+  forallb (fun fs =>
+    is_zero (inner (N_of fs) z) &&
+    (Qle_bool (high (box_friction b)) 0 || forallb (fun f => is_zero (inner f z)) (tl fs)))
+    (tips (geometry_tree b)).
+
+Fixpoint load_free (z : vector) (w : list interval) : bool :=
+  match z, w with
+  | q :: z', i :: w' => (certain i || is_zero q) && load_free z' w'
+  | _, _ => true
+  end.
+
+Definition all_free (free : matrix) (s : setting) : bool :=
+  forallb (fun r => friction_sound (box r)) (rows s) &&
+  forallb (fun z =>
+    forallb (fun r => row_free z (box r)) (rows s) && load_free z (load_box (the_load s)) &&
+    is_zero (inner (map low (load_box (the_load s))) z) && is_zero (inner (load_growth (the_load s)) z)) free.
+
+(* Beginnings and ends that are there. *)
+Definition range_sound (s : setting) : bool :=
+  let n := dimension_of s in
+  Nat.eqb (List.length (first_twist g)) n && Nat.eqb (List.length (last_twist g)) n &&
+  Qle_bool 0 (low_multiple g) &&
+  match high_multiple g with
+  | Some b => Qle_bool (low_multiple g) b
+  | None => negb (Qle_bool (low_multiple g) 0)
+  end.
+
+End Rules.
+
+Section Checking.
+Variable memory : Type.
+Variable advisor : oracle memory.
+
+(* Under the bilateral law: no contact but a spring pulls in K. *)
+Definition law_holds (g : degree_proof) (s : setting) : bool :=
+  let r := root memory advisor setting (2 + dimension_of s)
+             (Branch (base_conditions g ++ in_K_conditions g) [] [] s) in
+  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays memory setting r)) (pull_tips row)) (rows s).
+
+(* The rule that fails; and at which node, if it is about one. *)
+Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : degree_proof) (nodes : list node)
+    : option (string * option nat) :=
+  let n := dimension_of s in
+  match free_motions n (is_a_simplex g) (wall_rows g) with
+  | None => Some ("degree-walls"%string, None)
+  | Some free =>
+      if negb (range_sound g s && all_free free s) then Some ("degree-free"%string, None)
+      else
+        match inverted n free (direction_rows g) with
+        | None => Some ("degree-direction"%string, None)
+        | Some _ =>
+            if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
+            else
+              match walk memory advisor setting split leaf_fails most_depth nodes
+                      (map (root memory advisor setting (2 + n)) (branches g s)) 0 with
+              | None => None
+              | Some (rule, number) => Some (rule, Some number)
+              end
+        end
+  end.
+
+End Checking.
+
+(* ---- Proofs ---- *)
+
+Section Forms.
+Open Scope R_scope.
+
+Lemma qdot_real a x : qdot a x = Rows.dot (real a) x.
+Proof. apply qdot_is. Qed.
+
+Lemma to_form_is a x : Rows.dot (real a) x = unit (scaling_of a) * rdot (to_form a) x.
+Proof. rewrite <- qdot_real. apply qdot_to_integers. auto. Qed.
+
+Lemma to_form_nonneg a x : 0 <= Rows.dot (real a) x -> 0 <= rdot (to_form a) x.
+Proof. rewrite to_form_is. pose proof (unit_positive a) as U. intros H. apply Rnot_lt_le. intros L. nra. Qed.
+
+Lemma to_form_zero a x : Rows.dot (real a) x = 0 -> rdot (to_form a) x = 0.
+Proof. rewrite to_form_is. pose proof (unit_positive a) as U. intros H. apply Rmult_integral in H as [H|H]; lra. Qed.
+
+Lemma to_form_not_zero a x : Rows.dot (real a) x <> 0 -> rdot (to_form a) x <> 0.
+Proof. rewrite to_form_is. intros H E. rewrite E in H. apply H. ring. Qed.
+
+Variable g : degree_proof.
+
+(* At the part t of the range, with h and l, and e from the motion there. *)
+Definition h_at (t : R) : R := match high_multiple g with Some _ => 1 | None => 1 - t end.
+Definition l_at (t : R) : R :=
+  match high_multiple g with Some b => mix t (Q2R (low_multiple g)) (Q2R b) | None => Q2R (low_multiple g) end.
+Definition twist_at (t : R) : list R := mixed t (real (first_twist g)) (real (last_twist g)).
+
+Definition s_at (h l : R) : R := Rows.dot (real (fst (s_and_t g))) [h; l].
+Definition t_at (h l : R) : R := Rows.dot (real (snd (s_and_t g))) [h; l].
+
+(* The beginning and the end are as they should be, and t is 0 where they are one. *)
+Definition good_range := 0 <= Q2R (low_multiple g) /\
+  match high_multiple g with Some b => Q2R (low_multiple g) <= Q2R b | None => 0 < Q2R (low_multiple g) end.
+Definition good_part (t : R) := 0 <= t <= 1 /\ (one_multiple g = true -> t = 0).
+
+Lemma Q2R_is_1 : Q2R 1 = 1.
+Proof. apply Q2R_1. Qed.
+
+Lemma parts_at t : good_range -> good_part t ->
+  s_at (h_at t) (l_at t) = 1 - t /\ t_at (h_at t) (l_at t) = t /\
+  (one_multiple g = true -> l_at t = Q2R (low_multiple g) * h_at t).
+Proof.
+  intros [A0 R] [T Z]. unfold s_at, t_at, s_and_t, h_at, l_at, one_multiple in *.
+  destruct (high_multiple g) as [b|].
+  - destruct (Qeq_bool (low_multiple g) b) eqn:E.
+    + rewrite (Z eq_refl). cbn. rewrite Q2R_0, Q2R_1. unfold mix. repeat split; intros; ring.
+    + assert (NE : Q2R b - Q2R (low_multiple g) <> 0).
+      { intros H. assert (Q2R (low_multiple g) = Q2R b) by lra. apply eqR_Qeq, Qeq_eq_bool in H0. congruence. }
+      assert (NQ : ~ (b - low_multiple g == 0)%Q).
+      { intros H. apply Qeq_eqR in H. rewrite Q2R_minus, Q2R_0 in H. lra. }
+      cbn -[Q2R]. rewrite !Q2R_div, !Q2R_opp, !Q2R_inv, !Q2R_minus by exact NQ. unfold mix.
+      repeat split; try discriminate; field; exact NE.
+  - cbn -[Q2R]. rewrite Q2R_1, Q2R_0. assert (NQ : ~ (low_multiple g == 0)%Q).
+    { intros H. apply Qeq_eqR in H. rewrite Q2R_0 in H. lra. }
+    rewrite Q2R_inv by exact NQ. replace (Q2R (-1)) with (-1) by (unfold Q2R; cbn; lra).
+    repeat split; try discriminate; field; lra.
+Qed.
+
+Lemma s_and_t_length : List.length (fst (s_and_t g)) = 2%nat /\ List.length (snd (s_and_t g)) = 2%nat.
+Proof. unfold s_and_t. destruct (one_multiple g); [|destruct (high_multiple g)]; auto. Qed.
+
+Lemma dot_two a h l d : List.length a = 2%nat -> Rows.dot (real a) (h :: l :: d) = Rows.dot (real a) [h; l].
+Proof. destruct a as [|x [|y [|? ?]]]; try discriminate. intros _. reflexivity. Qed.
+
+Lemma plus_times_length a s b : List.length (plus_times a s b) = max (List.length a) (List.length b).
+Proof.
+  revert b. induction a as [|x a IH]; intros [|y b]; cbn; try reflexivity; [now rewrite map_length|]. now rewrite IH.
+Qed.
+
+Lemma dot_app a b x y : List.length a = List.length x -> Rows.dot (a ++ b) (x ++ y) = Rows.dot a x + Rows.dot b y.
+Proof.
+  revert x. induction a as [|p a IH]; intros [|q x] L; try discriminate; cbn; [ring|]. rewrite IH by now injection L. ring.
+Qed.
+
+Lemma relative_is f h l d :
+  Rows.dot (real (relative g f)) (h :: l :: d) =
+  Rows.dot (real f) d - s_at h l * Rows.dot (real f) (real (first_twist g)) -
+    t_at h l * Rows.dot (real f) (real (last_twist g)).
+Proof.
+  unfold relative. destruct s_and_t_length as [L1 L2]. set (a := plus_times _ _ _).
+  assert (La : List.length a = 2%nat) by (unfold a; rewrite !plus_times_length, L1, L2; reflexivity).
+  unfold real at 1. rewrite map_app. change (h :: l :: d) with ([h; l] ++ d).
+  rewrite dot_app by (rewrite map_length, La; reflexivity). fold (real a). fold (real f).
+  unfold a. rewrite !dot_plus_times, !Q2R_opp, !inner_is. fold (s_at h l) (t_at h l). cbn [real map Rows.dot]. ring.
+Qed.
+
+(* e as a motion *)
+Lemma relative_at t e f n : good_range -> good_part t -> List.length f = n ->
+  List.length (first_twist g) = n -> List.length (last_twist g) = n ->
+  Rows.dot (real (relative g f)) (h_at t :: l_at t :: listed n (fun i => nth i (twist_at t) 0 + e i)) =
+  Rows.dot (real f) (listed n e).
+Proof.
+  intros R T Lf L1 L2. destruct (parts_at t R T) as (E1 & E2 & _). rewrite relative_is, E1, E2. unfold twist_at.
+  assert (G : forall n a b c e, List.length a = n -> List.length b = n -> List.length c = n ->
+    Rows.dot c (listed n (fun i => nth i (mixed t a b) 0 + e i)) =
+    (1 - t) * Rows.dot c a + t * Rows.dot c b + Rows.dot c (listed n e)).
+  { clear. induction n as [|n IH]; intros [|x a] [|y b] [|z c] e La Lb Lc; try discriminate; cbn; [ring|].
+    injection La as La. injection Lb as Lb. injection Lc as Lc.
+    rewrite (IH a b c (fun i => e (S i)) La Lb Lc). unfold mix. ring. }
+  rewrite G by (unfold real; rewrite map_length; assumption). ring.
+Qed.
+
+Lemma room_at t e f n : good_range -> good_part t -> List.length f = n ->
+  List.length (first_twist g) = n -> List.length (last_twist g) = n ->
+  Rows.dot (real (room g f)) (h_at t :: l_at t :: listed n (fun i => nth i (twist_at t) 0 + e i)) =
+  1 - Rows.dot (real f) (listed n e).
+Proof.
+  intros R T Lf L1 L2. unfold room. destruct s_and_t_length as [S1 S2]. destruct (parts_at t R T) as (E1 & E2 & _).
+  rewrite !dot_plus_times, relative_at by assumption. rewrite (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
+  unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. replace (Q2R (-1)) with (-1) by (unfold Q2R; cbn; lra). ring.
+Qed.
+
+End Forms.
+
+(* ---- The trees ---- *)
+
+Section Trees.
+Open Scope R_scope.
+
+Variable g : degree_proof.
+Variable n : nat.
+Hypothesis first_length : List.length (first_twist g) = n.
+Hypothesis last_length : List.length (last_twist g) = n.
+Hypothesis range_good : good_range g.
+
+Notation point t e := (h_at g t :: l_at g t :: listed n (fun i => nth i (twist_at g t) 0 + e i)).
+
+Lemma base_met t e : good_part g t -> Forall (meets (point t e)) (base_conditions g).
+Proof.
+  intros T. destruct (parts_at g t range_good T) as (E1 & E2 & E3). destruct (s_and_t_length g) as [S1 S2].
+  destruct T as [T Z]. unfold base_conditions.
+  constructor; [|constructor].
+  - unfold meets; cbn [fst snd]. apply to_form_nonneg. rewrite dot_two by exact S1. unfold s_at in E1. rewrite E1. lra.
+  - unfold meets; cbn [fst snd]. apply to_form_nonneg. rewrite dot_two by exact S2. unfold t_at in E2. rewrite E2. lra.
+  - destruct (one_multiple g); constructor; [|constructor]. unfold meets; cbn [fst snd]. apply to_form_zero.
+    cbn [real map Rows.dot]. rewrite Q2R_opp, Q2R_1, (E3 eq_refl). ring.
+Qed.
+
+Lemma in_K_met t e fs : good_part g t -> Forall (fun f => List.length f = n) fs ->
+  Forall (fun f => Rows.dot (real f) (listed n e) <= 1) fs ->
+  Forall (meets (point t e)) (map (fun f => (to_form (room g f), false)) fs).
+Proof.
+  intros T L K. apply Forall_map. rewrite Forall_forall in *. intros f Hf. unfold meets; cbn [fst snd].
+  apply to_form_nonneg. rewrite room_at by auto. specialize (K f Hf). cbn in K. lra.
+Qed.
+
+Lemma wall_taken (solves : setting -> list R -> Prop) more s t e before after : good_part g t ->
+  solves s (point t e) -> Forall (meets (point t e)) more ->
+  Forall (fun f => List.length f = n) (before ++ after) ->
+  Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (before ++ after) ->
+  Exists (fun f => Rows.dot (real f) (listed n e) = 1) after ->
+  exists b, In b (wall_branches g more s before after) /\ takes solves b (point t e).
+Proof.
+  intros T S M. revert before. induction after as [|f after IH]; intros before Len In_K Ex; [inversion Ex|].
+  cbn [wall_branches]. apply Exists_cons in Ex as [Hf|Ex'].
+  - eexists. split; [now left|]. rewrite Forall_app in Len, In_K. destruct Len as [Len1 Len2], In_K as [K1 K2].
+    pose proof (Forall_inv Len2) as Lf. pose proof (Forall_inv_tail Len2) as Len3.
+    pose proof (Forall_inv_tail K2) as K3. cbn in Lf.
+    constructor; cbn [branch_setting conditions new_strict new_moving]; [exact S| | |constructor].
+    + apply Forall_app. split; [now apply base_met|]. apply Forall_app. split; [exact M|]. constructor.
+      * unfold meets; cbn [fst snd]. apply to_form_zero. rewrite room_at by (auto; congruence). lra.
+      * apply in_K_met; [exact T| |]; apply Forall_app; auto.
+    + constructor; [|constructor]. apply to_form_not_zero. destruct (parts_at g t range_good T) as (E1 & E2 & _).
+      destruct (s_and_t_length g) as [S1 S2].
+      rewrite dot_plus_times, (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
+      unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. lra.
+  - change (f :: after) with ([f] ++ after) in Len, In_K. rewrite app_assoc in Len, In_K.
+    destruct (IH (before ++ [f]) Len In_K Ex') as (b & Hb & Tb).
+    exists b. split; [now right|exact Tb].
+Qed.
+
+End Trees.

@@ -320,3 +320,194 @@ Proof.
 Qed.
 
 End Trees.
+
+(* ---- The ways of rows ---- *)
+
+Section Ways.
+Open Scope R_scope.
+
+Variable D : nat.
+
+(* A way of one row of the setting. *)
+Record is_way (row : row) (way : R -> Rows.row) : Prop := IsWay {
+  from_middle : inside (middle_box (box row)) (way 0);
+  way_inside : forall s, 0 <= s <= 1 -> inside (box row) (way s);
+  way_proper : forall s, 0 <= s <= 1 -> proper D (way s);
+  way_continuous : forall s s', Un_cv s s' -> cv_row (fun k => way (s k)) (way s')
+}.
+
+Lemma ways_to rows rs : Forall2 fits rows rs -> Forall (proper D) rs ->
+  forallb (fun r => friction_sound (box r)) rows = true ->
+  exists ways, map (fun w => w 1) ways = rs /\ Forall2 is_way rows ways.
+Proof.
+  intros F. induction F as [|row r rows rs [E I] F IH]; intros P S.
+  - exists []. split; [reflexivity|constructor].
+  - cbn in S. apply andb_true_iff in S as [S1 S2].
+    destruct (IH (Forall_inv_tail P) S2) as (ways & E' & W).
+    destruct (way_to D (box row) r I (Forall_inv P) S1) as (way & W1 & W2 & W3 & W4).
+    exists (way :: ways). split; [cbn; congruence|]. constructor; [|exact W].
+    constructor; [exact W2| | |exact W4]; intros s Hs; now apply W3.
+Qed.
+
+Definition rows_at (ways : list (R -> Rows.row)) (s : R) : list Rows.row := map (fun w => w s) ways.
+
+Lemma rows_continuous rows ways s s' : Forall2 is_way rows ways -> Un_cv s s' ->
+  cv_rows (fun k => rows_at ways (s k)) (rows_at ways s').
+Proof.
+  intros F C. induction F as [|row w rows ways H F IH]; cbn; [constructor|].
+  apply (cv_rows_cons (fun k => w (s k))); [now apply (way_continuous _ _ H)|exact IH].
+Qed.
+
+Lemma rows_proper rows ways s : Forall2 is_way rows ways -> 0 <= s <= 1 -> Forall (proper D) (rows_at ways s).
+Proof. intros F S. induction F as [|row w rows ways H F IH]; cbn; constructor; [now apply (way_proper _ _ H)|exact IH]. Qed.
+
+Lemma rows_fit_box rows ways s : Forall2 is_way rows ways -> 0 <= s <= 1 ->
+  Forall (fun r => r = make_row (box r)) rows -> Forall2 fits rows (rows_at ways s).
+Proof.
+  intros F S M. induction F as [|row w rows ways H F IH]; cbn; constructor.
+  - split; [exact (Forall_inv M)|now apply (way_inside _ _ H)].
+  - apply IH. exact (Forall_inv_tail M).
+Qed.
+
+Lemma rows_in_middle rows ways : Forall2 is_way rows ways ->
+  Forall2 fits (map (fun r => make_row (middle_box (box r))) rows) (rows_at ways 0).
+Proof.
+  intros F. induction F as [|row w rows ways H F IH]; cbn; constructor; [|exact IH].
+  split; [reflexivity|]. apply (from_middle _ _ H).
+Qed.
+
+(* A box of one point is its middle. *)
+Lemma certain_middle i x : certain i = true -> within i x -> within (only_middle i) x.
+Proof.
+  intros C W. pose proof (certain_within i x C W) as E. unfold certain in C. apply Qeq_bool_eq, Qeq_eqR in C.
+  unfold within, only_middle, exactly; cbn. rewrite middle_is. lra.
+Qed.
+
+Lemma point_inside b r : point_box b = true -> inside b r -> inside (middle_box b) r.
+Proof.
+  intros P (p & F & mu & t & I). unfold point_box in P. rewrite !andb_true_iff in P. destruct P as [[[[P1 P2] P3] P4] P5].
+  exists p, F, mu, t.
+  constructor; try apply I; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth box_stiffness].
+  - pose proof (in_geometry _ _ _ _ _ _ I) as G. clear - G P1. induction G as [|i x is p W G IH]; cbn in *; constructor.
+    + apply andb_true_iff in P1 as [P1 _]. now apply certain_middle.
+    + apply andb_true_iff in P1 as [_ P1]. now apply IH.
+  - intros j d. rewrite map_length. apply (forms_affine _ _ _ _ _ _ I).
+  - intros q q'. rewrite map_length. apply (forms_shape _ _ _ _ _ _ I).
+  - apply certain_middle; [exact P2|apply I].
+  - rewrite (in_preload _ _ _ _ _ _ I). unfold certain in P3. apply Qeq_bool_eq, Qeq_eqR in P3.
+    cbn. rewrite middle_is, P3. lra.
+  - rewrite (in_growth _ _ _ _ _ _ I). unfold certain in P4. apply Qeq_bool_eq, Qeq_eqR in P4.
+    cbn. rewrite middle_is, P4. lra.
+  - apply certain_middle; [exact P5|apply I].
+Qed.
+
+Lemma point_fits rows rs : forallb (fun r => point_box (box r)) rows = true -> Forall2 fits rows rs ->
+  Forall2 fits (map (fun r => make_row (middle_box (box r))) rows) rs.
+Proof.
+  intros P F. induction F as [|row r rows rs [_ I] F IH]; cbn in *; constructor;
+    apply andb_true_iff in P as [P1 P2]; [|now apply IH]. split; [reflexivity|now apply point_inside].
+Qed.
+
+End Ways.
+
+(* ---- Free motions ---- *)
+
+Section Free.
+Open Scope R_scope.
+
+Lemma is_zero_real q : is_zero q = true -> Q2R q = 0.
+Proof. intros H. apply Qeq_bool_eq, Qeq_eqR in H. now rewrite H, Q2R_0. Qed.
+
+Lemma row_is_free z b r : row_free z b = true -> inside b r ->
+  Rows.dot (Rows.N r) (real z) = 0 /\ (Rows.rho r = 0 \/ Forall (fun s => Rows.dot s (real z) = 0) (Rows.slips r)).
+Proof.
+  intros H (p & F & mu & t & I). unfold row_free in H. rewrite forallb_forall in H.
+  assert (Z : forall j, (j = O \/ Qle_bool (high (box_friction b)) 0 = false) ->
+    Rows.dot (nth j (Rows.N r :: Rows.slips r) []) (real z) = 0).
+  { intros j J. rewrite (rational_corners b r p F mu t I).
+    rewrite (eval_same _ (fun _ => 0)); [apply eval_constant|]. intros fs Hfs. specialize (H fs Hfs).
+    apply andb_true_iff in H as [H1 H2]. rewrite qdot_is. fold (real (nth j fs [])). rewrite <- inner_is.
+    apply is_zero_real. destruct J as [->|J]; [exact H1|]. rewrite J in H2. cbn in H2. rewrite forallb_forall in H2.
+    destruct fs as [|f fs]; [now destruct j|]. destruct j as [|j]; [exact H1|]. cbn [nth tl] in *.
+    destruct (nth_in_or_default j fs []) as [Hj|E]; [now apply H2|]. rewrite E. reflexivity. }
+  split; [exact (Z O (or_introl eq_refl))|].
+  destruct (Qle_bool (high (box_friction b)) 0) eqn:Q.
+  - left. apply Qle_bool_R in Q. rewrite Q2R_0 in Q. rewrite (is_rho _ _ _ _ _ _ I).
+    pose proof (friction_nonneg _ _ _ _ _ _ I). pose proof (in_friction _ _ _ _ _ _ I) as [_ W].
+    replace mu with 0 by lra. ring.
+  - right. apply Forall_forall. intros s Hs. apply In_nth with (d := []) in Hs as (j & _ & <-).
+    exact (Z (S j) (or_intror eq_refl)).
+Qed.
+
+Lemma rows_are_free z rows rs : forallb (fun r => row_free z (box r)) rows = true -> Forall2 fits rows rs ->
+  Forall (fun r => Rows.dot (Rows.N r) (real z) = 0 /\
+    (Rows.rho r = 0 \/ Forall (fun s => Rows.dot s (real z) = 0) (Rows.slips r))) rs.
+Proof.
+  intros H F. induction F as [|row r rows rs [_ I] F IH]; cbn in H; constructor;
+    apply andb_true_iff in H as [H1 H2]; [|now apply IH]. now apply row_is_free with (box row).
+Qed.
+
+Lemma load_is_free z box w : load_free z box = true -> is_zero (inner (map low box) z) = true ->
+  Forall2 within box w -> Rows.dot w (real z) = 0.
+Proof.
+  intros H Z F. apply is_zero_real in Z. rewrite inner_is in Z. rewrite <- Z. clear Z. revert z H.
+  induction F as [|i x box w Wx F IH]; intros [|q z] H; cbn in *; try reflexivity.
+  apply andb_true_iff in H as [H1 H2]. unfold real in *. rewrite (IH z H2). f_equal.
+  apply orb_true_iff in H1 as [H1|H1].
+  - now rewrite (certain_within i x H1 Wx).
+  - apply is_zero_real in H1. rewrite H1. ring.
+Qed.
+
+End Free.
+
+(* ---- Multiples of solutions ---- *)
+
+Section Multiples.
+Open Scope R_scope.
+
+Lemma size_of_multiple ws c s : Rows.positive ws -> 0 <= c -> Rows.size ws (Rows.scaled c s) = c * Rows.size ws s.
+Proof. apply Rows.size_scaled. Qed.
+
+Lemma v_multiple r d h l c : Rows.v r (Rows.scaled c d) (c * h) (c * l) = c * Rows.v r d h l.
+Proof. unfold Rows.v. rewrite dot_sym, Rows.dot_scaled, (dot_sym d). ring. Qed.
+
+Lemma slip_multiple r d c : Rows.slip r (Rows.scaled c d) = Rows.scaled c (Rows.slip r d).
+Proof.
+  unfold Rows.slip, Rows.scaled at 2. rewrite map_map. apply map_ext. intros f.
+  now rewrite dot_sym, Rows.dot_scaled, dot_sym.
+Qed.
+
+Lemma obeys_multiple w d h l r f c : 0 < c -> Rows.positive (Rows.weights r) -> Rows.obeys w d h l r f ->
+  Rows.obeys w (Rows.scaled c d) (c * h) (c * l) r (c * fst f, Rows.scaled c (snd f)).
+Proof.
+  intros C P. destruct f as [a y]. intros (L & Co & Di). cbn [fst snd Rows.obeys].
+  rewrite v_multiple, slip_multiple, !Rows.size_scaled by (assumption || lra). repeat split.
+  - unfold Rows.normal_law in *. destruct (Rows.spring r); [congruence|]. destruct w; cbn in *.
+    + rewrite L. unfold Rmax. destruct (Rle_dec 0 (Rows.v r d h l)), (Rle_dec 0 (c * Rows.v r d h l)); nra.
+    + destruct L as [-> L]. split; [reflexivity|]. nra.
+  - nra.
+  - rewrite Rows.product_scaled, Rows.product_sym, Rows.product_scaled, Rows.product_sym, Di. ring.
+Qed.
+
+Lemma works_multiple c rs fs y :
+  Rows.works rs (map (fun f => (c * fst f, Rows.scaled c (snd f))) fs) y = c * Rows.works rs fs y.
+Proof.
+  revert fs. induction rs as [|r rs IH]; intros [|f fs]; cbn; try ring. rewrite IH. unfold Rows.work. cbn [fst snd].
+  rewrite Rows.product_scaled. ring.
+Qed.
+
+(* What balances at h > 0 does so at 1. *)
+Lemma stable_by_multiple sys d h l fs : 0 < h -> Forall (fun r => Rows.positive (Rows.weights r)) (Rows.rows sys) ->
+  Rows.equilibrium sys d h l fs -> Rows.stable_at sys (l / h).
+Proof.
+  intros H P (L & O & Bal). exists (Rows.scaled (/ h) d), (map (fun f => (/ h * fst f, Rows.scaled (/ h) (snd f))) fs).
+  assert (C : 0 < / h) by now apply Rinv_0_lt_compat.
+  split; [unfold Rows.scaled; now rewrite map_length|]. split.
+  - replace 1 with (/ h * h) by (field; lra). replace (l / h) with (/ h * l) by (unfold Rdiv; ring).
+    clear Bal. revert P. induction O as [|r f rs fs Of O IH]; intros P; cbn; constructor; [|exact (IH (Forall_inv_tail P))].
+    apply obeys_multiple; [exact C|exact (Forall_inv P)|exact Of].
+  - intros y. rewrite works_multiple. specialize (Bal y). unfold Rows.load in *.
+    apply Rmult_eq_reg_l with h; [|lra]. field_simplify; [|lra]. lra.
+Qed.
+
+End Multiples.

@@ -511,3 +511,277 @@ Proof.
 Qed.
 
 End Multiples.
+
+Section Laws.
+Open Scope R_scope.
+
+(* Where no contact but a spring pulls, the bilateral law asks no more than the unilateral one. *)
+Lemma both_laws d h l rows rs fs : Forall2 fits rows rs -> Forall2 (Rows.obeys Model.unilateral d h l) rs fs ->
+  (forall row r, In row rows -> fits row r -> box_spring (box row) = false -> 0 <= Rows.v r d h l) ->
+  Forall2 (Rows.obeys Model.bilateral d h l) rs fs.
+Proof.
+  intros F. revert fs. induction F as [|row r rows rs Fr F IH]; intros fs O V; inversion O as [|? [a y] ? fs' Oc Os]; subst;
+    constructor.
+  - destruct Oc as (L & C & D). repeat split; try assumption. specialize (V row r (or_introl eq_refl) Fr).
+    destruct Fr as [_ (p & G & mu & t & I)]. unfold Rows.normal_law in *. rewrite (is_spring _ _ _ _ _ _ I) in *.
+    destruct (box_spring (box row)); [exact L|]. specialize (V eq_refl). cbn in *. rewrite Rmax_right in L by exact V. now split.
+  - apply IH; [exact Os|]. intros row' r' H. apply V. now right.
+Qed.
+
+End Laws.
+
+(* ---- The theorem ---- *)
+
+Section Sound.
+Open Scope R_scope.
+
+Variable memory : Type.
+Variable advisor : oracle memory.
+Variable g : degree_proof.
+Variable s : setting.
+Variable nodes : list node.
+Variable most : Z.
+Variable sys : Rows.system.
+Let D := dimension_of s.
+
+Record in_setting : Prop := InSetting {
+  its_rows : Forall2 fits (rows s) (Rows.rows sys);
+  its_load : the_load s = make_load (load_box (the_load s)) (load_growth (the_load s));
+  its_wrench : Forall2 within (load_box (the_load s)) (Rows.wrench sys);
+  its_growth : map Q2R (load_growth (the_load s)) = Rows.direction sys;
+  its_dimension : Rows.dimension sys = D;
+  its_proper : Forall (proper D) (Rows.rows sys);
+  its_lengths : List.length (Rows.wrench sys) = D /\ List.length (Rows.direction sys) = D;
+  nothing_slips : slipping s = [];
+  nothing_pushes : pushes s = []
+}.
+Hypothesis fit : in_setting.
+
+(* The part of the range at which a multiple is. *)
+Lemma part_of lambda : good_range g -> Q2R (low_multiple g) <= lambda ->
+  match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
+  exists t, good_part g t /\ 0 < h_at g t /\ l_at g t = lambda * h_at g t.
+Proof.
+  intros [A0 R] Lo Hi. unfold good_part, h_at, l_at, one_multiple. destruct (high_multiple g) as [b|].
+  - destruct (Qeq_bool (low_multiple g) b) eqn:E.
+    + apply Qeq_bool_eq, Qeq_eqR in E. exists 0. unfold mix. repeat split; intros; lra.
+    + assert (NE : Q2R (low_multiple g) < Q2R b).
+      { destruct R as [R|R]; [exact R|]. apply eqR_Qeq, Qeq_eq_bool in R. congruence. }
+      set (a := Q2R (low_multiple g)) in *. set (q := Q2R b) in *. exists ((lambda - a) / (q - a)).
+      assert (P : 0 < / (q - a)) by (apply Rinv_0_lt_compat; lra).
+      repeat split; try discriminate; try lra.
+      * apply Rmult_le_pos; lra.
+      * apply Rmult_le_reg_r with (q - a); [lra|]. field_simplify; lra.
+      * unfold mix. field. lra.
+  - set (a := Q2R (low_multiple g)) in *. exists (1 - a / lambda). assert (P : 0 < / lambda) by (apply Rinv_0_lt_compat; lra).
+    assert (0 < a / lambda) by (apply Rmult_lt_0_compat; lra).
+    assert (a / lambda <= 1) by (apply Rmult_le_reg_r with lambda; [lra|]; field_simplify; lra).
+    repeat split; try discriminate; try lra. field. lra.
+Qed.
+
+Definition middle_part : R := if one_multiple g then 0 else 1 / 2.
+
+Lemma middle_part_good : good_part g middle_part.
+Proof. unfold good_part, middle_part. destruct (one_multiple g); split; try discriminate; lra. Qed.
+
+Lemma part_on_the_way t q : good_part g t -> 0 <= q <= 1 -> good_part g (mix q middle_part t).
+Proof.
+  intros [T Z] Q. destruct middle_part_good as [M Zm]. split; [unfold mix; nra|]. intros O.
+  rewrite (Z O), (Zm O). unfold mix. ring.
+Qed.
+
+Lemma cv_h ts t : Un_cv ts t -> Un_cv (fun k => h_at g (ts k)) (h_at g t).
+Proof.
+  intros C. unfold h_at. destruct (high_multiple g); [apply cv_constant|].
+  apply (CV_minus (fun _ => 1)); [apply cv_constant|exact C].
+Qed.
+
+Lemma cv_l ts t : Un_cv ts t -> Un_cv (fun k => l_at g (ts k)) (l_at g t).
+Proof. intros C. unfold l_at. destruct (high_multiple g); [now apply cv_mix|apply cv_constant]. Qed.
+
+Lemma range_sound_is : range_sound g s = true -> good_range g /\ List.length (first_twist g) = D /\ List.length (last_twist g) = D.
+Proof.
+  unfold range_sound. rewrite !andb_true_iff. intros [[[L1 L2] A] R]. apply Nat.eqb_eq in L1, L2.
+  apply Qle_bool_R in A. rewrite Q2R_0 in A. repeat split; try assumption.
+  destruct (high_multiple g) as [b|]; [now apply Qle_bool_R|].
+  apply negb_true_iff in R. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence.
+Qed.
+
+Lemma walls_real_length simplex e : Forall (fun a => List.length a = D) e ->
+  Forall (fun a => List.length a = D) (walls_of simplex e).
+Proof.
+  intros F. unfold walls_of. destruct simplex; [exact F|]. apply Forall_flat_map. eapply Forall_impl; [|exact F].
+  cbn. intros a L. repeat constructor; [exact L|]. unfold opposite. now rewrite map_length.
+Qed.
+
+Theorem stable_by_degree_in_box (two_sided : bool) (lambda : R) :
+  degree_fails memory advisor two_sided most s g nodes = None ->
+  Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  Q2R (low_multiple g) <= lambda -> match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
+  Rows.stable_at sys lambda.
+Proof.
+  intros H Law Lo Hi. unfold degree_fails in H. fold D in H.
+  destruct (free_motions D (is_a_simplex g) (wall_rows g)) as [free|] eqn:FM; [|discriminate].
+  destruct (range_sound g s && all_free free s) eqn:RA; [|discriminate]. cbn [negb] in H.
+  apply andb_true_iff in RA as [RS AF].
+  destruct (inverted D free (direction_rows g)) as [[m inv]|] eqn:INV; [|discriminate].
+  destruct (two_sided && negb (law_holds memory advisor g s)) eqn:LH; [discriminate|].
+  destruct (walk _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:W in H; [discriminate|]. clear H.
+  destruct (range_sound_is RS) as (Range & L1 & L2).
+  destruct (walls_bound _ _ _ _ FM) as (B & HB). destruct (free_lengths _ _ _ _ FM) as [FL EL].
+  destruct (direction_inverse _ _ _ _ _ INV FL) as (LA & AL & Lm & HM & I1 & I2 & HA).
+  unfold all_free in AF. apply andb_true_iff in AF as [FS AF]. rewrite forallb_forall in AF.
+  destruct fit as [Fr Fl Fw Fg Fd Fp [Fl1 Fl2] Fs Fn].
+  destruct (ways_to D _ _ Fr Fp FS) as (ways & WE & WW).
+  destruct (part_of lambda Range Lo Hi) as (t1 & T1 & H1 & E1).
+  set (w0 := map (fun i => Q2R (middle i)) (load_box (the_load s))).
+  assert (Lw : List.length w0 = List.length (Rows.wrench sys)).
+  { unfold w0. rewrite map_length. now apply (same_length within). }
+  set (system_at := fun q => Rows.System D (rows_at ways (clamp q)) (mixed (clamp q) w0 (Rows.wrench sys))
+    (Rows.direction sys) Model.unilateral).
+  set (part := fun q => mix (clamp q) middle_part t1).
+  assert (Part : forall q, good_part g (part q)) by (intros q; apply part_on_the_way; [exact T1|apply clamp_range]).
+  assert (Made : Forall (fun r => r = make_row (box r)) (rows s)).
+  { clear - Fr. induction Fr as [|row r rws rs [E _] F IH]; constructor; assumption. }
+  assert (W0 : Forall2 within (load_box (the_load s)) w0).
+  { unfold w0. clear - Fw. induction Fw as [|i x is w Wx F IH]; cbn; constructor; [now apply middle_within with x|exact IH]. }
+  assert (Ww : forall q, Forall2 within (load_box (the_load s)) (mixed (clamp q) w0 (Rows.wrench sys))).
+  { intros q. apply mixed_within; [apply clamp_range|exact W0|exact Fw]. }
+  assert (Wd : Forall (fun f => List.length f = D) (walls g)) by now apply walls_real_length.
+  assert (K_real : forall e, on_wall D (map real (walls g)) e ->
+    Forall (fun f => Rows.dot (real f) (listed D e) <= 1) (walls g) /\
+    Exists (fun f => Rows.dot (real f) (listed D e) = 1) (walls g)).
+  { intros e [K X]. unfold in_K in K. rewrite Forall_map in K. rewrite Exists_map in X. split; assumption. }
+  (* A point at home in a root does not exist. *)
+  apply (walk_refutes memory advisor setting split leaf_fails solves) in W;
+    [|intros s' n bs x; apply split_covers|intros s' st rs y x; apply leaf_refuted
+     |apply Forall_map, Forall_forall; intros r _; apply root_good].
+  rewrite Forall_map, Forall_forall in W.
+  assert (NoBranch : forall x b, List.length x = (2 + D)%nat -> In b (branches g s) -> takes solves b x -> False).
+  { intros x b Lx Hb Tb. apply (W b Hb x). now apply root_home. }
+  assert (Point : forall q e, solves s (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i (twist_at g (part q)) 0 + e i)) ->
+    is_point s && one_multiple g = false -> on_wall D (map real (walls g)) e -> False).
+  { intros q e S NP OW. destruct (K_real e OW) as [K X].
+    destruct (wall_taken g D L1 L2 Range solves [] s (part q) e [] (walls g)) as (b & Hb & Tb); try assumption.
+    - apply Part.
+    - constructor.
+    - refine (NoBranch _ b _ _ Tb); [cbn; now rewrite length_listed|].
+      unfold branches. rewrite NP. apply in_or_app. now left. }
+  assert (Middle : forall t e, good_part g t -> (one_multiple g = false -> t = 1 / 2) ->
+    solves (middle_setting g s) (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 + e i)) ->
+    on_wall D (map real (walls g)) e -> False).
+  { intros t e T Th S OW. destruct (K_real e OW) as [K X].
+    destruct (wall_taken g D L1 L2 Range solves (middle_conditions g) (middle_setting g s) t e [] (walls g))
+      as (b & Hb & Tb); try assumption.
+    - unfold middle_conditions. destruct (one_multiple g) eqn:O; constructor; [|constructor].
+      unfold meets; cbn [fst snd]. apply to_form_zero. destruct (parts_at g t Range T) as (P1 & P2 & _).
+      destruct (s_and_t_length g) as [S1 S2].
+      rewrite dot_plus_times, (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
+      unfold s_at, t_at in P1, P2. rewrite P1, P2, (Th eq_refl). unfold Q2R; cbn. lra.
+    - refine (NoBranch _ b _ _ Tb); [cbn; now rewrite length_listed|].
+      unfold branches. apply in_or_app. now right. }
+  assert (Nonneg : forall t, good_part g t -> 0 <= h_at g t /\ 0 <= l_at g t).
+  { intros t [T _]. destruct Range as [A0 R]. unfold h_at, l_at, mix. destruct (high_multiple g); split; nra. }
+  assert (Pushed : forall t e, good_part g t -> forall y c,
+    pushed (pushes (middle_setting g s)) c (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 + e i)) y =
+    c * Rows.dot y (times (map real (direction_rows g)) (listed D e))).
+  { intros t e T y c. unfold pushed. cbn [pushes middle_setting make_setting]. do 2 f_equal. unfold times.
+    rewrite !map_map. apply map_ext_in. intros f Hf. apply relative_at; try assumption.
+    rewrite Forall_forall in AL. now apply AL. }
+  assert (InMiddle : forall q e fs c, (clamp q = 0 \/ is_point s = true) -> 0 <= c ->
+    forces_obey D system_at (fun q => h_at g (part q)) (fun q => l_at g (part q)) (fun q => twist_at g (part q)) q e fs ->
+    (forall y, total_work system_at (fun q => h_at g (part q)) (fun q => l_at g (part q)) q fs y =
+       c * Rows.dot y (times (map real (direction_rows g)) (listed D e))) ->
+    solves (middle_setting g s)
+      (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i (twist_at g (part q)) 0 + e i))).
+  { intros q e fs c Q C F Bal. destruct (Nonneg _ (Part q)) as [H0 L0].
+    exists (system_at q), (listed D (fun i => nth i (twist_at g (part q)) 0 + e i)), (h_at g (part q)),
+      (l_at g (part q)), fs, c.
+    split; [reflexivity|]. split; [exact C|]. split; [|intros k r Hk; discriminate].
+    constructor; cbn [middle_setting make_setting rows the_load make_load load_box load_growth]; try assumption.
+    - destruct Q as [Q|Q].
+      + cbn [system_at Rows.rows]. rewrite Q. now apply rows_in_middle with D.
+      + unfold is_point in Q. apply andb_true_iff in Q as [Q _]. apply point_fits; [exact Q|].
+        apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+    - reflexivity.
+    - cbn [system_at Rows.wrench]. destruct Q as [Q|Q].
+      + rewrite Q, mixed_start by congruence. unfold w0. clear.
+        induction (load_box (the_load s)) as [|i is IH]; cbn; constructor; [apply exactly_within|exact IH].
+      + unfold is_point in Q. apply andb_true_iff in Q as [_ Q]. clear - Q Ww. specialize (Ww q).
+        revert Q. induction Ww as [|i x is w Wx F IH]; intros Q; cbn in *; constructor; apply andb_true_iff in Q as [Q1 Q2];
+          [now apply certain_middle|now apply IH].
+    - intros y. rewrite Pushed by apply Part. apply Bal. }
+  assert (C0 : clamp 0 = 0) by (apply clamp_same; lra). assert (C1 : clamp 1 = 1) by (apply clamp_same; lra).
+  assert (P0 : part 0 = middle_part) by (unfold part; rewrite C0; unfold mix; ring).
+  assert (P1 : part 1 = t1) by (unfold part; rewrite C1; unfold mix; ring).
+  destruct (stable_by_degree D system_at (fun q => h_at g (part q)) (fun q => l_at g (part q))
+    (fun q => twist_at g (part q))) with (walls := map real (walls g)) (free := map real free) (B := B)
+    (A := map real (direction_rows g)) (M := map real m) (inverse := map real inv) as (e & fs & K & F & Bal).
+  - intros q. apply rows_proper with (rows s); [exact WW|apply clamp_range].
+  - intros q. cbn. rewrite mixed_length, Lw by exact Lw. now split.
+  - intros q q' Q C. apply cv_clamp in C. repeat split; cbn.
+    + now apply rows_continuous with D (rows s).
+    + now apply cv_mixed.
+    + apply cv_list_constant.
+    + apply cv_h. now apply cv_mix.
+    + apply cv_l. now apply cv_mix.
+    + intros i _. apply cv_nth. unfold twist_at. apply cv_mixed; [unfold real; rewrite !map_length; congruence|].
+      now apply cv_mix.
+  - intros e K Z i I. unfold in_K in K. rewrite Forall_map in K, Z.
+    specialize (HB (listed D e) (length_listed D e) K Z i I). now rewrite nth_listed in HB.
+  - now rewrite map_length.
+  - apply Forall_map. eapply Forall_impl; [|exact FL]. cbn. intros z Hz. unfold real. now rewrite map_length.
+  - intros e y _. apply HM.
+  - now rewrite map_length.
+  - pose proof (f_equal (@List.length R) (I1 _ (length_listed D (fun _ => 0)))) as E.
+    now rewrite times_length, length_listed in E.
+  - exact I1.
+  - exact I2.
+  - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
+    destruct AF as [[[_ A2] A3] A4]. unfold Rows.load. cbn [system_at Rows.wrench Rows.direction].
+    rewrite (load_is_free z' _ _ A2 A3 (Ww q)). apply is_zero_real in A4. rewrite inner_is in A4. unfold real in A4 at 1.
+    rewrite Fg in A4. rewrite A4. ring.
+  - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
+    destruct AF as [[[A1 _] _] _]. apply rows_are_free with (rows s); [exact A1|].
+    apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+  - intros z e Hz. apply in_map_iff in Hz as (z' & <- & Hz). now apply HA.
+  - intros e fs c OW F C Bal. apply (Middle (part 0) e (Part 0)); [|eapply InMiddle; eauto|exact OW].
+    intros O. rewrite P0. unfold middle_part. now rewrite O.
+  - intros q e fs Q OW F Bal. destruct (is_point s && one_multiple g) eqn:PO.
+    + apply andb_true_iff in PO as [PO O]. apply (Middle (part q) e (Part q)); [congruence| |exact OW].
+      apply (InMiddle q e fs 0); [now right|lra|exact F|]. intros y. rewrite Bal. ring.
+    + apply (Point q e); [|reflexivity|exact OW]. destruct (Nonneg _ (Part q)) as [H0 L0].
+      exists (system_at q), (listed D (fun i => nth i (twist_at g (part q)) 0 + e i)), (h_at g (part q)),
+        (l_at g (part q)), fs, 0.
+      split; [reflexivity|]. split; [lra|]. split; [|intros k r Hk; rewrite Fs in Hk; discriminate].
+      constructor; try assumption.
+      * apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+      * apply Ww.
+      * intros y. rewrite Fn, not_pushed. apply Bal.
+  - (* an equilibrium *)
+    set (d := motion D (fun q => twist_at g (part q)) 1 e) in *.
+    unfold forces_obey in F. fold d in F. cbn [system_at Rows.rows] in F. rewrite C1, P1 in F.
+    unfold rows_at in F. rewrite WE in F.
+    replace lambda with (l_at g t1 / h_at g t1) by (rewrite E1; field; lra).
+    apply (stable_by_multiple sys d (h_at g t1) (l_at g t1) fs H1).
+    { eapply Forall_impl; [|exact Fp]. intros r P. apply (RowLimits.weights_positive _ _ P). }
+    split; [unfold d, motion; now rewrite length_listed, Fd|]. split.
+    + rewrite Law. destruct two_sided; [|exact F]. cbn in LH. apply negb_false_iff in LH.
+      apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er (p & G & mu & t & I)] Sp.
+      unfold law_holds in LH. rewrite forallb_forall in LH. specialize (LH row Hr). rewrite Sp in LH. cbn in LH.
+      set (b := Branch (base_conditions g ++ in_K_conditions g) [] [] s) in LH.
+      assert (Home : at_home memory setting (fun _ _ => True) (root memory advisor setting (2 + D) b)
+        (h_at g t1 :: l_at g t1 :: d)).
+      { apply root_home; [unfold d, motion; cbn; now rewrite length_listed|].
+        constructor; cbn [branch_setting conditions new_strict new_moving b]; [exact Logic.I| |constructor|constructor].
+        assert (E : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
+        rewrite E. apply Forall_app. split; [now apply (base_met g)|]. apply (in_K_met g D L1 L2 Range); [exact T1|exact Wd|].
+        rewrite Forall_map in K. eapply Forall_impl; [|exact K]. cbn. intros; lra. }
+      destruct (home_spanned _ _ _ _ _ Home) as (ws & Wt & Sp').
+      rewrite Er in LH. exact (v_nonneg _ d (h_at g t1) (l_at g t1) ws Wt Sp' (box row) r p G mu t I LH).
+    + intros y. specialize (Bal y). unfold total_work, Rows.load in Bal.
+      cbn [system_at Rows.rows Rows.wrench Rows.direction] in Bal. rewrite C1, P1, mixed_end in Bal by exact Lw.
+      unfold rows_at in Bal. rewrite WE in Bal. exact Bal.
+Qed.
+
+End Sound.

@@ -188,7 +188,7 @@ Qed.
 
 Theorem direction_inverse n free a m inverse : inverted n free a = Some (m, inverse) ->
   Forall (fun z => List.length z = n) free ->
-  List.length a = n /\ List.length m = n /\
+  List.length a = n /\ Forall (fun r => List.length r = n) a /\ List.length m = n /\
   (forall y e, Rows.dot y (times (map real m) e) = Rows.dot y (times (map real a) e) + spread (map real free) y e) /\
   (forall e, List.length e = n -> times (map real inverse) (times (map real m) e) = e) /\
   (forall e, List.length e = n -> times (map real m) (times (map real inverse) e) = e) /\
@@ -204,6 +204,7 @@ Proof.
     - split; [rewrite plus_square_length; congruence|]. intros y e. rewrite plus_square_is by congruence.
       rewrite IH. unfold spread. cbn. ring. }
   destruct G as [Lm G]. repeat split; try assumption.
+  - now apply all_of_length_is.
   - intros e L. now apply (is_inverse_times n).
   - intros e L. now apply (is_inverse_times n).
   - intros z e Hz. rewrite forallb_forall in Z. specialize (Z z Hz). apply andb_true_iff in Z as [_ Z].

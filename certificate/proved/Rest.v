@@ -262,3 +262,84 @@ Proof.
 Qed.
 
 End Intervals.
+
+(* ---- Proofs: forces ---- *)
+
+Section Forces.
+Open Scope R_scope.
+
+(* The g with g* = f. *)
+Fixpoint star (ws f : list R) : list R :=
+  match ws, f with w :: ws', x :: f' => x / w :: star ws' f' | _, _ => [] end.
+
+Lemma product_star ws f s : Rows.positive ws -> (List.length f <= List.length ws)%nat ->
+  Rows.product ws (star ws f) s = Rows.dot f s.
+Proof.
+  intros P. revert f s. induction P as [|w ws Pw P IH]; intros [|x f] [|y s] L; cbn in *; try lia; try reflexivity.
+  rewrite IH by lia. field. lra.
+Qed.
+
+(* f0 and multiples of the answers. *)
+Fixpoint answered (ws : list R) (f : vector) (g : matrix) (z : list R) : list R :=
+  match g, z with
+  | a :: g', x :: z' => Rows.plus (Rows.scaled x (star ws (real a))) (answered ws f g' z')
+  | _, _ => star ws (real f)
+  end.
+
+Lemma product_answered ws f g z s : Rows.positive ws -> (List.length f <= List.length ws)%nat ->
+  Forall (fun a => List.length a <= List.length ws)%nat g ->
+  Rows.product ws (answered ws f g z) s =
+  Rows.dot (real f) s + Rows.dot z (map (fun a => Rows.dot (real a) s) g).
+Proof.
+  intros P Lf Lg. revert z. induction Lg as [|a g La Lg IH]; intros [|x z]; cbn [answered map Rows.dot];
+    try (rewrite product_star by (try exact P; unfold real; now rewrite map_length); try rewrite dot_nil; ring).
+  rewrite Rows.product_plus, Rows.product_scaled, IH, product_star by (try exact P; unfold real; now rewrite map_length).
+  ring.
+Qed.
+
+Lemma size_scaled_any ws c s : Rows.positive ws -> Rows.size ws (Rows.scaled c s) = Rabs c * Rows.size ws s.
+Proof.
+  intros P. unfold Rows.size. rewrite Rows.product_scaled, Rows.product_sym, Rows.product_scaled, <- Rmult_assoc.
+  rewrite sqrt_mult_alt by apply Rle_0_sqr. f_equal. apply sqrt_Rsqr_abs.
+Qed.
+
+Lemma positive_weights ws : forallb (fun w => negb (Qle_bool w 0)) ws = true -> Forall (fun w => 0 < Q2R w) ws.
+Proof.
+  intros H. rewrite forallb_forall in H. apply Forall_forall. intros w Hw. specialize (H w Hw).
+  apply negb_true_iff in H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence.
+Qed.
+
+Lemma square_of_is ws f : Forall (fun w => 0 < Q2R w) ws ->
+  Rows.product (real ws) (star (real ws) (real f)) (star (real ws) (real f)) = Q2R (square_of ws f).
+Proof.
+  intros P. revert f. induction P as [|w ws Pw P IH]; intros [|x f]; cbn [square_of real map star Rows.product];
+    try (now rewrite Q2R_0).
+  rewrite Qred_R, Q2R_plus, Q2R_div, Q2R_mult. 2: { intros E. apply Qeq_eqR in E. rewrite Q2R_0 in E. lra. }
+  unfold real in *. rewrite IH. field. lra.
+Qed.
+
+Lemma size_star b f : Forall (fun w => 0 < Q2R w) (box_weights b) ->
+  Rows.size (real (box_weights b)) (star (real (box_weights b)) (real f)) <= Q2R (length_bound b f).
+Proof.
+  intros P. unfold length_bound, Rows.size. rewrite square_of_is by exact P. apply root_above_is.
+  rewrite <- square_of_is by exact P. apply Rows.product_nonneg. unfold Rows.positive, real. now rewrite Forall_map.
+Qed.
+
+Lemma size_answered b f g z reach : Forall (fun w => 0 < Q2R w) (box_weights b) ->
+  (List.length g <= List.length reach)%nat -> Forall2 (fun x m => Rabs x <= Q2R m) z reach ->
+  Rows.size (real (box_weights b)) (answered (real (box_weights b)) f g z) <=
+  Q2R (length_bound b f) + Q2R (answers_bound b g reach).
+Proof.
+  intros P L F. set (ws := real (box_weights b)).
+  assert (Pw : Rows.positive ws) by (unfold ws, Rows.positive, real; now rewrite Forall_map).
+  revert g L. induction F as [|x m z reach Hx F IH]; intros [|a g] L; cbn in L; try lia.
+  1-2: cbn [answered answers_bound]; rewrite Q2R_0; pose proof (size_star b f P) as S; fold ws in S; lra.
+  cbn [answered answers_bound]. rewrite Qred_R, Q2R_plus, Q2R_mult.
+  eapply Rle_trans; [apply Rows.size_plus, Pw|]. rewrite size_scaled_any by exact Pw.
+  specialize (IH g ltac:(lia)). pose proof (size_star b a P) as S. fold ws in S.
+  assert (Rabs x * Rows.size ws (star ws (real a)) <= Q2R (length_bound b a) * Q2R m).
+  { rewrite Rmult_comm. apply Rmult_le_compat; try assumption; [apply Rows.size_nonneg|apply Rabs_pos]. }
+  lra.
+Qed.
+
+End Forces.

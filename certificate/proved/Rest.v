@@ -342,4 +342,240 @@ Proof.
   lra.
 Qed.
 
+Lemma dot_listed_map n z (f : vector -> R) g : List.length g = n ->
+  Rows.dot (listed n z) (map f g) = sum_to n (fun l => z l * f (nth l g [])).
+Proof.
+  revert z g. induction n as [|n IH]; intros z [|a g] L; try discriminate; cbn; [reflexivity|].
+  rewrite (IH (fun i => z (S i)) g) by now injection L. reflexivity.
+Qed.
+
+
 End Forces.
+
+(* ---- The theorem ---- *)
+
+Section AtRest.
+Open Scope R_scope.
+
+Variable n : nat.
+
+Record shaped (r : resting) (rr : Rows.row) : Prop := Shaped {
+  shaped_inside : inside (resting_box r) rr;
+  shaped_proper : proper n rr;
+  shaped_force : (List.length (force_at_rest r) <= List.length (box_weights (resting_box r)))%nat;
+  shaped_answers : answers r = [] \/ List.length (answers r) = n;
+  shaped_each : Forall (fun a => List.length a <= List.length (box_weights (resting_box r)))%nat (answers r)
+}.
+
+Lemma taken_in {A} (none : A) i them a others : taken none i them = (a, others) -> a = none \/ In (i, a) them.
+Proof.
+  unfold taken. destruct them as [|[j b] them]; [intros E; injection E as <- _; now left|].
+  destruct (Z.eqb_spec j i) as [->|]; intros E; injection E as <- _; [right; now left|now left].
+Qed.
+
+Lemma resting_shaped rows rs i forces all before them :
+  resting_contacts n rows i forces all before = Some them -> Forall2 fits rows rs -> Forall (proper n) rs ->
+  exists rest, them = rev before ++ rest /\ Forall2 shaped rest rs.
+Proof.
+  intros H F. revert i forces all before H. induction F as [|row rr rows rs [_ I] F IH]; intros i forces all before H P.
+  - cbn in H. destruct forces, all; try discriminate. injection H as <-. rewrite rev_append_rev. exists [].
+    split; [reflexivity|constructor].
+  - cbn [resting_contacts] in H. destruct (taken [] i forces) as [f forces'] eqn:Tf. destruct (taken [] i all) as [g all'] eqn:Tg.
+    destruct (_ && _) eqn:C in H; [|discriminate]. apply andb_true_iff in C as [Cf Cg].
+    assert (Good : forall f, good_force (box row) f = true -> List.length f = List.length (box_weights (box row))).
+    { intros a Ha. unfold good_force in Ha. rewrite !andb_true_iff in Ha. now apply Nat.eqb_eq. }
+    destruct (IH _ _ _ _ H (Forall_inv_tail P)) as (rest & E & S). exists (Resting (box row) f g :: rest). split.
+    + rewrite E. cbn. now rewrite <- app_assoc.
+    + constructor; [|exact S]. constructor; cbn; [exact I|exact (Forall_inv P)| | |].
+      * destruct f; [cbn; lia|]. rewrite (Good _ Cf). lia.
+      * destruct g; [now left|]. apply andb_true_iff in Cg as [Cg _]. apply Nat.eqb_eq in Cg. now right.
+      * destruct g as [|a g]; [constructor|]. apply andb_true_iff in Cg as [_ Cg]. rewrite forallb_forall in Cg.
+        apply Forall_forall. intros b Hb. rewrite (Good _ (Cg b Hb)). lia.
+Qed.
+
+Variable s : setting.
+Variable sys : Rows.system.
+Hypothesis fit : in_setting s sys.
+Hypothesis n_is : dimension_of s = n.
+Variable them : list resting.
+Hypothesis them_shaped : Forall2 shaped them (Rows.rows sys).
+Variable reach : vector.
+
+Definition pressure (lambda : R) (rr : Rows.row) : R := Rows.preload rr + lambda * Rows.growth rr.
+
+(* What is done on y: by forces that do not answer, and by the answers to the component l. *)
+Fixpoint still (lambda : R) (ts : list resting) (rs : list Rows.row) (y : list R) : R :=
+  match ts, rs with
+  | r :: ts', rr :: rs' =>
+      pressure lambda rr * Rows.dot (Rows.N rr) y + Rows.dot (real (force_at_rest r)) (Rows.slip rr y) +
+      still lambda ts' rs' y
+  | _, _ => 0
+  end.
+
+Fixpoint answer (l : nat) (ts : list resting) (rs : list Rows.row) (y : list R) : R :=
+  match ts, rs with
+  | r :: ts', rr :: rs' => Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y) + answer l ts' rs' y
+  | _, _ => 0
+  end.
+
+Definition forces_at (lambda : R) (z : vec) (ts : list resting) (rs : list Rows.row) : list Rows.force :=
+  map (fun p => (pressure lambda (snd p), answered (Rows.weights (snd p)) (force_at_rest (fst p)) (answers (fst p)) (listed n z)))
+    (List.combine ts rs).
+
+Lemma weights_real r rr : shaped r rr -> Rows.weights rr = real (box_weights (resting_box r)).
+Proof. intros S. destruct (shaped_inside _ _ S) as (p & F & mu & t & I). apply (is_weights _ _ _ _ _ _ I). Qed.
+
+Lemma works_at lambda z ts rs y : Forall2 shaped ts rs ->
+  Rows.works rs (forces_at lambda z ts rs) y = still lambda ts rs y + sum_to n (fun l => z l * answer l ts rs y).
+Proof.
+  intros F. induction F as [|r rr ts rs S F IH]; cbn [forces_at List.combine map Rows.works still answer].
+  - rewrite sum_zero by (intros; cbn; ring). ring.
+  - unfold forces_at in IH. rewrite IH. unfold Rows.work. cbn [fst snd].
+    pose proof (weights_real _ _ S) as Wr. pose proof (RowLimits.weights_positive _ _ (shaped_proper _ _ S)) as P.
+    assert (Lw : List.length (Rows.weights rr) = List.length (box_weights (resting_box r))) by (rewrite Wr; apply map_length).
+    rewrite product_answered; [|exact P|rewrite Lw; apply S|rewrite Lw; apply S].
+    assert (E : Rows.dot (listed n z) (map (fun a => Rows.dot (real a) (Rows.slip rr y)) (answers r)) =
+      sum_to n (fun l => z l * Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y))).
+    { destruct (shaped_answers _ _ S) as [E|L]; [|now apply (dot_listed_map n z (fun a => Rows.dot (real a) (Rows.slip rr y)))].
+      rewrite E. cbn. rewrite dot_nil, sum_zero; [reflexivity|]. intros [|l] _; cbn; ring. }
+    assert (E2 : sum_to n (fun l => z l * (Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y) + answer l ts rs y)) =
+      sum_to n (fun l => z l * Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y)) +
+      sum_to n (fun l => z l * answer l ts rs y)) by (rewrite <- sum_plus; apply sum_same; intros; ring).
+    rewrite E, E2. ring.
+Qed.
+
+(* What has to hold at a multiple. *)
+Definition Wr (lambda : R) (k : nat) : R :=
+  Rows.load sys 1 lambda (basis_vector n k) + still lambda them (Rows.rows sys) (basis_vector n k).
+
+Definition off (k l : nat) : R := answer l them (Rows.rows sys) (basis_vector n k) - (if Nat.eqb k l then 1 else 0).
+
+Definition held (lambda : R) (r : resting) (rr : Rows.row) : Prop :=
+  ((force_at_rest r = [] /\ answers r = []) \/
+   Q2R (length_bound (resting_box r) (force_at_rest r)) + Q2R (answers_bound (resting_box r) (answers r) reach) <=
+     Rows.rho rr * pressure lambda rr) /\
+  (Rows.spring rr = false -> 0 <= pressure lambda rr).
+
+Definition rests (lambda : R) : Prop :=
+  (forall k, (k < n)%nat -> 0 <= Q2R (nth k reach 0%Q) /\
+     Rabs (Wr lambda k) + sum_to n (fun l => Rabs (off k l) * Q2R (nth l reach 0%Q)) <= Q2R (nth k reach 0%Q)) /\
+  Forall2 (held lambda) them (Rows.rows sys).
+
+Lemma pressure_mix t a b rr : pressure (mix t a b) rr = mix t (pressure a rr) (pressure b rr).
+Proof. unfold pressure, mix. ring. Qed.
+
+Lemma still_mix t a b ts rs y : still (mix t a b) ts rs y = mix t (still a ts rs y) (still b ts rs y).
+Proof.
+  revert rs. induction ts as [|r ts IH]; intros [|rr rs]; cbn; try (unfold mix; ring). rewrite IH, pressure_mix. unfold mix. ring.
+Qed.
+
+Lemma rests_between t a b : 0 <= t <= 1 -> rests a -> rests b -> rests (mix t a b).
+Proof.
+  intros T [A1 A2] [B1 B2]. split.
+  - intros k K. destruct (A1 k K) as [Z A]. destruct (B1 k K) as [_ B]. split; [exact Z|].
+    assert (E : Wr (mix t a b) k = mix t (Wr a k) (Wr b k)).
+    { unfold Wr. rewrite still_mix. unfold Rows.load, mix. ring. }
+    rewrite E. set (x := sum_to _ _) in *. unfold mix.
+    pose proof (Rabs_triang ((1 - t) * Wr a k) (t * Wr b k)) as Tr. rewrite !Rabs_mult in Tr.
+    rewrite (Rabs_right (1 - t)), (Rabs_right t) in Tr by lra. nra.
+  - clear A1 B1 fit them_shaped. revert B2. induction A2 as [|r rr ts rs [H1 H2] A2 IH]; intros B2; [constructor|].
+    inversion B2 as [|? ? ? ? [G1 G2] B3]; subst. constructor; [|now apply IH]. unfold held. rewrite pressure_mix. split.
+    + destruct H1 as [H1|H1]; [now left|]. destruct G1 as [G1|G1]; [now left|]. right. unfold mix. nra.
+    + intros Sp. specialize (H2 Sp). specialize (G2 Sp). unfold mix. nra.
+Qed.
+
+Lemma answered_nothing ws z : Rows.size ws (answered ws [] [] z) = 0.
+Proof. cbn. unfold Rows.size. destruct ws; cbn; apply sqrt_0. Qed.
+
+Lemma slip_at_rest rr : Rows.size (Rows.weights rr) (Rows.slip rr (listed n (fun _ => 0))) = 0 /\
+  forall g, Rows.product (Rows.weights rr) g (Rows.slip rr (listed n (fun _ => 0))) = 0.
+Proof.
+  assert (G : forall ws g, Rows.product ws g (Rows.slip rr (listed n (fun _ => 0))) = 0).
+  { unfold Rows.slip. induction (Rows.slips rr) as [|f fs IH]; intros ws g; destruct ws, g; cbn; try reflexivity.
+    rewrite dot_listed_zero, IH. ring. }
+  split; [|intros g; apply G]. unfold Rows.size. rewrite G. apply sqrt_0.
+Qed.
+
+(* Friction that is held. *)
+Lemma held_obeys w lambda z r rr : shaped r rr -> friction_sound (resting_box r) = true ->
+  Forall (fun q => 0 < Q2R q) (box_weights (resting_box r)) -> held lambda r rr ->
+  (List.length (answers r) <= List.length reach)%nat -> Forall2 (fun x m => Rabs x <= Q2R m) (listed n z) reach ->
+  Rows.obeys w (listed n (fun _ => 0)) 1 lambda rr
+    (pressure lambda rr, answered (Rows.weights rr) (force_at_rest r) (answers r) (listed n z)).
+Proof.
+  intros S FS Pw [H Pr] L Z. destruct (slip_at_rest rr) as [S0 S1]. unfold Rows.obeys. rewrite S0, S1.
+  assert (V : Rows.v rr (listed n (fun _ => 0)) 1 lambda = pressure lambda rr).
+  { unfold Rows.v, pressure. rewrite dot_listed_zero. ring. }
+  rewrite V. split; [|split; [|ring]].
+  - unfold Rows.normal_law. destruct (Rows.spring rr); [reflexivity|]. specialize (Pr eq_refl). destruct w; cbn.
+    + now rewrite Rmax_right.
+    + now split.
+  - destruct H as [[E1 E2]|H].
+    + rewrite E1, E2, answered_nothing. destruct (Rows.spring rr) eqn:Sp.
+      * rewrite (spring_has_no_friction _ _ (shaped_proper _ _ S) Sp). lra.
+      * specialize (Pr eq_refl). apply Rmult_le_pos; [apply (rho_nonneg _ _ (shaped_proper _ _ S))|exact Pr].
+    + rewrite (weights_real _ _ S). eapply Rle_trans; [|exact H]. now apply size_answered.
+Qed.
+
+Hypothesis reach_length : List.length reach = n.
+Hypothesis all_sound : Forall (fun r => friction_sound (resting_box r) = true /\
+  Forall (fun q => 0 < Q2R q) (box_weights (resting_box r))) them.
+
+Theorem stable_where_it_rests lambda : rests lambda -> Rows.stable_at sys lambda.
+Proof.
+  intros [Re He]. destruct fit as [_ _ _ _ Fd Fp [Fl1 Fl2] _ _]. rewrite n_is in *.
+  set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k))).
+  destruct (fixed_point n (fun k => Q2R (nth k reach 0%Q)) (fun z k => z k - total z k)) as [z In_box Fix].
+  - intros k K. now apply Re.
+  - intros k K u x U. unfold total. apply CV_minus; [now apply U|]. apply (CV_plus (fun _ => Wr lambda k)); [apply cv_constant|].
+    assert (G : forall m (c : nat -> R) off, (off + m <= n)%nat ->
+      Un_cv (fun i => sum_to m (fun l => u i (off + l)%nat * c l)) (sum_to m (fun l => x (off + l)%nat * c l))).
+    { induction m as [|m IHm]; intros c o Le; cbn; [apply cv_constant|].
+      apply (CV_plus (fun i => u i (o + 0)%nat * c O)).
+      - apply CV_mult; [apply U; lia|apply cv_constant].
+      - specialize (IHm (fun l => c (S l)) (S o) ltac:(lia)).
+        eapply cv_same; [|replace (sum_to m (fun i => x (o + S i)%nat * c (S i)))
+          with (sum_to m (fun l => x (S o + l)%nat * c (S l))); [exact IHm|]].
+        + intros i. apply sum_same. intros l _. now rewrite Nat.add_succ_r.
+        + apply sum_same. intros l _. now rewrite Nat.add_succ_r. }
+    exact (G n _ O (le_n n)).
+  - intros z In_box k K. destruct (Re k K) as [_ B].
+    assert (E : z k - total z k = - Wr lambda k - sum_to n (fun l => off k l * z l)).
+    { unfold total, off.
+      assert (D : sum_to n (fun l => (if Nat.eqb k l then 1 else 0) * z l) = z k).
+      { clear - K. revert k K z. induction n as [|m IHm]; intros [|k] K z; cbn; try lia.
+        - rewrite sum_zero; [ring|]. intros; cbn; ring.
+        - rewrite (IHm k ltac:(lia) (fun i => z (S i))). ring. }
+      rewrite <- D at 1.
+      rewrite (sum_same n (fun l => (answer l them (Rows.rows sys) (basis_vector n k) - (if Nat.eqb k l then 1 else 0)) * z l)
+        (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k) + -1 * ((if Nat.eqb k l then 1 else 0) * z l)))
+        by (intros; ring). rewrite sum_plus, sum_multiple. ring. }
+    rewrite E.
+    assert (Ab : Rabs (sum_to n (fun l => off k l * z l)) <= sum_to n (fun l => Rabs (off k l) * Q2R (nth l reach 0%Q))).
+    { clear - In_box. assert (G : forall m a b, (forall i, (i < m)%nat -> Rabs (a i) <= b i) -> Rabs (sum_to m a) <= sum_to m b).
+      { induction m as [|m IHm]; intros a b H; cbn; [rewrite Rabs_R0; lra|].
+        eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [apply H; lia|]. apply IHm. intros; apply H; lia. }
+      apply G. intros l Hl. rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rabs_le. now apply In_box. }
+    set (o := sum_to n (fun l => off k l * z l)) in *. clear - B Ab.
+    unfold Rabs in B, Ab. destruct (Rcase_abs (Wr lambda k)), (Rcase_abs o); lra.
+  - assert (Zero : forall k, (k < n)%nat -> total z k = 0) by (intros k K; specialize (Fix k K); cbn in Fix; lra).
+    exists (listed n (fun _ => 0)), (forces_at lambda z them (Rows.rows sys)). split; [now rewrite length_listed|]. split.
+    + assert (Zr : Forall2 (fun x m => Rabs x <= Q2R m) (listed n z) reach).
+      { clear - In_box reach_length. revert z reach reach_length In_box. induction n as [|m IHm]; intros z [|q reach] L In_box;
+          try discriminate; cbn; constructor.
+        - apply Rabs_le. apply (In_box O). lia.
+        - apply IHm; [now injection L|]. intros k K. apply (In_box (S k)). lia. }
+      unfold forces_at. clear - them_shaped all_sound He Zr reach_length.
+      revert all_sound He. induction them_shaped as [|r rr ts rs S F IH]; intros A He; cbn; constructor.
+      * destruct (Forall_inv A) as [A1 A2]. inversion He; subst. apply held_obeys; try assumption.
+        destruct (shaped_answers _ _ S) as [E|E]; [rewrite E; cbn; lia|]. rewrite E, reach_length. lia.
+      * inversion He; subst. apply IH; [exact F|exact (Forall_inv_tail A)|assumption].
+    + assert (Known : known_by_units n (fun y => Rows.load sys 1 lambda y + Rows.works (Rows.rows sys) (forces_at lambda z them (Rows.rows sys)) y)).
+      { apply known_plus; [unfold Rows.load; apply known_plus; now apply known_multiple, dot_known|].
+        clear - Fp. generalize (forces_at lambda z them (Rows.rows sys)). induction Fp as [|r rs Pr Fp IH]; intros fs; [apply known_zero|].
+        destruct fs as [|f fs]; [apply known_zero|]. cbn. apply (known_plus n (Rows.work r f)); [now apply work_known|apply IH]. }
+      intros y. rewrite (Known y). apply sum_zero. intros k K. rewrite works_at by exact them_shaped.
+      specialize (Zero k K). unfold total, Wr in Zero. rewrite <- Rplus_assoc, Zero. ring.
+Qed.
+
+End AtRest.

@@ -245,6 +245,7 @@ Proof.
   - apply mix_within; [exact S| |apply I]. apply middle_within with mu, I.
   - now apply friction_at_nonneg.
   - apply mix_within; [exact S| |apply I]. apply middle_within with (Rows.stiffness r), I.
+  - intros Sp. now apply friction_at_spring.
   - intros Sp. apply NoSlips, (spring_alone _ _ _ _ _ _ I Sp).
   - intros Sg. destruct (is_signed _ _ _ _ _ _ I Sg) as (Sl & We & Sq). split; [|split; [|exact Sq]].
     + destruct Sl as [Z|(T0 & Z)]; [left; now apply NoSlips|right].

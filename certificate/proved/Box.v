@@ -50,6 +50,7 @@ Record inside_at (b : cbox) (r : Rows.row) (p : list R) (F : list R -> list (lis
   in_growth : Rows.growth r = (1 - t) * Q2R (low (box_growth b)) + t * Q2R (high (box_growth b));
   in_stiffness : within (box_stiffness b) (Rows.stiffness r);
   is_spring : Rows.spring r = box_spring b;
+  spring_smooth : box_spring b = true -> mu = 0;
   spring_alone : box_spring b = true -> Rows.slips r = [];
   spring_signed : box_signed b = false -> box_spring b = false;
   is_signed : box_signed b = true ->
@@ -201,7 +202,7 @@ Qed.
 Lemma qdot_scaled s b x : qdot (map (Qmult s) b) x = Q2R s * qdot b x.
 Proof. revert x. induction b as [|y b IH]; intros [|z x]; cbn; try ring. rewrite IH, Q2R_mult. ring. Qed.
 
-Lemma shares_count is p : Forall2 within is p -> List.length (shares is p) = count is.
+Lemma shares_count is p : Forall2 within is p -> List.length (box_shares is p) = count is.
 Proof.
   unfold count. induction 1 as [|i x is p W F IH]; cbn; [reflexivity|].
   rewrite app_length, IH. unfold share. now destruct (certain i).
@@ -212,7 +213,7 @@ Variable r : Rows.row.
 Variables (p : list R) (F : list R -> list (list R)) (mu t : R).
 Hypothesis I : inside_at b r p F mu t.
 
-Definition shares_in : list R := shares (box_geometry b) p.
+Definition shares_in : list R := box_shares (box_geometry b) p.
 
 Lemma shares_valid : Forall is_share shares_in.
 Proof. apply shares_good. apply I. Qed.

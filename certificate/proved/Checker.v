@@ -2,63 +2,20 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Question Cone Numbers Box Leaf Tree Witness Margin.
-From Proved Require SpaceBox SpaceTree SpaceWitness.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Leaf Tree Witness Margin.
 Import ListNotations.
 Open Scope string_scope.
 
-Fixpoint enlarge_all (bits : Z) (qs : list contact) : option (list row) :=
-  match qs with
-  | [] => Some []
-  | q :: qs' =>
-      match enlarge bits q, enlarge_all bits qs' with
-      | Some b, Some rows => Some (make_row b :: rows)
-      | _, _ => None
-      end
-  end.
+Definition enlarge_all (bits : Z) (qs : list contact) : option (list row) :=
+  all_some (fun q => match enlarge bits q with Some b => Some (make_row b) | None => None end) qs.
 
-Section Numbers.
-Open Scope Z_scope.
-
-(* A multiple of all denominators of leaves; and a power of two with which every term of a leaf
-   keeps about 64 bits, if that is shorter. *)
-Definition common_multiple (rows : list row) (ld : load) : Z :=
-  fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
-
-Definition short_multiple (rows : list row) (multiple : Z) : Z :=
-  let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
-  let short := Z.shiftl 1 (Z.log2 most + 65) in
-  if short <? multiple then short else multiple.
-
-Definition most_depth {A : Type} (rows : list A) : Z :=
-  fold_left (fun n _ => n + 2) rows 256.
-
-End Numbers.
+Definition most_depth {A : Type} (rows : list A) : Z := (fold_left (fun n _ => n + 2) rows 256)%Z.
 
 (* The box that the question is about. *)
 Definition setting_of (bits : Z) (q : question) : option setting :=
   match enlarge_all bits (contacts q) with
   | None => None
-  | Some rows =>
-      let ld := make_load (wrench q) (direction q) in
-      let m := common_multiple rows ld in
-      Some (Setting rows ld (short_multiple rows m) m)
-  end.
-
-Fixpoint enlarge_all_in_space (bits : Z) (qs : list contact) : option (list SpaceBox.row) :=
-  match qs with
-  | [] => Some []
-  | q :: qs' =>
-      match SpaceBox.enlarge bits q, enlarge_all_in_space bits qs' with
-      | Some b, Some rows => Some (SpaceBox.make_row b :: rows)
-      | _, _ => None
-      end
-  end.
-
-Definition setting_in_space (bits : Z) (q : question) : option SpaceTree.setting :=
-  match enlarge_all_in_space bits (contacts q) with
-  | None => None
-  | Some rows => Some (SpaceTree.Setting rows (make_load (wrench q) (direction q)) [])
+  | Some rows => Some (make_setting (dimension q) rows (make_load (wrench q) (direction q)) [])
   end.
 
 (* Whether it is one point. *)
@@ -75,77 +32,50 @@ Definition refute (q : question) (s : setting) (ranges : list range) (nodes : li
 
 Definition at_zero : range := Range 0 (Some 0%Q) false false.
 
-Definition check_in_plane (q : question) (c : certificate) : answer :=
+Definition check_witness (q : question) (s : setting) (w : witness) : answer :=
+  if is_one_grasp s then
+    match check_at (bilateral q) (dimension q) (rows s) (the_load s) (Point (Some 0%Q) w) with
+    | inl _ => Stable
+    | inr rule => Rejected rule Nowhere
+    end
+  else Rejected "witness-box" Nowhere.
+
+Definition check_tree (q : question) (s : setting) (nodes : list node) : answer :=
+  match refute q s [at_zero] nodes with
+  | None => Unstable
+  | Some (rule, number) => Rejected rule (AtNode number)
+  end.
+
+Definition check_margin (q : question) (s : setting) (resisted : list (Q * option Q))
+    (segments : list segment) (nodes : list node) : answer :=
+  if is_one_grasp s then
+    match order_fails (Some 0%Q) true resisted 0 with
+    | Some number => Rejected "resisted-order" (AtInterval number)
+    | None =>
+        match segments_fail (bilateral q) (dimension q) (rows s) (the_load s) segments resisted None None 0 with
+        | Some (rule, found_at) => Rejected rule found_at
+        | None =>
+            match refute q s (gaps resisted) nodes with
+            | None => Margin resisted
+            | Some (rule, number) => Rejected rule (AtNode number)
+            end
+        end
+    end
+  else NotProvedHere "a margin of a box".
+
+Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
-  | None => NotProvedHere "numbers of the question"
+  | None => NotProvedHere "normals that are uncertain, or numbers of the question"
   | Some s =>
       match body c, is_margin q with
-      | StableByWitness w, false =>
-          if is_one_grasp s then
-            match check_at (bilateral q) (rows s) (the_load s) (Point (Some 0%Q) w) with
-            | inl _ => Stable
-            | inr rule => Rejected rule Nowhere
-            end
-          else Rejected "witness-box" Nowhere
-      | UnstableByTree nodes, false =>
-          match refute q s [at_zero] nodes with
-          | None => Unstable
-          | Some (rule, number) => Rejected rule (AtNode number)
-          end
-      | MarginBy resisted segments nodes, true =>
-          if is_one_grasp s then
-            match order_fails (Some 0%Q) true resisted 0 with
-            | Some number => Rejected "resisted-order" (AtInterval number)
-            | None =>
-                match segments_fail (bilateral q) (rows s) (the_load s) segments resisted None
-                        None 0 with
-                | Some (rule, found_at) => Rejected rule found_at
-                | None =>
-                    match refute q s (gaps resisted) nodes with
-                    | None => Margin resisted
-                    | Some (rule, number) => Rejected rule (AtNode number)
-                    end
-                end
-            end
-          else NotProvedHere "a margin of a box"
+      | StableByWitness w, false => check_witness q s w
+      | UnstableByTree nodes, false => check_tree q s nodes
       | StableByParts _, false => NotProvedHere "a proof by degree or at rest"
+      | MarginBy resisted segments nodes, true => check_margin q s resisted segments nodes
       | MarginByDegree, true => NotProvedHere "segments by degree"
+      | MarginInSpace _, true => NotProvedHere "a margin in space"
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end
   end.
-
-Definition check_in_space (q : question) (c : certificate) : answer :=
-  match body c, is_margin q with
-  | UnstableByTree nodes, false =>
-      match setting_in_space (bits c) q with
-      | None => NotProvedHere "normals that are uncertain, or numbers of the question"
-      | Some s =>
-          match SpaceTree.walk_ranges memory advisor (most_depth (SpaceTree.rows s)) (bilateral q) s
-                  [at_zero] nodes with
-          | None => Unstable
-          | Some (rule, number) => Rejected rule (AtNode number)
-          end
-      end
-  | StableByWitness w, false =>
-      match setting_in_space (bits c) q with
-      | None => NotProvedHere "normals that are uncertain, or numbers of the question"
-      | Some s =>
-          if SpaceWitness.is_one_grasp (SpaceTree.rows s) (SpaceTree.the_load s) then
-            match SpaceWitness.witness_fails (bilateral q) (SpaceTree.rows s)
-                    (SpaceTree.the_load s) w with
-            | None => Stable
-            | Some rule => Rejected rule Nowhere
-            end
-          else Rejected "witness-box" Nowhere
-      end
-  | StableByParts _, false => NotProvedHere "a proof by degree or at rest"
-  | MarginInSpace _, true => NotProvedHere "a margin in space"
-  | _, _ => NotProvedHere "a proof of something else than was asked"
-  end.
-
-Definition check (q : question) (c : certificate) : answer :=
-  if Nat.eqb (dimension q) 3 then check_in_plane q c
-  else if Nat.eqb (dimension q) 6 then check_in_space q c
-  else NotProvedHere "a question of no dimension".
 
 End Check.

@@ -1,55 +1,82 @@
 (* SPDX-License-Identifier: MIT *)
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
-From Proved Require Import Question Cone Meaning Numbers Box Leaf Tree Witness Margin Checker.
-From Proved Require SpaceBox SpaceLeaf SpaceTree SpaceWitness.
-From Proved Require Model SpaceModel.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Leaf Tree Witness Margin
+  Checker.
+From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma enlarge_all_fits bits qs rows cs : enlarge_all bits qs = Some rows ->
-  Forall2 chosen_contact qs cs -> Forall2 fits rows cs.
+(* The rows of a grasp that the question is about. *)
+Definition choice_of (q : question) (s : Rows.system) : Prop :=
+  (exists g, chosen q g /\ s = grasp_rows g) \/
+  (exists g, chosen_in_space q g /\ s = space_grasp_rows g).
+
+Lemma enlarge_all_fits bits qs rws rs (chosen_row : contact -> Rows.row -> Prop) :
+  (forall q b r, enlarge bits q = Some b -> chosen_row q r -> inside b r) ->
+  enlarge_all bits qs = Some rws -> Forall2 chosen_row qs rs -> Forall2 fits rws rs.
 Proof.
-  intros H F. revert rows H. induction F as [|q c qs cs Fq F IH]; intros rows; cbn.
-  - intros E. injection E as <-. constructor.
-  - destruct (enlarge bits q) as [b|] eqn:B; [|discriminate].
-    destruct (enlarge_all bits qs) as [rows'|]; [|discriminate]. intros E. injection E as <-.
-    constructor; [|now apply IH]. split; [reflexivity|]. cbn.
-    eapply enlarge_inside; eassumption.
+  intros I H F. apply all_some_is in H. revert rs F.
+  induction H as [|q row qs rws E H IH]; intros rs F; inversion F; subst; constructor; [|now apply IH].
+  destruct (enlarge bits q) as [b|] eqn:B; [|discriminate]. injection E as <-. split; [reflexivity|].
+  eapply I; eassumption.
 Qed.
 
-Lemma chosen_solution bits q s g lambda d forces : setting_of bits q = Some s -> chosen q g ->
-  0 <= lambda -> Model.equilibrium g lambda d forces ->
-  solution (rows s) (the_load s) g lambda d forces.
+Lemma Forall2_map_right {A B C} (P : A -> C -> Prop) (f : B -> C) l l' :
+  Forall2 (fun a b => P a (f b)) l l' -> Forall2 P l (map f l').
+Proof. induction 1; cbn; constructor; assumption. Qed.
+
+Lemma Forall2_weaken {A B} (P P' : A -> B -> Prop) l l' :
+  (forall a b, P a b -> P' a b) -> Forall2 P l l' -> Forall2 P' l l'.
+Proof. intros H. induction 1; constructor; auto. Qed.
+
+(* All that the proofs need to know of a choice. *)
+Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
+  posed_rows : Forall2 fits (rows st) (Rows.rows s);
+  posed_load : the_load st = make_load (wrench q) (direction q);
+  posed_slipping : slipping st = [] /\ pushes st = [];
+  posed_dimension : dimension_of st = Rows.dimension s /\ dimension q = Rows.dimension s;
+  posed_wrench : Forall2 within (wrench q) (Rows.wrench s);
+  posed_direction : map Q2R (direction q) = Rows.direction s;
+  posed_lengths : List.length (Rows.direction s) = List.length (Rows.wrench s);
+  posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral
+}.
+
+Lemma choice_poses bits q st s : setting_of bits q = Some st -> choice_of q s -> poses q st s.
 Proof.
-  intros H (_ & F & W & U & _) L E. unfold setting_of in H.
-  destruct (enlarge_all bits (contacts q)) as [rws|] eqn:A; [|discriminate]. injection H as <-.
-  cbn [rows the_load]. constructor; try assumption.
-  - eapply enlarge_all_fits; eassumption.
-  - reflexivity.
+  unfold setting_of. intros H C. destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate].
+  injection H as <-. destruct C as [(g & (D & F & W & U & N) & ->)|(g & (D & F & W & U & N) & ->)];
+    (constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
+       Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split)).
+  - apply (enlarge_all_fits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
+    + intros q0 b r B (c & Ch & ->). eapply enlarge_plane; eassumption.
+    + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
+  - apply (enlarge_all_fits bits _ _ _ (fun q r => exists c, chosen_contact_in_space q c /\ r = space_contact_row c))
+      with (2 := E).
+    + intros q0 b r B (c & Ch & ->). eapply enlarge_space; eassumption.
+    + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
 Qed.
 
-Lemma chosen_exact bits q s g : setting_of bits q = Some s -> chosen q g ->
-  is_one_grasp s = true ->
-  Forall2 fits (rows s) (Model.contacts g) /\ exact_rows (rows s) = true /\
-  exact_load (the_load s) g /\
-  Model.normal g = (if bilateral q then Model.bilateral else Model.unilateral).
-Proof.
-  intros H (_ & F & W & U & N) X. unfold setting_of in H.
-  destruct (enlarge_all bits (contacts q)) as [rws|] eqn:A; [|discriminate]. injection H as <-.
-  unfold is_one_grasp in X. apply andb_true_iff in X as [X1 X2].
-  cbn [rows the_load] in *. repeat split; try assumption. eapply enlarge_all_fits; eassumption.
-Qed.
+(* What an answer says, of rows. *)
+Definition true_of_rows (q : question) (a : answer) : Prop :=
+  match a with
+  | Stable => forall s, choice_of q s -> Rows.stable_at s 0
+  | Unstable => forall s, choice_of q s -> ~ Rows.stable_at s 0
+  | Margin intervals => forall s, choice_of q s -> forall l, 0 <= l ->
+      (Rows.stable_at s l <-> Exists (among l) intervals)
+  | Rejected _ _ => True
+  | NotProvedHere _ => True
+  end.
 
-Lemma enlarge_all_fits_in_space bits qs rows cs : enlarge_all_in_space bits qs = Some rows ->
-  Forall2 chosen_contact_in_space qs cs -> Forall2 SpaceLeaf.fits rows cs.
+Lemma true_of_grasps q a : true_of_rows q a -> true_answer q a.
 Proof.
-  intros H F. revert rows H. induction F as [|q c qs cs Fq F IH]; intros rows; cbn.
-  - intros E. injection E as <-. constructor.
-  - destruct (SpaceBox.enlarge bits q) as [b|] eqn:B; [|discriminate].
-    destruct (enlarge_all_in_space bits qs) as [rows'|]; [|discriminate]. intros E.
-    injection E as <-. constructor; [|now apply IH]. split; [reflexivity|].
-    eapply SpaceBox.enlarge_inside; eassumption.
+  destruct a; cbn; intros H; try exact I; split; intros g C.
+  - apply stable_as_rows. apply H. left. now exists g.
+  - apply space_stable_as_rows. apply H. right. now exists g.
+  - intros St. apply (H (grasp_rows g)); [left; now exists g|]. now apply stable_as_rows.
+  - intros St. apply (H (space_grasp_rows g)); [right; now exists g|]. now apply space_stable_as_rows.
+  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
+  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
 Qed.
 
 Section Correct.
@@ -57,89 +84,55 @@ Variable memory : Type.
 Variable advisor : oracle memory.
 
 (* Where trees about ranges are accepted, no multiple in these ranges has an equilibrium. *)
-Theorem refute_correct q bits s ranges nodes g lambda :
-  setting_of bits q = Some s -> chosen q g ->
-  refute memory advisor q s ranges nodes = None -> 0 <= lambda ->
-  Exists (fun r => in_range r lambda) ranges -> ~ Model.stable_at g lambda.
+Theorem refute_correct q st s ranges nodes lambda : poses q st s ->
+  refute memory advisor q st ranges nodes = None -> 0 <= lambda ->
+  Exists (fun r => in_range r lambda) ranges -> ~ Rows.stable_at s lambda.
 Proof.
-  intros S C R L X (d & forces & E).
-  apply (refuted_multiple memory advisor _ _ s ranges nodes g lambda d forces R).
-  - now apply (chosen_solution bits q).
-  - apply C.
-  - exact X.
+  intros P R L X (d & fs & Ld & O & B). destruct P. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D _].
+  apply (refuted_multiple memory advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
+    try assumption.
+  - congruence.
+  - constructor; try assumption; try lra; rewrite posed_load0; try assumption; reflexivity.
 Qed.
 
-Theorem plane_correct q c : dimension q = 3%nat ->
-  true_answer q (check_in_plane memory advisor q c).
+Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
+  exact_rows (rows st) = true /\ exact_load (the_load st) s.
 Proof.
-  intros D. assert (NS : forall (P : SpaceModel.grasp -> Prop) g, chosen_in_space q g -> P g).
-  { intros P g (D6 & _). rewrite D in D6. discriminate. }
-  unfold check_in_plane. destruct (setting_of (bits c) q) as [s|] eqn:S; [|exact I].
-  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims];
-    destruct (is_margin q); try exact I.
+  intros [] X. unfold is_one_grasp in X. apply andb_true_iff in X as [X1 X2].
+  split; [exact X1|]. rewrite posed_load0 in *. now constructor.
+Qed.
+
+Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
+Proof.
+  unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
+  assert (P := fun s => choice_poses _ _ _ s S).
+  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims]; destruct (is_margin q); try exact I.
   - (* a witness *)
-    destruct (is_one_grasp s) eqn:X; [|exact I].
-    destruct (check_at (bilateral q) (rows s) (the_load s) (Point (Some 0%Q) w)) as [ss|] eqn:W;
-      [|exact I].
-    split; [|apply NS]. intros g C. destruct (chosen_exact _ _ _ _ S C X) as (F & E & L & N).
-    eapply witness_stable; eassumption.
+    unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
+    destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).
+    destruct (one_grasp _ _ _ P X) as [E L]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in W.
+    replace 0 with (Q2R 0) by apply Q2R_0.
+    eapply point_resists; try eassumption. reflexivity.
   - (* a tree *)
-    destruct (refute memory advisor q s [at_zero] nodes) as [[rule number]|] eqn:R; [exact I|].
-    split; [|apply NS]. intros g C.
-    apply (refute_correct q _ s [at_zero] nodes g 0 S C R (Rle_refl 0)).
+    unfold check_tree. destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
+    intros s C. apply (refute_correct q st s _ _ 0 (P s C) R (Rle_refl 0)).
     constructor. unfold in_range, at_zero; cbn. rewrite Q2R_0.
     repeat split; try discriminate; lra.
   - (* a margin *)
-    destruct (is_one_grasp s) eqn:X; [|exact I].
+    unfold check_margin. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (order_fails _ _ resisted 0); [exact I|].
-    destruct (segments_fail _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
-    destruct (refute memory advisor q s (gaps resisted) nodes) as [[rule number]|] eqn:R; [exact I|].
-    split; [exact D|].
-    intros g C lambda L0. destruct (chosen_exact _ _ _ _ S C X) as (F & E & L & N). split.
+    destruct (segments_fail _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
+    destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
+    intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as [E L]. split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
-      exfalso. exact (refute_correct q _ s _ nodes g lambda S C R L0 G St).
-    + intros A. eapply segments_resist; try eassumption; [discriminate|].
+      exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
+    + intros A. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in SF.
+      eapply segments_resist; try eassumption; [discriminate|].
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
-Qed.
-
-Theorem space_correct q c : dimension q = 6%nat ->
-  true_answer q (check_in_space memory advisor q c).
-Proof.
-  intros D. assert (NP : forall (P : Model.grasp -> Prop) g, chosen q g -> P g).
-  { intros P g (D3 & _). rewrite D in D3. discriminate. }
-  unfold check_in_space.
-  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims];
-    destruct (is_margin q); try exact I;
-    (destruct (setting_in_space (bits c) q) as [s|] eqn:S; [|exact I]).
-  { (* a witness *)
-    destruct (SpaceWitness.is_one_grasp (SpaceTree.rows s) (SpaceTree.the_load s)) eqn:X; [|exact I].
-    destruct (SpaceWitness.witness_fails _ _ _ w) eqn:Wf; [exact I|].
-    split; [apply NP|]. intros g (_ & F & W & U & N). unfold setting_in_space in S.
-    destruct (enlarge_all_in_space (bits c) (contacts q)) as [rws|] eqn:A; [|discriminate].
-    injection S as <-. cbn [SpaceTree.rows SpaceTree.the_load] in *.
-    apply (SpaceWitness.witness_stable (bilateral q) rws (make_load (wrench q) (direction q)) w g);
-      try assumption.
-    eapply enlarge_all_fits_in_space; eassumption. }
-  (* a tree *)
-  destruct (SpaceTree.walk_ranges _ _ _ _ s [at_zero] nodes) as [[rule number]|] eqn:R; [exact I|].
-  split; [apply NP|]. intros g (_ & F & W & U & N) (d & forces & E).
-  unfold setting_in_space in S.
-  destruct (enlarge_all_in_space (bits c) (contacts q)) as [rws|] eqn:A; [|discriminate].
-  injection S as <-.
-  refine (SpaceTree.refuted_multiple memory advisor _ _ _ [at_zero] nodes g 0 d forces _ R _ _ _).
-  - reflexivity.
-  - constructor; cbn; try assumption; [|reflexivity|lra].
-    eapply enlarge_all_fits_in_space; eassumption.
-  - exact N.
-  - constructor. unfold in_range, at_zero; cbn. rewrite Q2R_0.
-    repeat split; try discriminate; lra.
 Qed.
 
 (* Whatever the certificate and the oracle's advice are, the answer is true. *)
 Theorem check_correct q c : true_answer q (check memory advisor q c).
-Proof.
-  unfold check. destruct (Nat.eqb_spec (dimension q) 3) as [D|_]; [now apply plane_correct|].
-  destruct (Nat.eqb_spec (dimension q) 6) as [D|_]; [now apply space_correct|exact I].
-Qed.
+Proof. apply true_of_grasps, check_of_rows. Qed.
 
 End Correct.

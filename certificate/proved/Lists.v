@@ -12,3 +12,35 @@ Proof.
   rewrite <- (rev_involutive (map f items)). f_equal. rewrite <- map_rev.
   induction (rev items) as [|a l IH]; cbn; [reflexivity|]. now rewrite IH.
 Qed.
+
+Section AllSome.
+  Context {A B : Type}.
+  Variable f : A -> option B.
+
+  Fixpoint all_some_after (items : list A) (before : list B) : option (list B) :=
+    match items with
+    | [] => Some (rev_append before [])
+    | item :: rest =>
+        match f item with
+        | Some it => all_some_after rest (it :: before)
+        | None => None
+        end
+    end.
+
+  (** What [f] makes of all items, if it makes something of each. *)
+  Definition all_some (items : list A) : option (list B) := all_some_after items [].
+
+  Lemma all_some_is items them : all_some items = Some them ->
+    Forall2 (fun item it => f item = Some it) items them.
+  Proof.
+    unfold all_some. assert (G : forall items before them, all_some_after items before = Some them ->
+      exists rest, them = rev before ++ rest /\ Forall2 (fun item it => f item = Some it) items rest).
+    { induction items0 as [|item items0 IH]; intros before them0; cbn.
+      - intros E. injection E as <-. exists []. rewrite rev_append_rev. split; [reflexivity|constructor].
+      - destruct (f item) as [it|] eqn:E; [|discriminate]. intros H.
+        destruct (IH _ _ H) as (rest & -> & F). exists (it :: rest). split.
+        + cbn. now rewrite <- app_assoc.
+        + now constructor. }
+    intros H. destruct (G _ _ _ H) as (rest & -> & F). exact F.
+  Qed.
+End AllSome.

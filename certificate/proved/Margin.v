@@ -1,9 +1,10 @@
 (* SPDX-License-Identifier: MIT *)
-(* Margins in the plane (FORMAT.md section 5): segments prove which multiples are resisted, and trees
-   about the gaps between them that no others are.  `segments_resist` and `gaps_cover`. *)
+(* Margins (FORMAT.md section 5): points prove which multiples are resisted, and trees that others are not.
+   In the plane points are segments, and the trees are about the gaps between them (`segments_resist`,
+   `gaps_cover`); else they are claims (`claims_true`). *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Box Leaf Witness Tree.
-From Proved Require Model.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Tree Witness.
+From Proved Require Rows Model.
 Import ListNotations.
 
 (* ---- Points with rational coordinates ---- *)
@@ -11,18 +12,18 @@ Import ListNotations.
 Section Checker.
 
 Definition coordinates_of (p : point) : list Q :=
-  twist (point_witness p) ++
-  match multiple p with Some l => [1%Q; l] | None => [0%Q; 1%Q] end.
+  match multiple p with Some l => [1%Q; l] | None => [0%Q; 1%Q] end ++ twist (point_witness p).
 
 Definition integer_point (p : point) : form :=
   map (to_integer (scaling_of (coordinates_of p))) (coordinates_of p).
 
 Variable two_sided : bool.
+Variable dim : nat.
 Variable rows : list row.
 Variable ld : load.
 
 Definition check_at (p : point) : list state + string :=
-  check_point two_sided rows ld (integer_point p) (shares (point_witness p)).
+  check_point two_sided dim rows ld (integer_point p) (shares (point_witness p)).
 
 Definition Qlt_bool (a b : Q) : bool := negb (Qle_bool b a).
 
@@ -77,7 +78,7 @@ Fixpoint segments_fail (segments : list segment) (resisted : list (Q * option Q)
                     match check_at second with
                     | inr rule => Some (rule, AtPoint number true)
                     | inl ss2 =>
-                        if same_mode rows ss1 ss2 then
+                        if same_mode ss1 ss2 then
                           if reaches hi (multiple second) then
                             segments_fail segments' resisted' None (Some (second, ss2)) (S number)
                           else
@@ -165,108 +166,117 @@ Proof. intros H. apply gaps_from_cover; rewrite Q2R_0; [exact H|discriminate]. Q
 Variable two_sided : bool.
 Variable rows : list row.
 Variable ld : load.
-Variable g : Model.grasp.
-Hypothesis F : Forall2 fits rows (Model.contacts g).
+Variable s : Rows.system.
+Hypothesis F : Forall2 fits rows (Rows.rows s).
 Hypothesis E : exact_rows rows = true.
-Hypothesis L : exact_load ld g.
-Hypothesis Law : Model.normal g = if two_sided then Model.bilateral else Model.unilateral.
+Hypothesis L : exact_load ld s.
+Hypothesis Law : Rows.normal s = if two_sided then Model.bilateral else Model.unilateral.
+Let dim := Rows.dimension s.
+Notation real := (map IZR).
 
 (* A point that is accepted, as it is in integers. *)
-Lemma accepted_point p ss : check_at two_sided rows ld p = inl ss ->
-  exists x y z h l u, 0 < u /\
-    are_states [x; y; z; h; l] rows ss /\
-    equilibrium_at g (vector_at x y z) (IZR h) (IZR l) (all_forces rows (Model.contacts g) ss) /\
+Lemma accepted_point p ss : check_at two_sided dim rows ld p = inl ss ->
+  exists h l ds ss' u, 0 < u /\ ss = rev ss' /\
+    all_states (h :: l :: ds) rows (Rows.rows s) ss' /\
+    Rows.equilibrium s (real ds) (IZR h) (IZR l) (forces rows ss') /\
     match multiple p with
     | Some lambda => u * IZR h = 1 /\ u * IZR l = Q2R lambda
     | None => u * IZR h = 0 /\ u * IZR l = 1
     end.
 Proof.
-  unfold check_at. intros C. assert (C' := C). unfold check_point in C'.
-  unfold integer_point in *. set (qs := coordinates_of p) in *. set (sc := scaling_of qs) in *.
-  destruct (map (to_integer sc) qs) as [|x [|y [|z [|h [|l [|? ?]]]]]] eqn:M; try discriminate.
-  clear C'.
-  pose proof (point_is_equilibrium two_sided rows ld g x y z h l _ ss F E L Law C) as [A B].
-  exists x, y, z, h, l, (unit sc). split; [apply unit_positive|]. split; [exact A|].
-  split; [exact B|].
+  unfold check_at, integer_point. intros C. set (qs := coordinates_of p) in *. set (sc := scaling_of qs) in *.
   assert (X : forall q, In q qs -> unit sc * IZR (to_integer sc q) = Q2R q)
     by (intros; symmetry; now apply to_integer_exact).
-  clearbody sc. unfold qs, coordinates_of in *.
-  destruct (twist (point_witness p)) as [|t1 [|t2 [|t3 [|? ?]]]];
-    destruct (multiple p) as [lambda|]; cbn [app map] in M; try discriminate;
-    try (exfalso; apply (f_equal (@List.length Z)) in M; cbn in M; rewrite ?map_length, ?app_length in M;
-         cbn in M; lia).
-  - injection M as <- <- <- <- <-. split.
-    + rewrite (X 1%Q) by (cbn; tauto). apply Q2R_1.
-    + apply X. cbn; tauto.
-  - injection M as <- <- <- <- <-. split.
-    + rewrite (X 0%Q) by (cbn; tauto). apply Q2R_0.
-    + rewrite (X 1%Q) by (cbn; tauto). apply Q2R_1.
+  assert (P : exists h l, qs = h :: l :: twist (point_witness p) /\
+    match multiple p with Some lambda => h = 1%Q /\ l = lambda | None => h = 0%Q /\ l = 1%Q end).
+  { unfold qs, coordinates_of. destruct (multiple p) as [lambda|]; [exists 1%Q, lambda|exists 0%Q, 1%Q]; auto. }
+  destruct P as (h & l & Eq & HL). rewrite Eq in C. cbn [map] in C.
+  set (ds := map (to_integer sc) (twist (point_witness p))) in *.
+  destruct (point_is_equilibrium two_sided rows ld s _ _ ds _ ss F E L Law C) as (ss' & Er & A & B).
+  exists (to_integer sc h), (to_integer sc l), ds, ss', (unit sc).
+  split; [apply unit_positive|]. split; [exact Er|]. split; [exact A|]. split; [exact B|].
+  assert (Xh := X h ltac:(rewrite Eq; cbn; auto)). assert (Xl := X l ltac:(rewrite Eq; cbn; auto)).
+  destruct (multiple p); destruct HL as [-> ->]; rewrite Xh, Xl; rewrite ?Q2R_1, ?Q2R_0; now split.
 Qed.
 
-Lemma at_multiple d h l forces lambda : equilibrium_at g d h l forces -> h = 1 -> l = lambda ->
-  Model.stable_at g lambda.
-Proof. intros H -> ->. exists d, forces. now apply equilibrium_at_one. Qed.
+Lemma at_multiple d h l fs lambda : Rows.equilibrium s d h l fs -> h = 1 -> l = lambda ->
+  Rows.stable_at s lambda.
+Proof. intros H -> ->. now exists d, fs. Qed.
 
 (* FORMAT.md section 3, "Modes", and section 5, "Why" of segments. *)
 Lemma segment_resists p ss p' ss' l1 lambda :
-  check_at two_sided rows ld p = inl ss -> check_at two_sided rows ld p' = inl ss' ->
-  same_mode rows ss ss' = true -> multiple p = Some l1 -> Q2R l1 <= lambda ->
+  check_at two_sided dim rows ld p = inl ss -> check_at two_sided dim rows ld p' = inl ss' ->
+  same_mode ss ss' = true -> multiple p = Some l1 -> Q2R l1 <= lambda ->
   match multiple p' with Some l2 => lambda <= Q2R l2 | None => True end ->
-  Model.stable_at g lambda.
+  Rows.stable_at s lambda.
 Proof.
   intros C C' M M1 L1 L2.
-  destruct (accepted_point p ss C) as (x & y & z & h & l & u & U & A & B & H).
-  destruct (accepted_point p' ss' C') as (x' & y' & z' & h' & l' & u' & U' & A' & B' & H').
-  pose proof (same_mode_shares rows _ _ _ _ _ _ _ _ _ _ _ _ _ F E A A' M) as SM.
+  destruct (accepted_point p ss C) as (h & l & ds & st & u & U & -> & A & B & H).
+  destruct (accepted_point p' ss' C') as (h' & l' & ds' & st' & u' & U' & -> & A' & B' & H').
+  pose proof (same_mode_shares _ _ _ _ _ _ _ _ _ _ A A' M) as SM.
   rewrite M1 in H. destruct H as [H1 H2].
-  destruct (multiple p') as [l2|].
-  - destruct H' as [H1' H2'].
-    assert (T : exists t, 0 <= t <= 1 /\ (1 - t) * Q2R l1 + t * Q2R l2 = lambda).
+  assert (Mix : forall P Q, 0 <= P -> 0 <= Q ->
+    P * IZR h + Q * IZR h' = 1 -> P * IZR l + Q * IZR l' = lambda -> Rows.stable_at s lambda).
+  { intros P Q P0 Q0 Eh El. destruct (mixture s _ _ _ _ _ _ _ _ _ _ P0 Q0 B B' SM) as (gs & Eg).
+    eapply at_multiple; eassumption. }
+  destruct (multiple p') as [l2|]; destruct H' as [H1' H2'].
+  - assert (T : exists t, 0 <= t <= 1 /\ (1 - t) * Q2R l1 + t * Q2R l2 = lambda).
     { destruct (Req_dec (Q2R l1) (Q2R l2)) as [Q|Q].
       - exists 0. lra.
       - exists ((lambda - Q2R l1) / (Q2R l2 - Q2R l1)). split; [|field; lra]. split.
         + apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat. lra.
         + apply Rmult_le_reg_r with (Q2R l2 - Q2R l1); [lra|]. field_simplify; lra. }
     destruct T as (t & T & TE).
-    assert (P0 : 0 <= (1 - t) * u) by (apply Rmult_le_pos; lra).
-    assert (Q0 : 0 <= t * u') by (apply Rmult_le_pos; lra).
-    eapply at_multiple; [apply (mixture g _ _ _ _ _ _ _ _ _ _ P0 Q0 B B' SM)| |].
+    apply (Mix ((1 - t) * u) (t * u')); try (apply Rmult_le_pos; lra).
     + replace ((1 - t) * u * IZR h + t * u' * IZR h')
         with ((1 - t) * (u * IZR h) + t * (u' * IZR h')) by ring. rewrite H1, H1'. ring.
     + replace ((1 - t) * u * IZR l + t * u' * IZR l')
         with ((1 - t) * (u * IZR l) + t * (u' * IZR l')) by ring. now rewrite H2, H2'.
-  - destruct H' as [H1' H2'].
-    assert (P0 : 0 <= u) by lra.
-    assert (Q0 : 0 <= (lambda - Q2R l1) * u') by (apply Rmult_le_pos; lra).
-    eapply at_multiple; [apply (mixture g _ _ _ _ _ _ _ _ _ _ P0 Q0 B B' SM)| |].
+  - apply (Mix u ((lambda - Q2R l1) * u')); [lra|apply Rmult_le_pos; lra| |].
     + replace (u * IZR h + (lambda - Q2R l1) * u' * IZR h')
         with (u * IZR h + (lambda - Q2R l1) * (u' * IZR h')) by ring. rewrite H1, H1'. ring.
     + replace (u * IZR l + (lambda - Q2R l1) * u' * IZR l')
         with (u * IZR l + (lambda - Q2R l1) * (u' * IZR l')) by ring. rewrite H2, H2'. ring.
 Qed.
 
+(* A point alone. *)
+Lemma point_resists p ss lambda : check_at two_sided dim rows ld p = inl ss -> multiple p = Some lambda ->
+  Rows.stable_at s (Q2R lambda).
+Proof.
+  intros C M. destruct (accepted_point p ss C) as (h & l & ds & st & u & U & _ & _ & B & H).
+  rewrite M in H. destruct H as [H1 H2].
+  assert (P : Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s)).
+  { clear - F E. induction F as [|row r rows rs Fr F' IH]; constructor; cbn in E; apply andb_true_iff in E as [Er E].
+    - split; [now apply (positive_weights row)|]. destruct (exact_friction row r Fr Er) as (M0 & -> & _).
+      apply Rmult_le_pos; [exact M0|apply sqrt_pos].
+    - now apply IH. }
+  pose proof (self_modes s _ _ _ _ B P) as SM.
+  destruct (mixture s _ _ _ _ _ _ _ _ u 0 (Rlt_le _ _ U) (Rle_refl 0) B B SM) as (gs & Eg).
+  eapply at_multiple; [exact Eg| |]; [rewrite H1; ring|rewrite H2; ring].
+Qed.
+
 Theorem segments_resist segments resisted from last number lambda :
-  segments_fail two_sided rows ld segments resisted from last number = None ->
-  (forall p ss, last = Some (p, ss) -> check_at two_sided rows ld p = inl ss) ->
+  segments_fail two_sided dim rows ld segments resisted from last number = None ->
+  (forall p ss, last = Some (p, ss) -> check_at two_sided dim rows ld p = inl ss) ->
   match resisted with
   | [] => False
   | (lo, hi) :: resisted' =>
       among lambda (match from with Some e => e | None => lo end, hi) \/
       Exists (among lambda) resisted'
   end ->
-  Model.stable_at g lambda.
+  Rows.stable_at s lambda.
 Proof.
   revert resisted from last number.
-  induction segments as [|s segments IH]; intros resisted from last number H K A.
+  induction segments as [|seg segments IH]; intros resisted from last number H K A.
   - destruct resisted as [|[lo hi] resisted]; [contradiction|discriminate].
   - destruct resisted as [|[lo hi] resisted]; [contradiction|]. cbn [segments_fail] in H.
     set (start := match from with Some e => e | None => lo end) in *.
-    destruct (match first_point s with
-              | Some p => Some (p, check_at two_sided rows ld p)
+    destruct (match first_point seg with
+              | Some p => Some (p, check_at two_sided dim rows ld p)
               | None => match last with Some (p, ss) => Some (p, inl ss) | None => None end
               end) as [[p checked]|] eqn:First; [|discriminate].
-    assert (Checked : check_at two_sided rows ld p = checked).
-    { destruct (first_point s) as [p0|].
+    assert (Checked : check_at two_sided dim rows ld p = checked).
+    { destruct (first_point seg) as [p0|].
       - injection First as <- <-. reflexivity.
       - destruct last as [[p0 ss0]|]; [|discriminate]. injection First as <- <-. now apply K. }
     destruct (multiple p) as [l1|] eqn:M1; [|discriminate].
@@ -274,57 +284,29 @@ Proof.
     apply orb_false_iff in Chain as [Chain Down]. apply orb_false_iff in Chain as [Start Beyond].
     apply negb_false_iff, Qeq_bool_R in Start.
     destruct checked as [ss1|]; [|discriminate].
-    destruct (check_at two_sided rows ld (second_point s)) as [ss2|] eqn:C2; [|discriminate].
-    destruct (same_mode rows ss1 ss2) eqn:SM; [|discriminate].
-    assert (K' : forall p ss, Some (second_point s, ss2) = Some (p, ss) ->
-                 check_at two_sided rows ld p = inl ss).
+    destruct (check_at two_sided dim rows ld (second_point seg)) as [ss2|] eqn:C2; [|discriminate].
+    destruct (same_mode ss1 ss2) eqn:SM; [|discriminate].
+    assert (K' : forall p ss, Some (second_point seg, ss2) = Some (p, ss) ->
+                 check_at two_sided dim rows ld p = inl ss).
     { intros p0 ss0 Eq. injection Eq as <- <-. exact C2. }
     assert (Seg : Q2R l1 <= lambda ->
-      match multiple (second_point s) with Some l2 => lambda <= Q2R l2 | None => True end ->
-      Model.stable_at g lambda).
+      match multiple (second_point seg) with Some l2 => lambda <= Q2R l2 | None => True end ->
+      Rows.stable_at s lambda).
     { intros S1 S2. exact (segment_resists p ss1 _ ss2 l1 lambda Checked C2 SM M1 S1 S2). }
-    destruct (reaches hi (multiple (second_point s))) eqn:R.
+    destruct (reaches hi (multiple (second_point seg))) eqn:R.
     + destruct A as [[A1 A2]|A].
       * apply Seg; [cbn in A1; lra|]. cbn in A2. unfold reaches in R.
-        destruct hi as [h|], (multiple (second_point s)) as [l2|]; try discriminate; auto.
+        destruct hi as [h|], (multiple (second_point seg)) as [l2|]; try discriminate; auto.
         apply Qeq_bool_R in R. lra.
       * eapply IH; [exact H|exact K'|]. destruct resisted as [|[lo' hi'] resisted].
         -- inversion A.
         -- inversion A; subst; [left|right]; assumption.
     + destruct A as [[A1 A2]|A].
-      * cbn in A1, A2. destruct (multiple (second_point s)) as [l2|] eqn:M2.
+      * cbn in A1, A2. destruct (multiple (second_point seg)) as [l2|] eqn:M2.
         -- destruct (Rle_dec lambda (Q2R l2)) as [B|B]; [apply Seg; [lra|exact B]|].
            eapply IH; [exact H|exact K'|]. left. unfold among; cbn. split; [lra|exact A2].
         -- unfold beyond, reaches in *. destruct hi; discriminate.
       * eapply IH; [exact H|exact K'|]. right. exact A.
-Qed.
-
-(* Of a witness: any multiple of it is an equilibrium, too. *)
-Lemma self_modes d h l cs rws ss x : Forall2 fits rws cs -> exact_rows rws = true ->
-  are_states x rws ss ->
-  Forall2 (obeys_at (Model.normal g) d h l) cs (all_forces rws cs ss) ->
-  share_modes d h l d h l cs (all_forces rws cs ss) (all_forces rws cs ss).
-Proof.
-  intros F'. revert ss. induction F' as [|r c rws cs Fr F' IH]; intros ss E' S O; inversion S; subst;
-    cbn [all_forces] in *; [constructor|].
-  cbn in E'. apply andb_true_iff in E' as [Er E']. inversion O as [|? ? ? ? O1 O2]; subst.
-  constructor; [apply (exact_friction r c Fr Er)| |now apply IH].
-  destruct (forces_of r c s) as [a b]. destruct O1 as (_ & _ & Plus & Minus). unfold shares_mode.
-  cbn [fst snd]. split; [nra|]. right; right. split; [nra|]. split; intros H.
-  - assert (0 < Model.work (Model.T c) d) by lra. split; auto.
-  - assert (Model.work (Model.T c) d < 0) by lra. split; auto.
-Qed.
-
-Theorem witness_stable w ss : check_at two_sided rows ld (Point (Some 0%Q) w) = inl ss ->
-  Model.stable g.
-Proof.
-  intros C. destruct (accepted_point _ ss C) as (x & y & z & h & l & u & U & A & B & H1 & H2).
-  cbn in H2. rewrite Q2R_0 in H2.
-  assert (SM := self_modes _ _ _ _ _ _ _ F E A (proj1 B)).
-  assert (P0 : 0 <= u) by lra.
-  eapply at_multiple; [apply (mixture g _ _ _ _ _ _ _ _ u 0 P0 (Rle_refl 0) B B SM)| |].
-  - rewrite H1. ring.
-  - rewrite H2. ring.
 Qed.
 
 End Proofs.

@@ -76,9 +76,9 @@ Definition true_answer (q : question) (a : answer) : Prop :=
       (forall g, chosen q g -> ~ Model.stable g) /\
       (forall g, chosen_in_space q g -> ~ SpaceModel.stable g)
   | Margin intervals =>
-      dimension q = 3%nat /\
-      forall g, chosen q g ->
-      forall l, 0 <= l -> (Model.stable_at g l <-> Exists (among l) intervals)
+      (forall g, chosen q g -> forall l, 0 <= l -> (Model.stable_at g l <-> Exists (among l) intervals)) /\
+      (forall g, chosen_in_space q g -> forall l, 0 <= l ->
+         (SpaceModel.stable_at g l <-> Exists (among l) intervals))
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

@@ -317,13 +317,13 @@ Fixpoint corners {A : Type} (box : list interval) (f : list Q -> A) : multi A :=
   | i :: box' => spread i (fun q => corners box' (fun qs => f (q :: qs)))
   end.
 
-Fixpoint shares (box : list interval) (p : list R) : list R :=
+Fixpoint box_shares (box : list interval) (p : list R) : list R :=
   match box, p with
-  | i :: box', x :: p' => share i x ++ shares box' p'
+  | i :: box', x :: p' => share i x ++ box_shares box' p'
   | _, _ => []
   end.
 
-Lemma shares_good box p : Forall2 within box p -> Forall is_share (shares box p).
+Lemma shares_good box p : Forall2 within box p -> Forall is_share (box_shares box p).
 Proof.
   intros F. induction F as [|i x box p W F IH]; cbn; [constructor|]. apply Forall_app. split; [|exact IH].
   now apply share_in.
@@ -341,9 +341,9 @@ Proof. induction 1; cbn; congruence. Qed.
 
 Lemma eval_corners {A} box (f : list Q -> A) g F p : Forall2 within box p ->
   multiaffine (List.length box) F -> (forall qs, g (f qs) = F (map Q2R qs)) ->
-  eval g (corners box f) (shares box p) = F p.
+  eval g (corners box f) (box_shares box p) = F p.
 Proof.
-  intros W. revert f F. induction W as [|i x box p Wx W IH]; intros f F M E; cbn [corners shares].
+  intros W. revert f F. induction W as [|i x box p Wx W IH]; intros f F M E; cbn [corners box_shares].
   - exact (E []).
   - destruct M as [Mx M]. apply (eval_spread i _ g (fun x => F (x :: p))); [exact Wx| |].
     + apply Mx. symmetry. now apply same_length in W.

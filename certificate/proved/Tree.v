@@ -43,15 +43,15 @@ Record setting := Setting {
 Section Numbers.
 Open Scope Z_scope.
 
-(* A multiple of all denominators of leaves; and a power of two with which every term of a leaf
-   keeps about 64 bits, if that is shorter. *)
+(* A multiple of all denominators of leaves, but for those of alphas; and a power of two with which every term
+   of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
 Definition common_multiple (rows : list row) (ld : load) : Z :=
   fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
 
 Definition short_multiple (rows : list row) (multiple : Z) : Z :=
   let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
   let short := Z.shiftl 1 (Z.log2 most + 65) in
-  if short <? multiple then short else multiple.
+  if (short <? multiple) && forallb (fun r => box_signed (box r)) rows then short else multiple.
 
 End Numbers.
 
@@ -319,7 +319,7 @@ Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i
   negb (same_parameter name PPreload) || certain (box_growth b) = true ->
   inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
 Proof.
-  intros (p & F & mu & t & [Ge Fo Ra Af Sh Fr F0 Rh Sq We Wp St Pr Gr K Sp Sa Ss Si]) E C G.
+  intros (p & F & mu & t & [Ge Fo Ra Af Sh Fr F0 Rh Sq We Wp St Pr Gr K Sp Sm Sa Ss Si]) E C G.
   destruct b as [names g f m pl u k sq n w sg sp]. cbn in *.
   assert (Geometry : forall name', get_named name' names g = Some i ->
     inside (CBox names (set_named name' (low_half i c) names g) f m pl u k sq n w sg sp) r \/

@@ -1,23 +1,26 @@
 (* SPDX-License-Identifier: MIT *)
-(* Witnesses (FORMAT.md section 3), at points x = (d, h, l) in integers, and pairs of them that share a
-   mode.  `point_is_equilibrium`: a point that is accepted is an equilibrium for the
-   wrench h w + l u and the preloads h P + l P^u.  `mixture`: so is every mixture of two points of one
-   mode. *)
+(* Witnesses (FORMAT.md section 3), at points x = (h, l, d) in integers, and pairs of them that share a
+   mode.  `point_is_equilibrium`: a point that is accepted is an equilibrium for the wrench h w + l u and the
+   preloads h P + l P^u.  `mixture`: so is every mixture of two points of one mode. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Box Leaf.
-From Proved Require Model.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Tree.
+From Proved Require Rows Model.
 Import ListNotations.
 
 (* ---- Checking ---- *)
 
 (* Every parameter of the contact is one number. *)
 Definition exact_box (b : cbox) : bool :=
-  certain (box_x b) && certain (box_y b) && certain (box_turn b) && certain (box_friction b) &&
-  certain (box_preload b) && certain (box_stiffness b).
+  forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) &&
+  certain (box_growth b) && certain (box_stiffness b).
 
-(* A contact at a point: v and tau up to positive factors, and the share of its friction, which is
-   -1 or 1 if it slips. *)
-Record state := State { state_v : Z; state_tau : Z; state_share : Q }.
+Definition exact_rows (rows : list row) : bool := forallb (fun r => exact_box (box r)) rows.
+
+(* A contact at a point: v and the slip up to positive factors; its friction over mu a, in the space of slips;
+   and whether that is against the slip. *)
+Record state := State {
+  state_row : row; state_v : Z; state_slip : form; state_share : list Q; is_against : bool
+}.
 
 Section Checker.
 Open Scope Z_scope.
@@ -25,70 +28,130 @@ Open Scope Z_scope.
 Definition exact_pull (r : row) : form :=
   match pulls r with p :: _ => first_tip p | [] => [] end.
 
-Definition share_of_slip (tau : Z) : Q :=
-  if 0 <? tau then (-1)%Q else if tau <? 0 then 1%Q else 0%Q.
+Definition slip_of_row (r : row) (x : form) : form :=
+  if box_signed (box r) then [dot (first_tip (tau r)) x]
+  else slip_at (first_tip (forms r)) (tl (tl x)).
 
-(* Or the contact of which a share is wrong. *)
+Fixpoint product_q (ws s t : list Q) : Q :=
+  match ws, s, t with
+  | w :: ws', x :: s', y :: t' => (w * x * y + product_q ws' s' t')%Q
+  | _, _, _ => 0%Q
+  end.
+
+Definition mu_of (b : cbox) : Q := low (box_friction b).
+
+(* The cone. *)
+Definition in_friction_cone (b : cbox) (g : list Q) : bool :=
+  Qle_bool (product_q (box_weights b) g g) (box_square b).
+
+(* Against e, and as large as the cone allows. *)
+Definition against (b : cbox) (g : list Q) (e : form) : bool :=
+  let s := map inject_Z e in
+  let p := product_q (box_weights b) g s in
+  Qle_bool p 0 && Qeq_bool (p * p) (box_square b * product_q (box_weights b) s s).
+
+(* A share of the file is a force f; it has g with f = g*. *)
+Definition share_of_force (b : cbox) (f : list Q) : list Q :=
+  map (fun wf => snd wf / fst wf)%Q (List.combine (box_weights b) f).
+
+Fixpoint sum_of_products (a b : list Q) : Q :=
+  match a, b with
+  | x :: a', y :: b' => (x * y + sum_of_products a' b')%Q
+  | _, _ => 0%Q
+  end.
+
+(* Of so many numbers, and across the normal. *)
+Definition is_share_of (b : cbox) (f : list Q) : bool :=
+  Nat.eqb (List.length f) (List.length (box_weights b)) &&
+  (box_signed b || Qeq_bool (sum_of_products f (box_normal b)) 0).
+
+Definition presses (b : cbox) (v : Z) : bool := box_spring b || (0 <? v).
+
+(* Friction of a contact that slips: - L s / |s|, if L / |s| is rational. *)
+Definition sliding (b : cbox) (slip : form) : list Q :=
+  if box_signed b then map (fun t => if 0 <? t then -1 else 1)%Q slip
+  else
+    let s := map inject_Z slip in
+    let root := low (root_between 64 (reduced (box_square b / product_q (box_weights b) s s)%Q)) in
+    map (fun t => reduced (- root * t)%Q) s.
+
+Definition state_of (r : row) (x : form) (given : option (list Q)) : option state :=
+  let b := box r in
+  let v := dot (exact_pull r) x in
+  let slip := slip_of_row r x in
+  match given with
+  | Some f =>
+      let g := share_of_force b f in
+      if has_friction b && all_zero slip && is_share_of b f && in_friction_cone b g
+      then Some (State r v slip g true) else None
+  | None =>
+      if all_zero slip || negb (presses b v) || Qeq_bool (mu_of b) 0 then Some (State r v slip [] true)
+      else
+        let g := sliding b slip in
+        if in_friction_cone b g && against b g slip then Some (State r v slip g true)
+        else Some (State r v slip [] false)
+  end.
+
+(* In reverse order, after those before. *)
 Fixpoint states (rows : list row) (x : form) (shares : list (Z * list Q)) (number : Z)
-    : list state + Z :=
+    (before : list state) : option (list state) :=
   match rows with
-  | [] => match shares with [] => inl [] | (i, _) :: _ => inr i end
+  | [] => match shares with [] => Some before | _ => None end
   | r :: rows' =>
-      let tau := dot (first_tip (tau r)) x in
-      let with_share share shares' :=
-        match states rows' x shares' (number + 1) with
-        | inl rest => inl (State (dot (exact_pull r) x) tau share :: rest)
-        | inr i => inr i
+      let '(given, shares') :=
+        match shares with
+        | (i, s) :: rest => if i =? number then (Some s, rest) else (None, shares)
+        | [] => (None, [])
         end in
-      match shares with
-      | (i, s) :: shares' =>
-          if i =? number then
-            match s with
-            | [q] => if (tau =? 0) && Qle_bool (-1) q && Qle_bool q 1 then with_share q shares'
-                     else inr i
-            | _ => inr i
-            end
-          else with_share (share_of_slip tau) shares
-      | [] => with_share (share_of_slip tau) []
+      match state_of r x given with
+      | Some s => states rows' x shares' (number + 1) (s :: before)
+      | None => None
       end
   end.
 
-(* a (N + share mu T), with a = max(0, v); none where a = 0. *)
-Definition contact_wrench (r : row) (s : state) : list Q :=
-  if state_v s <=? 0 then []
-  else
-    let b := box r in
+Definition exact_forms (b : cbox) : list (list Q) := box_forms b (map low (box_geometry b)).
+
+Fixpoint add_friction (c : Q) (ws g : list Q) (forms : list (list Q)) (sum : list Q) : list Q :=
+  match ws, g, forms with
+  | w :: ws', q :: g', f :: forms' => add_friction c ws' g' forms' (add_multiple sum (c * w * q)%Q f)
+  | _, _, _ => sum
+  end.
+
+(* a (N + mu S* share), with a = max(0, v), or v of a spring; none where a = 0. *)
+Definition wrench_of (s : state) : list Q :=
+  let r := state_row s in
+  let b := box r in
+  if presses b (state_v s) then
     let a := Qmake (state_v s * times (pull_scale r)) (Z.to_pos (over (pull_scale r))) in
+    let fs := exact_forms b in
     map (fun c => reduced (a * c)%Q)
-      (edge_at b (state_share s * low (box_friction b))%Q (low (box_x b)) (low (box_y b))
-         (low (box_turn b))).
+      (add_friction (mu_of b) (box_weights b) (state_share s) (tl fs) (nth 0 fs []))
+  else [].
 
 Definition load_at (ld : load) (h l : Z) : list Q :=
   map (fun p => reduced (inject_Z h * low (fst p) + inject_Z l * snd p)%Q)
     (List.combine (load_box ld) (load_growth ld)).
 
+Definition common_of (wrenches : list (list Q)) : Z :=
+  fold_left (fun d w => fold_left (fun d q => Z.lcm (Zpos (Qden q)) d) w d) wrenches 1.
+
 Definition adds_up_to_zero (wrenches : list (list Q)) : bool :=
-  let d := common_denominator (List.concat wrenches) in
+  let d := common_of wrenches in
   all_zero (fold_left (fun s w => combine 1 s 1 (map (numerator d) w)) wrenches []).
 
-Fixpoint contact_wrenches (rows : list row) (ss : list state) (others : list (list Q))
-    : list (list Q) :=
-  match rows, ss with
-  | r :: rows', s :: ss' => contact_wrenches rows' ss' (contact_wrench r s :: others)
-  | _, _ => others
-  end.
-
-(* The states at x = (d, h, l), or the rule that fails. *)
-Definition check_point (bilateral : bool) (rows : list row) (ld : load) (x : form)
+(* The states at x = (h, l, d), or the rule that fails. *)
+Definition check_point (bilateral : bool) (dim : nat) (rows : list row) (ld : load) (x : form)
     (shares : list (Z * list Q)) : list state + string :=
   match x with
-  | [_; _; _; h; l] =>
-      match states rows x shares 0 with
-      | inr _ => inr "witness-share"%string
-      | inl ss =>
-          if bilateral && negb (forallb (fun s => 0 <=? state_v s) ss)
+  | h :: l :: d =>
+      match states rows x shares 0 [] with
+      | None => inr "witness-share"%string
+      | Some ss =>
+          if bilateral && negb (forallb (fun s => box_spring (box (state_row s)) || (0 <=? state_v s)) ss)
           then inr "witness-normal"%string
-          else if adds_up_to_zero (contact_wrenches rows ss [load_at ld h l]) then inl ss
+          else if negb (forallb is_against ss) then inr "witness-root"%string
+          else if Nat.eqb (List.length d) dim && adds_up_to_zero (load_at ld h l :: map_all wrench_of ss)
+          then inl ss
           else inr "witness-balance"%string
       end
   | _ => inr "witness-balance"%string
@@ -96,95 +159,79 @@ Definition check_point (bilateral : bool) (rows : list row) (ld : load) (x : for
 
 Definition opposite (x y : Z) : bool := x * y <? 0.
 
-(* `segment-mode`, of one contact. *)
-Definition one_mode (r : row) (s s' : state) : bool :=
-  negb (opposite (state_v s) (state_v s')) &&
-  (Qeq_bool (low (box_friction (box r))) 0 ||
-   ((state_v s <=? 0) && (state_v s' <=? 0)) ||
-   (negb (opposite (state_tau s) (state_tau s')) &&
-    (let slip := share_of_slip (state_tau s + state_tau s') in
-     Qeq_bool slip 0 ||
-     (((state_v s <=? 0) || Qeq_bool (state_share s) slip) &&
-      ((state_v s' <=? 0) || Qeq_bool (state_share s') slip))))).
+(* Multiples >= 0 of one direction. *)
+Definition aligned (ms s t : form) : bool :=
+  let p := inner_of ms s t in
+  all_zero s || all_zero t ||
+  ((0 <? p) && (p * p =? inner_of ms s s * inner_of ms t t)).
 
-Fixpoint same_mode (rows : list row) (ss ss' : list state) : bool :=
-  match rows, ss, ss' with
-  | r :: rows', s :: ss1, s' :: ss1' => one_mode r s s' && same_mode rows' ss1 ss1'
-  | _, _, _ => true
+(* `segment-mode`, of one contact. *)
+Definition one_mode (s t : state) : bool :=
+  let r := state_row s in
+  let b := box r in
+  let e := if all_zero (state_slip s) then state_slip t else state_slip s in
+  (box_spring b || negb (opposite (state_v s) (state_v t))) &&
+  (Qeq_bool (mu_of b) 0 ||
+   ((state_v s <=? 0) && (state_v t <=? 0)) ||
+   all_zero e ||
+   (aligned (metric r) (state_slip s) (state_slip t) &&
+    ((state_v s <=? 0) || against b (state_share s) e) &&
+    ((state_v t <=? 0) || against b (state_share t) e))).
+
+Fixpoint same_mode (ss ts : list state) : bool :=
+  match ss, ts with
+  | s :: ss', t :: ts' => one_mode s t && same_mode ss' ts'
+  | _, _ => true
   end.
 
 End Checker.
 
-(* ---- Equilibria at points (d, h, l) ---- *)
-
-Section Points.
-Open Scope R_scope.
-
-Definition v_at (c : Model.contact) (d : Model.vector) (h l : R) :=
-  Model.preload c / Model.length c * h + Model.growth c / Model.length c * l
-  - Model.stiffness c / (Model.length c * Model.length c) * Model.work (Model.N c) d.
-
-Definition obeys_at (w : Model.law) (d : Model.vector) (h l : R) (c : Model.contact)
-    (force : R * R) :=
-  let (a, b) := force in
-  Model.normal_law w (v_at c d h l) a /\
-  Rabs b <= Model.friction c * a /\
-  (0 < Model.work (Model.T c) d -> b = - (Model.friction c * a)) /\
-  (Model.work (Model.T c) d < 0 -> b = Model.friction c * a).
-
-Definition load_of (g : Model.grasp) (h l : R) :=
-  Model.add (Model.scale h (Model.wrench g)) (Model.scale l (Model.direction g)).
-
-Definition equilibrium_at (g : Model.grasp) (d : Model.vector) (h l : R) (forces : list (R * R)) :=
-  Forall2 (obeys_at (Model.normal g) d h l) (Model.contacts g) forces /\
-  Model.add (load_of g h l) (Model.sum (Model.contact_wrenches (Model.contacts g) forces))
-  = Model.zero.
-
-Lemma v_at_one c d lambda : v_at c d 1 lambda = Model.v c lambda d.
-Proof. unfold v_at, Model.v, Rdiv. ring. Qed.
-
-Lemma equilibrium_at_one g d lambda forces :
-  equilibrium_at g d 1 lambda forces -> Model.equilibrium g lambda d forces.
-Proof.
-  intros [O B]. split.
-  - clear B. induction O as [|c [a b] cs fs Oc O IH]; constructor; [|exact IH].
-    unfold obeys_at in Oc. now rewrite v_at_one in Oc.
-  - rewrite <- B. f_equal. unfold load_of, Model.add, Model.scale; cbn. f_equal; ring.
-Qed.
-
 (* ---- Mixtures ---- *)
 
-Definition mix_vector (p : R) (d : Model.vector) (q : R) (d' : Model.vector) :=
-  Model.add (Model.scale p d) (Model.scale q d').
+Section Mixtures.
+Open Scope R_scope.
 
-Definition mix_force (p : R) (f : R * R) (q : R) (f' : R * R) : R * R :=
-  (p * fst f + q * fst f', p * snd f + q * snd f').
+Definition mix (p : R) (a : list R) (q : R) (b : list R) : list R := Rows.plus (Rows.scaled p a) (Rows.scaled q b).
 
-Fixpoint mix_forces (p : R) (fs : list (R * R)) (q : R) (fs' : list (R * R)) :=
-  match fs, fs' with
-  | f :: fs1, f' :: fs1' => mix_force p f q f' :: mix_forces p fs1 q fs1'
-  | _, _ => []
-  end.
+Definition mix_force (p : R) (f : Rows.force) (q : R) (g : Rows.force) : Rows.force :=
+  (p * fst f + q * fst g, mix p (snd f) q (snd g)).
 
-(* FORMAT.md `segment-mode`, over the reals. *)
-Definition shares_mode (c : Model.contact) (d : Model.vector) (h l : R) (f : R * R)
-    (d' : Model.vector) (h' l' : R) (f' : R * R) :=
-  0 <= v_at c d h l * v_at c d' h' l' /\
-  (Model.friction c = 0 \/ fst f + fst f' <= 0 \/
-   (0 <= Model.work (Model.T c) d * Model.work (Model.T c) d' /\
-    (0 < Model.work (Model.T c) d + Model.work (Model.T c) d' ->
-       snd f = - (Model.friction c * fst f) /\ snd f' = - (Model.friction c * fst f')) /\
-    (Model.work (Model.T c) d + Model.work (Model.T c) d' < 0 ->
-       snd f = Model.friction c * fst f /\ snd f' = Model.friction c * fst f'))).
+Lemma dot_mix a p d q e : List.length d = List.length e -> Rows.dot a (mix p d q e) = p * Rows.dot a d + q * Rows.dot a e.
+Proof.
+  unfold mix. revert d e. induction a as [|x a IH]; intros [|y d] [|z e] L; cbn in *; try discriminate; try ring.
+  injection L as L. unfold Rows.scaled in IH. rewrite IH by exact L. ring.
+Qed.
 
-Lemma v_at_mix c d h l d' h' l' p q :
-  v_at c (mix_vector p d q d') (p * h + q * h') (p * l + q * l')
-  = p * v_at c d h l + q * v_at c d' h' l'.
-Proof. unfold v_at, Model.work, mix_vector, Model.add, Model.scale; cbn. ring. Qed.
+Lemma mix_length p d q e : List.length d = List.length e -> List.length (mix p d q e) = List.length d.
+Proof.
+  unfold mix. revert e. induction d as [|y d IH]; intros [|z e] L; cbn in *; try discriminate; [reflexivity|].
+  injection L as L. unfold Rows.scaled in IH. now rewrite IH.
+Qed.
 
-Lemma work_mix a d d' p q :
-  Model.work a (mix_vector p d q d') = p * Model.work a d + q * Model.work a d'.
-Proof. unfold Model.work, mix_vector, Model.add, Model.scale; cbn. ring. Qed.
+Lemma product_mix ws p a q b t : Rows.product ws (mix p a q b) t = p * Rows.product ws a t + q * Rows.product ws b t.
+Proof. unfold mix. now rewrite Rows.product_plus, !Rows.product_scaled. Qed.
+
+(* Slips that are alike for all products. *)
+Definition acts_as (ws s : list R) (c : R) (e : list R) := forall t, Rows.product ws s t = c * Rows.product ws e t.
+
+Lemma acts_size ws s c e : Rows.positive ws -> 0 <= c -> acts_as ws s c e -> Rows.size ws s = c * Rows.size ws e.
+Proof.
+  intros P C A. rewrite <- (Rows.size_scaled ws c e P C). unfold Rows.size. f_equal.
+  rewrite (A s), (Rows.product_sym ws e s), (A e), Rows.product_scaled.
+  now rewrite (Rows.product_sym ws e (Rows.scaled c e)), Rows.product_scaled.
+Qed.
+
+(* FORMAT.md `segment-mode`, over the reals: e is the direction of slips. *)
+Definition shares_mode (r : Rows.row) (d : list R) (h l : R) (f : Rows.force)
+    (d' : list R) (h' l' : R) (f' : Rows.force) :=
+  let ws := Rows.weights r in
+  (Rows.spring r = true \/ 0 <= Rows.v r d h l * Rows.v r d' h' l') /\
+  (Rows.rho r = 0 \/ fst f + fst f' <= 0 /\ Rows.spring r = false \/
+   exists e c c', 0 <= c /\ 0 <= c' /\
+     acts_as ws (Rows.slip r d) c e /\ acts_as ws (Rows.slip r d') c' e /\
+     (c + c' = 0 \/
+      Rows.product ws (snd f) e = - (Rows.rho r * fst f) * Rows.size ws e /\
+      Rows.product ws (snd f') e = - (Rows.rho r * fst f') * Rows.size ws e)).
 
 Lemma Rmax_mix p q v v' : 0 <= p -> 0 <= q -> 0 <= v * v' ->
   Rmax 0 (p * v + q * v') = p * Rmax 0 v + q * Rmax 0 v'.
@@ -196,275 +243,438 @@ Proof.
   - rewrite !Rmax_left; nra.
 Qed.
 
-Lemma obeys_mix w c d h l f d' h' l' f' p q : 0 <= p -> 0 <= q -> 0 <= Model.friction c ->
-  obeys_at w d h l c f -> obeys_at w d' h' l' c f' -> shares_mode c d h l f d' h' l' f' ->
-  obeys_at w (mix_vector p d q d') (p * h + q * h') (p * l + q * l') c (mix_force p f q f').
+Lemma slip_mix r p d q d' t : List.length d = List.length d' ->
+  Rows.product (Rows.weights r) (Rows.slip r (mix p d q d')) t =
+  p * Rows.product (Rows.weights r) (Rows.slip r d) t + q * Rows.product (Rows.weights r) (Rows.slip r d') t.
 Proof.
-  intros P Q Mu. destruct f as [a b], f' as [a' b'].
-  intros (L & C & S1 & S2) (L' & C' & S1' & S2') (V & M). cbn [fst snd] in M.
-  unfold obeys_at, mix_force. cbn [fst snd]. rewrite v_at_mix, work_mix.
-  set (v := v_at c d h l) in *. set (v' := v_at c d' h' l') in *.
-  set (t := Model.work (Model.T c) d) in *. set (t' := Model.work (Model.T c) d') in *.
-  set (mu := Model.friction c) in *.
-  assert (A0 : 0 <= a) by (destruct w; cbn in L; [rewrite L; apply Rmax_l|lra]).
-  assert (A0' : 0 <= a') by (destruct w; cbn in L'; [rewrite L'; apply Rmax_l|lra]).
-  apply Rabs_within in C. apply Rabs_within in C'.
-  split; [|split; [|split]].
-  - destruct w; cbn in *; [|nra]. subst a a'. now rewrite Rmax_mix.
-  - apply Rabs_le. split; nra.
-  - intros Slip. destruct M as [M|[M|(T0 & M & _)]].
-    + rewrite M in *. nra.
-    + assert (a = 0) by lra. assert (a' = 0) by lra. subst a a'. nra.
-    + assert (0 < t + t').
-      { destruct (Rle_dec t 0), (Rle_dec t' 0); nra. }
-      destruct (M H) as [-> ->]. ring.
-  - intros Slip. destruct M as [M|[M|(T0 & _ & M)]].
-    + rewrite M in *. nra.
-    + assert (a = 0) by lra. assert (a' = 0) by lra. subst a a'. nra.
-    + assert (t + t' < 0).
-      { destruct (Rle_dec 0 t), (Rle_dec 0 t'); nra. }
-      destruct (M H) as [-> ->]. ring.
+  intros L. unfold Rows.slip. revert t. generalize (Rows.weights r) as ws.
+  induction (Rows.slips r) as [|f fs IH]; intros [|w ws] [|y t]; cbn; try ring.
+  rewrite IH, dot_mix by exact L. ring.
 Qed.
 
-Inductive share_modes (d : Model.vector) (h l : R) (d' : Model.vector) (h' l' : R)
-    : list Model.contact -> list (R * R) -> list (R * R) -> Prop :=
+Lemma obeys_mix w r d h l f d' h' l' f' p q : 0 <= p -> 0 <= q -> List.length d = List.length d' ->
+  Rows.positive (Rows.weights r) -> 0 <= Rows.rho r ->
+  Rows.obeys w d h l r f -> Rows.obeys w d' h' l' r f' -> shares_mode r d h l f d' h' l' f' ->
+  Rows.obeys w (mix p d q d') (p * h + q * h') (p * l + q * l') r (mix_force p f q f').
+Proof.
+  intros P Q Len WP Rh. destruct f as [a g], f' as [a' g'].
+  intros (L & C & S) (L' & C' & S') (V & M). cbn [fst snd] in M.
+  set (ws := Rows.weights r) in *. set (rho := Rows.rho r) in *.
+  unfold Rows.obeys, mix_force. cbn [fst snd]. fold ws rho.
+  assert (VM : Rows.v r (mix p d q d') (p * h + q * h') (p * l + q * l') = p * Rows.v r d h l + q * Rows.v r d' h' l')
+    by (unfold Rows.v; rewrite dot_mix by exact Len; ring).
+  rewrite VM. clear VM. set (v := Rows.v r d h l) in *. set (v' := Rows.v r d' h' l') in *.
+  set (s := Rows.slip r d) in *. set (s' := Rows.slip r d') in *.
+  split; [|split].
+  - unfold Rows.normal_law in *. destruct (Rows.spring r); [now rewrite L, L'|].
+    destruct V as [V|V]; [discriminate|].
+    destruct w; cbn in *; [rewrite L, L'; now rewrite Rmax_mix|].
+    destruct L as [-> L], L' as [-> L']. split; [reflexivity|].
+    assert (0 <= p * v) by now apply Rmult_le_pos. assert (0 <= q * v') by now apply Rmult_le_pos. lra.
+  - unfold mix. eapply Rle_trans; [apply Rows.size_plus; exact WP|].
+    rewrite !Rows.size_scaled by assumption.
+    assert (p * Rows.size ws g <= p * (rho * a)) by now apply Rmult_le_compat_l.
+    assert (q * Rows.size ws g' <= q * (rho * a')) by now apply Rmult_le_compat_l. lra.
+  - rewrite product_mix.
+    (* Where all friction is 0. *)
+    assert (None : Rows.size ws g = 0 -> Rows.size ws g' = 0 -> rho * (p * a + q * a') = 0 ->
+      p * Rows.product ws g (Rows.slip r (mix p d q d')) + q * Rows.product ws g' (Rows.slip r (mix p d q d')) =
+      - (rho * (p * a + q * a')) * Rows.size ws (Rows.slip r (mix p d q d'))).
+    { intros Z Z' Z0. rewrite !Rows.size_zero by assumption. rewrite Z0. ring. }
+    pose proof (Rows.size_nonneg ws g) as G0. pose proof (Rows.size_nonneg ws g') as G0'.
+    destruct M as [M|[[M Sp]|(e & c & c' & C0 & C0' & A & A' & M)]].
+    + rewrite M, Rmult_0_l in *. apply None; lra.
+    + assert (A0 : 0 <= a /\ 0 <= a').
+      { unfold Rows.normal_law in *. rewrite Sp in *.
+        destruct w; cbn in *; [rewrite L, L'; split; apply Rmax_l|lra]. }
+      assert (a = 0) by lra. assert (a' = 0) by lra. subst a a'. rewrite Rmult_0_r in *.
+      apply None; [lra|lra|ring].
+    + assert (AM : acts_as ws (Rows.slip r (mix p d q d')) (p * c + q * c') e).
+      { intros t. pose proof (slip_mix r p d q d' t Len) as X. fold ws s s' in X. rewrite X, (A t), (A' t). ring. }
+      assert (K : 0 <= p * c + q * c').
+      { assert (0 <= p * c) by now apply Rmult_le_pos. assert (0 <= q * c') by now apply Rmult_le_pos. lra. }
+      rewrite (acts_size ws _ _ e WP K AM), !(Rows.product_sym ws _ (Rows.slip r _)), !AM.
+      rewrite !(Rows.product_sym ws e). destruct M as [M|[M M']].
+      * assert (c = 0) by lra. assert (c' = 0) by lra. subst c c'. ring.
+      * rewrite M, M'. ring.
+Qed.
+
+Inductive share_modes (d : list R) (h l : R) (d' : list R) (h' l' : R)
+    : list Rows.row -> list Rows.force -> list Rows.force -> Prop :=
   | modes_nil : share_modes d h l d' h' l' [] [] []
-  | modes_cons c f f' cs fs fs' : 0 <= Model.friction c ->
-      shares_mode c d h l f d' h' l' f' -> share_modes d h l d' h' l' cs fs fs' ->
-      share_modes d h l d' h' l' (c :: cs) (f :: fs) (f' :: fs').
+  | modes_cons r f f' rs fs fs' : Rows.positive (Rows.weights r) -> 0 <= Rows.rho r ->
+      shares_mode r d h l f d' h' l' f' -> share_modes d h l d' h' l' rs fs fs' ->
+      share_modes d h l d' h' l' (r :: rs) (f :: fs) (f' :: fs').
 
-Theorem mixture g d h l forces d' h' l' forces' p q : 0 <= p -> 0 <= q ->
-  equilibrium_at g d h l forces -> equilibrium_at g d' h' l' forces' ->
-  share_modes d h l d' h' l' (Model.contacts g) forces forces' ->
-  equilibrium_at g (mix_vector p d q d') (p * h + q * h') (p * l + q * l')
-    (mix_forces p forces q forces').
+Theorem mixture s d h l fs d' h' l' fs' p q : 0 <= p -> 0 <= q ->
+  Rows.equilibrium s d h l fs -> Rows.equilibrium s d' h' l' fs' ->
+  share_modes d h l d' h' l' (Rows.rows s) fs fs' ->
+  exists gs, Rows.equilibrium s (mix p d q d') (p * h + q * h') (p * l + q * l') gs.
 Proof.
-  intros P Q [O B] [O' B'] M. split.
-  - clear B B'. induction M as [|c f f' cs fs fs' Mu Mc M IH]; [constructor|].
-    inversion O; inversion O'; subst. constructor; [now apply obeys_mix | now apply IH].
-  - assert (E : Model.sum (Model.contact_wrenches (Model.contacts g) (mix_forces p forces q forces'))
-      = mix_vector p (Model.sum (Model.contact_wrenches (Model.contacts g) forces))
-          q (Model.sum (Model.contact_wrenches (Model.contacts g) forces'))).
-    { clear - M. induction M as [|c f f' cs fs fs' Mu Mc M IH].
-      - unfold mix_vector, Model.add, Model.scale, Model.sum; cbn. unfold Model.zero. f_equal; ring.
-      - unfold Model.sum, Model.contact_wrenches in *. cbn. rewrite IH.
-        unfold mix_vector, Model.add, Model.scale, Model.contact_wrench; cbn. f_equal; ring. }
-    rewrite E. clear E M O O'.
-    set (S := Model.sum _) in *. set (S' := Model.sum _) in *.
-    unfold Model.add, load_of, Model.scale, Model.zero in *. cbn in *.
-    injection B as B1 B2 B3. injection B' as B1' B2' B3'.
-    unfold mix_vector, Model.add, Model.scale; cbn. f_equal; nra.
+  intros P Q (Ld & O & B) (Ld' & O' & B') M. assert (Len : List.length d = List.length d') by congruence.
+  assert (A : exists gs,
+    Forall2 (Rows.obeys (Rows.normal s) (mix p d q d') (p * h + q * h') (p * l + q * l')) (Rows.rows s) gs /\
+    forall y, Rows.works (Rows.rows s) gs y = p * Rows.works (Rows.rows s) fs y + q * Rows.works (Rows.rows s) fs' y).
+  { clear B B'. induction M as [|r f f' rs fs fs' Wp Rh Mr M IH].
+    - exists []. split; [constructor|]. intros y; cbn; ring.
+    - inversion O; inversion O'; subst. destruct (IH ltac:(assumption) ltac:(assumption)) as (gs & Og & Wg).
+      exists (mix_force p f q f' :: gs). split; [constructor; [now apply obeys_mix|exact Og]|].
+      intros y. cbn [Rows.works]. rewrite Wg. unfold Rows.work, mix_force. cbn [fst snd].
+      rewrite product_mix. ring. }
+  destruct A as (gs & Og & Wg). exists gs. split; [now rewrite mix_length|]. split; [exact Og|].
+  intros y. rewrite Wg. specialize (B y). specialize (B' y). unfold Rows.load in *. nra.
 Qed.
 
-End Points.
+End Mixtures.
 
 (* ---- What is accepted is an equilibrium ---- *)
 
 Section Exact.
 Open Scope R_scope.
 
+Notation real := (map IZR).
+Notation reals := (map Q2R).
+
+Lemma product_q_is ws s t : Q2R (product_q ws s t) = Rows.product (reals ws) (reals s) (reals t).
+Proof.
+  revert s t. induction ws as [|w ws IH]; intros [|x s] [|y t]; cbn; try apply Q2R_0.
+  now rewrite Q2R_plus, !Q2R_mult, IH.
+Qed.
+
+Lemma reals_integers e : reals (map inject_Z e) = real e.
+Proof. rewrite map_map. apply map_ext. intros z. unfold Q2R; cbn. field. Qed.
+
+Lemma certain_all is p : forallb certain is = true -> Forall2 within is p ->
+  box_shares is p = [] /\ p = reals (map low is).
+Proof.
+  intros C F. induction F as [|i x is p W F IH]; [now split|]. cbn in C. apply andb_true_iff in C as [Ci C].
+  destruct (IH C) as [E1 E2]. cbn. unfold Numbers.share. rewrite Ci, E1. split; [reflexivity|].
+  f_equal; [now apply certain_within|exact E2].
+Qed.
+
+(* |t|^2 |s|^2 = <s, t>^2 *)
+Lemma parallel ws s t : Rows.positive ws -> 0 < Rows.product ws s s ->
+  Rows.product ws s t * Rows.product ws s t = Rows.product ws s s * Rows.product ws t t ->
+  acts_as ws t (Rows.product ws s t / Rows.product ws s s) s.
+Proof.
+  intros P S E. set (ss := Rows.product ws s s) in *. set (st := Rows.product ws s t) in *.
+  set (k := st / ss). set (z := Rows.plus t (Rows.scaled (- k) s)).
+  assert (K : k * ss = st) by (unfold k; field; lra).
+  assert (Z : Rows.product ws z z = 0).
+  { unfold z. rewrite Rows.product_plus, !(Rows.product_sym ws _ (Rows.plus t _)), !Rows.product_plus.
+    rewrite !Rows.product_scaled, !(Rows.product_sym ws _ (Rows.scaled _ s)), !Rows.product_scaled.
+    fold ss st. apply Rmult_eq_reg_l with ss; [|lra]. rewrite Rmult_0_r.
+    transitivity (ss * Rows.product ws t t - 2 * (k * ss) * st + (k * ss) * (k * ss)); [ring|].
+    rewrite K, <- E. ring. }
+  intros e. assert (SZ : Rows.size ws z = 0) by (unfold Rows.size; rewrite Z; apply sqrt_0).
+  pose proof (Rows.size_zero ws z e P SZ) as X. unfold z in X. rewrite Rows.product_plus, Rows.product_scaled in X.
+  fold k. lra.
+Qed.
+
 Variable row : row.
-Variable c : Model.contact.
-Hypothesis F : fits row c.
+Variable r : Rows.row.
+Hypothesis Ft : fits row r.
 Hypothesis X : exact_box (box row) = true.
+Let b := box row.
+Let ws := Rows.weights r.
 
-Lemma exact_shares e : parameters row = O /\ shares_in (box row) e c = [].
+Lemma exact_parts : forallb certain (box_geometry b) = true /\ certain (box_friction b) = true /\
+  certain (box_preload b) = true /\ certain (box_growth b) = true /\ certain (box_stiffness b) = true.
+Proof. unfold exact_box in X. fold b in X. rewrite !andb_true_iff in X. tauto. Qed.
+
+Lemma weights_real : ws = reals (box_weights b).
+Proof. destruct Ft as [_ (p & F & mu & t & I)]. apply (is_weights _ _ _ _ _ _ I). Qed.
+
+Lemma positive_weights : Rows.positive ws.
+Proof. destruct Ft as [_ (p & F & mu & t & I)]. apply (weights_positive _ _ _ _ _ _ I). Qed.
+
+Definition mu_real : R := Q2R (mu_of b).
+
+Lemma exact_friction : 0 <= mu_real /\ Rows.rho r = mu_real * sqrt (Q2R (box_square b)) /\
+  (box_spring b = true -> mu_real = 0) /\ 0 <= Q2R (box_square b).
 Proof.
-  destruct F as [E _]. unfold exact_box in X. rewrite !andb_true_iff in X.
-  destruct X as [[[[[Hx Hy] Ht] _] _] _]. split.
-  - rewrite E. cbn -[Nat.add]. unfold count. now rewrite Hx, Hy, Ht.
-  - unfold shares_in, share. now rewrite Hx, Hy, Ht.
+  destruct Ft as [_ (p & F & mu & t & I)]. destruct exact_parts as (_ & C & _).
+  pose proof (certain_within _ _ C (in_friction _ _ _ _ _ _ I)) as E. unfold mu_real, mu_of. rewrite <- E.
+  split; [apply (friction_nonneg _ _ _ _ _ _ I)|]. split; [apply (is_rho _ _ _ _ _ _ I)|].
+  split; [apply (spring_smooth _ _ _ _ _ _ I)|apply (square_nonneg _ _ _ _ _ _ I)].
 Qed.
 
-Lemma exact_ends : pull_ends (box row) = [(low (box_preload (box row)), low (box_stiffness (box row)))].
+Lemma exact_v h l d : Rows.v r d h l = unit (pull_scale row) * rdot (exact_pull row) (h :: l :: d).
 Proof.
-  unfold exact_box in X. rewrite !andb_true_iff in X. destruct X as [[[[[_ _] _] _] Hp] Hk].
-  unfold pull_ends, ends. now rewrite Hp, Hk.
-Qed.
-
-Lemma exact_v d h l : v_at c d h l = unit (pull_scale row) * rdot (exact_pull row) (located d h l).
-Proof.
-  pose proof F as [E (e & I)]. destruct (exact_shares e) as [_ SS].
-  assert (PE : exact_pull row = first_tip (integer_tree (pull_scaling (box row))
-    (corners (box row) (pull_at (box row) (low (box_preload (box row))) (low (box_stiffness (box row))))))).
-  { unfold exact_pull, pull_scaling. rewrite E at 1. cbn [pulls make_row]. rewrite exact_ends.
-    reflexivity. }
-  assert (SE : pull_scale row = pull_scaling (box row)) by (rewrite E at 1; reflexivity).
-  rewrite PE, SE.
-  assert (A : forall factor, factor * v_at c d h l <= factor * (unit (pull_scaling (box row)) *
-    rdot (first_tip (integer_tree (pull_scaling (box row))
-      (corners (box row) (pull_at (box row) (low (box_preload (box row)))
-         (low (box_stiffness (box row))))))) (located d h l))).
-  { intros f. unfold v_at. apply (v_at_ends (box row) e c I). intros p k Hpk.
-    assert (Hpk' := Hpk). rewrite exact_ends in Hpk'. destruct Hpk' as [Hpk'|[]].
-    injection Hpk' as <- <-. rewrite (pull_corners (box row) e c I _ _ d h l Hpk), SS, eval_first.
-    lra. }
+  destruct Ft as [E (p & F & mu & t & I)]. destruct exact_parts as (Cg & _ & Cp & Cu & Ck).
+  destruct (certain_all _ _ Cg (in_geometry _ _ _ _ _ _ I)) as [SS _].
+  assert (PE : pull_ends b = [(low (box_preload b), low (box_growth b), low (box_stiffness b))]).
+  { unfold pull_ends, preload_ends, ends. now rewrite Cp, Cu, Ck. }
+  assert (XE : exact_pull row = first_tip (integer_tree (pull_scaling b)
+    (pull_tree b (low (box_preload b), low (box_growth b), low (box_stiffness b))))).
+  { unfold exact_pull. rewrite E. cbn [pulls make_row]. fold b. rewrite PE. reflexivity. }
+  assert (SE : pull_scale row = pull_scaling b) by (rewrite E; reflexivity).
+  rewrite XE, SE.
+  assert (A : forall factor, factor * Rows.v r d h l <= factor * (unit (pull_scaling b) * rdot
+    (first_tip (integer_tree (pull_scaling b)
+      (pull_tree b (low (box_preload b), low (box_growth b), low (box_stiffness b))))) (h :: l :: d))).
+  { intros f. apply (v_by_trees d h l b r p F mu t I). intros e He. rewrite PE in He.
+    destruct He as [<-|[]]. unfold shares_in. fold b in SS. rewrite SS, eval_first. lra. }
   pose proof (A 1). pose proof (A (-1)). lra.
 Qed.
 
-Lemma exact_tau d h l : exists u, 0 < u /\
-  Model.work (Model.T c) d = u * rdot (first_tip (tau row)) (located d h l).
+Lemma exact_slip : exists u, 0 < u /\ forall h l d : Z, forall ds : form,
+  acts_as ws (Rows.slip r (real ds)) u (real (slip_of_row row (h :: l :: ds))).
 Proof.
-  pose proof F as [E (e & I)]. destruct (exact_shares e) as [_ SS].
-  exists (unit (scaling_of_trees [corners (box row) (T_at (box row))])).
-  split; [apply trees_unit_positive|].
-  rewrite (tau_corners (box row) e c I d h l), SS, eval_first, <- E. reflexivity.
+  destruct Ft as [E (p & F & mu & t & I)]. destruct exact_parts as (Cg & _).
+  destruct (certain_all _ _ Cg (in_geometry _ _ _ _ _ _ I)) as [SS _]. fold b in SS, I.
+  unfold slip_of_row. fold b. destruct (box_signed b) eqn:Sg.
+  - exists (unit (scaling_of_trees [tau_tree b])). split; [apply trees_unit_positive|]. intros h l _ ds e.
+    unfold ws, Rows.slip. destruct (is_signed _ _ _ _ _ _ I Sg) as ([Sl|(T & Sl)] & We & _);
+      rewrite We, Sl; cbn [map]; [cbn; ring|].
+    assert (TE : Rows.dot T (real ds) = unit (scaling_of_trees [tau_tree b]) *
+      IZR (dot (first_tip (tau row)) (h :: l :: ds))).
+    { pose proof (tau_corners b r p F mu t I (IZR h) (IZR l) (real ds) Sg) as TC.
+      unfold Box.T in TC. rewrite Sl in TC. cbn [nth] in TC. rewrite TC. unfold shares_in.
+      rewrite SS, eval_first. f_equal. rewrite E. fold b.
+      change (IZR h :: IZR l :: real ds) with (real (h :: l :: ds)). apply rdot_integers. }
+    rewrite TE. destruct e; cbn [Rows.product]; ring.
+  - exists (unit (forms_scaling b)). split; [apply unit_positive|]. intros h l _ ds e.
+    unfold ws. rewrite !(product_is b r p F mu t I).
+    rewrite (slip_corners b r p F mu t I Sg e (real ds)). unfold shares_in. rewrite SS, eval_first.
+    rewrite slip_of_integers. cbn [tl]. rewrite E. fold b. ring.
 Qed.
 
-Lemma exact_friction : Model.friction c = Q2R (low (box_friction (box row))) /\ 0 <= Model.friction c.
+Lemma exact_rows_are : Rows.N r = reals (nth 0 (exact_forms b) []) /\
+  Rows.slips r = map reals (tl (exact_forms b)).
 Proof.
-  destruct F as [_ (e & I)]. unfold exact_box in X. rewrite !andb_true_iff in X.
-  destruct X as [[[[[_ _] _] Hf] _] _]. split; [|apply I].
-  apply certain_within; [exact Hf | apply I].
+  destruct Ft as [E (p & F & mu & t & I)]. destruct exact_parts as (Cg & _).
+  destruct (certain_all _ _ Cg (in_geometry _ _ _ _ _ _ I)) as [_ PE].
+  pose proof (is_forms _ _ _ _ _ _ I) as FE. rewrite PE, (forms_rational _ _ _ _ _ _ I) in FE.
+  unfold exact_forms. fold b in FE. destruct (box_forms b _) as [|f fs]; [discriminate|].
+  injection FE as -> ->. now split.
 Qed.
 
-Definition vector_of (w : list Q) : Model.vector :=
-  match w with
-  | [a; b; d] => Model.Vector (Q2R a) (Q2R b) (Q2R d)
-  | _ => Model.zero
-  end.
+Definition a_of (s : state) : R :=
+  if presses b (state_v s) then unit (pull_scale row) * IZR (state_v s) else 0.
 
-Definition forces_of (s : state) : R * R :=
-  let a := if (state_v s <=? 0)%Z then 0 else unit (pull_scale row) * IZR (state_v s) in
-  (a, Q2R (state_share s) * (Model.friction c * a)).
+Definition force_of (s : state) : Rows.force := (a_of s, Rows.scaled (mu_real * a_of s) (reals (state_share s))).
 
-Lemma pull_scale_positive : (0 < over (pull_scale row))%Z /\ 0 < unit (pull_scale row).
+Record is_state (x : form) (s : state) : Prop := IsState {
+  its_row : state_row s = row;
+  its_v : state_v s = dot (exact_pull row) x;
+  its_slip : state_slip s = slip_of_row row x;
+  its_cone : Rows.product ws (reals (state_share s)) (reals (state_share s)) <= Q2R (box_square b);
+  its_against : is_against s = true ->
+    all_zero (state_slip s) = true \/ presses b (state_v s) = false \/ mu_real = 0 \/
+    against b (state_share s) (state_slip s) = true
+}.
+
+Lemma state_of_is x given s : state_of row x given = Some s -> is_state x s.
 Proof.
-  destruct F as [E _]. rewrite E. cbn [pull_scale make_row]. split.
-  - apply lt_IZR. apply over_positive.
-  - apply trees_unit_positive.
+  unfold state_of. fold b.
+  assert (Cone : forall g, in_friction_cone b g = true -> Rows.product ws (reals g) (reals g) <= Q2R (box_square b)).
+  { intros g H. apply Qle_bool_R in H. now rewrite product_q_is, <- weights_real in H. }
+  destruct exact_friction as (_ & _ & _ & Sq).
+  assert (Nil : Rows.product ws (reals []) (reals []) <= Q2R (box_square b)) by (destruct ws; exact Sq).
+  destruct given as [f|].
+  - destruct (_ && _) eqn:C; [|discriminate]. intros E. injection E as <-.
+    rewrite !andb_true_iff in C. destruct C as [[[_ Z] _] C].
+    constructor; cbn; auto.
+  - destruct (_ || _ || _) eqn:C.
+    + intros E. injection E as <-. constructor; cbn; auto. intros _.
+      rewrite !orb_true_iff, negb_true_iff in C. destruct C as [[C|C]|C]; auto.
+      right; right; left. apply Qeq_bool_eq, Qeq_eqR in C. unfold mu_real. now rewrite C, Q2R_0.
+    + destruct (_ && _) eqn:D; intros E; injection E as <-; constructor; cbn; auto; try (intros H; discriminate H).
+      * apply andb_true_iff in D as [D _]. auto.
+      * intros _. apply andb_true_iff in D as [_ D]. auto.
 Qed.
 
-Lemma contact_wrench_is s :
-  vector_of (contact_wrench row s) = Model.contact_wrench c (forces_of s) /\
-  (List.length (contact_wrench row s) = 0 \/ List.length (contact_wrench row s) = 3)%nat.
+Lemma pull_unit_row : 0 < unit (pull_scale row) /\ (0 < over (pull_scale row))%Z.
 Proof.
-  unfold contact_wrench, forces_of. destruct (Z.leb_spec (state_v s) 0) as [V|V].
-  - split; [|now left]. cbn. unfold Model.contact_wrench, Model.add, Model.scale, Model.zero; cbn.
-    f_equal; ring.
-  - split; [|right; reflexivity]. destruct exact_friction as [Mu _].
-    destruct pull_scale_positive as [OP _].
-    pose proof F as [_ (e & I)]. assert (X' := X). unfold exact_box in X'.
-    rewrite !andb_true_iff in X'. destruct X' as [[[[[Hx Hy] Ht] _] _] _].
-    pose proof (certain_within _ _ Hx (in_x _ _ _ I)) as Ex.
-    pose proof (certain_within _ _ Hy (in_y _ _ _ I)) as Ey.
-    pose proof (certain_within _ _ Ht (in_turn _ _ _ I)) as Et.
-    assert (A : Q2R (state_v s * times (pull_scale row) # Z.to_pos (over (pull_scale row)))
-                = unit (pull_scale row) * IZR (state_v s)).
-    { unfold Q2R, unit; cbn [Qnum Qden]. rewrite Z2Pos.id, mult_IZR by exact OP. field.
-      apply IZR_lt in OP. lra. }
-    unfold edge_at, at_point, turned_x, turned_y. cbn [map vector_of].
-    rewrite !reduced_same.
-    repeat rewrite ?Q2R_mult, ?Q2R_plus, ?Q2R_minus. rewrite A, <- Mu.
-    unfold Model.contact_wrench, Model.add, Model.scale, Model.N, Model.T, Model.force_at; cbn.
-    rewrite (is_nx _ _ _ I), (is_ny _ _ _ I), Ex, Ey, Et. f_equal; ring.
+  destruct Ft as [E _]. rewrite E. cbn [pull_scale make_row]. split; [apply trees_unit_positive|].
+  apply lt_IZR, over_positive.
 Qed.
 
-(* The states that `states` computes. *)
-Definition is_state (x : form) (s : state) : Prop :=
-  state_v s = dot (exact_pull row) x /\ state_tau s = dot (first_tip (tau row)) x /\
-  -1 <= Q2R (state_share s) <= 1 /\
-  ((0 < state_tau s)%Z -> Q2R (state_share s) = -1) /\
-  ((state_tau s < 0)%Z -> Q2R (state_share s) = 1).
-
-Definition vector_at (x y z : Z) := Model.Vector (IZR x) (IZR y) (IZR z).
-
-Lemma at_integers x y z h l :
-  located (vector_at x y z) (IZR h) (IZR l) = map IZR [x; y; z; h; l].
-Proof. reflexivity. Qed.
-
-Lemma state_obeys (two_sided : bool) x y z h l s : is_state [x; y; z; h; l] s ->
-  (two_sided = true -> 0 <= state_v s)%Z ->
-  obeys_at (if two_sided then Model.bilateral else Model.unilateral) (vector_at x y z) (IZR h) (IZR l)
-    c (forces_of s).
+(* Friction against e, at a force (a, mu a g). *)
+Lemma against_is g e a : against b g e = true ->
+  Rows.product ws (Rows.scaled (mu_real * a) (reals g)) (real e) = - (Rows.rho r * a) * Rows.size ws (real e).
 Proof.
-  intros (V & T & [S0 S1] & Plus & Minus) B. destruct exact_friction as [_ Mu].
-  destruct pull_scale_positive as [_ U].
-  pose proof (exact_v (vector_at x y z) (IZR h) (IZR l)) as EV.
-  destruct (exact_tau (vector_at x y z) (IZR h) (IZR l)) as (u & Pu & ET).
-  rewrite at_integers, rdot_integers in EV, ET. rewrite <- V in EV. rewrite <- T in ET.
-  unfold obeys_at, forces_of. rewrite EV, ET.
-  assert (A : (if (state_v s <=? 0)%Z then 0 else unit (pull_scale row) * IZR (state_v s))
+  unfold against. intros H. apply andb_true_iff in H as [H1 H2].
+  apply Qle_bool_R in H1. apply Qeq_bool_eq, Qeq_eqR in H2. rewrite !Q2R_mult in H2.
+  rewrite Q2R_0 in H1. rewrite !product_q_is, reals_integers, <- weights_real in *.
+  destruct exact_friction as (_ & RE & _ & Sq).
+  rewrite Rows.product_scaled, RE.
+  set (p := Rows.product ws (reals g) (real e)) in *. set (ee := Rows.product ws (real e) (real e)) in *.
+  assert (E : - p = sqrt (Q2R (box_square b)) * Rows.size ws (real e)).
+  { unfold Rows.size. fold ee. rewrite <- sqrt_mult_alt by exact Sq. rewrite <- H2.
+    replace (p * p) with (- p * - p) by ring. rewrite sqrt_square; lra. }
+  replace p with (- (sqrt (Q2R (box_square b)) * Rows.size ws (real e))) by lra. ring.
+Qed.
+
+Lemma zero_product e t : all_zero e = true -> Rows.product ws (real e) t = 0.
+Proof.
+  clear. revert e t. induction ws as [|w ws' IH]; intros [|z e] [|y t]; cbn -[Z.eqb]; try reflexivity.
+  intros H. apply andb_true_iff in H as [Z H]. apply Z.eqb_eq in Z. subst z. rewrite IH by exact H. ring.
+Qed.
+
+Lemma zero_size e : all_zero e = true -> Rows.size ws (real e) = 0.
+Proof. intros H. unfold Rows.size. rewrite zero_product by exact H. apply sqrt_0. Qed.
+
+Lemma a_is (two_sided : bool) h l ds s : is_state (h :: l :: ds) s ->
+  (two_sided = true -> box_spring b || (0 <=? state_v s)%Z = true) ->
+  Rows.normal_law (if two_sided then Model.bilateral else Model.unilateral) r
+    (Rows.v r (real ds) (IZR h) (IZR l)) (a_of s).
+Proof.
+  intros [_ V _ _ _] B. pose proof (exact_v (IZR h) (IZR l) (real ds)) as EV.
+  change (IZR h :: IZR l :: real ds) with (real (h :: l :: ds)) in EV.
+  rewrite rdot_integers, <- V in EV. rewrite EV. unfold a_of, presses.
+  destruct pull_unit_row as [U _].
+  assert (Sp : Rows.spring r = box_spring b).
+  { destruct Ft as [_ (p & F & mu & t & I)]. apply (is_spring _ _ _ _ _ _ I). }
+  unfold Rows.normal_law. rewrite Sp. destruct (box_spring b); [reflexivity|]. cbn [orb] in *.
+  assert (A : (if (0 <? state_v s)%Z then unit (pull_scale row) * IZR (state_v s) else 0)
               = Rmax 0 (unit (pull_scale row) * IZR (state_v s))).
-  { destruct (Z.leb_spec (state_v s) 0) as [H|H].
-    - apply IZR_le in H. rewrite Rmax_left; nra.
-    - apply IZR_lt in H. rewrite Rmax_right; nra. }
-  rewrite A. set (a := Rmax 0 _). assert (A0 : 0 <= a) by apply Rmax_l.
-  split; [|split; [|split]].
-  - destruct two_sided; cbn; [|reflexivity]. specialize (B eq_refl). apply IZR_le in B.
-    assert (0 <= unit (pull_scale row) * IZR (state_v s)) by nra. unfold a.
-    rewrite Rmax_right by assumption. split; [reflexivity|assumption].
-  - assert (0 <= Model.friction c * a) by nra. apply Rabs_le. split; nra.
-  - intros H. rewrite Plus; [ring|]. apply lt_IZR. nra.
-  - intros H. rewrite Minus; [ring|]. apply lt_IZR. nra.
+  { destruct (Z.ltb_spec 0 (state_v s)) as [H|H].
+    - apply IZR_lt in H. rewrite Rmax_right; nra.
+    - apply IZR_le in H. rewrite Rmax_left; nra. }
+  rewrite A. destruct two_sided; cbn; [|reflexivity]. specialize (B eq_refl). apply Z.leb_le, IZR_le in B.
+  assert (0 <= unit (pull_scale row) * IZR (state_v s)) by nra.
+  rewrite Rmax_right by assumption. now split.
+Qed.
+
+Lemma spring_or_presses s : box_spring b = true \/ 0 <= a_of s.
+Proof.
+  unfold a_of, presses. destruct (box_spring b); [now left|right]. cbn [orb].
+  destruct pull_unit_row as [U _]. destruct (Z.ltb_spec 0 (state_v s)) as [H|H]; [|lra].
+  apply IZR_lt in H. nra.
+Qed.
+
+Lemma mu_a_nonneg s : 0 <= mu_real * a_of s.
+Proof.
+  destruct exact_friction as (M0 & _ & Sm & _). destruct (spring_or_presses s) as [Sp|A]; [|now apply Rmult_le_pos].
+  rewrite (Sm Sp). lra.
+Qed.
+
+Lemma state_obeys (two_sided : bool) h l ds s : is_state (h :: l :: ds) s -> is_against s = true ->
+  (two_sided = true -> box_spring b || (0 <=? state_v s)%Z = true) ->
+  Rows.obeys (if two_sided then Model.bilateral else Model.unilateral) (real ds) (IZR h) (IZR l) r (force_of s).
+Proof.
+  intros S G B. pose proof (a_is two_sided h l ds s S B) as Law.
+  destruct S as [_ V Sl Co Ag]. specialize (Ag G).
+  destruct exact_friction as (M0 & RE & _ & Sq). pose proof positive_weights as WP. fold ws in WP.
+  pose proof (mu_a_nonneg s) as MA. unfold force_of, Rows.obeys. fold ws.
+  split; [exact Law|]. split.
+  - rewrite Rows.size_scaled by assumption. rewrite RE.
+    replace (mu_real * sqrt (Q2R (box_square b)) * a_of s) with (mu_real * a_of s * sqrt (Q2R (box_square b))) by ring.
+    apply Rmult_le_compat_l; [exact MA|]. unfold Rows.size. now apply sqrt_le_1_alt.
+  - destruct exact_slip as (u & U & Acts). specialize (Acts h l 0%Z ds). rewrite <- Sl in Acts.
+    rewrite (acts_size ws _ u _ WP (Rlt_le _ _ U) Acts), (Rows.product_sym ws _ (Rows.slip r _)), Acts.
+    rewrite (Rows.product_sym ws (real _)).
+    assert (None : mu_real * a_of s = 0 ->
+      u * Rows.product ws (Rows.scaled (mu_real * a_of s) (reals (state_share s))) (real (state_slip s)) =
+      - (Rows.rho r * a_of s) * (u * Rows.size ws (real (state_slip s)))).
+    { intros Z. rewrite Rows.product_scaled, RE.
+      replace (- (mu_real * sqrt (Q2R (box_square b)) * a_of s)) with (- (mu_real * a_of s) * sqrt (Q2R (box_square b)))
+        by ring. rewrite Z. ring. }
+    destruct Ag as [Z|[Z|[Z|Z]]].
+    + rewrite (Rows.product_sym ws _ (real _)), zero_product, zero_size by exact Z. ring.
+    + apply None. unfold a_of. rewrite Z. ring.
+    + apply None. rewrite Z. ring.
+    + rewrite (against_is _ _ _ Z). ring.
+Qed.
+
+Lemma wrench_is x s y : is_state x s -> qdot (wrench_of s) y = Rows.work r (force_of s) y.
+Proof.
+  intros [Er V Sl Co Ag]. unfold wrench_of, force_of, Rows.work. rewrite Er. fold b. cbn [fst snd].
+  unfold a_of. destruct (presses b (state_v s)).
+  2:{ cbn [qdot]. rewrite Rmult_0_r, Rows.product_scaled. ring. }
+  destruct pull_unit_row as [_ OP]. set (a := unit (pull_scale row) * IZR (state_v s)).
+  set (aq := (state_v s * times (pull_scale row) # Z.to_pos (over (pull_scale row)))%Q).
+  assert (A : Q2R aq = a).
+  { unfold aq, a, Q2R, unit; cbn [Qnum Qden]. rewrite Z2Pos.id, mult_IZR by exact OP. field.
+    apply IZR_lt in OP. lra. }
+  assert (M : forall v, qdot (map (fun c => reduced (aq * c)%Q) v) y = a * qdot v y).
+  { induction v as [|q v IH] in y |- *; destruct y as [|z y]; cbn; try ring.
+    rewrite IH, reduced_same, Q2R_mult, A. ring. }
+  rewrite M. destruct exact_rows_are as [NE SE].
+  assert (Fr : forall ws0 g fs sum, qdot (add_friction (mu_of b) ws0 g fs sum) y =
+    qdot sum y + mu_real * Rows.product (reals ws0) (reals g) (map (fun f => Rows.dot f y) (map reals fs))).
+  { induction ws0 as [|w ws0 IH]; intros [|q g] [|f fs] sum; cbn [add_friction map Rows.product]; try ring.
+    rewrite IH, qdot_add_multiple, !Q2R_mult, (qdot_is f y). unfold mu_real. ring. }
+  rewrite Fr, <- SE, <- weights_real, qdot_is, <- NE, Rows.product_scaled. unfold Rows.slip. fold ws. ring.
 Qed.
 
 (* Two states of one mode. *)
-Lemma one_mode_shares x y z h l s x' y' z' h' l' s' :
-  is_state [x; y; z; h; l] s -> is_state [x'; y'; z'; h'; l'] s' -> one_mode row s s' = true ->
-  shares_mode c (vector_at x y z) (IZR h) (IZR l) (forces_of s)
-    (vector_at x' y' z') (IZR h') (IZR l') (forces_of s').
+Lemma one_mode_shares h l ds s h' l' ds' s' :
+  is_state (h :: l :: ds) s -> is_state (h' :: l' :: ds') s' -> one_mode s s' = true ->
+  shares_mode r (real ds) (IZR h) (IZR l) (force_of s) (real ds') (IZR h') (IZR l') (force_of s').
 Proof.
-  intros (V & T & _) (V' & T' & _) M. destruct pull_scale_positive as [_ U].
-  destruct exact_friction as [Mu Mu0].
-  pose proof (exact_v (vector_at x y z) (IZR h) (IZR l)) as EV.
-  pose proof (exact_v (vector_at x' y' z') (IZR h') (IZR l')) as EV'.
-  assert (ET : exists u, 0 < u /\
-    Model.work (Model.T c) (vector_at x y z) = u * IZR (state_tau s) /\
-    Model.work (Model.T c) (vector_at x' y' z') = u * IZR (state_tau s')).
-  { pose proof F as [E (e & I)]. destruct (exact_shares e) as [_ SS].
-    exists (unit (scaling_of_trees [corners (box row) (T_at (box row))])).
-    split; [apply trees_unit_positive|].
-    rewrite (tau_corners (box row) e c I (vector_at x y z) (IZR h) (IZR l)).
-    rewrite (tau_corners (box row) e c I (vector_at x' y' z') (IZR h') (IZR l')).
-    rewrite SS, !eval_first, <- E, !at_integers, !rdot_integers, T, T'. now split. }
-  destruct ET as (u & Pu & ET & ET').
-  rewrite at_integers, rdot_integers, <- V in EV.
-  rewrite at_integers, rdot_integers, <- V' in EV'.
-  unfold one_mode in M. apply andb_true_iff in M as [MV M]. apply negb_true_iff in MV.
-  unfold opposite in *. apply Z.ltb_ge in MV. apply IZR_le in MV. rewrite mult_IZR in MV.
-  unfold shares_mode. rewrite EV, EV', ET, ET'. split.
-  { replace (unit (pull_scale row) * IZR (state_v s) * (unit (pull_scale row) * IZR (state_v s')))
-      with (unit (pull_scale row) * unit (pull_scale row) * (IZR (state_v s) * IZR (state_v s')))
-      by ring. apply Rmult_le_pos; nra. }
-  apply orb_true_iff in M as [M|M]; [apply orb_true_iff in M as [M|M]|].
-  - left. apply Qeq_bool_eq, Qeq_eqR in M. rewrite Q2R_0 in M. lra.
-  - right; left. apply andb_true_iff in M as [M1 M2]. unfold forces_of. cbn [fst].
-    rewrite M1, M2. lra.
-  - right; right. apply andb_true_iff in M as [MT M]. apply negb_true_iff, Z.ltb_ge, IZR_le in MT.
-    rewrite mult_IZR in MT.
-    assert (SignFull : forall q : Q, Q2R q <> 0 ->
-      Qeq_bool (share_of_slip (state_tau s + state_tau s')) 0
-       || ((state_v s <=? 0)%Z || Qeq_bool (state_share s) (share_of_slip (state_tau s + state_tau s'))) &&
-          ((state_v s' <=? 0)%Z || Qeq_bool (state_share s') (share_of_slip (state_tau s + state_tau s'))) = true ->
-      share_of_slip (state_tau s + state_tau s') = q ->
-      snd (forces_of s) = Q2R q * (Model.friction c * fst (forces_of s)) /\
-      snd (forces_of s') = Q2R q * (Model.friction c * fst (forces_of s'))).
-    { intros q NZ H E. rewrite E in H. apply orb_true_iff in H as [H|H].
-      - apply Qeq_bool_eq, Qeq_eqR in H. rewrite Q2R_0 in H. contradiction.
-      - apply andb_true_iff in H as [H1 H2]. unfold forces_of. cbn [fst snd]. split.
-        + apply orb_true_iff in H1 as [H1|H1]; [rewrite H1; ring|].
-          apply Qeq_bool_eq, Qeq_eqR in H1. now rewrite H1.
-        + apply orb_true_iff in H2 as [H2|H2]; [rewrite H2; ring|].
-          apply Qeq_bool_eq, Qeq_eqR in H2. now rewrite H2. }
-    split; [|split].
-    + replace (u * IZR (state_tau s) * (u * IZR (state_tau s')))
-        with (u * u * (IZR (state_tau s) * IZR (state_tau s'))) by ring. apply Rmult_le_pos; nra.
-    + intros H. assert (P : (0 < state_tau s + state_tau s')%Z).
-      { apply lt_IZR. rewrite plus_IZR. nra. }
-      destruct (SignFull (-1)%Q) as [A B].
-      * unfold Q2R; cbn. lra.
-      * exact M.
-      * unfold share_of_slip. apply Z.ltb_lt in P. now rewrite P.
-      * rewrite A, B. replace (Q2R (-1)) with (-1) by (unfold Q2R; cbn; field). split; ring.
-    + intros H. assert (P : (state_tau s + state_tau s' < 0)%Z).
-      { apply lt_IZR. rewrite plus_IZR. nra. }
-      destruct (SignFull 1%Q) as [A B].
-      * unfold Q2R; cbn. lra.
-      * exact M.
-      * unfold share_of_slip. destruct (Z.ltb_spec 0 (state_tau s + state_tau s')); [lia|].
-        apply Z.ltb_lt in P. now rewrite P.
-      * rewrite A, B, Q2R_1. split; ring.
+  intros [Er V Sl _ _] [_ V' Sl' _ _] M. destruct pull_unit_row as [U _].
+  destruct exact_friction as (M0 & RE & Sm & _). pose proof positive_weights as WP. fold ws in WP.
+  pose proof (exact_v (IZR h) (IZR l) (real ds)) as EV.
+  pose proof (exact_v (IZR h') (IZR l') (real ds')) as EV'.
+  change (IZR h :: IZR l :: real ds) with (real (h :: l :: ds)) in EV.
+  change (IZR h' :: IZR l' :: real ds') with (real (h' :: l' :: ds')) in EV'.
+  rewrite rdot_integers, <- V in EV. rewrite rdot_integers, <- V' in EV'.
+  assert (Sp : Rows.spring r = box_spring b).
+  { destruct Ft as [_ (p & F & mu & t & I)]. apply (is_spring _ _ _ _ _ _ I). }
+  unfold one_mode in M. rewrite Er in M. fold b in M. apply andb_true_iff in M as [MV M].
+  unfold shares_mode. rewrite EV, EV', Sp. split.
+  { apply orb_true_iff in MV as [MV|MV]; [now left|right]. unfold opposite in MV.
+    apply negb_true_iff, Z.ltb_ge, IZR_le in MV. rewrite mult_IZR in MV.
+    replace (unit (pull_scale row) * IZR (state_v s) * (unit (pull_scale row) * IZR (state_v s')))
+      with (unit (pull_scale row) * unit (pull_scale row) * (IZR (state_v s) * IZR (state_v s'))) by ring.
+    apply Rmult_le_pos; nra. }
+  destruct (box_spring b) eqn:Spb; [left; rewrite RE, (Sm eq_refl); ring|].
+  destruct exact_slip as (u & PU & Acts).
+  pose proof (Acts h l 0%Z ds) as As. pose proof (Acts h' l' 0%Z ds') as As'.
+  rewrite <- Sl in As. rewrite <- Sl' in As'.
+  rewrite !orb_true_iff in M. destruct M as [[[M|M]|M]|M].
+  - left. apply Qeq_bool_eq, Qeq_eqR in M. rewrite Q2R_0 in M. unfold mu_real in RE. rewrite RE, M. ring.
+  - right; left. apply andb_true_iff in M as [M1 M2]. split; [|reflexivity].
+    apply Z.leb_le in M1, M2. unfold force_of, a_of, presses. rewrite Spb. cbn [fst orb].
+    destruct (Z.ltb_spec 0 (state_v s)), (Z.ltb_spec 0 (state_v s')); try lia. lra.
+  - right; right.
+    assert (Z : all_zero (state_slip s) = true /\ all_zero (state_slip s') = true)
+      by (destruct (all_zero (state_slip s)) eqn:E; [now split|congruence]).
+    destruct Z as [Z Z']. exists [], 0, 0. split; [lra|]. split; [lra|]. split; [|split].
+    + intros t. rewrite As, zero_product by exact Z. now rewrite Rmult_0_r, Rmult_0_l.
+    + intros t. rewrite As', zero_product by exact Z'. now rewrite Rmult_0_r, Rmult_0_l.
+    + left. ring.
+  - right; right. set (e := if all_zero (state_slip s) then state_slip s' else state_slip s) in *.
+    rewrite !andb_true_iff in M. destruct M as [[Al Ag] Ag'].
+    assert (Forces : forall t, ((state_v t <=? 0)%Z || against b (state_share t) e) = true ->
+      Rows.product ws (snd (force_of t)) (real e) = - (Rows.rho r * fst (force_of t)) * Rows.size ws (real e)).
+    { intros t H. unfold force_of. cbn [fst snd]. apply orb_true_iff in H as [H|H]; [|now apply against_is].
+      apply Z.leb_le in H. unfold a_of, presses. rewrite Spb. cbn [orb].
+      destruct (Z.ltb_spec 0 (state_v t)); [lia|]. rewrite Rmult_0_r, Rows.product_scaled. ring. }
+    assert (Dir : exists c c', 0 <= c /\ 0 <= c' /\ acts_as ws (real (state_slip s)) c (real e) /\
+      acts_as ws (real (state_slip s')) c' (real e)).
+    { assert (One : forall v, acts_as ws v 1 v) by (intros v t; now rewrite Rmult_1_l).
+      assert (Zero : forall v e, all_zero v = true -> acts_as ws (real v) 0 e)
+        by (intros v e0 H t; rewrite zero_product by exact H; now rewrite Rmult_0_l).
+      unfold e. destruct (all_zero (state_slip s)) eqn:Z.
+      - exists 0, 1. split; [lra|]. split; [lra|]. split; [now apply Zero|apply One].
+      - destruct (all_zero (state_slip s')) eqn:Z'.
+        + exists 1, 0. split; [lra|]. split; [lra|]. split; [apply One|now apply Zero].
+        + unfold aligned in Al. rewrite Z, Z' in Al. cbn [orb] in Al. apply andb_true_iff in Al as [P Q].
+          apply Z.ltb_lt, IZR_lt in P. apply Z.eqb_eq, (f_equal IZR) in Q. rewrite !mult_IZR in Q.
+          destruct Ft as [E (p & F & mu & t & I)].
+          assert (MS : metric row = metric (make_row b)) by (rewrite E at 1; reflexivity).
+          rewrite MS in P, Q. rewrite inner_is in P. rewrite !inner_is in Q.
+          pose proof (product_is b r p F mu t I) as PI. pose proof (mu_unit_positive b) as MU.
+          set (k := unit (metric_scale (make_row b))) in *. set (G := map IZR (metric (make_row b))) in *.
+          set (v := real (state_slip s)) in *. set (v' := real (state_slip s')) in *.
+          assert (Q' : Rows.product ws v v' * Rows.product ws v v' = Rows.product ws v v * Rows.product ws v' v').
+          { unfold ws. rewrite !PI.
+            transitivity (k * k * (Rows.product G v v' * Rows.product G v v')); [ring|]. rewrite Q. ring. }
+          assert (P' : 0 < Rows.product ws v v') by (unfold ws; rewrite PI; now apply Rmult_lt_0_compat).
+          assert (VV : 0 < Rows.product ws v v).
+          { destruct (Rle_lt_or_eq_dec 0 _ (Rows.product_nonneg ws v WP)) as [L|L]; [exact L|].
+            rewrite <- L in Q'. nra. }
+          exists 1, (Rows.product ws v v' / Rows.product ws v v). split; [lra|]. split.
+          * left. now apply Rdiv_lt_0_compat.
+          * split; [apply One|]. now apply parallel. }
+    destruct Dir as (c & c' & C0 & C0' & D & D').
+    exists (real e), (u * c), (u * c'). split; [apply Rmult_le_pos; lra|]. split; [apply Rmult_le_pos; lra|].
+    split; [intros t; now rewrite As, (D t), Rmult_assoc|]. split; [intros t; now rewrite As', (D' t), Rmult_assoc|].
+    right. split; now apply Forces.
 Qed.
 
 End Exact.
@@ -472,198 +682,186 @@ End Exact.
 Section AllContacts.
 Open Scope R_scope.
 
-Definition exact_rows (rows : list row) := forallb (fun r => exact_box (box r)) rows.
+Notation real := (map IZR).
 
-Inductive are_states (x : form) : list row -> list state -> Prop :=
-  | are_nil : are_states x [] []
-  | are_cons r s rows ss : is_state r x s -> are_states x rows ss ->
-      are_states x (r :: rows) (s :: ss).
+(* The rows, the rows of the choice, and their states. *)
+Inductive all_states (x : form) : list row -> list Rows.row -> list state -> Prop :=
+  | no_states : all_states x [] [] []
+  | more_states row r s rows rs ss : fits row r -> exact_box (box row) = true -> is_state row r x s ->
+      all_states x rows rs ss -> all_states x (row :: rows) (r :: rs) (s :: ss).
 
-Lemma share_of_slip_is t : -1 <= Q2R (share_of_slip t) <= 1 /\
-  ((0 < t)%Z -> Q2R (share_of_slip t) = -1) /\ ((t < 0)%Z -> Q2R (share_of_slip t) = 1).
+Lemma states_are x rows rs shares n before ss : Forall2 fits rows rs -> exact_rows rows = true ->
+  states rows x shares n before = Some ss ->
+  exists ss', ss = rev ss' ++ before /\ all_states x rows rs ss'.
 Proof.
-  unfold share_of_slip. destruct (Z.ltb_spec 0 t); [|destruct (Z.ltb_spec t 0)];
-    unfold Q2R; cbn; repeat split; intros; try lia; lra.
+  intros F. revert shares n before. induction F as [|row r rows rs Fr F IH]; intros shares n before E H.
+  - cbn in H. destruct shares; [|discriminate]. injection H as <-. exists []. split; [reflexivity|constructor].
+  - cbn in E. apply andb_true_iff in E as [Er E]. cbn [states] in H.
+    destruct (match shares with [] => _ | _ => _ end) as [given shares'].
+    destruct (state_of row x given) as [s|] eqn:St; [|discriminate].
+    destruct (IH _ _ _ E H) as (ss' & -> & A). exists (s :: ss'). split.
+    + cbn. now rewrite <- app_assoc.
+    + constructor; try assumption. eapply state_of_is; eassumption.
 Qed.
 
-Lemma states_are rows x shares n ss : states rows x shares n = inl ss -> are_states x rows ss.
+Definition forces (rows : list row) (ss : list state) : list Rows.force :=
+  map (fun rs => force_of (fst rs) (snd rs)) (List.combine rows ss).
+
+Fixpoint works_of (ws : list (list Q)) (y : list R) : R :=
+  match ws with [] => 0 | w :: ws' => qdot w y + works_of ws' y end.
+
+Lemma works_of_app a b y : works_of (a ++ b) y = works_of a y + works_of b y.
+Proof. induction a as [|w a IH]; cbn; [ring|]. rewrite IH. ring. Qed.
+
+Lemma works_of_rev a y : works_of (rev a) y = works_of a y.
+Proof. induction a as [|w a IH]; cbn; [reflexivity|]. rewrite works_of_app, IH. cbn. ring. Qed.
+
+Lemma works_are x rows rs ss y : all_states x rows rs ss ->
+  works_of (map wrench_of ss) y = Rows.works rs (forces rows ss) y.
 Proof.
-  revert shares n ss. induction rows as [|r rows IH]; intros shares n ss; cbn [states].
-  - destruct shares as [|[i s] shares]; [|discriminate]. intros E. injection E as <-. constructor.
-  - set (t := dot (first_tip (tau r)) x).
-    assert (Slip : forall shares' n',
-      match states rows x shares' n' with
-      | inl rest => inl (State (dot (exact_pull r) x) t (share_of_slip t) :: rest)
-      | inr i => inr i end = inl ss -> are_states x (r :: rows) ss).
-    { intros shares' n' H. destruct (states rows x shares' n') as [rest|] eqn:E; [|discriminate].
-      injection H as <-. constructor; [|eapply IH; eassumption].
-      unfold is_state; cbn. destruct (share_of_slip_is t) as (A & B & C). repeat split; try tauto. }
-    destruct shares as [|[i s] shares]; [apply Slip|].
-    destruct (Z.eqb i n); [|apply Slip].
-    destruct s as [|q [|? ?]]; try discriminate.
-    destruct (_ && _) eqn:C; [|discriminate]. rewrite !andb_true_iff in C. destruct C as [[T0 C1] C2].
-    apply Z.eqb_eq in T0. apply Qle_bool_R in C1, C2. rewrite Q2R_1 in C2.
-    replace (Q2R (-1)) with (-1) in C1 by (unfold Q2R; cbn; field).
-    destruct (states rows x shares (n + 1)) as [rest|] eqn:E; [|discriminate].
-    intros H. injection H as <-. constructor; [|eapply IH; eassumption].
-    unfold is_state; cbn. fold t. rewrite T0. repeat split; try assumption; lia.
+  intros A. induction A as [|row r s rows rs ss Fr Er Is A IH]; [reflexivity|].
+  cbn [map works_of]. unfold forces. cbn [List.combine map Rows.works fst snd]. fold (forces rows ss).
+  rewrite IH. now rewrite (wrench_is row r Fr Er x s y Is).
 Qed.
 
-Fixpoint all_forces (rows : list row) (cs : list Model.contact) (ss : list state) : list (R * R) :=
-  match rows, cs, ss with
-  | r :: rows', c :: cs', s :: ss' => forces_of r c s :: all_forces rows' cs' ss'
-  | _, _, _ => []
-  end.
-
-Lemma vector_add_assoc a b c : Model.add a (Model.add b c) = Model.add (Model.add a b) c.
-Proof. unfold Model.add; cbn. f_equal; ring. Qed.
-
-Lemma vector_add_comm a b : Model.add a b = Model.add b a.
-Proof. unfold Model.add; cbn. f_equal; ring. Qed.
-
-Definition short_list (w : list Q) := (List.length w = 0 \/ List.length w = 3)%nat.
-
-Lemma contact_wrenches_are rows cs ss x others :
-  Forall2 fits rows cs -> exact_rows rows = true -> are_states x rows ss ->
-  Model.sum (map vector_of (contact_wrenches rows ss others)) =
-  Model.add (Model.sum (Model.contact_wrenches cs (all_forces rows cs ss)))
-    (Model.sum (map vector_of others)) /\
-  (Forall short_list others -> Forall short_list (contact_wrenches rows ss others)).
+Lemma common_of_divided ws w q : In w ws -> In q w -> (Zpos (Qden q) | common_of ws)%Z.
 Proof.
-  intros F. revert ss others. induction F as [|r c rows cs Fr F IH]; intros ss others E A;
-    inversion A; subst.
-  - split; [|cbn; auto]. cbn. unfold Model.add, Model.sum; cbn.
-    destruct (fold_right _ _ _); cbn. f_equal; ring.
-  - cbn in E. apply andb_true_iff in E as [Er E].
-    destruct (contact_wrench_is r c Fr Er s) as [W L]. cbn [contact_wrenches].
-    destruct (IH ss0 (contact_wrench r s :: others) E H3) as [S L']. split.
-    + rewrite S. cbn [map]. unfold Model.sum, Model.contact_wrenches. cbn. rewrite W.
-      rewrite !vector_add_assoc. f_equal. apply vector_add_comm.
-    + intros O. apply L'. constructor; [exact L|exact O].
+  assert (In1 : forall w d,
+    (forall e, (e | d)%Z -> (e | fold_left (fun d q => Z.lcm (Zpos (Qden q)) d) w d)%Z) /\
+    (forall q, In q w -> (Zpos (Qden q) | fold_left (fun d q => Z.lcm (Zpos (Qden q)) d) w d)%Z)).
+  { induction w0 as [|q0 w0 IH]; intros d; cbn; [split; [auto|contradiction]|].
+    destruct (IH (Z.lcm (Zpos (Qden q0)) d)) as [A B]. split.
+    - intros e D. apply A. eapply Z.divide_trans; [exact D|apply Z.divide_lcm_r].
+    - intros q' [->|H]; [|exact (B _ H)]. apply A. apply Z.divide_lcm_l. }
+  unfold common_of. generalize 1%Z.
+  induction ws as [|w0 ws IH]; intros d Hw Hq; [contradiction|]. cbn [fold_left]. destruct Hw as [->|Hw].
+  - destruct (In1 w d) as [_ B]. specialize (B q Hq).
+    revert B. generalize (fold_left (fun d q => Z.lcm (Zpos (Qden q)) d) w d) as d'. clear IH.
+    induction ws as [|w0 ws IH]; intros d' B; cbn [fold_left]; [exact B|]. apply IH.
+    destruct (In1 w0 d') as [A _]. now apply A.
+  - now apply IH.
 Qed.
 
-Lemma numerator_exact qs q : In q qs ->
-  IZR (numerator (common_denominator qs) q) = IZR (common_denominator qs) * Q2R q.
+Lemma common_of_positive ws : (0 < common_of ws)%Z.
 Proof.
-  intros H. pose proof (common_denominator_divided qs q H) as [k Hk]. unfold numerator.
-  rewrite Hk, Z.div_mul by lia. rewrite !mult_IZR. unfold Q2R.
-  assert (0 < IZR (Zpos (Qden q))) by (apply IZR_lt; lia). field. lra.
+  unfold common_of. assert (In1 : forall w d, (0 < d)%Z -> (0 < fold_left (fun d q => Z.lcm (Zpos (Qden q)) d) w d)%Z).
+  { induction w as [|q w IH]; intros d D; cbn; [exact D|]. apply IH.
+    pose proof (Z.lcm_nonneg (Zpos (Qden q)) d). assert (Z.lcm (Zpos (Qden q)) d <> 0)%Z; [|lia].
+    rewrite Z.lcm_eq_0. lia. }
+  generalize 1%Z (eq_refl : (0 < 1)%Z). induction ws as [|w ws IH]; intros d D; cbn; [exact D|].
+  apply IH. now apply In1.
 Qed.
 
-(* In the plane and in space: what the wrenches' entries of one place add up to. *)
-Lemma entry_adds_up {T} (add : T -> T -> T) (zero : T) (of : list Q -> T) (pick : T -> R) k ws :
-  adds_up_to_zero ws = true ->
-  (forall a b, pick (add a b) = pick a + pick b) -> pick zero = 0 ->
-  (forall w, In w ws -> pick (of w) = Q2R (nth k w 0%Q)) ->
-  pick (fold_right add zero (map of ws)) = 0.
+Lemma adds_up ws y : adds_up_to_zero ws = true -> works_of ws y = 0.
 Proof.
-  unfold adds_up_to_zero. set (D := common_denominator (List.concat ws)). intros Z Add Zero Of.
-  assert (DP : 0 < IZR D) by (apply IZR_lt; apply common_denominator_positive).
-  set (e := repeat 0%Z k ++ [1%Z]).
-  assert (Entry : forall w, In w ws -> IZR (dot e (map (numerator D) w)) = IZR D * pick (of w)).
-  { intros w Hw. rewrite (Of w Hw).
-    replace (dot e (map (numerator D) w)) with (numerator D (nth k w 0%Q)).
-    - destruct (nth_in_or_default k w 0%Q) as [H|H]; [|rewrite H; unfold numerator, Q2R; cbn; ring].
-      apply numerator_exact, in_concat. now exists w.
-    - clear. unfold e. clear e. clearbody D. revert k. induction w as [|q w IH]; intros [|k]; cbn [repeat app map dot nth].
-      1, 2: reflexivity. + destruct (map (numerator D) w); cbn [dot]; lia. + rewrite IH. lia. }
-  assert (G : forall s, IZR (dot e (fold_left (fun s w => combine 1 s 1 (map (numerator D) w)) ws s))
-              = IZR (dot e s) + IZR D * pick (fold_right add zero (map of ws))).
-  { clear Z Of. clearbody D. induction ws as [|w ws' IH]; intros s; cbn [fold_left fold_right map].
-    - rewrite Zero. ring.
-    - rewrite IH by (intros; apply Entry; now right). rewrite dot_combine, plus_IZR, !mult_IZR.
-      rewrite (Entry w) by now left. rewrite Add. ring. }
-  specialize (G []). rewrite (dot_all_zero e _ Z), dot_nil_r in G. nra.
-Qed.
-
-Lemma adds_up ws : Forall short_list ws -> adds_up_to_zero ws = true ->
-  Model.sum (map vector_of ws) = Model.zero.
-Proof.
-  intros L Z. rewrite Forall_forall in L.
-  assert (E : forall w, In w ws -> vector_of w =
-    Model.Vector (Q2R (nth 0 w 0%Q)) (Q2R (nth 1 w 0%Q)) (Q2R (nth 2 w 0%Q))).
-  { intros w Hw. destruct w as [|a [|b [|c [|? ?]]]]; destruct (L _ Hw); try discriminate; [|reflexivity].
-    cbn. now rewrite RMicromega.Q2R_0. }
-  assert (Entry := fun k pick => entry_adds_up Model.add Model.zero vector_of pick k ws Z).
-  assert (X := Entry 0%nat Model.along_x ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
-  assert (Y := Entry 1%nat Model.along_y ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
-  assert (T := Entry 2%nat Model.about_z ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
-  unfold Model.sum. destruct (fold_right _ _ _). cbn in *. unfold Model.zero. congruence.
+  unfold adds_up_to_zero. set (D := common_of ws). intros Z.
+  assert (DP : 0 < IZR D) by (apply IZR_lt; apply common_of_positive).
+  assert (Num : forall w, (forall q, In q w -> (Zpos (Qden q) | D)%Z) ->
+    forall y, rdot (map (numerator D) w) y = IZR D * qdot w y).
+  { clear. induction w as [|q w IH]; intros H [|z y]; cbn; try ring.
+    rewrite IH by (intros; apply H; now right). destruct (H q (or_introl eq_refl)) as [k Hk].
+    assert (NE : IZR (numerator D q) = IZR D * Q2R q).
+    { unfold numerator. rewrite Hk, Z.div_mul by lia. rewrite !mult_IZR. unfold Q2R.
+      assert (0 < IZR (Zpos (Qden q))) by (apply IZR_lt; lia). field. lra. }
+    rewrite NE. ring. }
+  assert (G : forall s, rdot (fold_left (fun s w => combine 1 s 1 (map (numerator D) w)) ws s) y
+              = rdot s y + IZR D * works_of ws y).
+  { assert (All : forall w, In w ws -> forall q, In q w -> (Zpos (Qden q) | D)%Z)
+      by (intros; eapply common_of_divided; eassumption).
+    clear Z. clearbody D. induction ws as [|w ws' IH]; intros s; cbn [fold_left works_of]; [ring|].
+    rewrite IH by (intros; eapply All; eauto; now right). rewrite rdot_combine, Num by (apply All; now left). ring. }
+  specialize (G []). rewrite (rdot_all_zero _ y Z) in G. cbn in G. nra.
 Qed.
 
 (* The question is one grasp: what its load is. *)
-Record exact_load (ld : load) (g : Model.grasp) : Prop := ExactLoad {
-  wrench_is : Forall2 within (load_box ld)
-    [Model.along_x (Model.wrench g); Model.along_y (Model.wrench g);
-     Model.about_z (Model.wrench g)];
-  wrench_exact : forallb certain (load_box ld) = true;
-  growth_is : map Q2R (load_growth ld) =
-    [Model.along_x (Model.direction g); Model.along_y (Model.direction g);
-     Model.about_z (Model.direction g)]
+Record exact_load (ld : load) (s : Rows.system) : Prop := ExactLoad {
+  load_certain : forallb certain (load_box ld) = true;
+  load_is : Forall2 within (load_box ld) (Rows.wrench s);
+  growth_is : map Q2R (load_growth ld) = Rows.direction s;
+  growth_length : List.length (Rows.direction s) = List.length (Rows.wrench s)
 }.
 
-Lemma load_at_is ld g h l : exact_load ld g ->
-  vector_of (load_at ld h l) = load_of g (IZR h) (IZR l) /\ short_list (load_at ld h l).
+Lemma load_at_is ld s h l y : exact_load ld s -> qdot (load_at ld h l) y = Rows.load s (IZR h) (IZR l) y.
 Proof.
-  intros [W E G]. unfold load_at.
-  destruct (load_box ld) as [|i1 [|i2 [|i3 [|? ?]]]];
-    try (exfalso; inversion W; subst; repeat match goal with H : Forall2 _ _ _ |- _ => inversion H; subst; clear H end; fail).
-  destruct (load_growth ld) as [|u1 [|u2 [|u3 [|? ?]]]]; try discriminate.
-  injection G as G1 G2 G3. inversion W as [|? ? ? ? W1 W']; subst.
-  inversion W' as [|? ? ? ? W2 W'']; subst. inversion W'' as [|? ? ? ? W3 _]; subst.
-  cbn in E. rewrite !andb_true_iff in E. destruct E as (E1 & E2 & E3 & _).
-  apply (certain_within _ _ E1) in W1. apply (certain_within _ _ E2) in W2.
-  apply (certain_within _ _ E3) in W3. split; [|right; reflexivity].
-  cbn [List.combine map vector_of fst snd]. rewrite !reduced_same.
+  intros [C W G L]. unfold load_at, Rows.load. rewrite <- G in *. rewrite map_length in L.
+  revert C y L. generalize (load_growth ld) as us.
+  induction W as [|i x box w Wi W IH]; intros us C y L; destruct us as [|u us]; try discriminate; cbn; [ring|].
+  cbn in C. apply andb_true_iff in C as [Ci C]. destruct y as [|z y]; cbn; [ring|].
+  rewrite IH by (exact C || (cbn in L; congruence)). rewrite reduced_same, Q2R_plus, !Q2R_mult.
   assert (J : forall z, Q2R (inject_Z z) = IZR z) by (intros; unfold Q2R; cbn; field).
-  repeat rewrite ?Q2R_plus, ?Q2R_mult, ?J. unfold load_of, Model.add, Model.scale; cbn.
-  rewrite W1, W2, W3, <- G1, <- G2, <- G3. reflexivity.
+  rewrite !J, <- (certain_within _ _ Ci Wi). ring.
 Qed.
 
-Theorem point_is_equilibrium (two_sided : bool) rows ld g x y z h l shares ss :
-  Forall2 fits rows (Model.contacts g) -> exact_rows rows = true -> exact_load ld g ->
-  Model.normal g = (if two_sided then Model.bilateral else Model.unilateral) ->
-  check_point two_sided rows ld [x; y; z; h; l] shares = inl ss ->
-  are_states [x; y; z; h; l] rows ss /\
-  equilibrium_at g (vector_at x y z) (IZR h) (IZR l) (all_forces rows (Model.contacts g) ss).
+Theorem point_is_equilibrium (two_sided : bool) rows ld s h l ds shares ss :
+  Forall2 fits rows (Rows.rows s) -> exact_rows rows = true -> exact_load ld s ->
+  Rows.normal s = (if two_sided then Model.bilateral else Model.unilateral) ->
+  check_point two_sided (Rows.dimension s) rows ld (h :: l :: ds) shares = inl ss ->
+  exists ss', ss = rev ss' /\ all_states (h :: l :: ds) rows (Rows.rows s) ss' /\
+    Rows.equilibrium s (real ds) (IZR h) (IZR l) (forces rows ss').
 Proof.
   intros F E L Law C. unfold check_point in C.
-  destruct (states rows [x; y; z; h; l] shares 0) as [ss'|] eqn:S; [|discriminate].
+  destruct (states rows (h :: l :: ds) shares 0 []) as [them|] eqn:S; [|discriminate].
   destruct (two_sided && _) eqn:B; [discriminate|].
-  destruct (adds_up_to_zero _) eqn:A; [|discriminate]. injection C as ->.
-  apply states_are in S. split; [exact S|].
-  assert (NB : two_sided = true -> Forall (fun s => 0 <= state_v s)%Z ss).
-  { intros ->. cbn in B. apply negb_false_iff in B. rewrite forallb_forall in B.
-    apply Forall_forall. intros s Hs. apply Z.leb_le. auto. }
-  destruct (load_at_is ld g h l L) as [LA LS].
-  destruct (contact_wrenches_are rows _ ss _ [load_at ld h l] F E S) as [SUM SHORT].
-  split.
-  - rewrite Law. clear A SUM SHORT B Law. revert ss S NB.
-    induction F as [|r c rows cs Fr F IH]; intros ss S NB; inversion S; subst; cbn [all_forces];
-      [constructor|].
-    cbn in E. apply andb_true_iff in E as [Er E]. constructor.
-    + apply state_obeys; try assumption. intros T. specialize (NB T). now inversion NB.
-    + apply IH; try assumption. intros T. specialize (NB T). now inversion NB.
-  - apply adds_up in A; [|apply SHORT; constructor; [exact LS|constructor]].
-    rewrite SUM in A. rewrite <- A. rewrite vector_add_comm. f_equal.
-    cbn [map Model.sum fold_right]. rewrite LA. destruct (load_of g (IZR h) (IZR l)).
-    unfold Model.sum, Model.add, Model.zero; cbn. f_equal; ring.
+  destruct (negb (forallb is_against them)) eqn:G; [discriminate|]. apply negb_false_iff in G.
+  destruct (Nat.eqb _ _ && _) eqn:A; [|discriminate]. injection C as <-. apply andb_true_iff in A as [Dim A].
+  destruct (states_are _ _ _ _ _ _ _ F E S) as (ss' & -> & All). rewrite app_nil_r in *.
+  exists ss'. split; [reflexivity|]. split; [exact All|]. split; [|split].
+  - rewrite map_length. now apply Nat.eqb_eq.
+  - assert (NB : two_sided = true ->
+      Forall (fun s => box_spring (box (state_row s)) || (0 <=? state_v s)%Z = true) ss').
+    { intros ->. cbn in B. apply negb_false_iff in B. rewrite forallb_forall in B.
+      apply Forall_forall. intros st Hs. apply B. now apply -> in_rev. }
+    assert (AG : Forall (fun s => is_against s = true) ss').
+    { rewrite forallb_forall in G. apply Forall_forall. intros st Hs. apply G. now apply -> in_rev. }
+    rewrite Law. clear - All NB AG.
+    induction All as [|row r st rows rs ss Fr Er Is All IH]; [constructor|].
+    inversion AG; subst. unfold forces; cbn [List.combine map fst snd]. fold (forces rows ss). constructor.
+    + apply (state_obeys row r Fr Er two_sided h l ds st Is); [assumption|]. intros T. specialize (NB T).
+      inversion NB; subst. rewrite (its_row _ _ _ _ Is) in *. assumption.
+    + apply IH; [|assumption]. intros T. specialize (NB T). now inversion NB.
+  - intros y. rewrite map_all_is in A. apply (adds_up _ y) in A. cbn [works_of] in A.
+    rewrite map_rev, works_of_rev, (works_are _ _ _ _ y All), (load_at_is _ _ _ _ _ L) in A. exact A.
 Qed.
 
-Lemma same_mode_shares rows cs x y z h l ss x' y' z' h' l' ss' :
-  Forall2 fits rows cs -> exact_rows rows = true ->
-  are_states [x; y; z; h; l] rows ss -> are_states [x'; y'; z'; h'; l'] rows ss' ->
-  same_mode rows ss ss' = true ->
-  share_modes (vector_at x y z) (IZR h) (IZR l) (vector_at x' y' z') (IZR h') (IZR l')
-    cs (all_forces rows cs ss) (all_forces rows cs ss').
+Lemma same_mode_each ss ts : List.length ss = List.length ts -> same_mode ss ts = true ->
+  Forall2 (fun s t => one_mode s t = true) ss ts.
 Proof.
-  intros F. revert ss ss'. induction F as [|r c rows cs Fr F IH]; intros ss ss' E S S' M;
-    inversion S; inversion S'; subst; cbn [all_forces]; [constructor|].
-  cbn in E, M. apply andb_true_iff in E as [Er E]. apply andb_true_iff in M as [Mr M].
-  constructor.
-  - apply (exact_friction r c Fr Er).
+  revert ts. induction ss as [|s ss IH]; intros [|t ts] L H; try discriminate; constructor;
+    cbn in H; apply andb_true_iff in H as [H1 H2]; [exact H1|]. apply IH; [now injection L|exact H2].
+Qed.
+
+Lemma Forall2_rev {A B} (P : A -> B -> Prop) l l' : Forall2 P l l' -> Forall2 P (rev l) (rev l').
+Proof. induction 1; cbn; [constructor|]. apply Forall2_app; [assumption|]. now constructor. Qed.
+
+Lemma all_states_length x rows rs ss : all_states x rows rs ss -> List.length ss = List.length rows.
+Proof. induction 1; cbn; congruence. Qed.
+
+Lemma same_mode_shares rows rs h l ds ss h' l' ds' ss' :
+  all_states (h :: l :: ds) rows rs ss -> all_states (h' :: l' :: ds') rows rs ss' ->
+  same_mode (rev ss) (rev ss') = true ->
+  share_modes (real ds) (IZR h) (IZR l) (real ds') (IZR h') (IZR l') rs (forces rows ss) (forces rows ss').
+Proof.
+  intros A A' M. apply same_mode_each in M.
+  2:{ rewrite !rev_length, (all_states_length _ _ _ _ A), (all_states_length _ _ _ _ A'). reflexivity. }
+  apply Forall2_rev in M. rewrite !rev_involutive in M. revert ss' A' M.
+  induction A as [|row r s rows rs ss Fr Er Is A IH]; intros ss' A' M; inversion A'; subst; [constructor|].
+  inversion M; subst. unfold forces; cbn [List.combine map fst snd]. fold (forces rows ss) (forces rows ss0).
+  destruct (exact_friction row r Fr Er) as (M0 & RE & _).
+  constructor; [apply (positive_weights row r Fr)| | |now apply IH].
+  - rewrite RE. apply Rmult_le_pos; [exact M0|apply sqrt_pos].
   - now apply one_mode_shares.
-  - now apply IH.
+Qed.
+
+(* A state shares a mode with itself. *)
+Lemma self_modes s d h l fs : Rows.equilibrium s d h l fs ->
+  Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s) ->
+  share_modes d h l d h l (Rows.rows s) fs fs.
+Proof.
+  intros (_ & O & _) P. revert O. generalize (Rows.normal s) as w. intros w O.
+  induction O as [|r [a g] rs fs Or O IH]; [constructor|]. inversion P as [|? ? [Wp Rh] P']; subst.
+  constructor; [exact Wp|exact Rh| |now apply IH]. destruct Or as (_ & _ & D).
+  split; [right; apply Rle_0_sqr|]. right; right. exists (Rows.slip r d), 1, 1. cbn [fst snd].
+  split; [lra|]. split; [lra|]. split; [intros t; ring|]. split; [intros t; ring|]. right. now split.
 Qed.
 
 End AllContacts.

@@ -23,6 +23,12 @@ let fst = function
 let snd = function
 | (_, y) -> y
 
+(** val length : 'a1 list -> nat **)
+
+let rec length = function
+| [] -> O
+| _ :: l' -> S (length l')
+
 (** val app : 'a1 list -> 'a1 list -> 'a1 list **)
 
 let rec app l m =
@@ -489,6 +495,12 @@ module Coq_Pos =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
  end
 
+(** val tl : 'a1 list -> 'a1 list **)
+
+let tl = function
+| [] -> []
+| _ :: m -> m
+
 (** val nth : nat -> 'a1 list -> 'a1 -> 'a1 **)
 
 let rec nth n l default =
@@ -570,17 +582,26 @@ let rec filter f = function
 
 let rec find f = function
 | [] -> None
-| x :: tl -> if f x then Some x else find f tl
+| x :: tl0 -> if f x then Some x else find f tl0
 
 (** val combine : 'a1 list -> 'a2 list -> ('a1 * 'a2) list **)
 
 let rec combine l l' =
   match l with
   | [] -> []
-  | x :: tl ->
+  | x :: tl0 ->
     (match l' with
      | [] -> []
-     | y :: tl' -> (x, y) :: (combine tl tl'))
+     | y :: tl' -> (x, y) :: (combine tl0 tl'))
+
+(** val firstn : nat -> 'a1 list -> 'a1 list **)
+
+let rec firstn n l =
+  match n with
+  | O -> []
+  | S n0 -> (match l with
+             | [] -> []
+             | a :: l0 -> a :: (firstn n0 l0))
 
 (** val repeat : 'a1 -> nat -> 'a1 list **)
 
@@ -929,6 +950,27 @@ let qinv x =
 let qdiv x y =
   qmult x (qinv y)
 
+(** val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
+
+let map_all f items =
+  rev_append (fold_left (fun done0 item -> (f item) :: done0) items []) []
+
+(** val all_some_after :
+    ('a1 -> 'a2 option) -> 'a1 list -> 'a2 list -> 'a2 list option **)
+
+let rec all_some_after f items before =
+  match items with
+  | [] -> Some (rev_append before [])
+  | item :: rest ->
+    (match f item with
+     | Some it -> all_some_after f rest (it :: before)
+     | None -> None)
+
+(** val all_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 list option **)
+
+let all_some f items =
+  all_some_after f items []
+
 type json =
 | Null
 | Boolean of bool
@@ -974,11 +1016,6 @@ let check_that good at_path problem =
 let is_text wanted = function
 | Text content0 -> (=) content0 wanted
 | _ -> false
-
-(** val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
-
-let map_all f items =
-  rev_append (fold_left (fun done0 item -> (f item) :: done0) items []) []
 
 (** val each_from :
     (path -> 'a1 -> 'a2 result) -> Big_int_Z.big_int -> path -> 'a1 list ->
@@ -1121,6 +1158,7 @@ type parameter =
 | PY
 | PZ
 | PTurn
+| PTurnV
 | PFriction
 | PPreload
 | PStiffness
@@ -1431,6 +1469,13 @@ let rec first_tip = function
 let spread i f =
   if certain i then f i.low else Fork ((f i.low), (f i.high))
 
+(** val corners : interval list -> (q list -> 'a1) -> 'a1 multi **)
+
+let rec corners box0 f =
+  match box0 with
+  | [] -> Tip (f [])
+  | i :: box' -> spread i (fun q0 -> corners box' (fun qs -> f (q0 :: qs)))
+
 (** val product : (Big_int_Z.big_int multi * form multi) list -> form **)
 
 let product pairs0 =
@@ -1466,10 +1511,14 @@ let rec power = function
 | S n' ->
   Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) (power n')
 
-type cbox = { box_x : interval; box_y : interval; box_turn : interval;
-              box_friction : interval; box_preload : interval;
-              box_stiffness : interval; box_nx : q; box_ny : q; box_growth : 
-              q }
+(** val exact_root : q -> q option **)
+
+let exact_root x =
+  let square = Z.mul x.qnum x.qden in
+  let root0 = Z.sqrt square in
+  if Z.eqb (Z.mul root0 root0) square
+  then Some { qnum = root0; qden = x.qden }
+  else None
 
 (** val is_square : Big_int_Z.big_int -> bool **)
 
@@ -1528,176 +1577,86 @@ let root_between bits0 q0 =
        in
        { low = (over0 j); high = (over0 (Z.add j Big_int_Z.unit_big_int)) }
 
-(** val is_enclosure : interval -> q -> bool **)
+(** val root_above : q -> q **)
 
-let is_enclosure i square0 =
-  (&&)
-    ((&&)
-      ((&&)
-        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } i.low)
-        (qle_bool (qmult (qmult i.low i.low) square0) { qnum =
-          Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }))
-      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int } i.high))
-    (qle_bool { qnum = Big_int_Z.unit_big_int; qden =
-      Big_int_Z.unit_big_int } (qmult (qmult i.high i.high) square0))
-
-(** val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option **)
-
-let inverse_length bits0 loaded square0 =
-  let i =
-    if loaded
-    then root_between bits0 (reduced (qinv square0))
-    else exactly { qnum = Big_int_Z.unit_big_int; qden =
-           Big_int_Z.unit_big_int }
+let root_above q0 =
+  let u =
+    (root_between (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      Big_int_Z.unit_big_int)))))) (reduced q0)).high
   in
-  if (||) (negb loaded) (is_enclosure i square0) then Some i else None
+  if (&&)
+       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } u) (qle_bool q0 (qmult u u))
+  then u
+  else qplus q0 { qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int }
 
-(** val is_loaded : contact -> bool **)
+(** val root_below : q -> q **)
 
-let is_loaded q0 =
-  (||)
-    (negb
-      (qeq_bool q0.preload.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
-    (negb
-      (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
+let root_below q0 =
+  let l =
+    (root_between (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      Big_int_Z.unit_big_int)))))) (reduced q0)).low
+  in
+  if (&&)
+       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } l) (qle_bool (qmult l l) q0)
+  then l
+  else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
 
-(** val enlarge : Big_int_Z.big_int -> contact -> cbox option **)
+type cbox = { box_names : parameter list; box_geometry : interval list;
+              box_forms : (q list -> q list list); box_friction : interval;
+              box_preload : interval; box_growth : interval;
+              box_stiffness : interval; box_square : q; box_normal : 
+              q list; box_weights : q list; box_signed : bool;
+              box_spring : bool }
 
-let enlarge bits0 q0 =
-  match q0.position with
-  | [] -> None
-  | x :: l ->
-    (match l with
-     | [] -> None
-     | y :: l0 ->
-       (match l0 with
-        | [] ->
-          (match q0.normal with
-           | [] -> None
-           | nx :: l1 ->
-             (match l1 with
-              | [] -> None
-              | ny :: l2 ->
-                (match l2 with
-                 | [] ->
-                   let square0 = qplus (qmult nx nx) (qmult ny ny) in
-                   let e2 = qmult q0.slope q0.slope in
-                   (match inverse_length bits0 (is_loaded q0) square0 with
-                    | Some l3 ->
-                      if (&&)
-                           ((&&)
-                             ((&&)
-                               ((&&)
-                                 ((&&)
-                                   ((&&)
-                                     (negb
-                                       (qle_bool square0 { qnum =
-                                         Big_int_Z.zero_big_int; qden =
-                                         Big_int_Z.unit_big_int }))
-                                     (qle_bool { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int }
-                                       q0.friction.low))
-                                   (qle_bool { qnum = Big_int_Z.zero_big_int;
-                                     qden = Big_int_Z.unit_big_int }
-                                     q0.preload.low))
-                                 (qle_bool { qnum = Big_int_Z.zero_big_int;
-                                   qden = Big_int_Z.unit_big_int }
-                                   q0.stiffness.low))
-                               (qle_bool { qnum = Big_int_Z.zero_big_int;
-                                 qden = Big_int_Z.unit_big_int } q0.slope))
-                             (qle_bool q0.slope { qnum =
-                               Big_int_Z.unit_big_int; qden =
-                               Big_int_Z.unit_big_int }))
-                           ((||)
-                             (qeq_bool q0.preload_growth { qnum =
-                               Big_int_Z.zero_big_int; qden =
-                               Big_int_Z.unit_big_int })
-                             ((&&) (certain l3)
-                               (qeq_bool q0.slope { qnum =
-                                 Big_int_Z.zero_big_int; qden =
-                                 Big_int_Z.unit_big_int })))
-                      then Some { box_x = x; box_y = y; box_turn = { low =
-                             (qopp q0.slope); high = q0.slope };
-                             box_friction = q0.friction; box_preload =
-                             { low =
-                             (qmult
-                               (qmult q0.preload.low
-                                 (qminus { qnum = Big_int_Z.unit_big_int;
-                                   qden = Big_int_Z.unit_big_int }
-                                   (qdiv e2 { qnum =
-                                     (Big_int_Z.mult_int_big_int 2
-                                     Big_int_Z.unit_big_int); qden =
-                                     Big_int_Z.unit_big_int }))) l3.low);
-                             high = (qmult q0.preload.high l3.high) };
-                             box_stiffness = { low =
-                             (qdiv
-                               (qmult q0.stiffness.low
-                                 (qminus { qnum = Big_int_Z.unit_big_int;
-                                   qden = Big_int_Z.unit_big_int } e2))
-                               square0); high =
-                             (qdiv q0.stiffness.high square0) }; box_nx = nx;
-                             box_ny = ny; box_growth =
-                             (if qeq_bool q0.preload_growth { qnum =
-                                   Big_int_Z.zero_big_int; qden =
-                                   Big_int_Z.unit_big_int }
-                              then { qnum = Big_int_Z.zero_big_int; qden =
-                                     Big_int_Z.unit_big_int }
-                              else qmult q0.preload_growth l3.low) }
-                      else None
-                    | None -> None)
-                 | _ :: _ -> None)))
-        | _ :: _ -> None))
+type row = { box : cbox; forms : form list multi; forms_scale : scaling;
+             metric : Big_int_Z.big_int list; metric_scale : scaling;
+             slip_certain : bool; tau : form multi; minus_tau : form multi;
+             edges_plus : form multi list; edges_minus : form multi list;
+             edges_none : form multi list; pulls : form multi list;
+             pull_scale : scaling; separates : form option; parameters : 
+             nat; weight : Big_int_Z.big_int; over_weight : Big_int_Z.big_int }
 
-type row = { box : cbox; tau : form multi; minus_tau : form multi;
-             tau_certain : bool; edges_plus : form multi list;
-             edges_minus : form multi list; edges_none : form multi list;
-             pulls : form multi list; separates : form option;
-             parameters : nat; weight : Big_int_Z.big_int;
-             over_weight : Big_int_Z.big_int; pull_scale : scaling }
+(** val geometry_tree : cbox -> q list list multi **)
 
-(** val corners : cbox -> (q -> q -> q -> 'a1) -> 'a1 multi **)
+let geometry_tree b =
+  corners b.box_geometry b.box_forms
 
-let corners b f =
-  spread b.box_x (fun x ->
-    spread b.box_y (fun y -> spread b.box_turn (fun e -> Tip (f x y e))))
+(** val add_multiple : q list -> q -> q list -> q list **)
 
-(** val at_point : q -> q -> q -> q -> q list **)
+let rec add_multiple a s b =
+  match a with
+  | [] -> (match b with
+           | [] -> a
+           | _ :: _ -> map (qmult s) b)
+  | x :: a' ->
+    (match b with
+     | [] -> a
+     | y :: b' -> (qplus x (qmult s y)) :: (add_multiple a' s b'))
 
-let at_point x y fx fy =
-  fx :: (fy :: ((qminus (qmult x fy) (qmult y fx)) :: []))
+(** val n_of : q list list -> q list **)
 
-(** val turned_x : cbox -> q -> q **)
+let n_of t =
+  nth O t []
 
-let turned_x b e =
-  qminus b.box_nx (qmult e b.box_ny)
+(** val edge_tree : cbox -> q -> q list multi **)
 
-(** val turned_y : cbox -> q -> q **)
+let edge_tree b s =
+  mmap (fun t -> add_multiple (n_of t) s (nth (S O) t [])) (geometry_tree b)
 
-let turned_y b e =
-  qplus b.box_ny (qmult e b.box_nx)
+(** val pull_tree : cbox -> ((q * q) * q) -> q list multi **)
 
-(** val t_at : cbox -> q -> q -> q -> q list **)
-
-let t_at b x y e =
-  at_point x y (qopp (turned_y b e)) (turned_x b e)
-
-(** val edge_at : cbox -> q -> q -> q -> q -> q list **)
-
-let edge_at b s x y e =
-  at_point x y (qminus (turned_x b e) (qmult s (turned_y b e)))
-    (qplus (turned_y b e) (qmult s (turned_x b e)))
-
-(** val pull_at : cbox -> q -> q -> q -> q -> q -> q list **)
-
-let pull_at b p k x y e =
-  app
-    (at_point x y (qmult (qopp k) (turned_x b e))
-      (qmult (qopp k) (turned_y b e))) (p :: (b.box_growth :: []))
+let pull_tree b = function
+| (p0, k) ->
+  let (p, u) = p0 in
+  mmap (fun t -> p :: (u :: (map (qmult (qopp k)) (n_of t))))
+    (geometry_tree b)
 
 (** val scaling_of_trees : q list multi list -> scaling **)
 
@@ -1724,10 +1683,15 @@ let same_forms = function
 let negative f =
   map Z.opp f
 
-(** val count : interval -> nat **)
+(** val count : interval list -> nat **)
 
-let count i =
-  if certain i then O else S O
+let count box0 =
+  length (filter (fun i -> negb (certain i)) box0)
+
+(** val of_motion : form -> form **)
+
+let of_motion f =
+  Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: f)
 
 (** val minus_ends : interval -> q list **)
 
@@ -1742,41 +1706,351 @@ let full_range i =
   then { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } :: []
   else (qopp i.high) :: (i.high :: [])
 
-(** val pull_ends : cbox -> (q * q) list **)
+(** val preload_ends : cbox -> (q * q) list **)
+
+let preload_ends b =
+  let p = b.box_preload in
+  let u = b.box_growth in
+  if (&&) (certain p) (certain u)
+  then (p.low, u.low) :: []
+  else (p.low, u.low) :: ((p.high, u.high) :: [])
+
+(** val pull_ends : cbox -> ((q * q) * q) list **)
 
 let pull_ends b =
-  flat_map (fun p -> map (fun k -> (p, k)) (ends b.box_stiffness))
-    (ends b.box_preload)
+  flat_map (fun pu -> map (fun k -> (pu, k)) (ends b.box_stiffness))
+    (preload_ends b)
+
+(** val forms_scaling : cbox -> scaling **)
+
+let forms_scaling b =
+  scaling_of (concat (concat (tips (geometry_tree b))))
+
+(** val tau_tree : cbox -> q list multi **)
+
+let tau_tree b =
+  mmap (fun t -> nth (S O) t []) (geometry_tree b)
+
+(** val pull_scaling : cbox -> scaling **)
+
+let pull_scaling b =
+  scaling_of_trees (map (pull_tree b) (pull_ends b))
+
+(** val edge_scaling : cbox -> scaling **)
+
+let edge_scaling b =
+  scaling_of_trees
+    (map (edge_tree b)
+      (app (minus_ends b.box_friction)
+        (app (ends b.box_friction) (full_range b.box_friction))))
 
 (** val make_row : cbox -> row **)
 
 let make_row b =
-  let t = corners b (t_at b) in
-  let ts = scaling_of_trees (t :: []) in
-  let tau0 = integer_tree ts t in
-  let edge0 = fun s -> corners b (edge_at b s) in
-  let plus = map edge0 (minus_ends b.box_friction) in
-  let minus = map edge0 (ends b.box_friction) in
-  let none = map edge0 (full_range b.box_friction) in
-  let es = scaling_of_trees (app plus (app minus none)) in
-  let pull = fun pk -> corners b (pull_at b (fst pk) (snd pk)) in
-  let all = map pull (pull_ends b) in
-  let ps = scaling_of_trees all in
-  let pulls1 = map (integer_tree ps) all in
-  let vs = map primitive (concat (map tips pulls1)) in
-  let n = add (count b.box_x) (add (count b.box_y) (count b.box_turn)) in
-  let numerator0 = Z.mul es.times ps.times in
-  let denominator = Z.mul (Z.mul es.over ps.over) (power n) in
+  let none = { over = Big_int_Z.unit_big_int; times = Big_int_Z.unit_big_int }
+  in
+  let fs = if b.box_signed then none else forms_scaling b in
+  let tau0 =
+    if b.box_signed
+    then mmap of_motion
+           (integer_tree (scaling_of_trees ((tau_tree b) :: [])) (tau_tree b))
+    else Tip []
+  in
+  let es = if b.box_signed then edge_scaling b else none in
+  let edges0 = fun ss ->
+    if b.box_signed
+    then map (fun s -> integer_tree es (edge_tree b s)) ss
+    else []
+  in
+  let ms = scaling_of b.box_weights in
+  let ps = pull_scaling b in
+  let pulls0 = map (fun e -> integer_tree ps (pull_tree b e)) (pull_ends b) in
+  let vs = map primitive (concat (map tips pulls0)) in
+  let n = count b.box_geometry in
+  let numerator0 =
+    if b.box_signed then Z.mul es.times ps.times else Big_int_Z.unit_big_int
+  in
+  let denominator =
+    if b.box_signed
+    then Z.mul (Z.mul es.over ps.over) (power n)
+    else Big_int_Z.unit_big_int
+  in
   let g = content (numerator0 :: (denominator :: [])) in
-  { box = b; tau = tau0; minus_tau = (mmap negative tau0); tau_certain =
-  (same_forms (map primitive (tips tau0))); edges_plus =
-  (map (integer_tree es) plus); edges_minus = (map (integer_tree es) minus);
-  edges_none = (map (integer_tree es) none); pulls = pulls1; separates =
+  { box = b; forms =
+  (if b.box_signed
+   then Tip []
+   else mmap (map (map (to_integer fs))) (geometry_tree b)); forms_scale =
+  fs; metric = (map (to_integer ms) b.box_weights); metric_scale = ms;
+  slip_certain =
+  (if b.box_signed
+   then same_forms (map primitive (tips tau0))
+   else Nat.eqb n O); tau = tau0; minus_tau = (mmap negative tau0);
+  edges_plus = (edges0 (minus_ends b.box_friction)); edges_minus =
+  (edges0 (ends b.box_friction)); edges_none =
+  (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
+  separates =
   (match vs with
    | [] -> None
    | f :: _ -> if same_forms vs then Some f else None); parameters = n;
-  weight = (Z.div numerator0 g); over_weight = (Z.div denominator g);
-  pull_scale = ps }
+  weight = (Z.div numerator0 g); over_weight = (Z.div denominator g) }
+
+(** val is_enclosure : interval -> q -> bool **)
+
+let is_enclosure i square =
+  (&&)
+    ((&&)
+      ((&&)
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } i.low)
+        (qle_bool (qmult (qmult i.low i.low) square) { qnum =
+          Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } i.high))
+    (qle_bool { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } (qmult (qmult i.high i.high) square))
+
+(** val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option **)
+
+let inverse_length bits0 loaded square =
+  let i =
+    if loaded
+    then root_between bits0 (reduced (qinv square))
+    else exactly { qnum = Big_int_Z.unit_big_int; qden =
+           Big_int_Z.unit_big_int }
+  in
+  if (||) (negb loaded) (is_enclosure i square) then Some i else None
+
+(** val is_loaded : contact -> bool **)
+
+let is_loaded q0 =
+  (||)
+    (negb
+      (qeq_bool q0.preload.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+    (negb
+      (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+(** val plane_forms : q -> q -> q list -> q list list **)
+
+let plane_forms nx ny = function
+| [] -> []
+| x :: l ->
+  (match l with
+   | [] -> []
+   | y :: l0 ->
+     (match l0 with
+      | [] -> []
+      | e :: l1 ->
+        (match l1 with
+         | [] ->
+           let fx = qminus nx (qmult e ny) in
+           let fy = qplus ny (qmult e nx) in
+           (fx :: (fy :: ((qminus (qmult x fy) (qmult y fx)) :: []))) :: ((
+           (qopp fy) :: (fx :: ((qplus (qmult x fx) (qmult y fy)) :: []))) :: [])
+         | _ :: _ -> [])))
+
+(** val at_point : q -> q -> q -> q -> q -> q -> q list **)
+
+let at_point x y z0 fx fy fz =
+  fx :: (fy :: (fz :: ((qminus (qmult y fz) (qmult z0 fy)) :: ((qminus
+                                                                 (qmult z0 fx)
+                                                                 (qmult x fz)) :: (
+    (qminus (qmult x fy) (qmult y fx)) :: [])))))
+
+(** val space_forms : q -> q -> q -> q -> q list -> q list list **)
+
+let space_forms nx ny nz square = function
+| [] -> []
+| x :: l ->
+  (match l with
+   | [] -> []
+   | y :: l0 ->
+     (match l0 with
+      | [] -> []
+      | z0 :: l1 ->
+        (match l1 with
+         | [] -> []
+         | _ :: l2 ->
+           (match l2 with
+            | [] -> []
+            | _ :: l3 ->
+              (match l3 with
+               | [] ->
+                 let across = fun nj ex ey ez ->
+                   at_point x y z0 (qminus ex (qdiv (qmult nj nx) square))
+                     (qminus ey (qdiv (qmult nj ny) square))
+                     (qminus ez (qdiv (qmult nj nz) square))
+                 in
+                 (at_point x y z0 nx ny nz) :: ((across nx { qnum =
+                                                  Big_int_Z.unit_big_int;
+                                                  qden =
+                                                  Big_int_Z.unit_big_int }
+                                                  { qnum =
+                                                  Big_int_Z.zero_big_int;
+                                                  qden =
+                                                  Big_int_Z.unit_big_int }
+                                                  { qnum =
+                                                  Big_int_Z.zero_big_int;
+                                                  qden =
+                                                  Big_int_Z.unit_big_int }) :: (
+                 (across ny { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int } { qnum = Big_int_Z.unit_big_int;
+                   qden = Big_int_Z.unit_big_int } { qnum =
+                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: (
+                 (across nz { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int } { qnum = Big_int_Z.zero_big_int;
+                   qden = Big_int_Z.unit_big_int } { qnum =
+                   Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }) :: [])))
+               | _ :: _ -> [])))))
+
+(** val is_nonnegative : contact -> bool **)
+
+let is_nonnegative q0 =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0.friction.low)
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0.preload.low))
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } q0.stiffness.low))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } q0.slope))
+    (qle_bool q0.slope { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int })
+
+(** val numbers :
+    Big_int_Z.big_int -> contact -> q -> ((interval * interval) * interval)
+    option **)
+
+let numbers bits0 q0 square =
+  match inverse_length bits0 (is_loaded q0) square with
+  | Some l ->
+    let grows =
+      negb
+        (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int })
+    in
+    let e2 = qmult q0.slope q0.slope in
+    if (&&)
+         ((&&)
+           (negb
+             (qle_bool square { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) (is_nonnegative q0))
+         ((||) (negb grows)
+           ((&&) (certain q0.preload)
+             (qeq_bool q0.slope { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })))
+    then Some (({ low =
+           (qmult
+             (qmult q0.preload.low
+               (qminus { qnum = Big_int_Z.unit_big_int; qden =
+                 Big_int_Z.unit_big_int }
+                 (qdiv e2 { qnum = (Big_int_Z.mult_int_big_int 2
+                   Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int })))
+             l.low); high = (qmult q0.preload.high l.high) },
+           (if grows
+            then { low = (qmult q0.preload_growth l.low); high =
+                   (qmult q0.preload_growth l.high) }
+            else exactly { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int })), { low =
+           (qdiv
+             (qmult q0.stiffness.low
+               (qminus { qnum = Big_int_Z.unit_big_int; qden =
+                 Big_int_Z.unit_big_int } e2)) square); high =
+           (qdiv q0.stiffness.high square) })
+    else None
+  | None -> None
+
+(** val enlarge : Big_int_Z.big_int -> contact -> cbox option **)
+
+let enlarge bits0 q0 =
+  match q0.position with
+  | [] -> None
+  | x :: l ->
+    (match l with
+     | [] -> None
+     | y :: l0 ->
+       (match l0 with
+        | [] ->
+          (match q0.normal with
+           | [] -> None
+           | nx :: l1 ->
+             (match l1 with
+              | [] -> None
+              | ny :: l2 ->
+                (match l2 with
+                 | [] ->
+                   (match numbers bits0 q0 (qplus (qmult nx nx) (qmult ny ny)) with
+                    | Some p0 ->
+                      let (p1, k) = p0 in
+                      let (p, u) = p1 in
+                      Some { box_names = (PX :: (PY :: (PTurn :: [])));
+                      box_geometry = (x :: (y :: ({ low = (qopp q0.slope);
+                      high = q0.slope } :: []))); box_forms =
+                      (plane_forms nx ny); box_friction = q0.friction;
+                      box_preload = p; box_growth = u; box_stiffness = k;
+                      box_square = { qnum = Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int }; box_normal =
+                      (nx :: (ny :: [])); box_weights = ({ qnum =
+                      Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int } :: []); box_signed = true;
+                      box_spring = false }
+                    | None -> None)
+                 | _ :: _ -> None)))
+        | z0 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match q0.normal with
+              | [] -> None
+              | nx :: l2 ->
+                (match l2 with
+                 | [] -> None
+                 | ny :: l3 ->
+                   (match l3 with
+                    | [] -> None
+                    | nz :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         let square =
+                           qplus (qplus (qmult nx nx) (qmult ny ny))
+                             (qmult nz nz)
+                         in
+                         (match numbers bits0 q0 square with
+                          | Some p0 ->
+                            let (p1, k) = p0 in
+                            let (p, u) = p1 in
+                            if qeq_bool q0.slope { qnum =
+                                 Big_int_Z.zero_big_int; qden =
+                                 Big_int_Z.unit_big_int }
+                            then Some { box_names =
+                                   (PX :: (PY :: (PZ :: (PTurn :: (PTurnV :: [])))));
+                                   box_geometry =
+                                   (x :: (y :: (z0 :: ((exactly { qnum =
+                                                         Big_int_Z.zero_big_int;
+                                                         qden =
+                                                         Big_int_Z.unit_big_int }) :: (
+                                   (exactly { qnum = Big_int_Z.zero_big_int;
+                                     qden = Big_int_Z.unit_big_int }) :: [])))));
+                                   box_forms = (space_forms nx ny nz square);
+                                   box_friction = q0.friction; box_preload =
+                                   p; box_growth = u; box_stiffness = k;
+                                   box_square = square; box_normal =
+                                   (nx :: (ny :: (nz :: []))); box_weights =
+                                   ({ qnum = Big_int_Z.unit_big_int; qden =
+                                   Big_int_Z.unit_big_int } :: ({ qnum =
+                                   Big_int_Z.unit_big_int; qden =
+                                   Big_int_Z.unit_big_int } :: ({ qnum =
+                                   Big_int_Z.unit_big_int; qden =
+                                   Big_int_Z.unit_big_int } :: [])));
+                                   box_signed = false; box_spring = false }
+                            else None
+                          | None -> None)
+                       | _ :: _ -> None))))
+           | _ :: _ -> None)))
 
 (** val nowhere_negative : ray list -> form -> bool **)
 
@@ -1832,121 +2106,355 @@ let value t x =
   match t with
   | Nothing -> Big_int_Z.zero_big_int
   | Line (factor, f) -> Z.mul factor (dot f x)
-  | Bend (n, d, forms, mixed) ->
-    let most = largest (map (fun f -> dot f x) forms) in
-    up (Z.mul n (if mixed then Z.max Big_int_Z.zero_big_int most else most)) d
+  | Bend (n, d, forms0, mixed0) ->
+    let most = largest (map (fun f -> dot f x) forms0) in
+    up (Z.mul n (if mixed0 then Z.max Big_int_Z.zero_big_int most else most))
+      d
+
+(** val pull_tips : row -> form list **)
+
+let pull_tips row0 =
+  concat (map tips row0.pulls)
+
+(** val collect :
+    ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list **)
+
+let rec collect term_of_row rows0 linear bends =
+  match rows0 with
+  | [] -> (linear, bends)
+  | row0 :: rows' ->
+    (match term_of_row row0 with
+     | Nothing -> collect term_of_row rows' linear bends
+     | Line (c, f) ->
+       collect term_of_row rows' (combine0 Big_int_Z.unit_big_int linear c f)
+         bends
+     | Bend (numerator0, denominator, forms0, mixed0) ->
+       collect term_of_row rows' linear ((Bend (numerator0, denominator,
+         forms0, mixed0)) :: bends))
 
 (** val edges : form list list -> ray list -> row -> form multi list **)
 
-let edges strict0 rays0 row1 =
-  match row1.edges_none with
+let edges strict0 rays0 row0 =
+  match row0.edges_none with
   | [] ->
-    if has_sign strict0 rays0 row1.tau
-    then row1.edges_plus
-    else if has_sign strict0 rays0 row1.minus_tau
-         then row1.edges_minus
-         else row1.edges_none
+    if has_sign strict0 rays0 row0.tau
+    then row0.edges_plus
+    else if has_sign strict0 rays0 row0.minus_tau
+         then row0.edges_minus
+         else row0.edges_none
   | _ :: l ->
     (match l with
-     | [] -> row1.edges_none
+     | [] -> row0.edges_none
      | _ :: _ ->
-       if has_sign strict0 rays0 row1.tau
-       then row1.edges_plus
-       else if has_sign strict0 rays0 row1.minus_tau
-            then row1.edges_minus
-            else row1.edges_none)
+       if has_sign strict0 rays0 row0.tau
+       then row0.edges_plus
+       else if has_sign strict0 rays0 row0.minus_tau
+            then row0.edges_minus
+            else row0.edges_none)
 
 (** val work_tree : form -> form multi -> Big_int_Z.big_int multi **)
 
 let work_tree y edge0 =
   mmap (fun f -> dot f y) edge0
 
-(** val pull_tips : row -> form list **)
-
-let pull_tips row1 =
-  concat (map tips row1.pulls)
-
 (** val products_with : row -> Big_int_Z.big_int multi -> form list **)
 
-let products_with row1 a =
-  flat_map (fun p -> bernstein row1.parameters ((a, p) :: [])) row1.pulls
+let products_with row0 a =
+  flat_map (fun p -> bernstein row0.parameters ((a, p) :: [])) row0.pulls
 
 (** val mixed_forms : row -> Big_int_Z.big_int multi -> form list **)
 
-let mixed_forms row1 a =
+let mixed_forms row0 a =
   if forallb (fun z0 -> Z.leb z0 Big_int_Z.zero_big_int) (tips a)
   then []
   else if forallb (fun z0 -> Z.leb Big_int_Z.zero_big_int z0) (tips a)
-       then products_with row1 a
+       then products_with row0 a
        else map
-              (map (Z.mul (Z.mul (power row1.parameters) (largest (tips a)))))
-              (pull_tips row1)
+              (map (Z.mul (Z.mul (power row0.parameters) (largest (tips a)))))
+              (pull_tips row0)
 
-(** val term_of :
+(** val bent : Big_int_Z.big_int -> row -> form list -> bool -> term **)
+
+let bent m row0 forms0 mixed0 =
+  match forms0 with
+  | [] -> Nothing
+  | _ :: _ -> Bend ((Z.mul m row0.weight), row0.over_weight, forms0, mixed0)
+
+(** val edges_term :
     Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term **)
 
-let term_of m y es mixed row1 =
-  match row1.parameters with
+let edges_term m y es mixed0 row0 =
+  match row0.parameters with
   | O ->
-    (match row1.pulls with
+    (match row0.pulls with
      | [] ->
-       let forms =
-         flat_map (fun e ->
-           if mixed
-           then mixed_forms row1 (work_tree y e)
-           else products_with row1 (work_tree y e)) es
-       in
-       (match forms with
-        | [] -> Nothing
-        | _ :: _ ->
-          Bend ((Z.mul m row1.weight), row1.over_weight, forms, mixed))
+       bent m row0
+         (flat_map (fun e ->
+           if mixed0
+           then mixed_forms row0 (work_tree y e)
+           else products_with row0 (work_tree y e)) es) mixed0
      | p :: l ->
        (match l with
         | [] ->
-          let c =
-            largest
-              (map (fun e ->
-                up (Z.mul (Z.mul m row1.weight) (dot (first_tip e) y))
-                  row1.over_weight) es)
-          in
-          let v = first_tip p in
-          if mixed
-          then if Z.leb c Big_int_Z.zero_big_int
-               then Nothing
-               else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
-          else Line (c, v)
+          if row0.box.box_spring
+          then bent m row0
+                 (flat_map (fun e ->
+                   if mixed0
+                   then mixed_forms row0 (work_tree y e)
+                   else products_with row0 (work_tree y e)) es) mixed0
+          else let c =
+                 largest
+                   (map (fun e ->
+                     up (Z.mul (Z.mul m row0.weight) (dot (first_tip e) y))
+                       row0.over_weight) es)
+               in
+               let v = first_tip p in
+               if mixed0
+               then if Z.leb c Big_int_Z.zero_big_int
+                    then Nothing
+                    else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
+               else Line (c, v)
         | _ :: _ ->
-          let forms =
-            flat_map (fun e ->
-              if mixed
-              then mixed_forms row1 (work_tree y e)
-              else products_with row1 (work_tree y e)) es
-          in
-          (match forms with
-           | [] -> Nothing
-           | _ :: _ ->
-             Bend ((Z.mul m row1.weight), row1.over_weight, forms, mixed))))
+          bent m row0
+            (flat_map (fun e ->
+              if mixed0
+              then mixed_forms row0 (work_tree y e)
+              else products_with row0 (work_tree y e)) es) mixed0))
   | S _ ->
-    let forms =
-      flat_map (fun e ->
-        if mixed
-        then mixed_forms row1 (work_tree y e)
-        else products_with row1 (work_tree y e)) es
-    in
-    (match forms with
-     | [] -> Nothing
-     | _ :: _ -> Bend ((Z.mul m row1.weight), row1.over_weight, forms, mixed))
+    bent m row0
+      (flat_map (fun e ->
+        if mixed0
+        then mixed_forms row0 (work_tree y e)
+        else products_with row0 (work_tree y e)) es) mixed0
 
-(** val contact_term :
-    Big_int_Z.big_int -> form -> form list list -> ray list -> row -> term **)
+(** val inner_of : form -> form -> form -> Big_int_Z.big_int **)
 
-let contact_term m y strict0 rays0 row1 =
-  let vs = pull_tips row1 in
-  if forallb (nowhere_negative rays0) vs
-  then term_of m y (edges strict0 rays0 row1) false row1
-  else if forallb (nowhere_positive rays0) vs
-       then Nothing
-       else term_of m y (edges strict0 rays0 row1) true row1
+let rec inner_of ms s t =
+  match ms with
+  | [] -> Big_int_Z.zero_big_int
+  | m :: ms' ->
+    (match s with
+     | [] -> Big_int_Z.zero_big_int
+     | x :: s' ->
+       (match t with
+        | [] -> Big_int_Z.zero_big_int
+        | y :: t' -> Z.add (Z.mul (Z.mul m x) y) (inner_of ms' s' t')))
+
+(** val slip_at : form list -> form -> form **)
+
+let slip_at t d =
+  map (fun f -> dot f d) (tl t)
+
+(** val motion_of : ray -> form **)
+
+let motion_of r =
+  match r.coordinates with
+  | [] -> []
+  | _ :: l -> (match l with
+               | [] -> []
+               | _ :: d -> d)
+
+(** val slips : form list multi -> ray list -> form list **)
+
+let slips g rays0 =
+  flat_map (fun t -> map (fun r -> slip_at t (motion_of r)) rays0) (tips g)
+
+(** val less_along :
+    Big_int_Z.big_int list -> form -> form -> form -> bool **)
+
+let less_along ms w s t =
+  Z.ltb
+    (Z.mul (Z.mul (inner_of ms w s) (Z.abs (inner_of ms w s)))
+      (inner_of ms t t))
+    (Z.mul (Z.mul (inner_of ms w t) (Z.abs (inner_of ms w t)))
+      (inner_of ms s s))
+
+(** val nearest :
+    Big_int_Z.big_int list -> form -> form list -> form option **)
+
+let nearest ms w gens =
+  fold_left (fun best s ->
+    if all_zero s
+    then best
+    else (match best with
+          | Some b -> if less_along ms w b s then Some s else best
+          | None -> Some s)) gens None
+
+(** val part_across : Big_int_Z.big_int list -> form -> form -> form **)
+
+let part_across ms w s =
+  combine0 (inner_of ms s s) w (Z.opp (inner_of ms w s)) s
+
+(** val nowhere_along :
+    Big_int_Z.big_int list -> form list -> form -> bool **)
+
+let nowhere_along ms gens e =
+  forallb (fun s -> Z.leb (inner_of ms s e) Big_int_Z.zero_big_int) gens
+
+(** val separator :
+    Big_int_Z.big_int list -> form list -> form -> form option **)
+
+let separator ms gens w =
+  let e =
+    match nearest ms w gens with
+    | Some s ->
+      if Z.ltb Big_int_Z.zero_big_int (inner_of ms w s)
+      then part_across ms w s
+      else w
+    | None -> w
+  in
+  if (&&) (nowhere_along ms gens e)
+       (Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
+  then Some e
+  else None
+
+(** val opposed :
+    Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
+    ray list **)
+
+let rec opposed ms gens separators = function
+| [] -> []
+| p :: rays' ->
+  let (s, r) = p in
+  let w = negative s in
+  if existsb (fun e -> Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
+       separators
+  then opposed ms gens separators rays'
+  else (match separator ms gens w with
+        | Some e -> opposed ms gens (e :: separators) rays'
+        | None -> r :: (opposed ms gens separators rays'))
+
+(** val must_move :
+    Big_int_Z.big_int list -> form list list -> form list multi -> form list
+    -> ray list -> bool **)
+
+let must_move ms strict0 g gens rays0 =
+  forallb (fun t ->
+    barred strict0
+      (opposed ms gens []
+        (map (fun r -> ((slip_at t (motion_of r)), r)) rays0))) (tips g)
+
+(** val most_along :
+    Big_int_Z.big_int list -> form list -> form ->
+    (bool * Big_int_Z.big_int) * Big_int_Z.big_int **)
+
+let most_along ms gens z0 =
+  let w = negative z0 in
+  let whole = ((false, (inner_of ms z0 z0)), Big_int_Z.unit_big_int) in
+  (match nearest ms w gens with
+   | Some s ->
+     let a = inner_of ms w s in
+     if Z.leb Big_int_Z.zero_big_int a
+     then if (&&) (nowhere_along ms gens (part_across ms w s))
+               (Z.ltb Big_int_Z.zero_big_int (inner_of ms s s))
+          then ((false, (Z.mul a a)), (inner_of ms s s))
+          else whole
+     else if (&&)
+               (forallb (fun g ->
+                 (&&) (Z.leb (inner_of ms w g) Big_int_Z.zero_big_int)
+                   (Z.leb (Z.mul (Z.mul a a) (inner_of ms g g))
+                     (Z.mul (Z.mul (inner_of ms w g) (inner_of ms w g))
+                       (inner_of ms s s)))) gens)
+               (Z.ltb Big_int_Z.zero_big_int (inner_of ms s s))
+          then ((true, (Z.mul a a)), (inner_of ms s s))
+          else whole
+   | None -> whole)
+
+(** val unit_of : scaling -> q **)
+
+let unit_of s =
+  { qnum = s.times; qden = (Z.to_pos s.over) }
+
+(** val corner_alpha :
+    row -> q -> form -> form list -> bool -> form list -> q **)
+
+let corner_alpha row0 factor y gens moves t =
+  let z0 = slip_at t y in
+  let (p, d) =
+    if moves
+    then most_along row0.metric gens z0
+    else ((false, (inner_of row0.metric z0 z0)), Big_int_Z.unit_big_int)
+  in
+  let (below, n) = p in
+  let mu =
+    if below then row0.box.box_friction.low else row0.box.box_friction.high
+  in
+  let u = qmult (unit_of row0.forms_scale) factor in
+  let q0 =
+    qmult
+      (qmult
+        (qmult (qmult (qmult mu mu) row0.box.box_square)
+          (unit_of row0.metric_scale)) (qmult u u)) { qnum = n; qden =
+      (Z.to_pos d) }
+  in
+  reduced
+    (qplus (qmult u (inject_Z (dot (nth O t []) y)))
+      (if below
+       then if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int } mu
+            then qopp (root_below q0)
+            else { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int }
+       else root_above q0))
+
+(** val largest_q : q list -> q **)
+
+let rec largest_q = function
+| [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+| q0 :: qs' ->
+  (match qs' with
+   | [] -> q0
+   | _ :: _ -> let m = largest_q qs' in if qle_bool q0 m then m else q0)
+
+(** val alpha :
+    form list list -> ray list -> bool -> row -> q -> form -> q **)
+
+let alpha strict0 rays0 slipping0 row0 factor y =
+  let frictionless =
+    qeq_bool row0.box.box_friction.high { qnum = Big_int_Z.zero_big_int;
+      qden = Big_int_Z.unit_big_int }
+  in
+  let gens = if frictionless then [] else slips row0.forms rays0 in
+  let moves =
+    (&&) (negb frictionless)
+      ((||) slipping0 (must_move row0.metric strict0 row0.forms gens rays0))
+  in
+  reduced
+    (qdiv
+      (largest_q
+        (map (corner_alpha row0 factor y gens moves) (tips row0.forms)))
+      factor)
+
+(** val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term **)
+
+let alpha_term m a mixed0 row0 =
+  let n = Z.mul (Z.mul m a.qnum) row0.pull_scale.times in
+  let d = Z.mul a.qden row0.pull_scale.over in
+  (match pull_tips row0 with
+   | [] ->
+     if (&&) mixed0 (Z.leb a.qnum Big_int_Z.zero_big_int)
+     then Nothing
+     else Bend ((Z.mul m row0.pull_scale.times), d,
+            (map (map (Z.mul a.qnum)) []), mixed0)
+   | v :: l ->
+     (match l with
+      | [] ->
+        let c = up n d in
+        if mixed0
+        then if Z.leb c Big_int_Z.zero_big_int
+             then Nothing
+             else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
+        else Line (c, v)
+      | f :: l0 ->
+        if (&&) mixed0 (Z.leb a.qnum Big_int_Z.zero_big_int)
+        then Nothing
+        else Bend ((Z.mul m row0.pull_scale.times), d,
+               (map (map (Z.mul a.qnum)) (v :: (f :: l0))), mixed0)))
+
+(** val alpha_over : q -> row -> Big_int_Z.big_int **)
+
+let alpha_over a row0 =
+  Z.mul a.qden row0.pull_scale.over
 
 type load = { load_box : interval list; load_growth : q list;
               lows_of_w : form; highs_of_w : form; form_of_u : form;
@@ -1983,51 +2491,71 @@ let rec most_work y lows0 highs0 =
 
 let load_term m y ld =
   let t = Z.mul m ld.load_scaling.times in
-  Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (
   (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) ld.load_scaling.over) :: (
-  (up (Z.mul t (dot ld.form_of_u y)) ld.load_scaling.over) :: []))))
+  (up (Z.mul t (dot ld.form_of_u y)) ld.load_scaling.over) :: [])
 
-(** val collect :
-    ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list **)
+type way =
+| Along of form multi list
+| Most of q
 
-let rec collect term_of_row rows1 linear bends =
-  match rows1 with
-  | [] -> (linear, bends)
-  | row1 :: rows' ->
-    (match term_of_row row1 with
-     | Nothing -> collect term_of_row rows' linear bends
-     | Line (c, f) ->
-       collect term_of_row rows' (combine0 Big_int_Z.unit_big_int linear c f)
-         bends
-     | Bend (numerator0, denominator, forms, mixed) ->
-       collect term_of_row rows' linear ((Bend (numerator0, denominator,
-         forms, mixed)) :: bends))
+type presser = { pressing : row; by_ : way; mixed : bool }
+
+(** val way_of :
+    form list list -> ray list -> bool -> q -> form -> row -> way **)
+
+let way_of strict0 rays0 slipping0 factor y row0 =
+  if row0.box.box_signed
+  then Along (edges strict0 rays0 row0)
+  else Most (alpha strict0 rays0 slipping0 row0 factor y)
+
+(** val pressers :
+    form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row
+    list -> Big_int_Z.big_int -> presser list -> presser list **)
+
+let rec pressers strict0 rays0 slipping0 factor y rows0 number before =
+  match rows0 with
+  | [] -> before
+  | row0 :: rows' ->
+    let vs = pull_tips row0 in
+    let it = fun mixed0 -> { pressing = row0; by_ =
+      (way_of strict0 rays0 (existsb (Z.eqb number) slipping0) factor y row0);
+      mixed = mixed0 }
+    in
+    let now =
+      if (||) row0.box.box_spring (forallb (nowhere_negative rays0) vs)
+      then (it false) :: before
+      else if forallb (nowhere_positive rays0) vs
+           then before
+           else (it true) :: before
+    in
+    pressers strict0 rays0 slipping0 factor y rows'
+      (Z.add number Big_int_Z.unit_big_int) now
+
+(** val term_of : Big_int_Z.big_int -> form -> presser -> term **)
+
+let term_of m y p =
+  match p.by_ with
+  | Along es -> edges_term m y es p.mixed p.pressing
+  | Most a -> alpha_term m a p.mixed p.pressing
+
+(** val with_alphas :
+    Big_int_Z.big_int -> presser list -> Big_int_Z.big_int **)
+
+let with_alphas m them =
+  fold_left (fun m0 p ->
+    match p.by_ with
+    | Along _ -> m0
+    | Most a -> Z.lcm m0 (alpha_over a p.pressing)) them m
 
 (** val leaf_holds_by :
-    Big_int_Z.big_int -> row list -> load -> form list list -> ray list ->
-    form -> bool **)
+    Big_int_Z.big_int -> presser list -> load -> form list list -> ray list
+    -> form -> bool **)
 
-let leaf_holds_by m rows1 ld strict0 rays0 y = match y with
-| [] -> false
-| _ :: l ->
-  (match l with
-   | [] -> false
-   | _ :: l0 ->
-     (match l0 with
-      | [] -> false
-      | _ :: l1 ->
-        (match l1 with
-         | [] ->
-           (&&) (Z.ltb Big_int_Z.zero_big_int m)
-             (let (linear, bends) =
-                collect (contact_term m y strict0 rays0) rows1
-                  (load_term m y ld) []
-              in
-              positive_at_home strict0 rays0 (fun x ->
-                Z.opp
-                  (fold_left (fun s t -> Z.add s (value t x)) bends
-                    (dot linear x))))
-         | _ :: _ -> false)))
+let leaf_holds_by m them ld strict0 rays0 y =
+  (&&) (Z.ltb Big_int_Z.zero_big_int m)
+    (let (linear, bends) = collect (term_of m y) them (load_term m y ld) [] in
+     positive_at_home strict0 rays0 (fun x ->
+       Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
 
 type ('memory, 'setting) region = { rays : ray list; strict : form list list;
                                     moving : form list list;
@@ -2077,17 +2605,17 @@ let at_leaf r =
     Big_int_Z.big_int -> node -> ('a1, 'a2) region -> (('a1, 'a2) region
     list, string) sum **)
 
-let visit advisor split1 leaf_fails1 most_depth0 n r =
+let visit advisor split0 leaf_fails0 most_depth0 n r =
   if Z.ltb most_depth0 r.depth
   then Inr "node-depth"
   else (match n with
         | Leaf y ->
           let (strict', rays') = at_leaf r in
-          (match leaf_fails1 r.around strict' rays' y with
+          (match leaf_fails0 r.around strict' rays' y with
            | Some rule -> Inr rule
            | None -> Inl [])
         | _ ->
-          (match split1 r.around n with
+          (match split0 r.around n with
            | Inl bs -> Inl (map (child advisor r) bs)
            | Inr rule -> Inr rule))
 
@@ -2097,7 +2625,7 @@ let visit advisor split1 leaf_fails1 most_depth0 n r =
     Big_int_Z.big_int -> node list -> ('a1, 'a2) region list -> nat ->
     (string * nat) option **)
 
-let rec walk advisor split1 leaf_fails1 most_depth0 nodes todo number =
+let rec walk advisor split0 leaf_fails0 most_depth0 nodes todo number =
   match nodes with
   | [] -> (match todo with
            | [] -> None
@@ -2106,9 +2634,9 @@ let rec walk advisor split1 leaf_fails1 most_depth0 nodes todo number =
     (match todo with
      | [] -> Some ("tree-long", number)
      | r :: todo' ->
-       (match visit advisor split1 leaf_fails1 most_depth0 n r with
+       (match visit advisor split0 leaf_fails0 most_depth0 n r with
         | Inl children ->
-          walk advisor split1 leaf_fails1 most_depth0 nodes'
+          walk advisor split0 leaf_fails0 most_depth0 nodes'
             (app children todo') (S number)
         | Inr rule -> Some (rule, number)))
 
@@ -2145,68 +2673,47 @@ let rec numbered l i =
     then Some a
     else numbered l' (Z.sub i Big_int_Z.unit_big_int)
 
-(** val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
+(** val replace_after :
+    'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
 
-let rec replace l i new0 =
+let rec replace_after before l i new0 =
   match l with
-  | [] -> []
+  | [] -> rev_append before []
   | a :: l' ->
     if Z.eqb i Big_int_Z.zero_big_int
-    then new0 :: l'
-    else a :: (replace l' (Z.sub i Big_int_Z.unit_big_int) new0)
+    then rev_append before (new0 :: l')
+    else replace_after (a :: before) l' (Z.sub i Big_int_Z.unit_big_int) new0
+
+(** val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
+
+let replace l i new0 =
+  replace_after [] l i new0
 
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
-type setting = { rows : row list; the_load : load; short : Big_int_Z.big_int;
-                 exact : Big_int_Z.big_int }
+type setting = { dimension_of : nat; rows : row list; the_load : load;
+                 slipping : Big_int_Z.big_int list;
+                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
 (** val leaf_fails :
     setting -> form list list -> ray list -> q list -> string option **)
 
 let leaf_fails s strict0 rays0 y =
-  let y' = map (to_integer (scaling_of y)) y in
-  let holds = fun m -> leaf_holds_by m s.rows s.the_load strict0 rays0 y' in
-  if (||) ((||) (barred strict0 rays0) (holds s.short))
-       ((&&) (negb (Z.eqb s.short s.exact)) (holds s.exact))
+  let sc = scaling_of y in
+  let y' = map (to_integer sc) y in
+  if barred strict0 rays0
   then None
-  else Some "leaf-bound"
-
-(** val get : cbox -> parameter -> interval **)
-
-let get b = function
-| PX -> b.box_x
-| PY -> b.box_y
-| PTurn -> b.box_turn
-| PFriction -> b.box_friction
-| PPreload -> b.box_preload
-| _ -> b.box_stiffness
-
-(** val set : cbox -> parameter -> interval -> cbox **)
-
-let set b name i =
-  let { box_x = x; box_y = y; box_turn = t; box_friction = f; box_preload =
-    p; box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g } = b
-  in
-  (match name with
-   | PX ->
-     { box_x = i; box_y = y; box_turn = t; box_friction = f; box_preload = p;
-       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
-   | PY ->
-     { box_x = x; box_y = i; box_turn = t; box_friction = f; box_preload = p;
-       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
-   | PTurn ->
-     { box_x = x; box_y = y; box_turn = i; box_friction = f; box_preload = p;
-       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
-   | PFriction ->
-     { box_x = x; box_y = y; box_turn = t; box_friction = i; box_preload = p;
-       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
-   | PPreload ->
-     { box_x = x; box_y = y; box_turn = t; box_friction = f; box_preload = i;
-       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
-   | _ ->
-     { box_x = x; box_y = y; box_turn = t; box_friction = f; box_preload = p;
-       box_stiffness = i; box_nx = nx; box_ny = ny; box_growth = g })
+  else let them =
+         pressers strict0 rays0 s.slipping (unit_of sc) y' s.rows
+           Big_int_Z.zero_big_int []
+       in
+       let holds = fun m -> leaf_holds_by m them s.the_load strict0 rays0 y'
+       in
+       if (||) ((&&) (negb (Z.eqb s.short s.exact)) (holds s.short))
+            (holds (with_alphas s.exact them))
+       then None
+       else Some "leaf-bound"
 
 (** val is_inside : interval -> q -> bool **)
 
@@ -2223,19 +2730,121 @@ let low_half i c =
 let high_half i c =
   { low = c; high = i.high }
 
+(** val same_parameter : parameter -> parameter -> bool **)
+
+let same_parameter a b =
+  match a with
+  | PX -> (match b with
+           | PX -> true
+           | _ -> false)
+  | PY -> (match b with
+           | PY -> true
+           | _ -> false)
+  | PZ -> (match b with
+           | PZ -> true
+           | _ -> false)
+  | PTurn -> (match b with
+              | PTurn -> true
+              | _ -> false)
+  | PTurnV -> (match b with
+               | PTurnV -> true
+               | _ -> false)
+  | PFriction -> (match b with
+                  | PFriction -> true
+                  | _ -> false)
+  | PPreload -> (match b with
+                 | PPreload -> true
+                 | _ -> false)
+  | PStiffness -> (match b with
+                   | PStiffness -> true
+                   | _ -> false)
+  | PWrench -> (match b with
+                | PWrench -> true
+                | _ -> false)
+
+(** val get_named :
+    parameter -> parameter list -> interval list -> interval option **)
+
+let rec get_named name names is =
+  match names with
+  | [] -> None
+  | n :: names' ->
+    (match is with
+     | [] -> None
+     | i :: is' ->
+       if same_parameter n name then Some i else get_named name names' is')
+
+(** val set_named :
+    parameter -> interval -> parameter list -> interval list -> interval list **)
+
+let rec set_named name new0 names is =
+  match names with
+  | [] -> is
+  | n :: names' ->
+    (match is with
+     | [] -> is
+     | i :: is' ->
+       if same_parameter n name
+       then new0 :: is'
+       else i :: (set_named name new0 names' is'))
+
+(** val has_friction : cbox -> bool **)
+
+let has_friction b =
+  match b.box_normal with
+  | [] -> false
+  | _ :: _ -> true
+
+(** val get : cbox -> parameter -> interval option **)
+
+let get b name = match name with
+| PFriction -> if has_friction b then Some b.box_friction else None
+| PPreload -> Some b.box_preload
+| PStiffness -> Some b.box_stiffness
+| PWrench -> None
+| _ -> get_named name b.box_names b.box_geometry
+
+(** val set : cbox -> parameter -> interval -> cbox **)
+
+let set b name i =
+  let { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
+    box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
+    box_normal = n; box_weights = w; box_signed = sg; box_spring = sp } = b
+  in
+  (match name with
+   | PFriction ->
+     { box_names = names; box_geometry = g; box_forms = f; box_friction = i;
+       box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
+       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp }
+   | PPreload ->
+     { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
+       box_preload = i; box_growth = u; box_stiffness = k; box_square = sq;
+       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp }
+   | PStiffness ->
+     { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
+       box_preload = p; box_growth = u; box_stiffness = i; box_square = sq;
+       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp }
+   | PWrench -> b
+   | _ ->
+     { box_names = names; box_geometry = (set_named name i names g);
+       box_forms = f; box_friction = m; box_preload = p; box_growth = u;
+       box_stiffness = k; box_square = sq; box_normal = n; box_weights = w;
+       box_signed = sg; box_spring = sp })
+
 (** val set_row : setting -> Big_int_Z.big_int -> cbox -> setting **)
 
 let set_row s index b =
-  let row1 = make_row b in
-  { rows = (replace s.rows index row1); the_load = s.the_load; short =
-  s.short; exact = (Z.lcm s.exact row1.over_weight) }
+  let row0 = make_row b in
+  { dimension_of = s.dimension_of; rows = (replace s.rows index row0);
+  the_load = s.the_load; slipping = s.slipping; short = s.short; exact =
+  (Z.lcm s.exact row0.over_weight) }
 
 (** val set_load : setting -> interval list -> setting **)
 
 let set_load s w =
   let ld = make_load w s.the_load.load_growth in
-  { rows = s.rows; the_load = ld; short = s.short; exact =
-  (Z.lcm s.exact ld.load_scaling.over) }
+  { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; slipping =
+  s.slipping; short = s.short; exact = (Z.lcm s.exact ld.load_scaling.over) }
 
 (** val halves :
     setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -2243,7 +2852,6 @@ let set_load s w =
 
 let halves s name index c =
   match name with
-  | PZ -> Inr "part-contact"
   | PWrench ->
     (match numbered s.the_load.load_box index with
      | Some i ->
@@ -2255,12 +2863,16 @@ let halves s name index c =
      | None -> Inr "part-contact")
   | _ ->
     (match numbered s.rows index with
-     | Some row1 ->
-       let i = get row1.box name in
-       if is_inside i c
-       then Inl ((set_row s index (set row1.box name (low_half i c))),
-              (set_row s index (set row1.box name (high_half i c))))
-       else Inr "part-inside"
+     | Some row0 ->
+       (match get row0.box name with
+        | Some i ->
+          if (&&) (is_inside i c)
+               ((||) (negb (same_parameter name PPreload))
+                 (certain row0.box.box_growth))
+          then Inl ((set_row s index (set row0.box name (low_half i c))),
+                 (set_row s index (set row0.box name (high_half i c))))
+          else Inr "part-inside"
+        | None -> Inr "part-contact")
      | None -> Inr "part-contact")
 
 (** val above : setting -> form -> setting branch **)
@@ -2281,27 +2893,53 @@ let on_plane s f =
   { conditions = ((f, true) :: []); new_strict = []; new_moving = [];
     branch_setting = s }
 
+(** val plane_numbers : nat -> q list -> q list **)
+
+let plane_numbers d a =
+  (nth d a { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: (
+    (nth (S d) a { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int }) :: (firstn d a))
+
+(** val slip_forms : row -> form list **)
+
+let slip_forms row0 =
+  map of_motion (firstn (length row0.metric) (tl (first_tip row0.forms)))
+
 (** val split : setting -> node -> (setting branch list, string) sum **)
 
 let split s = function
 | Slip i ->
   (match numbered s.rows i with
-   | Some row1 ->
-     if row1.tau_certain
-     then let f = first_tip row1.tau in
-          Inl
-          ((above s f) :: ((on_plane s f) :: ((above s (negative f)) :: [])))
-     else Inr "node-certain"
+   | Some row0 ->
+     if negb (has_friction row0.box)
+     then Inr "node-contact"
+     else if negb row0.slip_certain
+          then Inr "node-certain"
+          else if row0.box.box_signed
+               then let f = first_tip row0.tau in
+                    Inl
+                    ((above s f) :: ((on_plane s f) :: ((above s (negative f)) :: [])))
+               else let fs = slip_forms row0 in
+                    Inl ({ conditions = (map (fun f -> (f, true)) fs);
+                    new_strict = []; new_moving = []; branch_setting =
+                    s } :: ({ conditions = []; new_strict = []; new_moving =
+                    (fs :: []); branch_setting = { dimension_of =
+                    s.dimension_of; rows = s.rows; the_load = s.the_load;
+                    slipping = (i :: s.slipping); short = s.short; exact =
+                    s.exact } } :: []))
    | None -> Inr "node-contact")
 | Separation i ->
   (match numbered s.rows i with
-   | Some row1 ->
-     (match row1.separates with
-      | Some f -> Inl ((not_below s f) :: ((above s (negative f)) :: []))
-      | None -> Inr "node-certain")
+   | Some row0 ->
+     if row0.box.box_spring
+     then Inr "node-contact"
+     else (match row0.separates with
+           | Some f -> Inl ((not_below s f) :: ((above s (negative f)) :: []))
+           | None -> Inr "node-certain")
    | None -> Inr "node-contact")
 | Plane a ->
-  let f = map (to_integer (scaling_of a)) a in
+  let a0 = plane_numbers s.dimension_of a in
+  let f = map (to_integer (scaling_of a0)) a0 in
   Inl ((not_below s f) :: ((above s (negative f)) :: []))
 | Cut (name, i, c) ->
   (match halves s name i c with
@@ -2313,51 +2951,50 @@ let split s = function
    | Inr rule -> Inr rule)
 | Leaf _ -> Inl []
 
-(** val l_above : nat -> q -> form **)
+(** val l_above : q -> form **)
 
-let l_above d a =
-  app (repeat Big_int_Z.zero_big_int d) ((Z.opp a.qnum) :: (a.qden :: []))
+let l_above a =
+  (Z.opp a.qnum) :: (a.qden :: [])
 
-(** val h_form : nat -> form **)
+(** val h_form : form **)
 
-let h_form d =
-  app (repeat Big_int_Z.zero_big_int d) (Big_int_Z.unit_big_int :: [])
+let h_form =
+  Big_int_Z.unit_big_int :: []
 
-(** val range_conditions : nat -> range -> form list **)
+(** val range_conditions : range -> form list **)
 
-let range_conditions d g =
-  (h_form d) :: ((l_above d g.range_low) :: (match g.range_high with
-                                             | Some b ->
-                                               (negative (l_above d b)) :: []
-                                             | None -> []))
+let range_conditions g =
+  h_form :: ((l_above g.range_low) :: (match g.range_high with
+                                       | Some b ->
+                                         (negative (l_above b)) :: []
+                                       | None -> []))
 
-(** val range_strict : nat -> range -> form list **)
+(** val range_strict : range -> form list **)
 
-let range_strict d g =
-  (h_form d) :: (app
-                  (if g.open_low then (l_above d g.range_low) :: [] else [])
-                  (match g.range_high with
-                   | Some b ->
-                     if g.open_high
-                     then (negative (l_above d b)) :: []
-                     else []
-                   | None -> []))
+let range_strict g =
+  h_form :: (app (if g.open_low then (l_above g.range_low) :: [] else [])
+              (match g.range_high with
+               | Some b ->
+                 if g.open_high then (negative (l_above b)) :: [] else []
+               | None -> []))
 
-(** val separating : row list -> form list **)
+(** val separating : row list -> form list -> form list **)
 
-let separating rows1 =
-  flat_map (fun r -> match r.separates with
-                     | Some f -> f :: []
-                     | None -> []) rows1
+let separating rows0 before =
+  rev_append
+    (fold_left (fun fs r ->
+      match r.separates with
+      | Some f -> if r.box.box_spring then fs else f :: fs
+      | None -> fs) rows0 (rev_append before [])) []
 
 (** val root_branch : bool -> setting -> range -> setting branch **)
 
 let root_branch two_sided s g =
+  let fs = range_conditions g in
   { conditions =
-    (map (fun f -> (f, false))
-      (app (range_conditions (S (S (S O))) g)
-        (if two_sided then separating s.rows else []))); new_strict =
-    (range_strict (S (S (S O))) g); new_moving = []; branch_setting = s }
+  (map_all (fun f -> (f, false))
+    (if two_sided then separating s.rows fs else fs)); new_strict =
+  (range_strict g); new_moving = []; branch_setting = s }
 
 (** val walk_ranges :
     'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
@@ -2365,22 +3002,27 @@ let root_branch two_sided s g =
 
 let walk_ranges advisor most_depth0 two_sided s ranges nodes =
   walk advisor split leaf_fails most_depth0 nodes
-    (map (fun g ->
-      root advisor (S (S (S (S (S O))))) (root_branch two_sided s g)) ranges)
-    O
+    (map_all (fun g ->
+      root advisor (add (S (S O)) s.dimension_of) (root_branch two_sided s g))
+      ranges) O
 
 (** val exact_box : cbox -> bool **)
 
 let exact_box b =
   (&&)
     ((&&)
-      ((&&)
-        ((&&) ((&&) (certain b.box_x) (certain b.box_y)) (certain b.box_turn))
-        (certain b.box_friction)) (certain b.box_preload))
+      ((&&) ((&&) (forallb certain b.box_geometry) (certain b.box_friction))
+        (certain b.box_preload)) (certain b.box_growth))
     (certain b.box_stiffness)
 
-type state = { state_v : Big_int_Z.big_int; state_tau : Big_int_Z.big_int;
-               state_share : q }
+(** val exact_rows : row list -> bool **)
+
+let exact_rows rows0 =
+  forallb (fun r -> exact_box r.box) rows0
+
+type state = { state_row : row; state_v : Big_int_Z.big_int;
+               state_slip : form; state_share : q list; is_against : 
+               bool }
 
 (** val exact_pull : row -> form **)
 
@@ -2389,69 +3031,192 @@ let exact_pull r =
   | [] -> []
   | p :: _ -> first_tip p
 
-(** val share_of_slip : Big_int_Z.big_int -> q **)
+(** val slip_of_row : row -> form -> form **)
 
-let share_of_slip tau0 =
-  if Z.ltb Big_int_Z.zero_big_int tau0
-  then { qnum = (Big_int_Z.minus_big_int Big_int_Z.unit_big_int); qden =
-         Big_int_Z.unit_big_int }
-  else if Z.ltb tau0 Big_int_Z.zero_big_int
-       then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
-       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+let slip_of_row r x =
+  if r.box.box_signed
+  then (dot (first_tip r.tau) x) :: []
+  else slip_at (first_tip r.forms) (tl (tl x))
+
+(** val product_q : q list -> q list -> q list -> q **)
+
+let rec product_q ws s t =
+  match ws with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | w :: ws' ->
+    (match s with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | x :: s' ->
+       (match t with
+        | [] ->
+          { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+        | y :: t' -> qplus (qmult (qmult w x) y) (product_q ws' s' t')))
+
+(** val mu_of : cbox -> q **)
+
+let mu_of b =
+  b.box_friction.low
+
+(** val in_friction_cone : cbox -> q list -> bool **)
+
+let in_friction_cone b g =
+  qle_bool (product_q b.box_weights g g) b.box_square
+
+(** val against : cbox -> q list -> form -> bool **)
+
+let against b g e =
+  let s = map inject_Z e in
+  let p = product_q b.box_weights g s in
+  (&&)
+    (qle_bool p { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+    (qeq_bool (qmult p p) (qmult b.box_square (product_q b.box_weights s s)))
+
+(** val share_of_force : cbox -> q list -> q list **)
+
+let share_of_force b f =
+  map (fun wf -> qdiv (snd wf) (fst wf)) (combine b.box_weights f)
+
+(** val sum_of_products : q list -> q list -> q **)
+
+let rec sum_of_products a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> qplus (qmult x y) (sum_of_products a' b'))
+
+(** val is_share_of : cbox -> q list -> bool **)
+
+let is_share_of b f =
+  (&&) (Nat.eqb (length f) (length b.box_weights))
+    ((||) b.box_signed
+      (qeq_bool (sum_of_products f b.box_normal) { qnum =
+        Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+
+(** val presses : cbox -> Big_int_Z.big_int -> bool **)
+
+let presses b v =
+  (||) b.box_spring (Z.ltb Big_int_Z.zero_big_int v)
+
+(** val sliding : cbox -> form -> q list **)
+
+let sliding b slip =
+  if b.box_signed
+  then map (fun t ->
+         if Z.ltb Big_int_Z.zero_big_int t
+         then { qnum = (Big_int_Z.minus_big_int Big_int_Z.unit_big_int);
+                qden = Big_int_Z.unit_big_int }
+         else { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int })
+         slip
+  else let s = map inject_Z slip in
+       let root0 =
+         (root_between (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))
+           (reduced (qdiv b.box_square (product_q b.box_weights s s)))).low
+       in
+       map (fun t -> reduced (qmult (qopp root0) t)) s
+
+(** val state_of : row -> form -> q list option -> state option **)
+
+let state_of r x given =
+  let b = r.box in
+  let v = dot (exact_pull r) x in
+  let slip = slip_of_row r x in
+  (match given with
+   | Some f ->
+     let g = share_of_force b f in
+     if (&&) ((&&) ((&&) (has_friction b) (all_zero slip)) (is_share_of b f))
+          (in_friction_cone b g)
+     then Some { state_row = r; state_v = v; state_slip = slip; state_share =
+            g; is_against = true }
+     else None
+   | None ->
+     if (||) ((||) (all_zero slip) (negb (presses b v)))
+          (qeq_bool (mu_of b) { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+     then Some { state_row = r; state_v = v; state_slip = slip; state_share =
+            []; is_against = true }
+     else let g = sliding b slip in
+          if (&&) (in_friction_cone b g) (against b g slip)
+          then Some { state_row = r; state_v = v; state_slip = slip;
+                 state_share = g; is_against = true }
+          else Some { state_row = r; state_v = v; state_slip = slip;
+                 state_share = []; is_against = false })
 
 (** val states :
     row list -> form -> (Big_int_Z.big_int * q list) list ->
-    Big_int_Z.big_int -> (state list, Big_int_Z.big_int) sum **)
+    Big_int_Z.big_int -> state list -> state list option **)
 
-let rec states rows1 x shares0 number =
-  match rows1 with
-  | [] ->
-    (match shares0 with
-     | [] -> Inl []
-     | p :: _ -> let (i, _) = p in Inr i)
+let rec states rows0 x shares0 number before =
+  match rows0 with
+  | [] -> (match shares0 with
+           | [] -> Some before
+           | _ :: _ -> None)
   | r :: rows' ->
-    let tau0 = dot (first_tip r.tau) x in
-    let with_share = fun share0 shares' ->
-      match states rows' x shares' (Z.add number Big_int_Z.unit_big_int) with
-      | Inl rest ->
-        Inl ({ state_v = (dot (exact_pull r) x); state_tau = tau0;
-          state_share = share0 } :: rest)
-      | Inr i -> Inr i
-    in
     (match shares0 with
-     | [] -> with_share (share_of_slip tau0) []
-     | p :: shares' ->
+     | [] ->
+       let given = None in
+       let shares' = [] in
+       (match state_of r x given with
+        | Some s ->
+          states rows' x shares' (Z.add number Big_int_Z.unit_big_int)
+            (s :: before)
+        | None -> None)
+     | p :: rest ->
        let (i, s) = p in
        if Z.eqb i number
-       then (match s with
-             | [] -> Inr i
-             | q0 :: l ->
-               (match l with
-                | [] ->
-                  if (&&)
-                       ((&&) (Z.eqb tau0 Big_int_Z.zero_big_int)
-                         (qle_bool { qnum = (Big_int_Z.minus_big_int
-                           Big_int_Z.unit_big_int); qden =
-                           Big_int_Z.unit_big_int } q0))
-                       (qle_bool q0 { qnum = Big_int_Z.unit_big_int; qden =
-                         Big_int_Z.unit_big_int })
-                  then with_share q0 shares'
-                  else Inr i
-                | _ :: _ -> Inr i))
-       else with_share (share_of_slip tau0) shares0)
+       then let given = Some s in
+            (match state_of r x given with
+             | Some s0 ->
+               states rows' x rest (Z.add number Big_int_Z.unit_big_int)
+                 (s0 :: before)
+             | None -> None)
+       else let given = None in
+            (match state_of r x given with
+             | Some s0 ->
+               states rows' x shares0 (Z.add number Big_int_Z.unit_big_int)
+                 (s0 :: before)
+             | None -> None))
 
-(** val contact_wrench : row -> state -> q list **)
+(** val exact_forms : cbox -> q list list **)
 
-let contact_wrench r s =
-  if Z.leb s.state_v Big_int_Z.zero_big_int
-  then []
-  else let b = r.box in
-       let a = { qnum = (Z.mul s.state_v r.pull_scale.times); qden =
+let exact_forms b =
+  b.box_forms (map (fun i -> i.low) b.box_geometry)
+
+(** val add_friction :
+    q -> q list -> q list -> q list list -> q list -> q list **)
+
+let rec add_friction c ws g forms0 sum0 =
+  match ws with
+  | [] -> sum0
+  | w :: ws' ->
+    (match g with
+     | [] -> sum0
+     | q0 :: g' ->
+       (match forms0 with
+        | [] -> sum0
+        | f :: forms' ->
+          add_friction c ws' g' forms'
+            (add_multiple sum0 (qmult (qmult c w) q0) f)))
+
+(** val wrench_of : state -> q list **)
+
+let wrench_of s =
+  let r = s.state_row in
+  let b = r.box in
+  if presses b s.state_v
+  then let a = { qnum = (Z.mul s.state_v r.pull_scale.times); qden =
          (Z.to_pos r.pull_scale.over) }
        in
+       let fs = exact_forms b in
        map (fun c -> reduced (qmult a c))
-         (edge_at b (qmult s.state_share b.box_friction.low) b.box_x.low
-           b.box_y.low b.box_turn.low)
+         (add_friction (mu_of b) b.box_weights s.state_share (tl fs)
+           (nth O fs []))
+  else []
 
 (** val load_at : load -> Big_int_Z.big_int -> Big_int_Z.big_int -> q list **)
 
@@ -2461,111 +3226,97 @@ let load_at ld h l =
       (qplus (qmult (inject_Z h) (fst p).low) (qmult (inject_Z l) (snd p))))
     (combine ld.load_box ld.load_growth)
 
+(** val common_of : q list list -> Big_int_Z.big_int **)
+
+let common_of wrenches =
+  fold_left (fun d w -> fold_left (fun d0 q0 -> Z.lcm q0.qden d0) w d)
+    wrenches Big_int_Z.unit_big_int
+
 (** val adds_up_to_zero : q list list -> bool **)
 
 let adds_up_to_zero wrenches =
-  let d = common_denominator (concat wrenches) in
+  let d = common_of wrenches in
   all_zero
     (fold_left (fun s w ->
       combine0 Big_int_Z.unit_big_int s Big_int_Z.unit_big_int
         (map (numerator d) w)) wrenches [])
 
-(** val contact_wrenches :
-    row list -> state list -> q list list -> q list list **)
-
-let rec contact_wrenches rows1 ss others =
-  match rows1 with
-  | [] -> others
-  | r :: rows' ->
-    (match ss with
-     | [] -> others
-     | s :: ss' -> contact_wrenches rows' ss' ((contact_wrench r s) :: others))
-
 (** val check_point :
-    bool -> row list -> load -> form -> (Big_int_Z.big_int * q list) list ->
-    (state list, string) sum **)
+    bool -> nat -> row list -> load -> form -> (Big_int_Z.big_int * q list)
+    list -> (state list, string) sum **)
 
-let check_point bilateral0 rows1 ld x shares0 =
+let check_point bilateral0 dim rows0 ld x shares0 =
   match x with
   | [] -> Inr "witness-balance"
-  | _ :: l0 ->
+  | h :: l0 ->
     (match l0 with
      | [] -> Inr "witness-balance"
-     | _ :: l1 ->
-       (match l1 with
-        | [] -> Inr "witness-balance"
-        | _ :: l2 ->
-          (match l2 with
-           | [] -> Inr "witness-balance"
-           | h :: l3 ->
-             (match l3 with
-              | [] -> Inr "witness-balance"
-              | l :: l4 ->
-                (match l4 with
-                 | [] ->
-                   (match states rows1 x shares0 Big_int_Z.zero_big_int with
-                    | Inl ss ->
-                      if (&&) bilateral0
-                           (negb
-                             (forallb (fun s ->
-                               Z.leb Big_int_Z.zero_big_int s.state_v) ss))
-                      then Inr "witness-normal"
-                      else if adds_up_to_zero
-                                (contact_wrenches rows1 ss
-                                  ((load_at ld h l) :: []))
-                           then Inl ss
-                           else Inr "witness-balance"
-                    | Inr _ -> Inr "witness-share")
-                 | _ :: _ -> Inr "witness-balance")))))
+     | l :: d ->
+       (match states rows0 x shares0 Big_int_Z.zero_big_int [] with
+        | Some ss ->
+          if (&&) bilateral0
+               (negb
+                 (forallb (fun s ->
+                   (||) s.state_row.box.box_spring
+                     (Z.leb Big_int_Z.zero_big_int s.state_v)) ss))
+          then Inr "witness-normal"
+          else if negb (forallb (fun s -> s.is_against) ss)
+               then Inr "witness-root"
+               else if (&&) (Nat.eqb (length d) dim)
+                         (adds_up_to_zero
+                           ((load_at ld h l) :: (map_all wrench_of ss)))
+                    then Inl ss
+                    else Inr "witness-balance"
+        | None -> Inr "witness-share"))
 
 (** val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
 
 let opposite x y =
   Z.ltb (Z.mul x y) Big_int_Z.zero_big_int
 
-(** val one_mode : row -> state -> state -> bool **)
+(** val aligned : form -> form -> form -> bool **)
 
-let one_mode r s s' =
-  (&&) (negb (opposite s.state_v s'.state_v))
+let aligned ms s t =
+  let p = inner_of ms s t in
+  (||) ((||) (all_zero s) (all_zero t))
+    ((&&) (Z.ltb Big_int_Z.zero_big_int p)
+      (Z.eqb (Z.mul p p) (Z.mul (inner_of ms s s) (inner_of ms t t))))
+
+(** val one_mode : state -> state -> bool **)
+
+let one_mode s t =
+  let r = s.state_row in
+  let b = r.box in
+  let e = if all_zero s.state_slip then t.state_slip else s.state_slip in
+  (&&) ((||) b.box_spring (negb (opposite s.state_v t.state_v)))
     ((||)
       ((||)
-        (qeq_bool r.box.box_friction.low { qnum = Big_int_Z.zero_big_int;
-          qden = Big_int_Z.unit_big_int })
-        ((&&) (Z.leb s.state_v Big_int_Z.zero_big_int)
-          (Z.leb s'.state_v Big_int_Z.zero_big_int)))
-      ((&&) (negb (opposite s.state_tau s'.state_tau))
-        (let slip = share_of_slip (Z.add s.state_tau s'.state_tau) in
-         (||)
-           (qeq_bool slip { qnum = Big_int_Z.zero_big_int; qden =
-             Big_int_Z.unit_big_int })
-           ((&&)
-             ((||) (Z.leb s.state_v Big_int_Z.zero_big_int)
-               (qeq_bool s.state_share slip))
-             ((||) (Z.leb s'.state_v Big_int_Z.zero_big_int)
-               (qeq_bool s'.state_share slip))))))
+        ((||)
+          (qeq_bool (mu_of b) { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+          ((&&) (Z.leb s.state_v Big_int_Z.zero_big_int)
+            (Z.leb t.state_v Big_int_Z.zero_big_int))) (all_zero e))
+      ((&&)
+        ((&&) (aligned r.metric s.state_slip t.state_slip)
+          ((||) (Z.leb s.state_v Big_int_Z.zero_big_int)
+            (against b s.state_share e)))
+        ((||) (Z.leb t.state_v Big_int_Z.zero_big_int)
+          (against b t.state_share e))))
 
-(** val same_mode : row list -> state list -> state list -> bool **)
+(** val same_mode : state list -> state list -> bool **)
 
-let rec same_mode rows1 ss ss' =
-  match rows1 with
+let rec same_mode ss ts =
+  match ss with
   | [] -> true
-  | r :: rows' ->
-    (match ss with
+  | s :: ss' ->
+    (match ts with
      | [] -> true
-     | s :: ss1 ->
-       (match ss' with
-        | [] -> true
-        | s' :: ss1' -> (&&) (one_mode r s s') (same_mode rows' ss1 ss1')))
-
-(** val exact_rows : row list -> bool **)
-
-let exact_rows rows1 =
-  forallb (fun r -> exact_box r.box) rows1
+     | t :: ts' -> (&&) (one_mode s t) (same_mode ss' ts'))
 
 (** val coordinates_of : point -> q list **)
 
 let coordinates_of p =
-  app p.point_witness.twist
+  app
     (match p.multiple with
      | Some l ->
        { qnum = Big_int_Z.unit_big_int; qden =
@@ -2573,7 +3324,7 @@ let coordinates_of p =
      | None ->
        { qnum = Big_int_Z.zero_big_int; qden =
          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int; qden =
-         Big_int_Z.unit_big_int } :: []))
+         Big_int_Z.unit_big_int } :: [])) p.point_witness.twist
 
 (** val integer_point : point -> form **)
 
@@ -2581,10 +3332,10 @@ let integer_point p =
   map (to_integer (scaling_of (coordinates_of p))) (coordinates_of p)
 
 (** val check_at :
-    bool -> row list -> load -> point -> (state list, string) sum **)
+    bool -> nat -> row list -> load -> point -> (state list, string) sum **)
 
-let check_at two_sided rows1 ld p =
-  check_point two_sided rows1 ld (integer_point p) p.point_witness.shares
+let check_at two_sided dim rows0 ld p =
+  check_point two_sided dim rows0 ld (integer_point p) p.point_witness.shares
 
 (** val qlt_bool : q -> q -> bool **)
 
@@ -2612,10 +3363,10 @@ let reaches high0 to1 =
              | None -> true)
 
 (** val segments_fail :
-    bool -> row list -> load -> segment list -> (q * q option) list -> q
-    option -> (point * state list) option -> nat -> (string * place) option **)
+    bool -> nat -> row list -> load -> segment list -> (q * q option) list ->
+    q option -> (point * state list) option -> nat -> (string * place) option **)
 
-let rec segments_fail two_sided rows1 ld segments resisted from0 last number =
+let rec segments_fail two_sided dim rows0 ld segments resisted from0 last number =
   let out_of_chain = Some ("segment-chain", (AtSegment number)) in
   (match segments with
    | [] -> (match resisted with
@@ -2628,7 +3379,7 @@ let rec segments_fail two_sided rows1 ld segments resisted from0 last number =
         let (lo, hi) = p in
         let first =
           match s.first_point with
-          | Some p0 -> Some (p0, (check_at two_sided rows1 ld p0))
+          | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
           | None ->
             (match last with
              | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
@@ -2652,16 +3403,16 @@ let rec segments_fail two_sided rows1 ld segments resisted from0 last number =
               then out_of_chain
               else (match checked with
                     | Inl ss1 ->
-                      (match check_at two_sided rows1 ld second with
+                      (match check_at two_sided dim rows0 ld second with
                        | Inl ss2 ->
-                         if same_mode rows1 ss1 ss2
+                         if same_mode ss1 ss2
                          then if reaches hi second.multiple
-                              then segments_fail two_sided rows1 ld segments'
-                                     resisted' None (Some (second, ss2)) (S
-                                     number)
-                              else segments_fail two_sided rows1 ld segments'
-                                     resisted second.multiple (Some (second,
+                              then segments_fail two_sided dim rows0 ld
+                                     segments' resisted' None (Some (second,
                                      ss2)) (S number)
+                              else segments_fail two_sided dim rows0 ld
+                                     segments' resisted second.multiple (Some
+                                     (second, ss2)) (S number)
                          else Some ("segment-mode", (AtSegment number))
                        | Inr rule -> Some (rule, (AtPoint (number, true))))
                     | Inr rule -> Some (rule, (AtPoint (number, false))))
@@ -2711,947 +3462,25 @@ let gaps resisted =
   gaps_from { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
     false resisted
 
-type cbox0 = { box_x0 : interval; box_y0 : interval; box_z : interval;
-               box_friction0 : interval; box_preload0 : interval;
-               box_stiffness0 : interval; box_nx0 : q; box_ny0 : q; box_nz : 
-               q }
-
-(** val square : cbox0 -> q **)
-
-let square b =
-  qplus (qplus (qmult b.box_nx0 b.box_nx0) (qmult b.box_ny0 b.box_ny0))
-    (qmult b.box_nz b.box_nz)
-
-(** val enlarge0 : Big_int_Z.big_int -> contact -> cbox0 option **)
-
-let enlarge0 bits0 q0 =
-  match q0.position with
-  | [] -> None
-  | x :: l ->
-    (match l with
-     | [] -> None
-     | y :: l0 ->
-       (match l0 with
-        | [] -> None
-        | z0 :: l1 ->
-          (match l1 with
-           | [] ->
-             (match q0.normal with
-              | [] -> None
-              | nx :: l2 ->
-                (match l2 with
-                 | [] -> None
-                 | ny :: l3 ->
-                   (match l3 with
-                    | [] -> None
-                    | nz :: l4 ->
-                      (match l4 with
-                       | [] ->
-                         let sq =
-                           qplus (qplus (qmult nx nx) (qmult ny ny))
-                             (qmult nz nz)
-                         in
-                         (match inverse_length bits0 (is_loaded q0) sq with
-                          | Some l5 ->
-                            if (&&)
-                                 ((&&)
-                                   ((&&)
-                                     ((&&)
-                                       ((&&)
-                                         (negb
-                                           (qle_bool sq { qnum =
-                                             Big_int_Z.zero_big_int; qden =
-                                             Big_int_Z.unit_big_int }))
-                                         (qle_bool { qnum =
-                                           Big_int_Z.zero_big_int; qden =
-                                           Big_int_Z.unit_big_int }
-                                           q0.friction.low))
-                                       (qle_bool { qnum =
-                                         Big_int_Z.zero_big_int; qden =
-                                         Big_int_Z.unit_big_int }
-                                         q0.preload.low))
-                                     (qle_bool { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int }
-                                       q0.stiffness.low))
-                                   (qeq_bool q0.preload_growth { qnum =
-                                     Big_int_Z.zero_big_int; qden =
-                                     Big_int_Z.unit_big_int }))
-                                 (qeq_bool q0.slope { qnum =
-                                   Big_int_Z.zero_big_int; qden =
-                                   Big_int_Z.unit_big_int })
-                            then Some { box_x0 = x; box_y0 = y; box_z = z0;
-                                   box_friction0 = q0.friction;
-                                   box_preload0 = { low =
-                                   (qmult q0.preload.low l5.low); high =
-                                   (qmult q0.preload.high l5.high) };
-                                   box_stiffness0 = { low =
-                                   (qdiv q0.stiffness.low sq); high =
-                                   (qdiv q0.stiffness.high sq) }; box_nx0 =
-                                   nx; box_ny0 = ny; box_nz = nz }
-                            else None
-                          | None -> None)
-                       | _ :: _ -> None))))
-           | _ :: _ -> None)))
-
-type row0 = { box0 : cbox0; geometry : form list multi;
-              geometry_scale : scaling; slip_certain : bool;
-              pulls0 : form multi list; pull_scale0 : scaling;
-              separates0 : form option }
-
-(** val corners0 : cbox0 -> (q -> q -> q -> 'a1) -> 'a1 multi **)
-
-let corners0 b f =
-  spread b.box_x0 (fun x ->
-    spread b.box_y0 (fun y -> spread b.box_z (fun z0 -> Tip (f x y z0))))
-
-(** val at_point0 : q -> q -> q -> q -> q -> q -> q list **)
-
-let at_point0 x y z0 fx fy fz =
-  fx :: (fy :: (fz :: ((qminus (qmult y fz) (qmult z0 fy)) :: ((qminus
-                                                                 (qmult z0 fx)
-                                                                 (qmult x fz)) :: (
-    (qminus (qmult x fy) (qmult y fx)) :: [])))))
-
-(** val across : cbox0 -> q -> q -> q -> q -> (q * q) * q **)
-
-let across b nj ex ey ez =
-  (((qminus ex (qdiv (qmult nj b.box_nx0) (square b))),
-    (qminus ey (qdiv (qmult nj b.box_ny0) (square b)))),
-    (qminus ez (qdiv (qmult nj b.box_nz) (square b))))
-
-(** val at_point3 : q -> q -> q -> ((q * q) * q) -> q list **)
-
-let at_point3 x y z0 = function
-| (p, fz) -> let (fx, fy) = p in at_point0 x y z0 fx fy fz
-
-(** val geometry_at : cbox0 -> q -> q -> q -> q list list **)
-
-let geometry_at b x y z0 =
-  (at_point0 x y z0 b.box_nx0 b.box_ny0 b.box_nz) :: ((at_point3 x y z0
-                                                        (across b b.box_nx0
-                                                          { qnum =
-                                                          Big_int_Z.unit_big_int;
-                                                          qden =
-                                                          Big_int_Z.unit_big_int }
-                                                          { qnum =
-                                                          Big_int_Z.zero_big_int;
-                                                          qden =
-                                                          Big_int_Z.unit_big_int }
-                                                          { qnum =
-                                                          Big_int_Z.zero_big_int;
-                                                          qden =
-                                                          Big_int_Z.unit_big_int })) :: (
-    (at_point3 x y z0
-      (across b b.box_ny0 { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int } { qnum = Big_int_Z.unit_big_int; qden =
-        Big_int_Z.unit_big_int } { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int })) :: ((at_point3 x y z0
-                                         (across b b.box_nz { qnum =
-                                           Big_int_Z.zero_big_int; qden =
-                                           Big_int_Z.unit_big_int } { qnum =
-                                           Big_int_Z.zero_big_int; qden =
-                                           Big_int_Z.unit_big_int } { qnum =
-                                           Big_int_Z.unit_big_int; qden =
-                                           Big_int_Z.unit_big_int })) :: [])))
-
-(** val pull_at0 : cbox0 -> q -> q -> q -> q -> q -> q list **)
-
-let pull_at0 b p k x y z0 =
-  app
-    (at_point0 x y z0 (qmult (qopp k) b.box_nx0) (qmult (qopp k) b.box_ny0)
-      (qmult (qopp k) b.box_nz)) (p :: ({ qnum = Big_int_Z.zero_big_int;
-    qden = Big_int_Z.unit_big_int } :: []))
-
-(** val pull_ends0 : cbox0 -> (q * q) list **)
-
-let pull_ends0 b =
-  flat_map (fun p -> map (fun k -> (p, k)) (ends b.box_stiffness0))
-    (ends b.box_preload0)
-
-(** val geometry_tree : cbox0 -> q list list multi **)
-
-let geometry_tree b =
-  corners0 b (geometry_at b)
-
-(** val scaling_of_geometry : cbox0 -> scaling **)
-
-let scaling_of_geometry b =
-  scaling_of (concat (concat (tips (geometry_tree b))))
-
-(** val pull_tree : cbox0 -> (q * q) -> q list multi **)
-
-let pull_tree b pk =
-  corners0 b (pull_at0 b (fst pk) (snd pk))
-
-(** val pull_scaling : cbox0 -> scaling **)
-
-let pull_scaling b =
-  scaling_of_trees (map (pull_tree b) (pull_ends0 b))
-
-(** val make_row0 : cbox0 -> row0 **)
-
-let make_row0 b =
-  let gs = scaling_of_geometry b in
-  let ps = pull_scaling b in
-  let pulls1 = map (fun pk -> integer_tree ps (pull_tree b pk)) (pull_ends0 b)
-  in
-  let vs = map primitive (concat (map tips pulls1)) in
-  { box0 = b; geometry =
-  (mmap (map (map (to_integer gs))) (geometry_tree b)); geometry_scale = gs;
-  slip_certain =
-  ((&&) ((&&) (certain b.box_x0) (certain b.box_y0)) (certain b.box_z));
-  pulls0 = pulls1; pull_scale0 = ps; separates0 =
-  (match vs with
-   | [] -> None
-   | f :: _ -> if same_forms vs then Some f else None) }
-
-(** val slip_at : form list -> form -> form **)
-
-let slip_at t x =
-  (dot (nth (S O) t []) x) :: ((dot (nth (S (S O)) t []) x) :: ((dot
-                                                                  (nth (S (S
-                                                                    (S O))) t
-                                                                    []) x) :: []))
-
-(** val slips : form list multi -> ray list -> form list **)
-
-let slips g rays0 =
-  flat_map (fun t -> map (fun r -> slip_at t r.coordinates) rays0) (tips g)
-
-(** val less_along : form -> form -> form -> bool **)
-
-let less_along w s t =
-  Z.ltb (Z.mul (Z.mul (dot w s) (Z.abs (dot w s))) (dot t t))
-    (Z.mul (Z.mul (dot w t) (Z.abs (dot w t))) (dot s s))
-
-(** val nearest : form -> form list -> form option **)
-
-let nearest w gens =
-  fold_left (fun best s ->
-    if all_zero s
-    then best
-    else (match best with
-          | Some b -> if less_along w b s then Some s else best
-          | None -> Some s)) gens None
-
-(** val part_across : form -> form -> form **)
-
-let part_across w s =
-  combine0 (dot s s) w (Z.opp (dot w s)) s
-
-(** val nowhere_along : form list -> form -> bool **)
-
-let nowhere_along gens e =
-  forallb (fun s -> Z.leb (dot s e) Big_int_Z.zero_big_int) gens
-
-(** val separator : form list -> form -> form option **)
-
-let separator gens w =
-  let e =
-    match nearest w gens with
-    | Some s ->
-      if Z.ltb Big_int_Z.zero_big_int (dot w s) then part_across w s else w
-    | None -> w
-  in
-  if (&&) (nowhere_along gens e) (Z.ltb Big_int_Z.zero_big_int (dot w e))
-  then Some e
-  else None
-
-(** val opposed : form list -> form list -> (form * ray) list -> ray list **)
-
-let rec opposed gens separators = function
-| [] -> []
-| p :: rays' ->
-  let (s, r) = p in
-  let w = negative s in
-  if existsb (fun e -> Z.ltb Big_int_Z.zero_big_int (dot w e)) separators
-  then opposed gens separators rays'
-  else (match separator gens w with
-        | Some e -> opposed gens (e :: separators) rays'
-        | None -> r :: (opposed gens separators rays'))
-
-(** val must_move :
-    form list list -> form list multi -> form list -> ray list -> bool **)
-
-let must_move strict0 g gens rays0 =
-  forallb (fun t ->
-    barred strict0
-      (opposed gens [] (map (fun r -> ((slip_at t r.coordinates), r)) rays0)))
-    (tips g)
-
-(** val most_along :
-    form list -> form -> (bool * Big_int_Z.big_int) * Big_int_Z.big_int **)
-
-let most_along gens z0 =
-  let w = negative z0 in
-  let whole = ((false, (dot z0 z0)), Big_int_Z.unit_big_int) in
-  (match nearest w gens with
-   | Some s ->
-     let a = dot w s in
-     if Z.leb Big_int_Z.zero_big_int a
-     then if (&&) (nowhere_along gens (part_across w s))
-               (Z.ltb Big_int_Z.zero_big_int (dot s s))
-          then ((false, (Z.mul a a)), (dot s s))
-          else whole
-     else if (&&)
-               (forallb (fun g ->
-                 (&&) (Z.leb (dot w g) Big_int_Z.zero_big_int)
-                   (Z.leb (Z.mul (Z.mul a a) (dot g g))
-                     (Z.mul (Z.mul (dot w g) (dot w g)) (dot s s)))) gens)
-               (Z.ltb Big_int_Z.zero_big_int (dot s s))
-          then ((true, (Z.mul a a)), (dot s s))
-          else whole
-   | None -> whole)
-
-(** val root_above : q -> q **)
-
-let root_above q0 =
-  let u =
-    (root_between (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-      Big_int_Z.unit_big_int)))))) (reduced q0)).high
-  in
-  if (&&)
-       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-         Big_int_Z.unit_big_int } u) (qle_bool q0 (qmult u u))
-  then u
-  else qplus q0 { qnum = Big_int_Z.unit_big_int; qden =
-         Big_int_Z.unit_big_int }
-
-(** val root_below : q -> q **)
-
-let root_below q0 =
-  let l =
-    (root_between (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-      Big_int_Z.unit_big_int)))))) (reduced q0)).low
-  in
-  if (&&)
-       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-         Big_int_Z.unit_big_int } l) (qle_bool (qmult l l) q0)
-  then l
-  else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-
-(** val unit_of : scaling -> q **)
-
-let unit_of s =
-  { qnum = s.times; qden = (Z.to_pos s.over) }
-
-(** val corner_alpha :
-    row0 -> q -> form -> form list -> bool -> form list -> q **)
-
-let corner_alpha row1 size0 y gens moves t =
-  let z0 = slip_at t y in
-  let (p, d) =
-    if moves
-    then most_along gens z0
-    else ((false, (dot z0 z0)), Big_int_Z.unit_big_int)
-  in
-  let (below, n) = p in
-  let mu =
-    if below
-    then row1.box0.box_friction0.low
-    else row1.box0.box_friction0.high
-  in
-  let u = qmult (unit_of row1.geometry_scale) size0 in
-  let q0 =
-    qmult (qmult (qmult (qmult mu mu) (square row1.box0)) (qmult u u))
-      { qnum = n; qden = (Z.to_pos d) }
-  in
-  reduced
-    (qplus (qmult u (inject_Z (dot (nth O t []) y)))
-      (if below
-       then if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int } mu
-            then qopp (root_below q0)
-            else { qnum = Big_int_Z.zero_big_int; qden =
-                   Big_int_Z.unit_big_int }
-       else root_above q0))
-
-(** val largest_q : q list -> q **)
-
-let rec largest_q = function
-| [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-| q0 :: qs' ->
-  (match qs' with
-   | [] -> q0
-   | _ :: _ -> let m = largest_q qs' in if qle_bool q0 m then m else q0)
-
-(** val alpha :
-    form list list -> ray list -> bool -> row0 -> q -> form -> q **)
-
-let alpha strict0 rays0 slipping0 row1 size0 y =
-  let frictionless =
-    qeq_bool row1.box0.box_friction0.high { qnum = Big_int_Z.zero_big_int;
-      qden = Big_int_Z.unit_big_int }
-  in
-  let gens = if frictionless then [] else slips row1.geometry rays0 in
-  let moves =
-    (&&) (negb frictionless)
-      ((||) slipping0 (must_move strict0 row1.geometry gens rays0))
-  in
-  largest_q (map (corner_alpha row1 size0 y gens moves) (tips row1.geometry))
-
-(** val pull_tips0 : row0 -> form list **)
-
-let pull_tips0 row1 =
-  concat (map tips row1.pulls0)
-
-(** val term_of0 : Big_int_Z.big_int -> q -> bool -> row0 -> term **)
-
-let term_of0 m a mixed row1 =
-  let n = Z.mul (Z.mul m a.qnum) row1.pull_scale0.times in
-  let d = Z.mul a.qden row1.pull_scale0.over in
-  (match pull_tips0 row1 with
-   | [] ->
-     if (&&) mixed (Z.leb a.qnum Big_int_Z.zero_big_int)
-     then Nothing
-     else Bend ((Z.mul m row1.pull_scale0.times), d,
-            (map (map (Z.mul a.qnum)) []), mixed)
-   | v :: l ->
-     (match l with
-      | [] ->
-        let c = up n d in
-        if mixed
-        then if Z.leb c Big_int_Z.zero_big_int
-             then Nothing
-             else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
-        else Line (c, v)
-      | f :: l0 ->
-        if (&&) mixed (Z.leb a.qnum Big_int_Z.zero_big_int)
-        then Nothing
-        else Bend ((Z.mul m row1.pull_scale0.times), d,
-               (map (map (Z.mul a.qnum)) (v :: (f :: l0))), mixed)))
-
-(** val pressing :
-    form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row0
-    list -> Big_int_Z.big_int -> ((row0 * q) * bool) list **)
-
-let rec pressing strict0 rays0 slipping0 size0 y rows1 number =
-  match rows1 with
-  | [] -> []
-  | row1 :: rows' ->
-    let rest =
-      pressing strict0 rays0 slipping0 size0 y rows'
-        (Z.add number Big_int_Z.unit_big_int)
-    in
-    let vs = pull_tips0 row1 in
-    let it = fun mixed -> ((row1,
-      (alpha strict0 rays0 (existsb (Z.eqb number) slipping0) row1 size0 y)),
-      mixed)
-    in
-    if forallb (nowhere_negative rays0) vs
-    then (it false) :: rest
-    else if forallb (nowhere_positive rays0) vs
-         then rest
-         else (it true) :: rest
-
-(** val load_term0 : Big_int_Z.big_int -> q -> form -> load -> form **)
-
-let load_term0 m size0 y ld =
-  let t = Z.mul (Z.mul m size0.qnum) ld.load_scaling.times in
-  let d = Z.mul size0.qden ld.load_scaling.over in
-  Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (
-  (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) d) :: ((up
-                                                                  (Z.mul t
-                                                                    (dot
-                                                                    ld.form_of_u
-                                                                    y)) d) :: [])))))))
-
-(** val leaf_holds :
-    row0 list -> load -> Big_int_Z.big_int list -> form list list -> ray list
-    -> q list -> bool **)
-
-let leaf_holds rows1 ld slipping0 strict0 rays0 y =
-  let sc = scaling_of y in
-  let size0 = unit_of sc in
-  (match map (to_integer sc) y with
-   | [] -> false
-   | y1 :: l ->
-     (match l with
-      | [] -> false
-      | y2 :: l0 ->
-        (match l0 with
-         | [] -> false
-         | y3 :: l1 ->
-           (match l1 with
-            | [] -> false
-            | y4 :: l2 ->
-              (match l2 with
-               | [] -> false
-               | y5 :: l3 ->
-                 (match l3 with
-                  | [] -> false
-                  | y6 :: l4 ->
-                    (match l4 with
-                     | [] ->
-                       let y0 =
-                         y1 :: (y2 :: (y3 :: (y4 :: (y5 :: (y6 :: [])))))
-                       in
-                       let them =
-                         pressing strict0 rays0 slipping0 size0 y0 rows1
-                           Big_int_Z.zero_big_int
-                       in
-                       let m =
-                         fold_left (fun m it ->
-                           Z.lcm m
-                             (Z.mul (snd (fst it)).qden
-                               (fst (fst it)).pull_scale0.over)) them
-                           (Z.mul size0.qden ld.load_scaling.over)
-                       in
-                       (&&) (Z.ltb Big_int_Z.zero_big_int m)
-                         (let (linear, bends) =
-                            collect (fun it ->
-                              term_of0 m (snd (fst it)) (snd it)
-                                (fst (fst it))) them
-                              (load_term0 m size0 y0 ld) []
-                          in
-                          positive_at_home strict0 rays0 (fun x ->
-                            Z.opp
-                              (fold_left (fun s t -> Z.add s (value t x))
-                                bends (dot linear x))))
-                     | _ :: _ -> false)))))))
-
-type setting0 = { rows0 : row0 list; the_load0 : load;
-                  slipping : Big_int_Z.big_int list }
-
-(** val leaf_fails0 :
-    setting0 -> form list list -> ray list -> q list -> string option **)
-
-let leaf_fails0 s strict0 rays0 y =
-  if (||) (barred strict0 rays0)
-       (leaf_holds s.rows0 s.the_load0 s.slipping strict0 rays0 y)
-  then None
-  else Some "leaf-bound"
-
-(** val get0 : cbox0 -> parameter -> interval **)
-
-let get0 b = function
-| PX -> b.box_x0
-| PY -> b.box_y0
-| PZ -> b.box_z
-| PFriction -> b.box_friction0
-| PPreload -> b.box_preload0
-| _ -> b.box_stiffness0
-
-(** val set0 : cbox0 -> parameter -> interval -> cbox0 **)
-
-let set0 b name i =
-  let { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
-    p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz } = b
-  in
-  (match name with
-   | PX ->
-     { box_x0 = i; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
-       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
-   | PY ->
-     { box_x0 = x; box_y0 = i; box_z = z0; box_friction0 = f; box_preload0 =
-       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
-   | PZ ->
-     { box_x0 = x; box_y0 = y; box_z = i; box_friction0 = f; box_preload0 =
-       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
-   | PFriction ->
-     { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = i; box_preload0 =
-       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
-   | PPreload ->
-     { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
-       i; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
-   | _ ->
-     { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
-       p; box_stiffness0 = i; box_nx0 = nx; box_ny0 = ny; box_nz = nz })
-
-(** val set_row0 : setting0 -> Big_int_Z.big_int -> cbox0 -> setting0 **)
-
-let set_row0 s index b =
-  { rows0 = (replace s.rows0 index (make_row0 b)); the_load0 = s.the_load0;
-    slipping = s.slipping }
-
-(** val set_load0 : setting0 -> interval list -> setting0 **)
-
-let set_load0 s w =
-  { rows0 = s.rows0; the_load0 = (make_load w s.the_load0.load_growth);
-    slipping = s.slipping }
-
-(** val halves0 :
-    setting0 -> parameter -> Big_int_Z.big_int -> q -> (setting0 * setting0,
-    string) sum **)
-
-let halves0 s name index c =
-  match name with
-  | PTurn ->
-    (match numbered s.rows0 index with
-     | Some _ -> Inr "part-inside"
-     | None -> Inr "part-contact")
-  | PWrench ->
-    (match numbered s.the_load0.load_box index with
-     | Some i ->
-       if is_inside i c
-       then Inl
-              ((set_load0 s
-                 (replace s.the_load0.load_box index (low_half i c))),
-              (set_load0 s
-                (replace s.the_load0.load_box index (high_half i c))))
-       else Inr "part-inside"
-     | None -> Inr "part-contact")
-  | _ ->
-    (match numbered s.rows0 index with
-     | Some row1 ->
-       let i = get0 row1.box0 name in
-       if is_inside i c
-       then Inl ((set_row0 s index (set0 row1.box0 name (low_half i c))),
-              (set_row0 s index (set0 row1.box0 name (high_half i c))))
-       else Inr "part-inside"
-     | None -> Inr "part-contact")
-
-(** val above0 : setting0 -> form -> setting0 branch **)
-
-let above0 s f =
-  { conditions = ((f, false) :: []); new_strict = (f :: []); new_moving = [];
-    branch_setting = s }
-
-(** val not_below0 : setting0 -> form -> setting0 branch **)
-
-let not_below0 s f =
-  { conditions = ((f, false) :: []); new_strict = []; new_moving = [];
-    branch_setting = s }
-
-(** val slip_forms : row0 -> form list **)
-
-let slip_forms row1 =
-  let t = first_tip row1.geometry in
-  (nth (S O) t []) :: ((nth (S (S O)) t []) :: ((nth (S (S (S O))) t []) :: []))
-
-(** val split0 : setting0 -> node -> (setting0 branch list, string) sum **)
-
-let split0 s = function
-| Slip i ->
-  (match numbered s.rows0 i with
-   | Some row1 ->
-     if row1.slip_certain
-     then let fs = slip_forms row1 in
-          Inl ({ conditions = (map (fun f -> (f, true)) fs); new_strict = [];
-          new_moving = []; branch_setting = s } :: ({ conditions = [];
-          new_strict = []; new_moving = (fs :: []); branch_setting =
-          { rows0 = s.rows0; the_load0 = s.the_load0; slipping =
-          (i :: s.slipping) } } :: []))
-     else Inr "node-certain"
-   | None -> Inr "node-contact")
-| Separation i ->
-  (match numbered s.rows0 i with
-   | Some row1 ->
-     (match row1.separates0 with
-      | Some f -> Inl ((not_below0 s f) :: ((above0 s (negative f)) :: []))
-      | None -> Inr "node-certain")
-   | None -> Inr "node-contact")
-| Plane a ->
-  let f = map (to_integer (scaling_of a)) a in
-  Inl ((not_below0 s f) :: ((above0 s (negative f)) :: []))
-| Cut (name, i, c) ->
-  (match halves0 s name i c with
-   | Inl p ->
-     let (l, h) = p in
-     Inl ({ conditions = []; new_strict = []; new_moving = [];
-     branch_setting = l } :: ({ conditions = []; new_strict = [];
-     new_moving = []; branch_setting = h } :: []))
-   | Inr rule -> Inr rule)
-| Leaf _ -> Inl []
-
-(** val separating0 : row0 list -> form list **)
-
-let separating0 rows1 =
-  flat_map (fun r -> match r.separates0 with
-                     | Some f -> f :: []
-                     | None -> []) rows1
-
-(** val root_branch0 : bool -> setting0 -> range -> setting0 branch **)
-
-let root_branch0 two_sided s g =
-  { conditions =
-    (map (fun f -> (f, false))
-      (app (range_conditions (S (S (S (S (S (S O)))))) g)
-        (if two_sided then separating0 s.rows0 else []))); new_strict =
-    (range_strict (S (S (S (S (S (S O)))))) g); new_moving = [];
-    branch_setting = s }
-
-(** val walk_ranges0 :
-    'a1 oracle -> Big_int_Z.big_int -> bool -> setting0 -> range list -> node
-    list -> (string * nat) option **)
-
-let walk_ranges0 advisor most_depth0 two_sided s ranges nodes =
-  walk advisor split0 leaf_fails0 most_depth0 nodes
-    (map (fun g ->
-      root advisor (S (S (S (S (S (S (S (S O))))))))
-        (root_branch0 two_sided s g)) ranges) O
-
-(** val exact_box0 : cbox0 -> bool **)
-
-let exact_box0 b =
-  (&&)
-    ((&&)
-      ((&&)
-        ((&&) ((&&) (certain b.box_x0) (certain b.box_y0)) (certain b.box_z))
-        (certain b.box_friction0)) (certain b.box_preload0))
-    (certain b.box_stiffness0)
-
-type state0 = { state_v0 : Big_int_Z.big_int; state_slip : form;
-                share : ((q * q) * q) }
-
-(** val no_share : (q * q) * q **)
-
-let no_share =
-  (({ qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int },
-    { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }),
-    { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-
-(** val exact_pull0 : row0 -> form **)
-
-let exact_pull0 r =
-  nth O (pull_tips0 r) []
-
-(** val exact_slip : row0 -> form -> form **)
-
-let exact_slip r x =
-  slip_at (first_tip r.geometry) x
-
-(** val share_fits : cbox0 -> ((q * q) * q) -> bool **)
-
-let share_fits b = function
-| (p, s3) ->
-  let (s1, s2) = p in
-  (&&)
-    (qeq_bool
-      (qplus (qplus (qmult s1 b.box_nx0) (qmult s2 b.box_ny0))
-        (qmult s3 b.box_nz)) { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int })
-    (qle_bool (qplus (qplus (qmult s1 s1) (qmult s2 s2)) (qmult s3 s3))
-      (square b))
-
-(** val states0 :
-    row0 list -> form -> (Big_int_Z.big_int * q list) list ->
-    Big_int_Z.big_int -> state0 list option **)
-
-let rec states0 rows1 x shares0 number =
-  match rows1 with
-  | [] -> (match shares0 with
-           | [] -> Some []
-           | _ :: _ -> None)
-  | r :: rows' ->
-    let slip = exact_slip r x in
-    let with_share = fun s shares' ->
-      match states0 rows' x shares' (Z.add number Big_int_Z.unit_big_int) with
-      | Some rest ->
-        Some ({ state_v0 = (dot (exact_pull0 r) x); state_slip = slip;
-          share = s } :: rest)
-      | None -> None
-    in
-    (match shares0 with
-     | [] -> with_share no_share []
-     | p :: shares' ->
-       let (i, s) = p in
-       if Z.eqb i number
-       then (match s with
-             | [] -> None
-             | s1 :: l ->
-               (match l with
-                | [] -> None
-                | s2 :: l0 ->
-                  (match l0 with
-                   | [] -> None
-                   | s3 :: l1 ->
-                     (match l1 with
-                      | [] ->
-                        if (&&) (all_zero slip)
-                             (share_fits r.box0 ((s1, s2), s3))
-                        then with_share ((s1, s2), s3) shares'
-                        else None
-                      | _ :: _ -> None))))
-       else with_share no_share shares0)
-
-(** val sliding_share : cbox0 -> form -> ((q * q) * q) option **)
-
-let sliding_share b slip = match slip with
-| [] -> None
-| s1 :: l ->
-  (match l with
-   | [] -> None
-   | s2 :: l0 ->
-     (match l0 with
-      | [] -> None
-      | s3 :: l1 ->
-        (match l1 with
-         | [] ->
-           let ss = dot slip slip in
-           let root0 =
-             (root_between (Big_int_Z.mult_int_big_int 2
-               (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-               (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-               (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))
-               (reduced (qdiv (square b) (inject_Z ss)))).low
-           in
-           let of_slip = fun s -> reduced (qmult (qopp root0) (inject_Z s)) in
-           let s = (((of_slip s1), (of_slip s2)), (of_slip s3)) in
-           if (&&)
-                ((&&)
-                  ((&&) (Z.ltb Big_int_Z.zero_big_int ss)
-                    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                      Big_int_Z.unit_big_int } root0))
-                  (qeq_bool (qmult (qmult root0 root0) (inject_Z ss))
-                    (square b))) (share_fits b s)
-           then Some s
-           else None
-         | _ :: _ -> None)))
-
-(** val with_roots : row0 list -> state0 list -> state0 list option **)
-
-let rec with_roots rows1 ss =
-  match rows1 with
-  | [] -> (match ss with
-           | [] -> Some []
-           | _ :: _ -> None)
-  | r :: rows' ->
-    (match ss with
-     | [] -> None
-     | s :: ss' ->
-       (match with_roots rows' ss' with
-        | Some rest ->
-          if all_zero s.state_slip
-          then Some (s :: rest)
-          else if (||) (Z.leb s.state_v0 Big_int_Z.zero_big_int)
-                    (qeq_bool r.box0.box_friction0.low { qnum =
-                      Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-               then Some ({ state_v0 = s.state_v0; state_slip = s.state_slip;
-                      share = no_share } :: rest)
-               else (match sliding_share r.box0 s.state_slip with
-                     | Some sh ->
-                       Some ({ state_v0 = s.state_v0; state_slip =
-                         s.state_slip; share = sh } :: rest)
-                     | None -> None)
-        | None -> None))
-
-(** val contact_wrench0 : row0 -> state0 -> q list **)
-
-let contact_wrench0 r s =
-  if Z.leb s.state_v0 Big_int_Z.zero_big_int
-  then []
-  else let b = r.box0 in
-       let a = { qnum = (Z.mul s.state_v0 r.pull_scale0.times); qden =
-         (Z.to_pos r.pull_scale0.over) }
-       in
-       let mu = b.box_friction0.low in
-       let (p, s3) = s.share in
-       let (s1, s2) = p in
-       map (fun c -> reduced (qmult a c))
-         (at_point0 b.box_x0.low b.box_y0.low b.box_z.low
-           (qplus b.box_nx0 (qmult mu s1)) (qplus b.box_ny0 (qmult mu s2))
-           (qplus b.box_nz (qmult mu s3)))
-
-(** val contact_wrenches0 : row0 list -> state0 list -> q list list **)
-
-let rec contact_wrenches0 rows1 ss =
-  match rows1 with
-  | [] -> []
-  | r :: rows' ->
-    (match ss with
-     | [] -> []
-     | s :: ss' -> (contact_wrench0 r s) :: (contact_wrenches0 rows' ss'))
-
-(** val shares_fit : row0 list -> state0 list -> bool **)
-
-let rec shares_fit rows1 ss =
-  match rows1 with
-  | [] -> true
-  | r :: rows' ->
-    (match ss with
-     | [] -> true
-     | s :: ss' -> (&&) (share_fits r.box0 s.share) (shares_fit rows' ss'))
-
-(** val witness_fails :
-    bool -> row0 list -> load -> witness -> string option **)
-
-let witness_fails two_sided rows1 ld w =
-  let x =
-    integer_point { multiple = (Some { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int }); point_witness = w }
-  in
-  (match x with
-   | [] -> Some "witness-balance"
-   | _ :: l0 ->
-     (match l0 with
-      | [] -> Some "witness-balance"
-      | _ :: l1 ->
-        (match l1 with
-         | [] -> Some "witness-balance"
-         | _ :: l2 ->
-           (match l2 with
-            | [] -> Some "witness-balance"
-            | _ :: l3 ->
-              (match l3 with
-               | [] -> Some "witness-balance"
-               | _ :: l4 ->
-                 (match l4 with
-                  | [] -> Some "witness-balance"
-                  | _ :: l5 ->
-                    (match l5 with
-                     | [] -> Some "witness-balance"
-                     | h :: l6 ->
-                       (match l6 with
-                        | [] -> Some "witness-balance"
-                        | l :: l7 ->
-                          (match l7 with
-                           | [] ->
-                             (match states0 rows1 x w.shares
-                                      Big_int_Z.zero_big_int with
-                              | Some ss ->
-                                if (&&) two_sided
-                                     (negb
-                                       (forallb (fun s ->
-                                         Z.leb Big_int_Z.zero_big_int
-                                           s.state_v0) ss))
-                                then Some "witness-normal"
-                                else (match with_roots rows1 ss with
-                                      | Some ss0 ->
-                                        if (&&) (shares_fit rows1 ss0)
-                                             (adds_up_to_zero
-                                               ((load_at ld h l) :: (contact_wrenches0
-                                                                    rows1 ss0)))
-                                        then None
-                                        else Some "witness-balance"
-                                      | None -> Some "witness-root")
-                              | None -> Some "witness-share")
-                           | _ :: _ -> Some "witness-balance")))))))))
-
-(** val is_one_grasp : row0 list -> load -> bool **)
-
-let is_one_grasp rows1 ld =
-  (&&) (forallb (fun r -> exact_box0 r.box0) rows1)
-    (forallb certain ld.load_box)
-
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
-let rec enlarge_all bits0 = function
-| [] -> Some []
-| q0 :: qs' ->
-  (match enlarge bits0 q0 with
-   | Some b ->
-     (match enlarge_all bits0 qs' with
-      | Some rows1 -> Some ((make_row b) :: rows1)
-      | None -> None)
-   | None -> None)
+let enlarge_all bits0 qs =
+  all_some (fun q0 ->
+    match enlarge bits0 q0 with
+    | Some b -> Some (make_row b)
+    | None -> None) qs
 
 (** val common_multiple : row list -> load -> Big_int_Z.big_int **)
 
-let common_multiple rows1 ld =
-  fold_left (fun m r -> Z.lcm m r.over_weight) rows1 ld.load_scaling.over
+let common_multiple rows0 ld =
+  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 ld.load_scaling.over
 
 (** val short_multiple :
     row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
-let short_multiple rows1 multiple0 =
+let short_multiple rows0 multiple0 =
   let most =
-    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows1
+    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows0
       Big_int_Z.unit_big_int
   in
   let short0 =
@@ -3662,13 +3491,15 @@ let short_multiple rows1 multiple0 =
         (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
         (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
   in
-  if Z.ltb short0 multiple0 then short0 else multiple0
+  if (&&) (Z.ltb short0 multiple0) (forallb (fun r -> r.box.box_signed) rows0)
+  then short0
+  else multiple0
 
 (** val most_depth : 'a1 list -> Big_int_Z.big_int **)
 
-let most_depth rows1 =
+let most_depth rows0 =
   fold_left (fun n _ ->
-    Z.add n (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows1
+    Z.add n (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows0
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
@@ -3679,39 +3510,16 @@ let most_depth rows1 =
 
 let setting_of bits0 q0 =
   match enlarge_all bits0 q0.contacts with
-  | Some rows1 ->
+  | Some rows0 ->
     let ld = make_load q0.wrench q0.direction in
-    let m = common_multiple rows1 ld in
-    Some { rows = rows1; the_load = ld; short = (short_multiple rows1 m);
-    exact = m }
+    let m = common_multiple rows0 ld in
+    Some { dimension_of = q0.dimension; rows = rows0; the_load = ld;
+    slipping = []; short = (short_multiple rows0 m); exact = m }
   | None -> None
 
-(** val enlarge_all_in_space :
-    Big_int_Z.big_int -> contact list -> row0 list option **)
+(** val is_one_grasp : setting -> bool **)
 
-let rec enlarge_all_in_space bits0 = function
-| [] -> Some []
-| q0 :: qs' ->
-  (match enlarge0 bits0 q0 with
-   | Some b ->
-     (match enlarge_all_in_space bits0 qs' with
-      | Some rows1 -> Some ((make_row0 b) :: rows1)
-      | None -> None)
-   | None -> None)
-
-(** val setting_in_space :
-    Big_int_Z.big_int -> question -> setting0 option **)
-
-let setting_in_space bits0 q0 =
-  match enlarge_all_in_space bits0 q0.contacts with
-  | Some rows1 ->
-    Some { rows0 = rows1; the_load0 = (make_load q0.wrench q0.direction);
-      slipping = [] }
-  | None -> None
-
-(** val is_one_grasp0 : setting -> bool **)
-
-let is_one_grasp0 s =
+let is_one_grasp s =
   (&&) (exact_rows s.rows) (forallb certain s.the_load.load_box)
 
 (** val refute :
@@ -3729,22 +3537,55 @@ let at_zero =
     Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }); open_low =
     false; open_high = false }
 
-(** val check_in_plane : 'a1 oracle -> question -> certificate -> answer **)
+(** val check_witness : question -> setting -> witness -> answer **)
 
-let check_in_plane advisor q0 c =
+let check_witness q0 s w =
+  if is_one_grasp s
+  then (match check_at q0.bilateral q0.dimension s.rows s.the_load
+                { multiple = (Some { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int }); point_witness = w } with
+        | Inl _ -> Stable
+        | Inr rule -> Rejected (rule, Nowhere))
+  else Rejected ("witness-box", Nowhere)
+
+(** val check_tree :
+    'a1 oracle -> question -> setting -> node list -> answer **)
+
+let check_tree advisor q0 s nodes =
+  match refute advisor q0 s (at_zero :: []) nodes with
+  | Some p -> let (rule, number) = p in Rejected (rule, (AtNode number))
+  | None -> Unstable
+
+(** val check_margin :
+    'a1 oracle -> question -> setting -> (q * q option) list -> segment list
+    -> node list -> answer **)
+
+let check_margin advisor q0 s resisted segments nodes =
+  if is_one_grasp s
+  then (match order_fails (Some { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int }) true resisted O with
+        | Some number -> Rejected ("resisted-order", (AtInterval number))
+        | None ->
+          (match segments_fail q0.bilateral q0.dimension s.rows s.the_load
+                   segments resisted None None O with
+           | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
+           | None ->
+             (match refute advisor q0 s (gaps resisted) nodes with
+              | Some p ->
+                let (rule, number) = p in Rejected (rule, (AtNode number))
+              | None -> Margin resisted)))
+  else NotProvedHere "a margin of a box"
+
+(** val check : 'a1 oracle -> question -> certificate -> answer **)
+
+let check advisor q0 c =
   match setting_of c.bits q0 with
   | Some s ->
     (match c.body with
      | StableByWitness w ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
-       else if is_one_grasp0 s
-            then (match check_at q0.bilateral s.rows s.the_load { multiple =
-                          (Some { qnum = Big_int_Z.zero_big_int; qden =
-                          Big_int_Z.unit_big_int }); point_witness = w } with
-                  | Inl _ -> Stable
-                  | Inr rule -> Rejected (rule, Nowhere))
-            else Rejected ("witness-box", Nowhere)
+       else check_witness q0 s w
      | StableByParts _ ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
@@ -3752,86 +3593,21 @@ let check_in_plane advisor q0 c =
      | UnstableByTree nodes ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
-       else (match refute advisor q0 s (at_zero :: []) nodes with
-             | Some p ->
-               let (rule, number) = p in Rejected (rule, (AtNode number))
-             | None -> Unstable)
+       else check_tree advisor q0 s nodes
      | MarginBy (resisted, segments, nodes) ->
        if q0.is_margin
-       then if is_one_grasp0 s
-            then (match order_fails (Some { qnum = Big_int_Z.zero_big_int;
-                          qden = Big_int_Z.unit_big_int }) true resisted O with
-                  | Some number ->
-                    Rejected ("resisted-order", (AtInterval number))
-                  | None ->
-                    (match segments_fail q0.bilateral s.rows s.the_load
-                             segments resisted None None O with
-                     | Some p ->
-                       let (rule, found_at) = p in Rejected (rule, found_at)
-                     | None ->
-                       (match refute advisor q0 s (gaps resisted) nodes with
-                        | Some p ->
-                          let (rule, number) = p in
-                          Rejected (rule, (AtNode number))
-                        | None -> Margin resisted)))
-            else NotProvedHere "a margin of a box"
+       then check_margin advisor q0 s resisted segments nodes
        else NotProvedHere "a proof of something else than was asked"
      | MarginByDegree ->
        if q0.is_margin
        then NotProvedHere "segments by degree"
        else NotProvedHere "a proof of something else than was asked"
      | MarginInSpace _ ->
-       NotProvedHere "a proof of something else than was asked")
-  | None -> NotProvedHere "numbers of the question"
-
-(** val check_in_space : 'a1 oracle -> question -> certificate -> answer **)
-
-let check_in_space advisor q0 c =
-  match c.body with
-  | StableByWitness w ->
-    if q0.is_margin
-    then NotProvedHere "a proof of something else than was asked"
-    else (match setting_in_space c.bits q0 with
-          | Some s ->
-            if is_one_grasp s.rows0 s.the_load0
-            then (match witness_fails q0.bilateral s.rows0 s.the_load0 w with
-                  | Some rule -> Rejected (rule, Nowhere)
-                  | None -> Stable)
-            else Rejected ("witness-box", Nowhere)
-          | None ->
-            NotProvedHere
-              "normals that are uncertain, or numbers of the question")
-  | StableByParts _ ->
-    if q0.is_margin
-    then NotProvedHere "a proof of something else than was asked"
-    else NotProvedHere "a proof by degree or at rest"
-  | UnstableByTree nodes ->
-    if q0.is_margin
-    then NotProvedHere "a proof of something else than was asked"
-    else (match setting_in_space c.bits q0 with
-          | Some s ->
-            (match walk_ranges0 advisor (most_depth s.rows0) q0.bilateral s
-                     (at_zero :: []) nodes with
-             | Some p ->
-               let (rule, number) = p in Rejected (rule, (AtNode number))
-             | None -> Unstable)
-          | None ->
-            NotProvedHere
-              "normals that are uncertain, or numbers of the question")
-  | MarginInSpace _ ->
-    if q0.is_margin
-    then NotProvedHere "a margin in space"
-    else NotProvedHere "a proof of something else than was asked"
-  | _ -> NotProvedHere "a proof of something else than was asked"
-
-(** val check : 'a1 oracle -> question -> certificate -> answer **)
-
-let check advisor q0 c =
-  if Nat.eqb q0.dimension (S (S (S O)))
-  then check_in_plane advisor q0 c
-  else if Nat.eqb q0.dimension (S (S (S (S (S (S O))))))
-       then check_in_space advisor q0 c
-       else NotProvedHere "a question of no dimension"
+       if q0.is_margin
+       then NotProvedHere "a margin in space"
+       else NotProvedHere "a proof of something else than was asked")
+  | None ->
+    NotProvedHere "normals that are uncertain, or numbers of the question"
 
 (** val digit : char -> Big_int_Z.big_int option **)
 
@@ -4052,10 +3828,10 @@ let parse_decimal spelled =
 (** val too_large : Big_int_Z.big_int **)
 
 let too_large =
-  let square0 = fun x -> Z.mul x x in
+  let square = fun x -> Z.mul x x in
   let power0 =
-    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O))))))))))))))
-      square0 (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O)))))))))))))) square
+      (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
   in
   Z.sub power0
     (Z.div power0
@@ -4144,15 +3920,6 @@ let read_index at_path value0 =
         else expected what at_path value0
       | None -> expected what at_path value0)
    | _ -> expected what at_path value0)
-
-(** val exact_root : q -> q option **)
-
-let exact_root x =
-  let square0 = Z.mul x.qnum x.qden in
-  let root0 = Z.sqrt square0 in
-  if Z.eqb (Z.mul root0 root0) square0
-  then Some { qnum = root0; qden = x.qden }
-  else None
 
 (** val add_intervals : interval -> interval -> interval **)
 
@@ -4359,9 +4126,9 @@ let cross a b =
               | [] ->
                 { qnum = Big_int_Z.zero_big_int; qden =
                   Big_int_Z.unit_big_int }
-              | by_ :: l2 ->
+              | by_0 :: l2 ->
                 (match l2 with
-                 | [] -> qminus (qmult ax by_) (qmult ay bx)
+                 | [] -> qminus (qmult ax by_0) (qmult ay bx)
                  | _ :: _ ->
                    { qnum = Big_int_Z.zero_big_int; qden =
                      Big_int_Z.unit_big_int })))
@@ -4372,7 +4139,7 @@ let cross a b =
 
 let with_length_1 n =
   match exact_root (sum_of_squares n) with
-  | Some length -> map (fun x -> qdiv x length) n
+  | Some length0 -> map (fun x -> qdiv x length0) n
   | None -> n
 
 (** val make_edge : q -> (q list * q list) -> edge **)
@@ -4393,11 +4160,11 @@ let make_edge side ends0 =
               | bx :: l3 ->
                 (match l3 with
                  | [] -> []
-                 | by_ :: l4 ->
+                 | by_0 :: l4 ->
                    (match l4 with
                     | [] ->
-                      (qmult side (qminus ay by_)) :: ((qmult side
-                                                         (qminus bx ax)) :: [])
+                      (qmult side (qminus ay by_0)) :: ((qmult side
+                                                          (qminus bx ax)) :: [])
                     | _ :: _ -> [])))
            | _ :: _ -> [])))
   in
@@ -4524,9 +4291,9 @@ let read_body v at_path value0 =
           | [] -> expected what ((Member "faces") :: at_path) value0
           | _ :: _ -> Fine ()))))
 
-(** val at_point1 : q list -> q list -> q list **)
+(** val at_point0 : q list -> q list -> q list **)
 
-let at_point1 p f =
+let at_point0 p f =
   match p with
   | [] -> []
   | x :: l ->
@@ -4584,11 +4351,11 @@ let read_pull v at_path members =
         match direction0 with
         | Some d ->
           (match exact_root (sum_of_squares d) with
-           | Some length ->
+           | Some length0 ->
              bind
-               (check_that (negb (is_0 length)) ((Member
+               (check_that (negb (is_0 length0)) ((Member
                  "direction") :: at_path) "expected a vector other than 0")
-               (fun _ -> Fine (map (fun x -> qdiv (qmult size0 x) length) d))
+               (fun _ -> Fine (map (fun x -> qdiv (qmult size0 x) length0) d))
            | None ->
              refuse ((Member "direction") :: at_path)
                "expected a vector of rational length, such as [3, -4]")
@@ -4637,7 +4404,7 @@ let read_load v at_path value0 =
             then read_pull v at_path members
             else member "force" (read_point v) at_path members) (fun force ->
            bind (member "at" (read_point v) at_path members) (fun p -> Fine
-             (at_point1 p force))))
+             (at_point0 p force))))
 
 (** val no_wrench : version -> interval list **)
 
@@ -4753,13 +4520,13 @@ let read_on outline at_path value0 =
          bind (optional_member "polygon" read_decimal at_path members)
            (fun polygon ->
            bind (member "edge" read_decimal at_path members) (fun number ->
-             bind (member "share" read_decimal at_path members)
-               (fun share0 -> Fine
+             bind (member "share" read_decimal at_path members) (fun share ->
+               Fine
                (((match polygon with
                   | Some it -> it
                   | None ->
                     { qnum = Big_int_Z.zero_big_int; qden =
-                      Big_int_Z.unit_big_int }), number), share0)))))
+                      Big_int_Z.unit_big_int }), number), share)))))
      | Boolean _ ->
        bind
          (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
@@ -4767,13 +4534,13 @@ let read_on outline at_path value0 =
          bind (optional_member "polygon" read_decimal at_path members)
            (fun polygon ->
            bind (member "edge" read_decimal at_path members) (fun number ->
-             bind (member "share" read_decimal at_path members)
-               (fun share0 -> Fine
+             bind (member "share" read_decimal at_path members) (fun share ->
+               Fine
                (((match polygon with
                   | Some it -> it
                   | None ->
                     { qnum = Big_int_Z.zero_big_int; qden =
-                      Big_int_Z.unit_big_int }), number), share0)))))
+                      Big_int_Z.unit_big_int }), number), share)))))
      | Number _ ->
        bind
          (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
@@ -4781,13 +4548,13 @@ let read_on outline at_path value0 =
          bind (optional_member "polygon" read_decimal at_path members)
            (fun polygon ->
            bind (member "edge" read_decimal at_path members) (fun number ->
-             bind (member "share" read_decimal at_path members)
-               (fun share0 -> Fine
+             bind (member "share" read_decimal at_path members) (fun share ->
+               Fine
                (((match polygon with
                   | Some it -> it
                   | None ->
                     { qnum = Big_int_Z.zero_big_int; qden =
-                      Big_int_Z.unit_big_int }), number), share0)))))
+                      Big_int_Z.unit_big_int }), number), share)))))
      | Text _ ->
        bind
          (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
@@ -4795,20 +4562,20 @@ let read_on outline at_path value0 =
          bind (optional_member "polygon" read_decimal at_path members)
            (fun polygon ->
            bind (member "edge" read_decimal at_path members) (fun number ->
-             bind (member "share" read_decimal at_path members)
-               (fun share0 -> Fine
+             bind (member "share" read_decimal at_path members) (fun share ->
+               Fine
                (((match polygon with
                   | Some it -> it
                   | None ->
                     { qnum = Big_int_Z.zero_big_int; qden =
-                      Big_int_Z.unit_big_int }), number), share0)))))
+                      Big_int_Z.unit_big_int }), number), share)))))
      | Array items ->
        (match items with
         | [] -> expected "[edge, share], or an object" at_path value0
         | number :: l ->
           (match l with
            | [] -> expected "[edge, share], or an object" at_path value0
-           | share0 :: l0 ->
+           | share :: l0 ->
              (match l0 with
               | [] ->
                 bind
@@ -4816,9 +4583,9 @@ let read_on outline at_path value0 =
                     number) (fun number0 ->
                   bind
                     (read_decimal ((Element
-                      Big_int_Z.unit_big_int) :: at_path) share0)
-                    (fun share1 -> Fine (({ qnum = Big_int_Z.zero_big_int;
-                    qden = Big_int_Z.unit_big_int }, number0), share1)))
+                      Big_int_Z.unit_big_int) :: at_path) share)
+                    (fun share0 -> Fine (({ qnum = Big_int_Z.zero_big_int;
+                    qden = Big_int_Z.unit_big_int }, number0), share0)))
               | _ :: _ ->
                 expected "[edge, share], or an object" at_path value0)))
      | Object _ ->
@@ -4828,22 +4595,22 @@ let read_on outline at_path value0 =
          bind (optional_member "polygon" read_decimal at_path members)
            (fun polygon ->
            bind (member "edge" read_decimal at_path members) (fun number ->
-             bind (member "share" read_decimal at_path members)
-               (fun share0 -> Fine
+             bind (member "share" read_decimal at_path members) (fun share ->
+               Fine
                (((match polygon with
                   | Some it -> it
                   | None ->
                     { qnum = Big_int_Z.zero_big_int; qden =
-                      Big_int_Z.unit_big_int }), number), share0))))))
+                      Big_int_Z.unit_big_int }), number), share))))))
     (fun pat ->
-    let (p, share0) = pat in
+    let (p, share) = pat in
     let (polygon, number) = p in
     bind
       (check_that
         ((&&)
           (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-            Big_int_Z.unit_big_int } share0)
-          (qle_bool share0 { qnum = Big_int_Z.unit_big_int; qden =
+            Big_int_Z.unit_big_int } share)
+          (qle_bool share { qnum = Big_int_Z.unit_big_int; qden =
             Big_int_Z.unit_big_int })) at_path "expected a share from 0 to 1")
       (fun _ ->
       match choose polygon outline with
@@ -4853,7 +4620,7 @@ let read_on outline at_path value0 =
            let p0 =
              map (fun pat0 ->
                let (a, b) = pat0 in
-               exactly (qplus a (qmult share0 (qminus b a))))
+               exactly (qplus a (qmult share (qminus b a))))
                (combine it.from it.to0)
            in
            Fine (p0, it.inwards)
@@ -5228,8 +4995,8 @@ let wrench_asked file asked =
 
 (** val widen : tolerance option -> interval -> interval **)
 
-let widen by_ it =
-  match by_ with
+let widen by_0 it =
+  match by_0 with
   | Some t ->
     let off = fun x ->
       if t.percent
@@ -5248,19 +5015,19 @@ let widen by_ it =
 (** val asked_contact : options -> contact -> contact **)
 
 let asked_contact asked it =
-  let by_ = fun kind -> find_tolerance kind asked in
+  let by_0 = fun kind -> find_tolerance kind asked in
   let given =
     match asked.asked_preload with
     | Some p -> exactly p
     | None -> it.preload
   in
-  { position = (map (widen (by_ "position")) it.position); normal =
+  { position = (map (widen (by_0 "position")) it.position); normal =
   it.normal; slope =
-  (match by_ "normal" with
+  (match by_0 "normal" with
    | Some t -> qplus it.slope t.amount
-   | None -> it.slope); friction = (widen (by_ "friction") it.friction);
-  stiffness = (widen (by_ "stiffness") it.stiffness); preload =
-  (widen (by_ "preload") given); preload_growth = it.preload_growth }
+   | None -> it.slope); friction = (widen (by_0 "friction") it.friction);
+  stiffness = (widen (by_0 "stiffness") it.stiffness); preload =
+  (widen (by_0 "preload") given); preload_growth = it.preload_growth }
 
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
@@ -5345,14 +5112,14 @@ let check_contact margin in_space0 at_path it =
 (** val with_growths :
     contact list -> q list -> contact list -> contact list option **)
 
-let rec with_growths contacts0 numbers done0 =
+let rec with_growths contacts0 numbers0 done0 =
   match contacts0 with
   | [] ->
-    (match numbers with
+    (match numbers0 with
      | [] -> Some (rev_append done0 [])
      | _ :: _ -> None)
   | it :: others ->
-    (match numbers with
+    (match numbers0 with
      | [] -> None
      | p :: rest ->
        with_growths others rest ({ position = it.position; normal =
@@ -5389,7 +5156,7 @@ let pose file asked =
                | Some g ->
                  (match g with
                   | Scale -> Fine them
-                  | By numbers ->
+                  | By numbers0 ->
                     let problem =
                       "expected numbers of 0 or more, one for each contact"
                     in
@@ -5397,9 +5164,9 @@ let pose file asked =
                       (check_that
                         (forallb
                           (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                            Big_int_Z.unit_big_int }) numbers)
+                            Big_int_Z.unit_big_int }) numbers0)
                         (of_question "preload direction") problem) (fun _ ->
-                      match with_growths them numbers [] with
+                      match with_growths them numbers0 [] with
                       | Some them0 -> Fine them0
                       | None ->
                         refuse (of_question "preload direction") problem))
@@ -5447,7 +5214,7 @@ let pose file asked =
                     is_margin = margin; contacts = them1; wrench = widened;
                     direction = u }; stated_wrench = stated; the_options =
                     asked; is_box =
-                    ((||) (negb certain0) (existsb (fun box1 -> box1) boxes)) })))))))))
+                    ((||) (negb certain0) (existsb (fun box0 -> box0) boxes)) })))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
@@ -5524,7 +5291,7 @@ let read_growth at_path value0 =
   then Fine Scale
   else bind
          (read_array "\"scale\" or an array of numbers" read_fraction at_path
-           value0) (fun numbers -> Fine (By numbers))
+           value0) (fun numbers0 -> Fine (By numbers0))
 
 (** val before_percent : string -> string option **)
 
@@ -5633,21 +5400,23 @@ let read_parameter s at_path value0 =
             then Fine PZ
             else if (&&) (negb s.spatial) (is "turn")
                  then Fine PTurn
-                 else if (&&) s.spatial ((||) (is "turn_u") (is "turn_v"))
+                 else if (&&) s.spatial (is "turn_u")
                       then Fine PTurn
-                      else if is "friction"
-                           then Fine PFriction
-                           else if is "preload"
-                                then Fine PPreload
-                                else if is "stiffness"
-                                     then Fine PStiffness
-                                     else if is "wrench"
-                                          then Fine PWrench
-                                          else expected
-                                                 (if s.spatial
-                                                  then "x, y, z, turn_u, turn_v, friction, preload, stiffness or wrench"
-                                                  else "x, y, turn, friction, preload, stiffness or wrench")
-                                                 at_path value0
+                      else if (&&) s.spatial (is "turn_v")
+                           then Fine PTurnV
+                           else if is "friction"
+                                then Fine PFriction
+                                else if is "preload"
+                                     then Fine PPreload
+                                     else if is "stiffness"
+                                          then Fine PStiffness
+                                          else if is "wrench"
+                                               then Fine PWrench
+                                               else expected
+                                                      (if s.spatial
+                                                       then "x, y, z, turn_u, turn_v, friction, preload, stiffness or wrench"
+                                                       else "x, y, turn, friction, preload, stiffness or wrench")
+                                                      at_path value0
 
 (** val read_cut :
     shape -> path -> json list -> json ->
@@ -5755,12 +5524,12 @@ let read_share s at_path value0 = match value0 with
    | index :: l ->
      (match l with
       | [] -> expected "[contact, share]" at_path value0
-      | share0 :: l0 ->
+      | share :: l0 ->
         (match l0 with
          | [] ->
            bind (read_index at_path index) (fun i ->
-             bind (read_friction s at_path share0) (fun numbers -> Fine (i,
-               numbers)))
+             bind (read_friction s at_path share) (fun numbers0 -> Fine (i,
+               numbers0)))
          | _ :: _ -> expected "[contact, share]" at_path value0)))
 | _ -> expected "[contact, share]" at_path value0
 

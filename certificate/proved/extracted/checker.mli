@@ -13,6 +13,8 @@ val fst : ('a1 * 'a2) -> 'a1
 
 val snd : ('a1 * 'a2) -> 'a2
 
+val length : 'a1 list -> nat
+
 val app : 'a1 list -> 'a1 list -> 'a1 list
 
 type comparison =
@@ -102,6 +104,8 @@ module Coq_Pos :
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
  end
 
+val tl : 'a1 list -> 'a1 list
+
 val nth : nat -> 'a1 list -> 'a1 -> 'a1
 
 val nth_error : 'a1 list -> nat -> 'a1 option
@@ -127,6 +131,8 @@ val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list
 val find : ('a1 -> bool) -> 'a1 list -> 'a1 option
 
 val combine : 'a1 list -> 'a2 list -> ('a1 * 'a2) list
+
+val firstn : nat -> 'a1 list -> 'a1 list
 
 val repeat : 'a1 -> nat -> 'a1 list
 
@@ -213,6 +219,13 @@ val qinv : q -> q
 
 val qdiv : q -> q -> q
 
+val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
+
+val all_some_after :
+  ('a1 -> 'a2 option) -> 'a1 list -> 'a2 list -> 'a2 list option
+
+val all_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 list option
+
 type json =
 | Null
 | Boolean of bool
@@ -240,8 +253,6 @@ val expected : string -> path -> json -> 'a1 result
 val check_that : bool -> path -> string -> unit result
 
 val is_text : string -> json -> bool
-
-val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
 val each_from :
   (path -> 'a1 -> 'a2 result) -> Big_int_Z.big_int -> path -> 'a1 list -> 'a2
@@ -296,6 +307,7 @@ type parameter =
 | PY
 | PZ
 | PTurn
+| PTurnV
 | PFriction
 | PPreload
 | PStiffness
@@ -439,6 +451,8 @@ val first_tip : 'a1 multi -> 'a1
 
 val spread : interval -> (q -> 'a1 multi) -> 'a1 multi
 
+val corners : interval list -> (q list -> 'a1) -> 'a1 multi
+
 val product : (Big_int_Z.big_int multi * form multi) list -> form
 
 val bernstein :
@@ -446,10 +460,7 @@ val bernstein :
 
 val power : nat -> Big_int_Z.big_int
 
-type cbox = { box_x : interval; box_y : interval; box_turn : interval;
-              box_friction : interval; box_preload : interval;
-              box_stiffness : interval; box_nx : q; box_ny : q; box_growth : 
-              q }
+val exact_root : q -> q option
 
 val is_square : Big_int_Z.big_int -> bool
 
@@ -457,34 +468,34 @@ val reduced : q -> q
 
 val root_between : Big_int_Z.big_int -> q -> interval
 
-val is_enclosure : interval -> q -> bool
+val root_above : q -> q
 
-val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
+val root_below : q -> q
 
-val is_loaded : contact -> bool
+type cbox = { box_names : parameter list; box_geometry : interval list;
+              box_forms : (q list -> q list list); box_friction : interval;
+              box_preload : interval; box_growth : interval;
+              box_stiffness : interval; box_square : q; box_normal : 
+              q list; box_weights : q list; box_signed : bool;
+              box_spring : bool }
 
-val enlarge : Big_int_Z.big_int -> contact -> cbox option
+type row = { box : cbox; forms : form list multi; forms_scale : scaling;
+             metric : Big_int_Z.big_int list; metric_scale : scaling;
+             slip_certain : bool; tau : form multi; minus_tau : form multi;
+             edges_plus : form multi list; edges_minus : form multi list;
+             edges_none : form multi list; pulls : form multi list;
+             pull_scale : scaling; separates : form option; parameters : 
+             nat; weight : Big_int_Z.big_int; over_weight : Big_int_Z.big_int }
 
-type row = { box : cbox; tau : form multi; minus_tau : form multi;
-             tau_certain : bool; edges_plus : form multi list;
-             edges_minus : form multi list; edges_none : form multi list;
-             pulls : form multi list; separates : form option;
-             parameters : nat; weight : Big_int_Z.big_int;
-             over_weight : Big_int_Z.big_int; pull_scale : scaling }
+val geometry_tree : cbox -> q list list multi
 
-val corners : cbox -> (q -> q -> q -> 'a1) -> 'a1 multi
+val add_multiple : q list -> q -> q list -> q list
 
-val at_point : q -> q -> q -> q -> q list
+val n_of : q list list -> q list
 
-val turned_x : cbox -> q -> q
+val edge_tree : cbox -> q -> q list multi
 
-val turned_y : cbox -> q -> q
-
-val t_at : cbox -> q -> q -> q -> q list
-
-val edge_at : cbox -> q -> q -> q -> q -> q list
-
-val pull_at : cbox -> q -> q -> q -> q -> q -> q list
+val pull_tree : cbox -> ((q * q) * q) -> q list multi
 
 val scaling_of_trees : q list multi list -> scaling
 
@@ -494,15 +505,47 @@ val same_forms : form list -> bool
 
 val negative : form -> form
 
-val count : interval -> nat
+val count : interval list -> nat
+
+val of_motion : form -> form
 
 val minus_ends : interval -> q list
 
 val full_range : interval -> q list
 
-val pull_ends : cbox -> (q * q) list
+val preload_ends : cbox -> (q * q) list
+
+val pull_ends : cbox -> ((q * q) * q) list
+
+val forms_scaling : cbox -> scaling
+
+val tau_tree : cbox -> q list multi
+
+val pull_scaling : cbox -> scaling
+
+val edge_scaling : cbox -> scaling
 
 val make_row : cbox -> row
+
+val is_enclosure : interval -> q -> bool
+
+val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
+
+val is_loaded : contact -> bool
+
+val plane_forms : q -> q -> q list -> q list list
+
+val at_point : q -> q -> q -> q -> q -> q -> q list
+
+val space_forms : q -> q -> q -> q -> q list -> q list list
+
+val is_nonnegative : contact -> bool
+
+val numbers :
+  Big_int_Z.big_int -> contact -> q -> ((interval * interval) * interval)
+  option
+
+val enlarge : Big_int_Z.big_int -> contact -> cbox option
 
 val nowhere_negative : ray list -> form -> bool
 
@@ -525,21 +568,65 @@ type term =
 
 val value : term -> form -> Big_int_Z.big_int
 
+val pull_tips : row -> form list
+
+val collect :
+  ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list
+
 val edges : form list list -> ray list -> row -> form multi list
 
 val work_tree : form -> form multi -> Big_int_Z.big_int multi
-
-val pull_tips : row -> form list
 
 val products_with : row -> Big_int_Z.big_int multi -> form list
 
 val mixed_forms : row -> Big_int_Z.big_int multi -> form list
 
-val term_of :
+val bent : Big_int_Z.big_int -> row -> form list -> bool -> term
+
+val edges_term :
   Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
 
-val contact_term :
-  Big_int_Z.big_int -> form -> form list list -> ray list -> row -> term
+val inner_of : form -> form -> form -> Big_int_Z.big_int
+
+val slip_at : form list -> form -> form
+
+val motion_of : ray -> form
+
+val slips : form list multi -> ray list -> form list
+
+val less_along : Big_int_Z.big_int list -> form -> form -> form -> bool
+
+val nearest : Big_int_Z.big_int list -> form -> form list -> form option
+
+val part_across : Big_int_Z.big_int list -> form -> form -> form
+
+val nowhere_along : Big_int_Z.big_int list -> form list -> form -> bool
+
+val separator : Big_int_Z.big_int list -> form list -> form -> form option
+
+val opposed :
+  Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
+  ray list
+
+val must_move :
+  Big_int_Z.big_int list -> form list list -> form list multi -> form list ->
+  ray list -> bool
+
+val most_along :
+  Big_int_Z.big_int list -> form list -> form ->
+  (bool * Big_int_Z.big_int) * Big_int_Z.big_int
+
+val unit_of : scaling -> q
+
+val corner_alpha : row -> q -> form -> form list -> bool -> form list -> q
+
+val largest_q : q list -> q
+
+val alpha : form list list -> ray list -> bool -> row -> q -> form -> q
+
+val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term
+
+val alpha_over : q -> row -> Big_int_Z.big_int
 
 type load = { load_box : interval list; load_growth : q list;
               lows_of_w : form; highs_of_w : form; form_of_u : form;
@@ -551,12 +638,25 @@ val most_work : form -> form -> form -> Big_int_Z.big_int
 
 val load_term : Big_int_Z.big_int -> form -> load -> form
 
-val collect :
-  ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list
+type way =
+| Along of form multi list
+| Most of q
+
+type presser = { pressing : row; by_ : way; mixed : bool }
+
+val way_of : form list list -> ray list -> bool -> q -> form -> row -> way
+
+val pressers :
+  form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row
+  list -> Big_int_Z.big_int -> presser list -> presser list
+
+val term_of : Big_int_Z.big_int -> form -> presser -> term
+
+val with_alphas : Big_int_Z.big_int -> presser list -> Big_int_Z.big_int
 
 val leaf_holds_by :
-  Big_int_Z.big_int -> row list -> load -> form list list -> ray list -> form
-  -> bool
+  Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
+  form -> bool
 
 type ('memory, 'setting) region = { rays : ray list; strict : form list list;
                                     moving : form list list;
@@ -594,26 +694,40 @@ val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
 
 val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option
 
+val replace_after :
+  'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
+
 val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
 
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
-type setting = { rows : row list; the_load : load; short : Big_int_Z.big_int;
-                 exact : Big_int_Z.big_int }
+type setting = { dimension_of : nat; rows : row list; the_load : load;
+                 slipping : Big_int_Z.big_int list;
+                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
-
-val get : cbox -> parameter -> interval
-
-val set : cbox -> parameter -> interval -> cbox
 
 val is_inside : interval -> q -> bool
 
 val low_half : interval -> q -> interval
 
 val high_half : interval -> q -> interval
+
+val same_parameter : parameter -> parameter -> bool
+
+val get_named :
+  parameter -> parameter list -> interval list -> interval option
+
+val set_named :
+  parameter -> interval -> parameter list -> interval list -> interval list
+
+val has_friction : cbox -> bool
+
+val get : cbox -> parameter -> interval option
+
+val set : cbox -> parameter -> interval -> cbox
 
 val set_row : setting -> Big_int_Z.big_int -> cbox -> setting
 
@@ -629,17 +743,21 @@ val not_below : setting -> form -> setting branch
 
 val on_plane : setting -> form -> setting branch
 
+val plane_numbers : nat -> q list -> q list
+
+val slip_forms : row -> form list
+
 val split : setting -> node -> (setting branch list, string) sum
 
-val l_above : nat -> q -> form
+val l_above : q -> form
 
-val h_form : nat -> form
+val h_form : form
 
-val range_conditions : nat -> range -> form list
+val range_conditions : range -> form list
 
-val range_strict : nat -> range -> form list
+val range_strict : range -> form list
 
-val separating : row list -> form list
+val separating : row list -> form list -> form list
 
 val root_branch : bool -> setting -> range -> setting branch
 
@@ -649,42 +767,70 @@ val walk_ranges :
 
 val exact_box : cbox -> bool
 
-type state = { state_v : Big_int_Z.big_int; state_tau : Big_int_Z.big_int;
-               state_share : q }
+val exact_rows : row list -> bool
+
+type state = { state_row : row; state_v : Big_int_Z.big_int;
+               state_slip : form; state_share : q list; is_against : 
+               bool }
 
 val exact_pull : row -> form
 
-val share_of_slip : Big_int_Z.big_int -> q
+val slip_of_row : row -> form -> form
+
+val product_q : q list -> q list -> q list -> q
+
+val mu_of : cbox -> q
+
+val in_friction_cone : cbox -> q list -> bool
+
+val against : cbox -> q list -> form -> bool
+
+val share_of_force : cbox -> q list -> q list
+
+val sum_of_products : q list -> q list -> q
+
+val is_share_of : cbox -> q list -> bool
+
+val presses : cbox -> Big_int_Z.big_int -> bool
+
+val sliding : cbox -> form -> q list
+
+val state_of : row -> form -> q list option -> state option
 
 val states :
   row list -> form -> (Big_int_Z.big_int * q list) list -> Big_int_Z.big_int
-  -> (state list, Big_int_Z.big_int) sum
+  -> state list -> state list option
 
-val contact_wrench : row -> state -> q list
+val exact_forms : cbox -> q list list
+
+val add_friction : q -> q list -> q list -> q list list -> q list -> q list
+
+val wrench_of : state -> q list
 
 val load_at : load -> Big_int_Z.big_int -> Big_int_Z.big_int -> q list
 
+val common_of : q list list -> Big_int_Z.big_int
+
 val adds_up_to_zero : q list list -> bool
 
-val contact_wrenches : row list -> state list -> q list list -> q list list
-
 val check_point :
-  bool -> row list -> load -> form -> (Big_int_Z.big_int * q list) list ->
-  (state list, string) sum
+  bool -> nat -> row list -> load -> form -> (Big_int_Z.big_int * q list)
+  list -> (state list, string) sum
 
 val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
 
-val one_mode : row -> state -> state -> bool
+val aligned : form -> form -> form -> bool
 
-val same_mode : row list -> state list -> state list -> bool
+val one_mode : state -> state -> bool
 
-val exact_rows : row list -> bool
+val same_mode : state list -> state list -> bool
 
 val coordinates_of : point -> q list
 
 val integer_point : point -> form
 
-val check_at : bool -> row list -> load -> point -> (state list, string) sum
+val check_at :
+  bool -> nat -> row list -> load -> point -> (state list, string) sum
 
 val qlt_bool : q -> q -> bool
 
@@ -693,165 +839,14 @@ val beyond : q option -> q option -> bool
 val reaches : q option -> q option -> bool
 
 val segments_fail :
-  bool -> row list -> load -> segment list -> (q * q option) list -> q option
-  -> (point * state list) option -> nat -> (string * place) option
+  bool -> nat -> row list -> load -> segment list -> (q * q option) list -> q
+  option -> (point * state list) option -> nat -> (string * place) option
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
 val gaps_from : q -> bool -> (q * q option) list -> range list
 
 val gaps : (q * q option) list -> range list
-
-type cbox0 = { box_x0 : interval; box_y0 : interval; box_z : interval;
-               box_friction0 : interval; box_preload0 : interval;
-               box_stiffness0 : interval; box_nx0 : q; box_ny0 : q; box_nz : 
-               q }
-
-val square : cbox0 -> q
-
-val enlarge0 : Big_int_Z.big_int -> contact -> cbox0 option
-
-type row0 = { box0 : cbox0; geometry : form list multi;
-              geometry_scale : scaling; slip_certain : bool;
-              pulls0 : form multi list; pull_scale0 : scaling;
-              separates0 : form option }
-
-val corners0 : cbox0 -> (q -> q -> q -> 'a1) -> 'a1 multi
-
-val at_point0 : q -> q -> q -> q -> q -> q -> q list
-
-val across : cbox0 -> q -> q -> q -> q -> (q * q) * q
-
-val at_point3 : q -> q -> q -> ((q * q) * q) -> q list
-
-val geometry_at : cbox0 -> q -> q -> q -> q list list
-
-val pull_at0 : cbox0 -> q -> q -> q -> q -> q -> q list
-
-val pull_ends0 : cbox0 -> (q * q) list
-
-val geometry_tree : cbox0 -> q list list multi
-
-val scaling_of_geometry : cbox0 -> scaling
-
-val pull_tree : cbox0 -> (q * q) -> q list multi
-
-val pull_scaling : cbox0 -> scaling
-
-val make_row0 : cbox0 -> row0
-
-val slip_at : form list -> form -> form
-
-val slips : form list multi -> ray list -> form list
-
-val less_along : form -> form -> form -> bool
-
-val nearest : form -> form list -> form option
-
-val part_across : form -> form -> form
-
-val nowhere_along : form list -> form -> bool
-
-val separator : form list -> form -> form option
-
-val opposed : form list -> form list -> (form * ray) list -> ray list
-
-val must_move :
-  form list list -> form list multi -> form list -> ray list -> bool
-
-val most_along :
-  form list -> form -> (bool * Big_int_Z.big_int) * Big_int_Z.big_int
-
-val root_above : q -> q
-
-val root_below : q -> q
-
-val unit_of : scaling -> q
-
-val corner_alpha : row0 -> q -> form -> form list -> bool -> form list -> q
-
-val largest_q : q list -> q
-
-val alpha : form list list -> ray list -> bool -> row0 -> q -> form -> q
-
-val pull_tips0 : row0 -> form list
-
-val term_of0 : Big_int_Z.big_int -> q -> bool -> row0 -> term
-
-val pressing :
-  form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row0
-  list -> Big_int_Z.big_int -> ((row0 * q) * bool) list
-
-val load_term0 : Big_int_Z.big_int -> q -> form -> load -> form
-
-val leaf_holds :
-  row0 list -> load -> Big_int_Z.big_int list -> form list list -> ray list
-  -> q list -> bool
-
-type setting0 = { rows0 : row0 list; the_load0 : load;
-                  slipping : Big_int_Z.big_int list }
-
-val leaf_fails0 :
-  setting0 -> form list list -> ray list -> q list -> string option
-
-val get0 : cbox0 -> parameter -> interval
-
-val set0 : cbox0 -> parameter -> interval -> cbox0
-
-val set_row0 : setting0 -> Big_int_Z.big_int -> cbox0 -> setting0
-
-val set_load0 : setting0 -> interval list -> setting0
-
-val halves0 :
-  setting0 -> parameter -> Big_int_Z.big_int -> q -> (setting0 * setting0,
-  string) sum
-
-val above0 : setting0 -> form -> setting0 branch
-
-val not_below0 : setting0 -> form -> setting0 branch
-
-val slip_forms : row0 -> form list
-
-val split0 : setting0 -> node -> (setting0 branch list, string) sum
-
-val separating0 : row0 list -> form list
-
-val root_branch0 : bool -> setting0 -> range -> setting0 branch
-
-val walk_ranges0 :
-  'a1 oracle -> Big_int_Z.big_int -> bool -> setting0 -> range list -> node
-  list -> (string * nat) option
-
-val exact_box0 : cbox0 -> bool
-
-type state0 = { state_v0 : Big_int_Z.big_int; state_slip : form;
-                share : ((q * q) * q) }
-
-val no_share : (q * q) * q
-
-val exact_pull0 : row0 -> form
-
-val exact_slip : row0 -> form -> form
-
-val share_fits : cbox0 -> ((q * q) * q) -> bool
-
-val states0 :
-  row0 list -> form -> (Big_int_Z.big_int * q list) list -> Big_int_Z.big_int
-  -> state0 list option
-
-val sliding_share : cbox0 -> form -> ((q * q) * q) option
-
-val with_roots : row0 list -> state0 list -> state0 list option
-
-val contact_wrench0 : row0 -> state0 -> q list
-
-val contact_wrenches0 : row0 list -> state0 list -> q list list
-
-val shares_fit : row0 list -> state0 list -> bool
-
-val witness_fails : bool -> row0 list -> load -> witness -> string option
-
-val is_one_grasp : row0 list -> load -> bool
 
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
@@ -863,12 +858,7 @@ val most_depth : 'a1 list -> Big_int_Z.big_int
 
 val setting_of : Big_int_Z.big_int -> question -> setting option
 
-val enlarge_all_in_space :
-  Big_int_Z.big_int -> contact list -> row0 list option
-
-val setting_in_space : Big_int_Z.big_int -> question -> setting0 option
-
-val is_one_grasp0 : setting -> bool
+val is_one_grasp : setting -> bool
 
 val refute :
   'a1 oracle -> question -> setting -> range list -> node list ->
@@ -876,9 +866,13 @@ val refute :
 
 val at_zero : range
 
-val check_in_plane : 'a1 oracle -> question -> certificate -> answer
+val check_witness : question -> setting -> witness -> answer
 
-val check_in_space : 'a1 oracle -> question -> certificate -> answer
+val check_tree : 'a1 oracle -> question -> setting -> node list -> answer
+
+val check_margin :
+  'a1 oracle -> question -> setting -> (q * q option) list -> segment list ->
+  node list -> answer
 
 val check : 'a1 oracle -> question -> certificate -> answer
 
@@ -921,8 +915,6 @@ val longest_json_integer : Big_int_Z.big_int
 val read_fraction : path -> json -> q result
 
 val read_index : path -> json -> Big_int_Z.big_int result
-
-val exact_root : q -> q option
 
 val add_intervals : interval -> interval -> interval
 
@@ -997,7 +989,7 @@ val read_face : Big_int_Z.big_int -> path -> json -> unit result
 
 val read_body : version -> path -> json -> unit result
 
-val at_point1 : q list -> q list -> q list
+val at_point0 : q list -> q list -> q list
 
 val read_pull : version -> path -> (string * json) list -> q list result
 

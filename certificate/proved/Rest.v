@@ -134,18 +134,19 @@ Definition resting_sound (lambda : Q) (r : resting) : bool :=
   friction_sound b && forallb (fun w => negb (Qle_bool w 0)) (box_weights b) && Qle_bool 0 (box_square b) &&
   (box_spring b || Qle_bool 0 (least_pressure b lambda)).
 
+Definition rest_fails_at (n : nat) (s : setting) (them : list resting) (columns : list (list interval)) (reach : vector)
+    (lambda : Q) : option string :=
+  if negb (reach_holds n (left_over n s them lambda) columns reach) then Some "rest-reach"%string
+  else if negb (forallb (cone_holds reach lambda) them && forallb (resting_sound lambda) them) then Some "rest-cone"%string
+  else None.
+
 (* From alpha to beta. *)
 Definition rest_fails (s : setting) (alpha beta : Q) (p : rest_proof) : option string :=
   let n := dimension_of s in
   match resting_contacts n (rows s) 0 (rest_forces p) (rest_answers p) [] with
   | None => Some "rest-share"%string
   | Some them =>
-      let columns := map (column n them) (seq 0 n) in
-      let holds lambda :=
-        if negb (reach_holds n (left_over n s them lambda) columns (rest_reach p)) then Some "rest-reach"%string
-        else if negb (forallb (cone_holds (rest_reach p) lambda) them && forallb (resting_sound lambda) them)
-        then Some "rest-cone"%string
-        else None in
+      let holds := rest_fails_at n s them (map (column n them) (seq 0 n)) (rest_reach p) in
       match holds alpha with
       | Some rule => Some rule
       | None => if Qeq_bool alpha beta then None else holds beta
@@ -578,4 +579,192 @@ Proof.
       specialize (Zero k K). unfold total, Wr in Zero. rewrite <- Rplus_assoc, Zero. ring.
 Qed.
 
+
+(* ---- What the rules say of W, M and the cones ---- *)
+
+Lemma times_forms rr y : times (Rows.N rr :: Rows.slips rr) y = Rows.dot (Rows.N rr) y :: Rows.slip rr y.
+Proof. reflexivity. Qed.
+
+(* P' of a choice is between its ends. *)
+Lemma pressure_between q r rr : shaped r rr -> exists t, 0 <= t <= 1 /\
+  pressure (Q2R q) rr = mix t (Q2R (low (box_preload (resting_box r)) + q * low (box_growth (resting_box r))))
+                              (Q2R (high (box_preload (resting_box r)) + q * high (box_growth (resting_box r)))).
+Proof.
+  intros S. destruct (shaped_inside _ _ S) as (p & G & mu & t & I). exists t. split; [apply (in_step _ _ _ _ _ _ I)|].
+  unfold pressure, mix. rewrite (in_preload _ _ _ _ _ _ I), (in_growth _ _ _ _ _ _ I), !Q2R_plus, !Q2R_mult. ring.
+Qed.
+
+Lemma contact_within q r rr : shaped r rr ->
+  all_within n (ranges n (resting_box r) (map (fun p => p :: force_at_rest r) (pressures (resting_box r) q)))
+    (fun k => pressure (Q2R q) rr * Rows.dot (Rows.N rr) (basis_vector n k) +
+              Rows.dot (real (force_at_rest r)) (Rows.slip rr (basis_vector n k))).
+Proof.
+  intros S. destruct (pressure_between q r rr S) as (t & T & E).
+  eapply all_within_same; [|apply (ranges_within n (resting_box r) rr _
+    ((low (box_preload (resting_box r)) + q * low (box_growth (resting_box r)))%Q :: force_at_rest r)
+    ((high (box_preload (resting_box r)) + q * high (box_growth (resting_box r)))%Q :: force_at_rest r) t);
+    [apply S|apply S|now left|right; now left|exact T]].
+  intros k _. cbn beta. rewrite !times_forms, E. unfold real. cbn [map Rows.dot]. unfold mix. ring.
+Qed.
+
+Lemma still_within q ts rs acc x : Forall2 shaped ts rs -> all_within n acc x ->
+  all_within n (fold_left (fun sum r => plus_intervals sum
+      (ranges n (resting_box r) (map (fun p => p :: force_at_rest r) (pressures (resting_box r) q)))) ts acc)
+    (fun k => x k + still (Q2R q) ts rs (basis_vector n k)).
+Proof.
+  intros F. revert acc x. induction F as [|r rr ts rs S F IH]; intros acc x A; cbn [fold_left still].
+  - apply (all_within_same n acc x); [|exact A]. intros; cbn; ring.
+  - eapply all_within_same; [|apply IH; apply plus_intervals_within; [exact A|apply (contact_within q r rr S)]].
+    intros k _. cbn beta. ring.
+Qed.
+
+Lemma answer_within l ts rs acc x : Forall2 shaped ts rs -> all_within n acc x ->
+  all_within n (fold_left (fun sum r => match answers r with
+      | [] => sum
+      | g => plus_intervals sum (ranges n (resting_box r) [0%Q :: nth l g []])
+      end) ts acc)
+    (fun k => x k + answer l ts rs (basis_vector n k)).
+Proof.
+  intros F. revert acc x. induction F as [|r rr ts rs S F IH]; intros acc x A; cbn [fold_left answer].
+  - apply (all_within_same n acc x); [|exact A]. intros; cbn; ring.
+  - destruct (answers r) as [|a g] eqn:E.
+    + eapply all_within_same; [|apply IH; exact A]. intros k _. cbn beta. destruct l; cbn; ring.
+    + rewrite <- E. eapply all_within_same; [|apply IH; apply plus_intervals_within; [exact A|
+        apply (ranges_within n (resting_box r) rr _ (0%Q :: nth l (answers r) []) (0%Q :: nth l (answers r) []) 0);
+        [apply S|apply S|now left|now left|lra]]].
+      intros k _. cbn beta. rewrite times_forms. unfold real, mix. cbn [map Rows.dot]. rewrite Q2R_0. ring.
+Qed.
+
+Lemma loads_within q : all_within n (loads_at s q) (fun k => Rows.load sys 1 (Q2R q) (basis_vector n k)).
+Proof.
+  destruct fit as [_ _ Fw Fg _ _ [L1 L2] _ _]. rewrite n_is in *. unfold loads_at, Rows.load.
+  set (box := load_box (the_load s)) in *. set (u := load_growth (the_load s)) in *.
+  apply (all_within_same n _ (fun k => nth k (Rows.wrench sys) 0 + Q2R q * nth k (Rows.direction sys) 0)).
+  { intros k K. rewrite !dot_unit by exact K. ring. }
+  clearbody box u. revert Fw Fg L1 L2. generalize (Rows.wrench sys) (Rows.direction sys). clear. intros w d Fw. revert n u d.
+  induction Fw as [|i x box w Wx Fw IH]; intros n u d Fg L1 L2; cbn in L1; subst n.
+  - split; [reflexivity|]. intros k K. lia.
+  - destruct u as [|g u]; [subst d; discriminate|]. destruct d as [|y d]; [discriminate|].
+    injection Fg as Fg1 Fg2. injection L2 as L2. destruct (IH _ u d Fg2 eq_refl L2) as [Ls W]. split.
+    + cbn. now f_equal.
+    + intros [|k] K; cbn; [|apply W; lia]. rewrite <- Fg1, <- Q2R_mult. now apply shifted_within.
+Qed.
+
+Lemma nth_exactly k : nth k (repeat (exactly 0) n) (exactly 0) = exactly 0.
+Proof.
+  destruct (nth_in_or_default k (repeat (exactly 0) n) (exactly 0)) as [H|H]; [|exact H]. now apply repeat_spec in H.
+Qed.
+
+Lemma column_within l : all_within n (column n them l) (fun k => answer l them (Rows.rows sys) (basis_vector n k)).
+Proof.
+  apply (all_within_same n _ (fun k => 0 + answer l them (Rows.rows sys) (basis_vector n k))); [intros; ring|].
+  apply answer_within; [exact them_shaped|]. split; [apply repeat_length|].
+  intros k _. rewrite nth_exactly. unfold within; cbn. rewrite Q2R_0. lra.
+Qed.
+
+Lemma sum_by_fold f g init m0 m : Q2R (fold_left (fun sum l => Qred (sum + f l * g l)) (seq m0 m) init) =
+  Q2R init + sum_to m (fun l => Q2R (f (m0 + l)%nat) * Q2R (g (m0 + l)%nat)).
+Proof.
+  revert m0 init. induction m as [|m IH]; intros m0 init; cbn [seq fold_left sum_to]; [ring|].
+  rewrite IH, Qred_R, Q2R_plus, Q2R_mult, Nat.add_0_r.
+  rewrite (sum_same m (fun l => Q2R (f (S m0 + l)%nat) * Q2R (g (S m0 + l)%nat))
+    (fun l => Q2R (f (m0 + S l)%nat) * Q2R (g (m0 + S l)%nat))) by (intros; now rewrite Nat.add_succ_r). ring.
+Qed.
+
+Lemma root_below_nonneg q : 0 <= Q2R (root_below q).
+Proof.
+  unfold root_below. destruct (_ && _) eqn:H; [|rewrite Q2R_0; lra].
+  apply andb_true_iff in H as [H _]. apply Qle_bool_R in H. now rewrite Q2R_0 in H.
+Qed.
+
+Lemma held_by_rules q r rr : shaped r rr -> cone_holds reach q r = true -> resting_sound q r = true -> held (Q2R q) r rr.
+Proof.
+  intros S C Sd. unfold resting_sound in Sd. rewrite !andb_true_iff in Sd. destruct Sd as [[[Fs _] Sq] Pn].
+  destruct (pressure_between q r rr S) as (t & T & E). destruct (shaped_inside _ _ S) as (p & G & mu & t' & I).
+  set (a := (low (box_preload (resting_box r)) + q * low (box_growth (resting_box r)))%Q) in *.
+  set (b := (high (box_preload (resting_box r)) + q * high (box_growth (resting_box r)))%Q) in *.
+  assert (Least : Q2R (least_pressure (resting_box r) q) <= pressure (Q2R q) rr).
+  { rewrite E. unfold least_pressure, pressures. fold a b. destruct (min_R a b). unfold mix. nra. }
+  split.
+  - unfold cone_holds in C. destruct (force_at_rest r) as [|x f] eqn:Ef; [destruct (answers r) as [|y g] eqn:Eg; [now left|]|];
+      right; rewrite <- ?Ef, <- ?Eg in *; apply Qle_bool_R in C; rewrite Q2R_plus, !Q2R_mult in C;
+      (eapply Rle_trans; [exact C|]); rewrite (is_rho _ _ _ _ _ _ I);
+      pose proof (in_friction _ _ _ _ _ _ I) as [M1 M2]; pose proof (friction_nonneg _ _ _ _ _ _ I) as M0;
+      pose proof (root_below_nonneg (box_square (resting_box r))) as R0;
+      pose proof (root_below_is _ (square_nonneg _ _ _ _ _ _ I)) as R1;
+      unfold friction_sound in Fs; apply andb_true_iff in Fs as [F0 Fs]; apply Qle_bool_R in F0; rewrite Q2R_0 in F0;
+      set (m := Q2R (low (box_friction (resting_box r)))) in *; set (l := Q2R (root_below _)) in *;
+      set (v := Q2R (least_pressure _ _)) in *;
+      (destruct (box_spring (resting_box r)) eqn:Sp;
+        [pose proof (spring_smooth _ _ _ _ _ _ I Sp) as Z; replace m with 0 by lra; rewrite Z; lra|]);
+      rewrite orb_false_l in Pn; apply Qle_bool_R in Pn; rewrite Q2R_0 in Pn; fold v in Pn;
+      apply Rmult_le_compat; try lra; try (apply Rmult_le_pos; assumption); apply Rmult_le_compat; lra.
+  - intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp. rewrite Sp, orb_false_l in Pn. apply Qle_bool_R in Pn.
+    rewrite Q2R_0 in Pn. lra.
+Qed.
+
+Lemma rests_by_rules q :
+  reach_holds n (left_over n s them q) (map (column n them) (seq 0 n)) reach = true ->
+  forallb (cone_holds reach q) them = true -> forallb (resting_sound q) them = true -> rests (Q2R q).
+Proof.
+  intros H C Sd.
+  assert (All : forall k, (k < n)%nat -> 0 <= Q2R (nth k reach 0%Q)).
+  { intros k K. unfold reach_holds in H. apply andb_true_iff in H as [_ H]. rewrite forallb_forall in H.
+    specialize (H k). rewrite in_seq in H. specialize (H ltac:(lia)). apply andb_true_iff in H as [H _].
+    apply Qle_bool_R in H. now rewrite Q2R_0 in H. }
+  split.
+  - intros k K. unfold reach_holds in H. apply andb_true_iff in H as [_ H]. rewrite forallb_forall in H.
+    specialize (H k). rewrite in_seq in H. specialize (H ltac:(lia)). apply andb_true_iff in H as [H0 H].
+    apply Qle_bool_R in H0, H. rewrite Q2R_0 in H0. split; [exact H0|]. rewrite sum_by_fold in H. cbn [Nat.add] in H.
+    eapply Rle_trans; [|exact H]. apply Rplus_le_compat.
+    + apply most_of_bound. destruct (still_within q them (Rows.rows sys) _ _ them_shaped (loads_within q)) as [_ W].
+      exact (W k K).
+    + assert (G : forall m a b, (forall i, (i < m)%nat -> a i <= b i) -> sum_to m a <= sum_to m b).
+      { clear. induction m as [|m IH]; intros a b H; cbn; [lra|].
+        apply Rplus_le_compat; [apply H; lia|]. apply IH. intros; apply H; lia. }
+      apply G. intros l L. apply Rmult_le_compat_r; [apply (All l L)|].
+      apply most_of_bound. unfold off. destruct (column_within l) as [_ W]. specialize (W k K).
+      rewrite (nth_indep _ [] (column n them 0)) by (now rewrite map_length, seq_length).
+      rewrite map_nth, seq_nth by exact L. cbn [Nat.add].
+      pose proof (shifted_within _ (if Nat.eqb k l then -(1) else 0)%Q _ W) as Sh.
+      replace (Q2R (if Nat.eqb k l then -(1) else 0)) with (- (if Nat.eqb k l then 1 else 0)) in Sh; [exact Sh|].
+      destruct (Nat.eqb k l); unfold Q2R; cbn; lra.
+  - clear - C Sd them_shaped. revert C Sd. induction them_shaped as [|r rr ts rs S F IH]; intros C Sd; constructor;
+      cbn in C, Sd; apply andb_true_iff in C as [C1 C2]; apply andb_true_iff in Sd as [S1 S2];
+      [now apply held_by_rules|now apply IH].
+Qed.
+
 End AtRest.
+
+Theorem stable_at_rest s sys alpha beta p lambda : in_setting s sys -> rest_fails s alpha beta p = None ->
+  (Q2R alpha <= lambda <= Q2R beta)%R -> Rows.stable_at sys lambda.
+Proof.
+  intros Fit H L. unfold rest_fails in H. set (n := dimension_of s) in *.
+  destruct (resting_contacts n _ _ _ _ _) as [them|] eqn:E; [|discriminate].
+  destruct (resting_shaped n (rows s) (Rows.rows sys) _ _ _ _ _ E (its_rows _ _ Fit) (its_proper _ _ Fit))
+    as (rest & E' & S). cbn in E'. subst rest.
+  set (fails := rest_fails_at n s them (map (column n them) (seq 0 n)) (rest_reach p)) in H.
+  assert (Rules : forall q, fails q = None ->
+    reach_holds n (left_over n s them q) (map (column n them) (seq 0 n)) (rest_reach p) = true /\
+    forallb (cone_holds (rest_reach p) q) them = true /\ forallb (resting_sound q) them = true).
+  { intros q F. unfold fails, rest_fails_at in F. destruct (reach_holds _ _ _ _); [|discriminate]. cbn [negb] in F.
+    destruct (forallb (cone_holds _ q) them && _) eqn:C; [|discriminate]. apply andb_true_iff in C. tauto. }
+  assert (Rests : forall q, fails q = None -> rests n sys them (rest_reach p) (Q2R q)).
+  { intros q F. destruct (Rules q F) as (A & B & C). apply (rests_by_rules n s sys Fit eq_refl them S); try assumption.
+    unfold reach_holds in A. apply andb_true_iff in A as [A _]. now apply Nat.eqb_eq. }
+  destruct (fails alpha) eqn:Fa; [discriminate|]. destruct (Rules alpha Fa) as (A & _ & C).
+  apply (stable_where_it_rests n s sys Fit eq_refl them S (rest_reach p)).
+  - unfold reach_holds in A. apply andb_true_iff in A as [A _]. now apply Nat.eqb_eq.
+  - rewrite forallb_forall in C. apply Forall_forall. intros r Hr. specialize (C r Hr). unfold resting_sound in C.
+    rewrite !andb_true_iff in C. split; [apply C|]. now apply positive_weights.
+  - pose proof (Rests alpha Fa) as Ra. destruct (Qeq_bool alpha beta) eqn:Q.
+    + apply Qeq_bool_eq, Qeq_eqR in Q. replace lambda with (Q2R alpha) by lra. exact Ra.
+    + pose proof (Rests beta H) as Rb. set (a := Q2R alpha) in *. set (b := Q2R beta) in *.
+      assert (NE : (a < b)%R).
+      { destruct (Req_dec a b) as [Eq|Ne]; [|lra]. apply eqR_Qeq, Qeq_eq_bool in Eq. congruence. }
+      replace lambda with (mix ((lambda - a) / (b - a)) a b) by (unfold mix; field; lra).
+      apply rests_between; try assumption.
+      assert (0 < / (b - a))%R by (apply Rinv_0_lt_compat; lra). split.
+      * apply Rmult_le_pos; lra.
+      * apply Rmult_le_reg_r with (b - a)%R; [lra|]. field_simplify; lra.
+Qed.

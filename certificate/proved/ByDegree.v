@@ -545,10 +545,7 @@ Variable sys : Rows.system.
 Let D := dimension_of s.
 
 Record in_setting : Prop := InSetting {
-  its_rows : Forall2 fits (rows s) (Rows.rows sys);
-  its_load : the_load s = make_load (load_box (the_load s)) (load_growth (the_load s));
-  its_wrench : Forall2 within (load_box (the_load s)) (Rows.wrench sys);
-  its_growth : map Q2R (load_growth (the_load s)) = Rows.direction sys;
+  its_box : contains (rows s) (the_load s) sys;
   its_dimension : Rows.dimension sys = D;
   its_proper : Forall (proper D) (Rows.rows sys);
   its_lengths : List.length (Rows.wrench sys) = D /\ List.length (Rows.direction sys) = D;
@@ -631,7 +628,7 @@ Proof.
   destruct (walls_bound _ _ _ _ FM) as (B & HB). destruct (free_lengths _ _ _ _ FM) as [FL EL].
   destruct (direction_inverse _ _ _ _ _ INV FL) as (LA & AL & Lm & HM & I1 & I2 & HA).
   unfold all_free in AF. apply andb_true_iff in AF as [FS AF]. rewrite forallb_forall in AF.
-  destruct fit as [Fr Fl Fw Fg Fd Fp [Fl1 Fl2] Fs Fn].
+  destruct fit as [(Fr & Fl & Fw & Fg) Fd Fp [Fl1 Fl2] Fs Fn].
   destruct (ways_to D _ _ Fr Fp FS) as (ways & WE & WW).
   destruct (part_of lambda Range Lo Hi) as (t1 & T1 & H1 & E1).
   set (w0 := map (fun i => Q2R (middle i)) (load_box (the_load s))).

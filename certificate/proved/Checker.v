@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Leaf Tree Witness Margin.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Leaf Tree Witness Margin Parts.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -46,6 +46,12 @@ Definition check_tree (q : question) (s : setting) (nodes : list node) : answer 
   | Some (rule, number) => Rejected rule (AtNode number)
   end.
 
+Definition check_parts (q : question) (s : setting) (parts : list part) : answer :=
+  match parts_fail memory advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
+  | None => Stable
+  | Some (rule, found_at) => Rejected rule found_at
+  end.
+
 Definition check_margin (q : question) (s : setting) (resisted : list (Q * option Q))
     (segments : list segment) (nodes : list node) : answer :=
   if is_one_grasp s then
@@ -70,7 +76,7 @@ Definition check (q : question) (c : certificate) : answer :=
       match body c, is_margin q with
       | StableByWitness w, false => check_witness q s w
       | UnstableByTree nodes, false => check_tree q s nodes
-      | StableByParts _, false => NotProvedHere "a proof by degree or at rest"
+      | StableByParts parts, false => check_parts q s parts
       | MarginBy resisted segments nodes, true => check_margin q s resisted segments nodes
       | MarginByDegree, true => NotProvedHere "segments by degree"
       | MarginInSpace _, true => NotProvedHere "a margin in space"

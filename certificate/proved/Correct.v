@@ -2,7 +2,7 @@
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Leaf Tree Witness Margin
-  Checker.
+  RowLimits ByDegree Parts Checker.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -30,6 +30,11 @@ Lemma Forall2_weaken {A B} (P P' : A -> B -> Prop) l l' :
   (forall a b, P a b -> P' a b) -> Forall2 P l l' -> Forall2 P' l l'.
 Proof. intros H. induction 1; constructor; auto. Qed.
 
+(* The lengths of a row's lists. *)
+Definition shaped_row (D : nat) (r : Rows.row) : Prop :=
+  List.length (Rows.N r) = D /\ Forall (fun f => List.length f = D) (Rows.slips r) /\
+  List.length (Rows.weights r) = List.length (Rows.slips r).
+
 (* All that the proofs need to know of a choice. *)
 Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_rows : Forall2 fits (rows st) (Rows.rows s);
@@ -39,6 +44,7 @@ Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_wrench : Forall2 within (wrench q) (Rows.wrench s);
   posed_direction : map Q2R (direction q) = Rows.direction s;
   posed_lengths : List.length (Rows.direction s) = List.length (Rows.wrench s);
+  posed_shapes : List.length (Rows.wrench s) = Rows.dimension s /\ Forall (shaped_row (Rows.dimension s)) (Rows.rows s);
   posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral
 }.
 
@@ -47,7 +53,8 @@ Proof.
   unfold setting_of. intros H C. destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate].
   injection H as <-. destruct C as [(g & (D & F & W & U & N) & ->)|(g & (D & F & W & U & N) & ->)];
     (constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
-       Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split)).
+       Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split);
+     try (split; [reflexivity|]; apply Forall_map, Forall_forall; intros c _; now repeat constructor)).
   - apply (enlarge_all_fits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
     + intros q0 b r B (c & Ch & ->). eapply enlarge_plane; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
@@ -95,6 +102,21 @@ Proof.
   - constructor; try assumption; try lra; rewrite posed_load0; try assumption; reflexivity.
 Qed.
 
+Lemma posed_in_setting q st s : poses q st s -> in_setting st s.
+Proof.
+  intros []. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D1 D2], posed_shapes0 as [Lw Sh].
+  constructor; try congruence.
+  - unfold contains. rewrite posed_load0. now repeat split.
+  - rewrite D1. clear - posed_rows0 Sh. revert Sh.
+    induction posed_rows0 as [|row r rows rs [_ (p & F & mu & t & I)] P IH]; intros Sh; constructor.
+    + destruct (Forall_inv Sh) as (A & B & C). constructor; try assumption; try apply I.
+      * rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos].
+      * intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp.
+        rewrite (is_rho _ _ _ _ _ _ I), (spring_smooth _ _ _ _ _ _ I Sp). ring.
+    + apply IH. exact (Forall_inv_tail Sh).
+  - split; congruence.
+Qed.
+
 Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
   exact_rows (rows st) = true /\ exact_load (the_load st) s.
 Proof.
@@ -113,6 +135,11 @@ Proof.
     destruct (one_grasp _ _ _ P X) as [E L]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in W.
     replace 0 with (Q2R 0) by apply Q2R_0.
     eapply point_resists; try eassumption. reflexivity.
+  - (* parts *)
+    unfold check_parts. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
+    intros s C. specialize (P s C).
+    pose proof (parts_stable memory advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
+    apply (Forall_inv A). cbn. now apply posed_in_setting with q.
   - (* a tree *)
     unfold check_tree. destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C. apply (refute_correct q st s _ _ 0 (P s C) R (Rle_refl 0)).

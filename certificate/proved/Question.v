@@ -60,9 +60,9 @@ Record segment := Segment { first_point : option point; second_point : point }.
 (* PART of a stable verdict. *)
 Inductive part :=
   | PartCut (name : parameter) (index : Z) (at_number : Q)
-  | PartProof (d0 : list Q) (walls : list (list Q)) (direction : list (list Q))
+  | PartProof (d0 : list Q) (simplex : bool) (walls : list (list Q)) (direction : list (list Q))
       (tree : list node)
-  | PartAtRest.                         (* this checker only reads it *)
+  | PartAtRest (forces : list (Z * list Q)) (answers : list (Z * list (list Q))) (reach : list Q).
 
 (* CLAIM of a margin in space. *)
 Inductive claim :=
@@ -91,7 +91,8 @@ Inductive place :=
   | AtContact (number : Z)            (* of a witness *)
   | AtInterval (number : nat)
   | AtSegment (number : nat)
-  | AtPoint (segment : nat) (second : bool).
+  | AtPoint (segment : nat) (second : bool)
+  | AtPart (number : nat) (node : option nat).   (* and the number in the part's own tree *)
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)

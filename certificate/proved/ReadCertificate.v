@@ -228,23 +228,23 @@ Definition read_walls (s : shape) (more : Z) (at_path : path) (value : json)
   end.
 
 (** Friction forces of a contact, one for each component of a wrench. *)
-Definition read_answers (s : shape) (at_path : path) (value : json) : result unit :=
+Definition read_answers (s : shape) (at_path : path) (value : json) : result (Z * list (list Q)) :=
   match value with
   | Array [contact; forces] =>
-      let* _ := read_index at_path contact in
-      let* _ := read_sized (size_of_twist s) "a force for each component of a wrench"
-                  (read_friction s) at_path forces in
-      Fine tt
+      let* i := read_index at_path contact in
+      let* them := read_sized (size_of_twist s) "a force for each component of a wrench"
+                     (read_friction s) at_path forces in
+      Fine (i, them)
   | _ => expected "[contact, forces]" at_path value
   end.
 
 Definition read_at_rest (s : shape) (at_path : path) (value : json) : result part :=
   let* members := members_in_order ["rest"; "answers"; "reach"] at_path value in
-  let* _ := member "rest" (read_shares s) at_path members in
-  let* _ := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
+  let* f := member "rest" (read_shares s) at_path members in
+  let* g := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
               at_path members in
-  let* _ := member "reach" (read_twist s) at_path members in
-  Fine PartAtRest.
+  let* z := member "reach" (read_twist s) at_path members in
+  Fine (PartAtRest f g z).
 
 Definition is_at_rest (value : json) : bool :=
   match value with Object members => has_member "rest" members | _ => false end.
@@ -267,7 +267,7 @@ Definition read_part (s : shape) (at_path : path) (value : json) : result part :
       let* e := member walls (read_walls s (if simplex then 1 else 0)%Z) at_path members in
       let* a := member "direction" (read_matrix s) at_path members in
       let* tree := member "tree" (read_nodes s) at_path members in
-      Fine (PartProof d e a tree)
+      Fine (PartProof d simplex e a tree)
   end.
 
 (** BY_DEGREE; this checker only reads it. *)

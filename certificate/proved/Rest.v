@@ -524,7 +524,7 @@ Hypothesis all_sound : Forall (fun r => friction_sound (resting_box r) = true /\
 
 Theorem stable_where_it_rests lambda : rests lambda -> Rows.stable_at sys lambda.
 Proof.
-  intros [Re He]. destruct fit as [_ _ _ _ Fd Fp [Fl1 Fl2] _ _]. rewrite n_is in *.
+  intros [Re He]. destruct fit as [_ Fd Fp [Fl1 Fl2] _ _]. rewrite n_is in *.
   set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k))).
   destruct (fixed_point n (fun k => Q2R (nth k reach 0%Q)) (fun z k => z k - total z k)) as [z In_box Fix].
   - intros k K. now apply Re.
@@ -637,7 +637,7 @@ Qed.
 
 Lemma loads_within q : all_within n (loads_at s q) (fun k => Rows.load sys 1 (Q2R q) (basis_vector n k)).
 Proof.
-  destruct fit as [_ _ Fw Fg _ _ [L1 L2] _ _]. rewrite n_is in *. unfold loads_at, Rows.load.
+  destruct fit as [(_ & _ & Fw & Fg) _ _ [L1 L2] _ _]. rewrite n_is in *. unfold loads_at, Rows.load.
   set (box := load_box (the_load s)) in *. set (u := load_growth (the_load s)) in *.
   apply (all_within_same n _ (fun k => nth k (Rows.wrench sys) 0 + Q2R q * nth k (Rows.direction sys) 0)).
   { intros k K. rewrite !dot_unit by exact K. ring. }
@@ -741,7 +741,7 @@ Theorem stable_at_rest s sys alpha beta p lambda : in_setting s sys -> rest_fail
 Proof.
   intros Fit H L. unfold rest_fails in H. set (n := dimension_of s) in *.
   destruct (resting_contacts n _ _ _ _ _) as [them|] eqn:E; [|discriminate].
-  destruct (resting_shaped n (rows s) (Rows.rows sys) _ _ _ _ _ E (its_rows _ _ Fit) (its_proper _ _ Fit))
+  destruct (resting_shaped n (rows s) (Rows.rows sys) _ _ _ _ _ E (proj1 (its_box _ _ Fit)) (its_proper _ _ Fit))
     as (rest & E' & S). cbn in E'. subst rest.
   set (fails := rest_fails_at n s them (map (column n them) (seq 0 n)) (rest_reach p)) in H.
   assert (Rules : forall q, fails q = None ->

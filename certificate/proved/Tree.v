@@ -359,13 +359,19 @@ Proof.
     destruct (within_halves _ c _ K); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
 Qed.
 
-Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
-  solution (rows s) (the_load s) push sys d h l fs ->
-  (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
-  (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
+(* A system in the box. *)
+Definition contains (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
+  Forall2 fits rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
+  Forall2 within (load_box ld) (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
+
+Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
+  contains (rows s) (the_load s) sys ->
+  (forall t, t = lo \/ t = hi ->
+     dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+  (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
 Proof.
-  intros H [F LE LW LU H0 L0 E Bal].
-  assert (Row : name <> PWrench -> match numbered (rows s) i with
+  intros H (F & LE & LW & LU).
+  assert (Row : match numbered (rows s) i with
       | None => inr "part-contact"%string
       | Some row => match get (box row) name with
           | None => inr "part-contact"%string
@@ -376,22 +382,33 @@ Proof.
               else inr "part-inside"%string
           end
       end = inl (lo, hi) ->
-    (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
-    (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs)).
-  { intros _ R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
+    (forall t, t = lo \/ t = hi ->
+       dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+    (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys)).
+  { intros R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (get (box row) name) as [iv|] eqn:Ge; [|discriminate].
     destruct (is_inside iv c && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [C G].
-    injection R as <- <-. cbn. split; [auto|].
+    injection R as <- <-. split; [intros t [-> | ->]; auto|].
     destruct (numbered_replace_either fits (rows s) (Rows.rows sys) i row
       (make_row (set (box row) name (low_half iv c))) (make_row (set (box row) name (high_half iv c))) F N)
-      as [F'|F']; [|left; constructor; assumption|right; constructor; assumption].
+      as [F'|F']; [|left; now repeat split|right; now repeat split].
     intros k [_ Ik]. destruct (set_inside _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
-  destruct name; cbn [halves] in H; try (apply Row; [discriminate|exact H]).
+  destruct name; cbn [halves] in H; try (apply Row; exact H).
   destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
-  destruct (is_inside iv c); [|discriminate]. injection H as <- <-. cbn. split; [auto|].
+  destruct (is_inside iv c); [|discriminate]. injection H as <- <-. split; [intros t [-> | ->]; auto|].
   destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
-    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right];
-    constructor; cbn; try assumption; reflexivity.
+    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right]; now repeat split.
+Qed.
+
+Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
+  solution (rows s) (the_load s) push sys d h l fs ->
+  (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
+  (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
+Proof.
+  intros H [F LE LW LU H0 L0 E Bal].
+  destruct (halves_contain s name i c lo hi sys H) as [S C]; [now repeat split|].
+  destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
+  split; [auto|]. destruct C as [(F' & LE' & LW' & LU')|(F' & LE' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
 
 Definition in_range (g : range) (lambda : R) :=

@@ -477,7 +477,7 @@ Proof.
   now rewrite dot_sym, Rows.dot_scaled, dot_sym.
 Qed.
 
-Lemma obeys_multiple w d h l r f c : 0 < c -> Rows.positive (Rows.weights r) -> Rows.obeys w d h l r f ->
+Lemma obeys_multiple w d h l r f c : 0 <= c -> Rows.positive (Rows.weights r) -> Rows.obeys w d h l r f ->
   Rows.obeys w (Rows.scaled c d) (c * h) (c * l) r (c * fst f, Rows.scaled c (snd f)).
 Proof.
   intros C P. destruct f as [a y]. intros (L & Co & Di). cbn [fst snd Rows.obeys].
@@ -505,7 +505,7 @@ Proof.
   split; [unfold Rows.scaled; now rewrite map_length|]. split.
   - replace 1 with (/ h * h) by (field; lra). replace (l / h) with (/ h * l) by (unfold Rdiv; ring).
     clear Bal. revert P. induction O as [|r f rs fs Of O IH]; intros P; cbn; constructor; [|exact (IH (Forall_inv_tail P))].
-    apply obeys_multiple; [exact C|exact (Forall_inv P)|exact Of].
+    apply obeys_multiple; [lra|exact (Forall_inv P)|exact Of].
   - intros y. rewrite works_multiple. specialize (Bal y). unfold Rows.load in *.
     apply Rmult_eq_reg_l with h; [|lra]. field_simplify; [|lra]. lra.
 Qed.

@@ -58,7 +58,9 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
     match order_fails (Some 0%Q) true resisted 0 with
     | Some number => Rejected "resisted-order" (AtInterval number)
     | None =>
-        match segments_fail (bilateral q) (dimension q) (rows s) (the_load s) segments resisted None None 0 with
+        match segments_fail (bilateral q) (dimension q) (rows s) (the_load s)
+                (segment_by_degree_fails memory advisor (bilateral q) (most_depth (rows s)) s) (unloaded s)
+                segments resisted None None 0 with
         | Some (rule, found_at) => Rejected rule found_at
         | None =>
             match refute q s (gaps resisted) nodes with
@@ -78,7 +80,6 @@ Definition check (q : question) (c : certificate) : answer :=
       | UnstableByTree nodes, false => check_tree q s nodes
       | StableByParts parts, false => check_parts q s parts
       | MarginBy resisted segments nodes, true => check_margin q s resisted segments nodes
-      | MarginByDegree, true => NotProvedHere "segments by degree"
       | MarginInSpace _, true => NotProvedHere "a margin in space"
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end

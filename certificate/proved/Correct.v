@@ -128,7 +128,7 @@ Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
   assert (P := fun s => choice_poses _ _ _ s S).
-  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims]; destruct (is_margin q); try exact I.
+  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).
@@ -148,13 +148,15 @@ Proof.
   - (* a margin *)
     unfold check_margin. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (order_fails _ _ resisted 0); [exact I|].
-    destruct (segments_fail _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
+    destruct (segments_fail _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
     destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as [E L]. split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
-    + intros A. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in SF.
-      eapply segments_resist; try eassumption; [discriminate|].
+    + intros A. pose proof (posed_in_setting q st s P) as In_s. destruct P. destruct posed_dimension0 as [_ D].
+      rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
+      { intros a b d1 d2 walls direction tree l Hd Z La Lb.
+        eapply (segment_by_degree_resists memory advisor); eassumption. }
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
 Qed.
 

@@ -25,6 +25,17 @@ Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string
   | PartCut _ _ _ => Some ("part-inside"%string, None)
   end.
 
+(* A segment by degree of a margin, from a multiple to another or without end; where w and P are 0, what holds
+   from 1 on holds from 0 on. *)
+Definition unloaded (s : setting) : bool :=
+  forallb (fun i => is_zero (low i) && is_zero (high i)) (load_box (the_load s)) &&
+  forallb (fun r => is_zero (low (box_preload (box r))) && is_zero (high (box_preload (box r)))) (rows s).
+
+Definition segment_by_degree_fails (s : setting) (alpha : Q) (beta : option Q) (d1 d2 : list Q)
+    (walls direction : list (list Q)) (tree : list node) : option (string * option nat) :=
+  let alpha := match beta with None => if is_zero alpha then 1%Q else alpha | Some _ => alpha end in
+  degree_fails memory advisor two_sided most_depth s (DegreeProof alpha beta d1 d2 false walls direction) tree.
+
 (* The boxes that parts still have to be about, with their depth, the next one first. *)
 Fixpoint parts_fail (parts : list part) (todo : list (setting * Z)) (number : nat) : option (string * place) :=
   match parts, todo with
@@ -66,6 +77,51 @@ Proof.
   intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; cbn in H; [discriminate| |].
   - eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
+Qed.
+
+(* Without load and preload but what grows, solutions can be multiplied. *)
+Lemma unloaded_stable s lambda : in_setting s sys -> unloaded s = true -> 0 <= lambda ->
+  Rows.stable_at sys 1 -> Rows.stable_at sys lambda.
+Proof.
+  intros I U L (d & fs & Ld & O & B). unfold unloaded in U. apply andb_true_iff in U as [Uw Up].
+  destruct (its_box _ _ I) as (Fr & _ & Fw & _).
+  assert (W : forall y, Rows.dot (Rows.wrench sys) y = 0).
+  { clear - Fw Uw. revert Uw. induction Fw as [|i x is w [W1 W2] Fw IH]; intros Uw y; [reflexivity|].
+    cbn in Uw. rewrite !andb_true_iff in Uw. destruct Uw as [[U1 U2] Uw]. apply is_zero_real in U1, U2.
+    destruct y as [|t y]; [reflexivity|]. cbn. rewrite IH by exact Uw. replace x with 0 by lra. ring. }
+  assert (P : Forall (fun r => Rows.preload r = 0) (Rows.rows sys)).
+  { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ (p & F & mu & t & I)] Fr IH]; intros Up; constructor;
+      cbn in Up; rewrite !andb_true_iff in Up; destruct Up as [[U1 U2] Up]; [|now apply IH].
+    apply is_zero_real in U1, U2. rewrite (in_preload _ _ _ _ _ _ I), U1, U2. ring. }
+  pose proof (its_proper _ _ I) as Pr.
+  exists (Rows.scaled lambda d), (map (fun f => (lambda * fst f, Rows.scaled lambda (snd f))) fs).
+  split; [unfold Rows.scaled; now rewrite map_length|]. split.
+  - clear - O P Pr L. revert P Pr. induction O as [|r f rs fs Of O IH]; intros P Pr; cbn; constructor;
+      [|exact (IH (Forall_inv_tail P) (Forall_inv_tail Pr))].
+    pose proof (obeys_multiple (Rows.normal sys) d 1 1 r f lambda L
+      (RowLimits.weights_positive _ _ (Forall_inv Pr)) Of) as M.
+    unfold Rows.obeys in *. cbn [fst snd] in *.
+    assert (E : Rows.v r (Rows.scaled lambda d) (lambda * 1) (lambda * 1) = Rows.v r (Rows.scaled lambda d) 1 lambda).
+    { unfold Rows.v. rewrite (Forall_inv P). ring. }
+    now rewrite <- E.
+  - intros y. rewrite works_multiple. specialize (B y). unfold Rows.load in *. rewrite W in *.
+    transitivity (lambda * (1 * 0 + 1 * Rows.dot (Rows.direction sys) y + Rows.works (Rows.rows sys) fs y)); [ring|].
+    rewrite B. ring.
+Qed.
+
+Theorem segment_by_degree_resists s alpha beta d1 d2 walls direction tree lambda :
+  segment_by_degree_fails memory advisor two_sided most_depth s alpha beta d1 d2 walls direction tree = None ->
+  in_setting s sys -> match beta with Some _ => True | None => Q2R alpha <> 0 \/ unloaded s = true end ->
+  Q2R alpha <= lambda -> match beta with Some b => lambda <= Q2R b | None => True end -> Rows.stable_at sys lambda.
+Proof.
+  unfold segment_by_degree_fails. intros H I Z L B. destruct beta as [b|].
+  - eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law|exact L|exact B].
+  - destruct (is_zero alpha) eqn:A.
+    + apply is_zero_real in A. destruct Z as [Z|Z]; [contradiction|].
+      apply (unloaded_stable s lambda I Z); [lra|].
+      eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law| |exact Logic.I].
+      cbn. rewrite Q2R_1. lra.
+    + eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law|exact L|exact Logic.I].
 Qed.
 
 Theorem parts_stable parts todo number : parts_fail memory advisor two_sided most_depth parts todo number = None ->

@@ -54,8 +54,10 @@ Record witness := Witness {
 (* POINT of a margin in the plane: lambda, or None for null. *)
 Record point := Point { multiple : option Q; point_witness : witness }.
 
-(* None: begins with the last point of the segment before it. *)
-Record segment := Segment { first_point : option point; second_point : point }.
+Inductive segment :=
+  | Segment (first : option point) (second : point)    (* None: begins with the last point of the segment before it *)
+  | SegmentByDegree (to : option Q) (first_twist last_twist : list Q) (walls direction : list (list Q))
+      (tree : list node).
 
 (* PART of a stable verdict. *)
 Inductive part :=
@@ -76,7 +78,6 @@ Inductive proof :=
   | StableByParts (parts : list part)
   | UnstableByTree (tree : list node)
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
-  | MarginByDegree                      (* in the plane, some segments of which are by degree *)
   | MarginInSpace (claims : list claim).
 
 Record certificate := Certificate {
@@ -90,7 +91,7 @@ Inductive place :=
   | AtNode (number : nat)
   | AtContact (number : Z)            (* of a witness *)
   | AtInterval (number : nat)
-  | AtSegment (number : nat)
+  | AtSegment (number : nat) (node : option nat)
   | AtPoint (segment : nat) (second : bool)
   | AtPart (number : nat) (node : option nat).   (* and the number in the part's own tree *)
 

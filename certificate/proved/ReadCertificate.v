@@ -270,41 +270,39 @@ Definition read_part (s : shape) (at_path : path) (value : json) : result part :
       Fine (PartProof d simplex e a tree)
   end.
 
-(** BY_DEGREE; this checker only reads it. *)
-Definition read_segment_by_degree (s : shape) (at_path : path) (value : json) : result unit :=
+(** BY_DEGREE. *)
+Definition read_segment_by_degree (s : shape) (at_path : path) (value : json) : result segment :=
   let* members :=
     members_in_order ["to"; "twists"; "walls"; "direction"; "tree"] at_path value in
-  let* _ := member "to" read_or_null at_path members in
-  let* _ := member "twists" (read_sized 2 "two twists" (read_twist s)) at_path members in
-  let* _ := member "walls" (read_matrix s) at_path members in
-  let* _ := member "direction" (read_matrix s) at_path members in
-  let* _ := member "tree" (read_nodes s) at_path members in
-  Fine tt.
+  let* b := member "to" read_or_null at_path members in
+  let* twists := member "twists" (read_sized 2 "two twists" (read_twist s)) at_path members in
+  let* e := member "walls" (read_matrix s) at_path members in
+  let* a := member "direction" (read_matrix s) at_path members in
+  let* tree := member "tree" (read_nodes s) at_path members in
+  Fine (SegmentByDegree b (nth 0 twists []) (nth 1 twists []) e a tree).
 
-(* The segments, or None if one is by degree. *)
 Fixpoint read_segments_from (s : shape) (goes_on : bool) (index : Z) (at_path : path)
-  (items : list json) (done : option (list segment)) : result (option (list segment)) :=
+  (items : list json) (done : list segment) : result (list segment) :=
   match items with
-  | [] => Fine (match done with Some them => Some (rev_append them []) | None => None end)
+  | [] => Fine (rev_append done [])
   | Object members :: rest =>
       match read_segment_by_degree s (Element index :: at_path) (Object members) with
-      | Fine _ => read_segments_from s false (index + 1) at_path rest None
+      | Fine it => read_segments_from s false (index + 1) at_path rest (it :: done)
       | Malformed where_ found problem => Malformed where_ found problem
       end
   | item :: rest =>
       match read_segment s goes_on (Element index :: at_path) item with
       | Fine it =>
-          let ends := match multiple (second_point it) with Some _ => true | None => false end in
-          let them := match done with Some them => Some (it :: them) | None => None end in
-          read_segments_from s ends (index + 1) at_path rest them
+          let ends := match it with Segment _ (Point (Some _) _) => true | _ => false end in
+          read_segments_from s ends (index + 1) at_path rest (it :: done)
       | Malformed where_ found problem => Malformed where_ found problem
       end
   end.
 
 Definition read_segments (s : shape) (at_path : path) (value : json)
-  : result (option (list segment)) :=
+  : result (list segment) :=
   match value with
-  | Array items => read_segments_from s false 0 at_path items (Some [])
+  | Array items => read_segments_from s false 0 at_path items []
   | _ => expected "an array of segments" at_path value
   end.
 
@@ -403,10 +401,7 @@ Definition read_body (s : shape) (good : bool) (members : list (string * json)) 
       let* '(segments, rest) := next_read "segments" (read_segments s) rest in
       let* it := next_read "tree" (read_nodes s) rest in
       let* tree := finish it in
-      Fine (match segments with
-            | Some them => MarginBy resisted them tree
-            | None => MarginByDegree
-            end)
+      Fine (MarginBy resisted segments tree)
   else if good then
     if begins_with "parts" members then
       let* it := next_read "parts" (read_array "an array of parts" (read_part s)) members in

@@ -98,8 +98,11 @@ let size_of certificate =
   | StableByParts parts -> List.fold_left add_part none parts
   | UnstableByTree tree -> size_of_tree none tree
   | MarginBy (resisted, segments, tree) ->
-    size_of_tree { none with segments = List.length segments; trees = gaps resisted } tree
-  | MarginByDegree -> none
+    let add size = function
+      | Segment _ -> { size with segments = size.segments + 1 }
+      | SegmentByDegree (_, _, _, _, _, tree) ->
+        size_of_tree { size with segments = size.segments + 1; parts = size.parts + 1 } tree in
+    size_of_tree (List.fold_left add { none with trees = gaps resisted } segments) tree
   | MarginInSpace claims ->
     let add size = function
       | ClaimPart (_, _, part) -> add_part size part
@@ -113,14 +116,14 @@ let in_words place =
   | AtNode _ -> None
   | AtContact i -> Some ("contact " ^ Integer.to_string i)
   | AtInterval n -> Some ("interval " ^ string_of_int (int_of_nat n))
-  | AtSegment n -> Some ("segment " ^ string_of_int (int_of_nat n))
+  | AtSegment (n, _) -> Some ("segment " ^ string_of_int (int_of_nat n))
   | AtPoint (n, second) ->
     Some ("segment " ^ string_of_int (int_of_nat n)
           ^ if second then ", second point" else ", first point")
   | AtPart (n, _) -> Some ("part " ^ string_of_int (int_of_nat n))
 
 let node_of = function
-  | AtNode n | AtPart (_, Some n) -> Some (int_of_nat n)
+  | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) -> Some (int_of_nat n)
   | _ -> None
 
 let question asked =
@@ -166,7 +169,9 @@ type report =
 let proof answer size =
   let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
   match answer with
-  | Margin _ -> Printf.sprintf "segments: %d; trees: %d, of %s" size.segments size.trees tree
+  | Margin _ ->
+    let by_degree = if size.parts > 0 then Printf.sprintf ", by degree: %d" size.parts else "" in
+    Printf.sprintf "segments: %d%s; trees: %d, of %s" size.segments by_degree size.trees tree
   | Stable when size.parts + size.rests > 0 ->
     let some number text = if number > 0 then [text] else [] in
     String.concat "; "

@@ -1314,7 +1314,10 @@ type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
 type point = { multiple : q option; point_witness : witness }
 
-type segment = { first_point : point option; second_point : point }
+type segment =
+| Segment of point option * point
+| SegmentByDegree of q option * q list * q list * q list list * q list list
+   * node list
 
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
@@ -1332,7 +1335,6 @@ type proof =
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
-| MarginByDegree
 | MarginInSpace of claim list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -1342,7 +1344,7 @@ type place =
 | AtNode of nat
 | AtContact of Big_int_Z.big_int
 | AtInterval of nat
-| AtSegment of nat
+| AtSegment of nat * nat option
 | AtPoint of nat * bool
 | AtPart of nat * nat option
 
@@ -3701,61 +3703,97 @@ let reaches high0 to1 =
              | None -> true)
 
 (** val segments_fail :
-    bool -> nat -> row list -> load -> segment list -> (q * q option) list ->
-    q option -> (point * state list) option -> nat -> (string * place) option **)
+    bool -> nat -> row list -> load -> (q -> q option -> q list -> q list ->
+    q list list -> q list list -> node list -> (string * nat option) option)
+    -> bool -> segment list -> (q * q option) list -> q option ->
+    (point * state list) option -> nat -> (string * place) option **)
 
-let rec segments_fail two_sided dim rows0 ld segments resisted from0 last number =
-  let out_of_chain = Some ("segment-chain", (AtSegment number)) in
+let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted from0 last number =
+  let out_of_chain = Some ("segment-chain", (AtSegment (number, None))) in
   (match segments with
    | [] -> (match resisted with
             | [] -> None
             | _ :: _ -> out_of_chain)
    | s :: segments' ->
-     (match resisted with
-      | [] -> out_of_chain
-      | p :: resisted' ->
-        let (lo, hi) = p in
-        let first =
-          match s.first_point with
-          | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
-          | None ->
-            (match last with
-             | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
-             | None -> None)
-        in
-        let second = s.second_point in
-        (match first with
-         | Some p0 ->
-           let (p1, checked) = p0 in
-           (match p1.multiple with
-            | Some l1 ->
-              let start = match from0 with
-                          | Some e -> e
-                          | None -> lo in
-              if (||)
-                   ((||) (negb (qeq_bool l1 start))
-                     (beyond hi second.multiple))
-                   (match second.multiple with
-                    | Some l2 -> qlt_bool l2 l1
-                    | None -> false)
-              then out_of_chain
-              else (match checked with
-                    | Inl ss1 ->
-                      (match check_at two_sided dim rows0 ld second with
-                       | Inl ss2 ->
-                         if same_mode ss1 ss2
-                         then if reaches hi second.multiple
-                              then segments_fail two_sided dim rows0 ld
-                                     segments' resisted' None (Some (second,
-                                     ss2)) (S number)
-                              else segments_fail two_sided dim rows0 ld
-                                     segments' resisted second.multiple (Some
-                                     (second, ss2)) (S number)
-                         else Some ("segment-mode", (AtSegment number))
-                       | Inr rule -> Some (rule, (AtPoint (number, true))))
-                    | Inr rule -> Some (rule, (AtPoint (number, false))))
-            | None -> out_of_chain)
-         | None -> out_of_chain)))
+     (match s with
+      | Segment (first_point, second) ->
+        (match resisted with
+         | [] -> out_of_chain
+         | p :: resisted' ->
+           let (lo, hi) = p in
+           let first =
+             match first_point with
+             | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
+             | None ->
+               (match last with
+                | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
+                | None -> None)
+           in
+           (match first with
+            | Some p0 ->
+              let (p1, checked) = p0 in
+              (match p1.multiple with
+               | Some l1 ->
+                 let start = match from0 with
+                             | Some e -> e
+                             | None -> lo in
+                 if (||)
+                      ((||) (negb (qeq_bool l1 start))
+                        (beyond hi second.multiple))
+                      (match second.multiple with
+                       | Some l2 -> qlt_bool l2 l1
+                       | None -> false)
+                 then out_of_chain
+                 else (match checked with
+                       | Inl ss1 ->
+                         (match check_at two_sided dim rows0 ld second with
+                          | Inl ss2 ->
+                            if same_mode ss1 ss2
+                            then if reaches hi second.multiple
+                                 then segments_fail two_sided dim rows0 ld
+                                        degree unloaded0 segments' resisted'
+                                        None (Some (second, ss2)) (S number)
+                                 else segments_fail two_sided dim rows0 ld
+                                        degree unloaded0 segments' resisted
+                                        second.multiple (Some (second, ss2))
+                                        (S number)
+                            else Some ("segment-mode", (AtSegment (number,
+                                   None)))
+                          | Inr rule -> Some (rule, (AtPoint (number, true))))
+                       | Inr rule -> Some (rule, (AtPoint (number, false))))
+               | None -> out_of_chain)
+            | None -> out_of_chain))
+      | SegmentByDegree (to1, d1, d2, walls0, direction0, tree) ->
+        (match resisted with
+         | [] -> out_of_chain
+         | p :: resisted' ->
+           let (lo, hi) = p in
+           let start = match from0 with
+                       | Some e -> e
+                       | None -> lo in
+           let goes_up =
+             match to1 with
+             | Some t -> qlt_bool start t
+             | None ->
+               (||)
+                 (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int } start)
+                 ((&&)
+                   (qeq_bool start { qnum = Big_int_Z.zero_big_int; qden =
+                     Big_int_Z.unit_big_int }) unloaded0)
+           in
+           if (||) (negb goes_up) (beyond hi to1)
+           then out_of_chain
+           else (match degree start to1 d1 d2 walls0 direction0 tree with
+                 | Some p0 ->
+                   let (rule, node0) = p0 in
+                   Some (rule, (AtSegment (number, node0)))
+                 | None ->
+                   if reaches hi to1
+                   then segments_fail two_sided dim rows0 ld degree unloaded0
+                          segments' resisted' None None (S number)
+                   else segments_fail two_sided dim rows0 ld degree unloaded0
+                          segments' resisted to1 None (S number)))))
 
 (** val order_fails :
     q option -> bool -> (q * q option) list -> nat -> nat option **)
@@ -4423,6 +4461,34 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
    | Some rule -> Some (rule, None)
    | None -> None)
 
+(** val unloaded : setting -> bool **)
+
+let unloaded s =
+  (&&)
+    (forallb (fun i -> (&&) (is_zero i.low) (is_zero i.high))
+      s.the_load.load_box)
+    (forallb (fun r ->
+      (&&) (is_zero r.box.box_preload.low) (is_zero r.box.box_preload.high))
+      s.rows)
+
+(** val segment_by_degree_fails :
+    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
+    list -> q list -> q list list -> q list list -> node list ->
+    (string * nat option) option **)
+
+let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 walls0 direction0 tree =
+  let alpha1 =
+    match beta with
+    | Some _ -> alpha0
+    | None ->
+      if is_zero alpha0
+      then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+      else alpha0
+  in
+  degree_fails advisor two_sided most_depth0 s { low_multiple = alpha1;
+    high_multiple = beta; first_twist = d1; last_twist = d2; is_a_simplex =
+    false; wall_rows = walls0; direction_rows = direction0 } tree
+
 (** val parts_fail :
     'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
     (setting * Big_int_Z.big_int) list -> nat -> (string * place) option **)
@@ -4550,7 +4616,9 @@ let check_margin advisor q0 s resisted segments nodes =
         | Some number -> Rejected ("resisted-order", (AtInterval number))
         | None ->
           (match segments_fail q0.bilateral q0.dimension s.rows s.the_load
-                   segments resisted None None O with
+                   (segment_by_degree_fails advisor q0.bilateral
+                     (most_depth s.rows) s) (unloaded s) segments resisted
+                   None None O with
            | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
            | None ->
              (match refute advisor q0 s (gaps resisted) nodes with
@@ -4580,10 +4648,6 @@ let check advisor q0 c =
      | MarginBy (resisted, segments, nodes) ->
        if q0.is_margin
        then check_margin advisor q0 s resisted segments nodes
-       else NotProvedHere "a proof of something else than was asked"
-     | MarginByDegree ->
-       if q0.is_margin
-       then NotProvedHere "segments by degree"
        else NotProvedHere "a proof of something else than was asked"
      | MarginInSpace _ ->
        if q0.is_margin
@@ -6563,16 +6627,16 @@ let read_segment s goes_on at_path value0 = match value0 with
      (match l with
       | [] ->
         if goes_on
-        then bind (read_point0 s true at_path last) (fun b -> Fine
-               { first_point = None; second_point = b })
+        then bind (read_point0 s true at_path last) (fun b -> Fine (Segment
+               (None, b)))
         else expected "two points, as no segment before ended with a number"
                at_path value0
       | last0 :: l0 ->
         (match l0 with
          | [] ->
            bind (read_point0 s false at_path last) (fun a ->
-             bind (read_point0 s true at_path last0) (fun b -> Fine
-               { first_point = (Some a); second_point = b }))
+             bind (read_point0 s true at_path last0) (fun b -> Fine (Segment
+               ((Some a), b))))
          | _ :: _ ->
            expected
              "two points, or one where the segment before ended with a number"
@@ -6702,68 +6766,63 @@ let read_part s at_path value0 =
                   bind (member "tree" (read_nodes s) at_path members)
                     (fun tree -> Fine (PartProof (d, simplex, e, a, tree))))))))
 
-(** val read_segment_by_degree : shape -> path -> json -> unit result **)
+(** val read_segment_by_degree : shape -> path -> json -> segment result **)
 
 let read_segment_by_degree s at_path value0 =
   bind
     (members_in_order
       ("to" :: ("twists" :: ("walls" :: ("direction" :: ("tree" :: [])))))
       at_path value0) (fun members ->
-    bind (member "to" read_or_null at_path members) (fun _ ->
+    bind (member "to" read_or_null at_path members) (fun b ->
       bind
         (member "twists"
           (read_sized (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-            "two twists" (read_twist s)) at_path members) (fun _ ->
-        bind (member "walls" (read_matrix s) at_path members) (fun _ ->
-          bind (member "direction" (read_matrix s) at_path members) (fun _ ->
-            bind (member "tree" (read_nodes s) at_path members) (fun _ ->
-              Fine ()))))))
+            "two twists" (read_twist s)) at_path members) (fun twists ->
+        bind (member "walls" (read_matrix s) at_path members) (fun e ->
+          bind (member "direction" (read_matrix s) at_path members) (fun a ->
+            bind (member "tree" (read_nodes s) at_path members) (fun tree ->
+              Fine (SegmentByDegree (b, (nth O twists []),
+              (nth (S O) twists []), e, a, tree))))))))
 
 (** val read_segments_from :
     shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
-    option -> segment list option result **)
+    -> segment list result **)
 
 let rec read_segments_from s goes_on index at_path items done0 =
   match items with
-  | [] ->
-    Fine
-      (match done0 with
-       | Some them -> Some (rev_append them [])
-       | None -> None)
+  | [] -> Fine (rev_append done0 [])
   | item :: rest ->
     (match item with
      | Object members ->
        (match read_segment_by_degree s ((Element index) :: at_path) (Object
                 members) with
-        | Fine _ ->
+        | Fine it ->
           read_segments_from s false (Z.add index Big_int_Z.unit_big_int)
-            at_path rest None
+            at_path rest (it :: done0)
         | Malformed (where_, found, problem) ->
           Malformed (where_, found, problem))
      | _ ->
        (match read_segment s goes_on ((Element index) :: at_path) item with
         | Fine it ->
           let ends0 =
-            match it.second_point.multiple with
-            | Some _ -> true
-            | None -> false
-          in
-          let them =
-            match done0 with
-            | Some them -> Some (it :: them)
-            | None -> None
+            match it with
+            | Segment (_, second) ->
+              let { multiple = multiple0; point_witness = _ } = second in
+              (match multiple0 with
+               | Some _ -> true
+               | None -> false)
+            | SegmentByDegree (_, _, _, _, _, _) -> false
           in
           read_segments_from s ends0 (Z.add index Big_int_Z.unit_big_int)
-            at_path rest them
+            at_path rest (it :: done0)
         | Malformed (where_, found, problem) ->
           Malformed (where_, found, problem)))
 
-(** val read_segments :
-    shape -> path -> json -> segment list option result **)
+(** val read_segments : shape -> path -> json -> segment list result **)
 
 let read_segments s at_path value0 = match value0 with
 | Array items ->
-  read_segments_from s false Big_int_Z.zero_big_int at_path items (Some [])
+  read_segments_from s false Big_int_Z.zero_big_int at_path items []
 | _ -> expected "an array of segments" at_path value0
 
 (** val read_spatial_point : shape -> path -> json -> witness result **)
@@ -6944,10 +7003,8 @@ let read_body0 s good members =
               bind (next_read "segments" (read_segments s) rest) (fun pat0 ->
                 let (segments, rest0) = pat0 in
                 bind (next_read "tree" (read_nodes s) rest0) (fun it ->
-                  bind (finish it) (fun tree -> Fine
-                    (match segments with
-                     | Some them -> MarginBy (resisted, them, tree)
-                     | None -> MarginByDegree)))))
+                  bind (finish it) (fun tree -> Fine (MarginBy (resisted,
+                    segments, tree))))))
   else if good
        then if begins_with "parts" members
             then bind

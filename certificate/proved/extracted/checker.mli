@@ -350,7 +350,10 @@ type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
 type point = { multiple : q option; point_witness : witness }
 
-type segment = { first_point : point option; second_point : point }
+type segment =
+| Segment of point option * point
+| SegmentByDegree of q option * q list * q list * q list list * q list list
+   * node list
 
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
@@ -368,7 +371,6 @@ type proof =
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
-| MarginByDegree
 | MarginInSpace of claim list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -378,7 +380,7 @@ type place =
 | AtNode of nat
 | AtContact of Big_int_Z.big_int
 | AtInterval of nat
-| AtSegment of nat
+| AtSegment of nat * nat option
 | AtPoint of nat * bool
 | AtPart of nat * nat option
 
@@ -910,8 +912,10 @@ val beyond : q option -> q option -> bool
 val reaches : q option -> q option -> bool
 
 val segments_fail :
-  bool -> nat -> row list -> load -> segment list -> (q * q option) list -> q
-  option -> (point * state list) option -> nat -> (string * place) option
+  bool -> nat -> row list -> load -> (q -> q option -> q list -> q list -> q
+  list list -> q list list -> node list -> (string * nat option) option) ->
+  bool -> segment list -> (q * q option) list -> q option -> (point * state
+  list) option -> nat -> (string * place) option
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
@@ -1055,6 +1059,13 @@ val rest_fails : setting -> q -> q -> rest_proof -> string option
 val part_fails :
   'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
   (string * nat option) option
+
+val unloaded : setting -> bool
+
+val segment_by_degree_fails :
+  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
+  list -> q list -> q list list -> q list list -> node list -> (string * nat
+  option) option
 
 val parts_fail :
   'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
@@ -1369,13 +1380,13 @@ val is_at_rest : json -> bool
 
 val read_part : shape -> path -> json -> part result
 
-val read_segment_by_degree : shape -> path -> json -> unit result
+val read_segment_by_degree : shape -> path -> json -> segment result
 
 val read_segments_from :
-  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
-  option -> segment list option result
+  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list ->
+  segment list result
 
-val read_segments : shape -> path -> json -> segment list option result
+val read_segments : shape -> path -> json -> segment list result
 
 val read_spatial_point : shape -> path -> json -> witness result
 

@@ -52,16 +52,8 @@ Definition walls : matrix := walls_of (is_a_simplex g) (wall_rows g).
 
 Definition in_K_conditions : list (form * bool) := map (fun f => (to_form (room f), false)) walls.
 
-(* On each wall in turn, with further conditions. *)
-Fixpoint wall_branches (more : list (form * bool)) (s : setting) (before after : matrix) : list (branch setting) :=
-  match after with
-  | [] => []
-  | f :: after' =>
-      Branch (base_conditions ++ more ++ (to_form (room f), true) ::
-              map (fun f => (to_form (room f), false)) (before ++ after'))
-        [to_form (plus_times (fst s_and_t) 1 (snd s_and_t))] [] s
-      :: wall_branches more s (before ++ [f]) after'
-  end.
+(* s + t is not 0 *)
+Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_t)).
 
 Definition middle_setting (s : setting) : setting :=
   make_setting (dimension_of s) (map (fun r => make_row (middle_box (box r))) (rows s))
@@ -77,10 +69,6 @@ Definition point_box (b : cbox) : bool :=
 
 Definition is_point (s : setting) : bool :=
   forallb (fun r => point_box (box r)) (rows s) && forallb certain (load_box (the_load s)).
-
-Definition branches (s : setting) : list (branch setting) :=
-  (if is_point s && one_multiple then [] else wall_branches [] s [] walls) ++
-  wall_branches middle_conditions (middle_setting s) [] walls.
 
 (* No force of a contact depends on z, or does work on it. *)
 Definition row_free (z : vector) (b : cbox) : bool :=
@@ -117,10 +105,22 @@ Section Checking.
 Variable memory : Type.
 Variable advisor : oracle memory.
 
+(* K, with further conditions; and its walls. *)
+Definition k_region (g : degree_proof) (s : setting) (more : list (form * bool)) : region memory setting :=
+  root memory advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) [] [] s).
+
+Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region memory setting) :=
+  let k := k_region g s more in
+  map (fun f => child memory advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s)) (walls g).
+
+(* List 1 and list 2. *)
+Definition root_regions (g : degree_proof) (s : setting) : list (region memory setting) :=
+  (if is_point s && one_multiple g then [] else wall_regions g s []) ++
+  wall_regions g (middle_setting g s) (middle_conditions g).
+
 (* Under the bilateral law: no contact but a spring pulls in K. *)
 Definition law_holds (g : degree_proof) (s : setting) : bool :=
-  let r := root memory advisor setting (2 + dimension_of s)
-             (Branch (base_conditions g ++ in_K_conditions g) [] [] s) in
+  let r := k_region g s [] in
   forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays memory setting r)) (pull_tips row)) (rows s).
 
 (* The rule that fails; and at which node, if it is about one. *)
@@ -138,7 +138,7 @@ Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : d
             if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
             else
               match walk memory advisor setting split leaf_fails most_depth nodes
-                      (map (root memory advisor setting (2 + n)) (branches g s)) 0 with
+                      (root_regions g s) 0 with
               | None => None
               | Some (rule, number) => Some (rule, Some number)
               end
@@ -294,30 +294,39 @@ Proof.
   apply to_form_nonneg. rewrite room_at by auto. specialize (K f Hf). cbn in K. lra.
 Qed.
 
-Lemma wall_taken (solves : setting -> list R -> Prop) more s t e before after : good_part g t ->
+Variable memory : Type.
+Variable advisor : oracle memory.
+
+Lemma k_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
+  Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
-  Forall (fun f => List.length f = n) (before ++ after) ->
-  Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (before ++ after) ->
-  Exists (fun f => Rows.dot (real f) (listed n e) = 1) after ->
-  exists b, In b (wall_branches g more s before after) /\ takes solves b (point t e).
+  Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (walls g) ->
+  at_home memory setting solves (k_region memory advisor g s more) (point t e).
 Proof.
-  intros T S M. revert before. induction after as [|f after IH]; intros before Len In_K Ex; [inversion Ex|].
-  cbn [wall_branches]. apply Exists_cons in Ex as [Hf|Ex'].
-  - eexists. split; [now left|]. rewrite Forall_app in Len, In_K. destruct Len as [Len1 Len2], In_K as [K1 K2].
-    pose proof (Forall_inv Len2) as Lf. pose proof (Forall_inv_tail Len2) as Len3.
-    pose proof (Forall_inv_tail K2) as K3. cbn in Lf.
-    constructor; cbn [branch_setting conditions new_strict new_moving]; [exact S| | |constructor].
-    + apply Forall_app. split; [now apply base_met|]. apply Forall_app. split; [exact M|]. constructor.
-      * unfold meets; cbn [fst snd]. apply to_form_zero. rewrite room_at by (auto; congruence). lra.
-      * apply in_K_met; [exact T| |]; apply Forall_app; auto.
-    + constructor; [|constructor]. apply to_form_not_zero. destruct (parts_at g t range_good T) as (E1 & E2 & _).
-      destruct (s_and_t_length g) as [S1 S2].
-      rewrite dot_plus_times, (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
-      unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. lra.
-  - change (f :: after) with ([f] ++ after) in Len, In_K. rewrite app_assoc in Len, In_K.
-    destruct (IH (before ++ [f]) Len In_K Ex') as (b & Hb & Tb).
-    exists b. split; [now right|exact Tb].
+  intros T D L S M K. unfold k_region. rewrite D. apply root_home; [cbn; now rewrite length_listed|].
+  constructor; cbn [branch_setting conditions new_strict new_moving]; [exact S| |constructor|constructor].
+  apply Forall_app. split; [now apply base_met|]. apply Forall_app. split; [exact M|]. now apply in_K_met.
 Qed.
+
+Lemma wall_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
+  Forall (fun f => List.length f = n) (walls g) ->
+  solves s (point t e) -> Forall (meets (point t e)) more ->
+  Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (walls g) ->
+  Exists (fun f => Rows.dot (real f) (listed n e) = 1) (walls g) ->
+  exists r, In r (wall_regions memory advisor g s more) /\ at_home memory setting solves r (point t e).
+Proof.
+  intros T D L S M K Ex. apply Exists_exists in Ex as (f & Hf & E). rewrite Forall_forall in L.
+  eexists. split; [apply in_map, Hf|]. apply child_home; [apply k_home; try assumption; now apply Forall_forall|].
+  constructor; cbn [branch_setting conditions new_strict new_moving]; [exact S| | |constructor].
+  - constructor; [|constructor]. unfold meets; cbn [fst snd]. apply to_form_zero. rewrite room_at by auto. lra.
+  - constructor; [|constructor]. unfold strict_form. apply to_form_not_zero.
+    destruct (parts_at g t range_good T) as (E1 & E2 & _). destruct (s_and_t_length g) as [S1 S2].
+    rewrite dot_plus_times, (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
+    unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. lra.
+Qed.
+
+Lemma walls_good more s : Forall (good memory setting) (wall_regions memory advisor g s more).
+Proof. apply Forall_map, Forall_forall. intros f _. apply child_good, root_good. Qed.
 
 End Trees.
 
@@ -652,31 +661,29 @@ Proof.
   (* A point at home in a root does not exist. *)
   apply (walk_refutes memory advisor setting split leaf_fails solves) in W;
     [|intros s' n bs x; apply split_covers|intros s' st rs y x; apply leaf_refuted
-     |apply Forall_map, Forall_forall; intros r _; apply root_good].
-  rewrite Forall_map, Forall_forall in W.
-  assert (NoBranch : forall x b, List.length x = (2 + D)%nat -> In b (branches g s) -> takes solves b x -> False).
-  { intros x b Lx Hb Tb. apply (W b Hb x). now apply root_home. }
+     |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|]; apply walls_good].
+  rewrite Forall_forall in W.
   assert (Point : forall q e, solves s (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i (twist_at g (part q)) 0 + e i)) ->
     is_point s && one_multiple g = false -> on_wall D (map real (walls g)) e -> False).
   { intros q e S NP OW. destruct (K_real e OW) as [K X].
-    destruct (wall_taken g D L1 L2 Range solves [] s (part q) e [] (walls g)) as (b & Hb & Tb); try assumption.
+    destruct (wall_home g D L1 L2 Range memory advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
     - apply Part.
+    - reflexivity.
     - constructor.
-    - refine (NoBranch _ b _ _ Tb); [cbn; now rewrite length_listed|].
-      unfold branches. rewrite NP. apply in_or_app. now left. }
+    - refine (W r _ _ Home). unfold root_regions. rewrite NP. apply in_or_app. now left. }
   assert (Middle : forall t e, good_part g t -> (one_multiple g = false -> t = 1 / 2) ->
     solves (middle_setting g s) (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 + e i)) ->
     on_wall D (map real (walls g)) e -> False).
   { intros t e T Th S OW. destruct (K_real e OW) as [K X].
-    destruct (wall_taken g D L1 L2 Range solves (middle_conditions g) (middle_setting g s) t e [] (walls g))
-      as (b & Hb & Tb); try assumption.
+    destruct (wall_home g D L1 L2 Range memory advisor solves (middle_conditions g) (middle_setting g s) t e)
+      as (r & Hr & Home); try assumption.
+    - reflexivity.
     - unfold middle_conditions. destruct (one_multiple g) eqn:O; constructor; [|constructor].
       unfold meets; cbn [fst snd]. apply to_form_zero. destruct (parts_at g t Range T) as (P1 & P2 & _).
       destruct (s_and_t_length g) as [S1 S2].
       rewrite dot_plus_times, (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
       unfold s_at, t_at in P1, P2. rewrite P1, P2, (Th eq_refl). unfold Q2R; cbn. lra.
-    - refine (NoBranch _ b _ _ Tb); [cbn; now rewrite length_listed|].
-      unfold branches. apply in_or_app. now right. }
+    - refine (W r _ _ Home). unfold root_regions. apply in_or_app. now right. }
   assert (Nonneg : forall t, good_part g t -> 0 <= h_at g t /\ 0 <= l_at g t).
   { intros t [T _]. destruct Range as [A0 R]. unfold h_at, l_at, mix. destruct (high_multiple g); split; nra. }
   assert (Pushed : forall t e, good_part g t -> forall y c,
@@ -766,13 +773,10 @@ Proof.
     + rewrite Law. destruct two_sided; [|exact F]. cbn in LH. apply negb_false_iff in LH.
       apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er (p & G & mu & t & I)] Sp.
       unfold law_holds in LH. rewrite forallb_forall in LH. specialize (LH row Hr). rewrite Sp in LH. cbn in LH.
-      set (b := Branch (base_conditions g ++ in_K_conditions g) [] [] s) in LH.
-      assert (Home : at_home memory setting (fun _ _ => True) (root memory advisor setting (2 + D) b)
+      assert (Home : at_home memory setting (fun _ _ => True) (k_region memory advisor g s [])
         (h_at g t1 :: l_at g t1 :: d)).
-      { apply root_home; [unfold d, motion; cbn; now rewrite length_listed|].
-        constructor; cbn [branch_setting conditions new_strict new_moving b]; [exact Logic.I| |constructor|constructor].
-        assert (E : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
-        rewrite E. apply Forall_app. split; [now apply (base_met g)|]. apply (in_K_met g D L1 L2 Range); [exact T1|exact Wd|].
+      { assert (E : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
+        rewrite E. apply (k_home g D L1 L2 Range); [exact T1|reflexivity|exact Wd|exact Logic.I|constructor|].
         rewrite Forall_map in K. eapply Forall_impl; [|exact K]. cbn. intros; lra. }
       destruct (home_spanned _ _ _ _ _ Home) as (ws & Wt & Sp').
       rewrite Er in LH. exact (v_nonneg _ d (h_at g t1) (l_at g t1) ws Wt Sp' (box row) r p G mu t I LH).

@@ -4024,23 +4024,12 @@ let walls g =
 let in_K_conditions g =
   map (fun f -> ((to_form (room g f)), false)) (walls g)
 
-(** val wall_branches :
-    degree_proof -> (form * bool) list -> setting -> matrix -> matrix ->
-    setting branch list **)
+(** val strict_form : degree_proof -> form **)
 
-let rec wall_branches g more s before = function
-| [] -> []
-| f :: after' ->
-  { conditions =
-    (app (base_conditions g)
-      (app more (((to_form (room g f)),
-        true) :: (map (fun f0 -> ((to_form (room g f0)), false))
-                   (app before after'))))); new_strict =
-    ((to_form
-       (plus_times (fst (s_and_t g)) { qnum = Big_int_Z.unit_big_int; qden =
-         Big_int_Z.unit_big_int } (snd (s_and_t g)))) :: []); new_moving =
-    []; branch_setting =
-    s } :: (wall_branches g more s (app before (f :: [])) after')
+let strict_form g =
+  to_form
+    (plus_times (fst (s_and_t g)) { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } (snd (s_and_t g)))
 
 (** val middle_setting : degree_proof -> setting -> setting **)
 
@@ -4074,15 +4063,6 @@ let point_box b =
 let is_point s =
   (&&) (forallb (fun r -> point_box r.box) s.rows)
     (forallb certain s.the_load.load_box)
-
-(** val branches : degree_proof -> setting -> setting branch list **)
-
-let branches g s =
-  app
-    (if (&&) (is_point s) (one_multiple g)
-     then []
-     else wall_branches g [] s [] (walls g))
-    (wall_branches g (middle_conditions g) (middle_setting g s) [] (walls g))
 
 (** val row_free : vector -> cbox -> bool **)
 
@@ -4134,14 +4114,40 @@ let range_sound g s =
          (qle_bool g.low_multiple { qnum = Big_int_Z.zero_big_int; qden =
            Big_int_Z.unit_big_int }))
 
+(** val k_region :
+    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+    setting) region **)
+
+let k_region advisor g s more =
+  root advisor (add (S (S O)) s.dimension_of) { conditions =
+    (app (base_conditions g) (app more (in_K_conditions g))); new_strict =
+    []; new_moving = []; branch_setting = s }
+
+(** val wall_regions :
+    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+    setting) region list **)
+
+let wall_regions advisor g s more =
+  let k = k_region advisor g s more in
+  map (fun f ->
+    child advisor k { conditions = (((to_form (room g f)), true) :: []);
+      new_strict = ((strict_form g) :: []); new_moving = []; branch_setting =
+      s }) (walls g)
+
+(** val root_regions :
+    'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list **)
+
+let root_regions advisor g s =
+  app
+    (if (&&) (is_point s) (one_multiple g)
+     then []
+     else wall_regions advisor g s [])
+    (wall_regions advisor g (middle_setting g s) (middle_conditions g))
+
 (** val law_holds : 'a1 oracle -> degree_proof -> setting -> bool **)
 
 let law_holds advisor g s =
-  let r =
-    root advisor (add (S (S O)) s.dimension_of) { conditions =
-      (app (base_conditions g) (in_K_conditions g)); new_strict = [];
-      new_moving = []; branch_setting = s }
-  in
+  let r = k_region advisor g s [] in
   forallb (fun row0 ->
     (||) row0.box.box_spring
       (forallb (nowhere_negative r.rays) (pull_tips row0))) s.rows
@@ -4161,8 +4167,7 @@ let degree_fails advisor two_sided most_depth0 s g nodes =
              if (&&) two_sided (negb (law_holds advisor g s))
              then Some ("degree-law", None)
              else (match walk advisor split leaf_fails most_depth0 nodes
-                           (map (root advisor (add (S (S O)) n))
-                             (branches g s)) O with
+                           (root_regions advisor g s) O with
                    | Some p ->
                      let (rule, number) = p in Some (rule, (Some number))
                    | None -> None)

@@ -972,9 +972,7 @@ val walls : degree_proof -> matrix
 
 val in_K_conditions : degree_proof -> (form * bool) list
 
-val wall_branches :
-  degree_proof -> (form * bool) list -> setting -> matrix -> matrix ->
-  setting branch list
+val strict_form : degree_proof -> form
 
 val middle_setting : degree_proof -> setting -> setting
 
@@ -984,8 +982,6 @@ val point_box : cbox -> bool
 
 val is_point : setting -> bool
 
-val branches : degree_proof -> setting -> setting branch list
-
 val row_free : vector -> cbox -> bool
 
 val load_free : vector -> interval list -> bool
@@ -993,6 +989,17 @@ val load_free : vector -> interval list -> bool
 val all_free : matrix -> setting -> bool
 
 val range_sound : degree_proof -> setting -> bool
+
+val k_region :
+  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+  setting) region
+
+val wall_regions :
+  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+  setting) region list
+
+val root_regions :
+  'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list
 
 val law_holds : 'a1 oracle -> degree_proof -> setting -> bool
 

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
 (** Lists can have a million elements, so what goes through them uses constant stack. *)
-From Coq Require Import List.
+From Coq Require Import List Lia ZArith.
 Import ListNotations.
 
 Definition map_all {A B : Type} (f : A -> B) (items : list A) : list B :=
@@ -44,3 +44,19 @@ Section AllSome.
     intros H. destruct (G _ _ _ H) as (rest & -> & F). exact F.
   Qed.
 End AllSome.
+
+(** By its number, from 0. *)
+Fixpoint numbered {A} (l : list A) (i : Z) : option A :=
+  match l with
+  | [] => None
+  | a :: l' => if (i =? 0)%Z then Some a else numbered l' (i - 1)%Z
+  end.
+
+Lemma numbered_is {A} (l : list A) i a : numbered l i = Some a ->
+  exists k, i = Z.of_nat k /\ nth_error l k = Some a.
+Proof.
+  revert i. induction l as [|b l IH]; intros i H; cbn in H; [discriminate|].
+  destruct (Z.eqb_spec i 0) as [Z|Z].
+  - exists O. split; [lia|exact H].
+  - destruct (IH _ H) as (k & E & N). exists (S k). split; [lia|exact N].
+Qed.

@@ -122,19 +122,19 @@ Fixpoint order_fails (least : option Q) (first : bool) (resisted : list (Q * opt
       if starts && ends then order_fails hi false resisted' (S number) else Some number
   end.
 
-(* What the intervals leave, from some number on. *)
-Fixpoint gaps_from (from : Q) (open : bool) (resisted : list (Q * option Q)) : list range :=
+(* What the intervals leave, from some number on; after the ranges before, which are in reverse order. *)
+Fixpoint gaps_from (from : Q) (open : bool) (resisted : list (Q * option Q)) (before : list range) : list range :=
   match resisted with
-  | [] => [Range from None open true]
+  | [] => rev_append (Range from None open true :: before) []
   | (lo, hi) :: resisted' =>
-      (if Qlt_bool from lo then [Range from (Some lo) open true] else []) ++
+      let now := if Qlt_bool from lo then Range from (Some lo) open true :: before else before in
       match hi with
-      | Some h => gaps_from h true resisted'
-      | None => []
+      | Some h => gaps_from h true resisted' now
+      | None => rev_append now []
       end
   end.
 
-Definition gaps (resisted : list (Q * option Q)) : list range := gaps_from 0 false resisted.
+Definition gaps (resisted : list (Q * option Q)) : list range := gaps_from 0 false resisted [].
 
 (* ---- Proofs ---- *)
 
@@ -153,24 +153,36 @@ Proof. unfold Qlt_bool. intros H. apply negb_false_iff in H. now apply Qle_bool_
 Lemma Qeq_bool_R a b : Qeq_bool a b = true -> Q2R a = Q2R b.
 Proof. intros H. now apply Qeq_eqR, Qeq_bool_eq. Qed.
 
-(* Every multiple from `from` on is in an interval or in a gap. *)
-Lemma gaps_from_cover from open resisted lambda :
-  Q2R from <= lambda -> (open = true -> Q2R from < lambda) ->
-  Exists (among lambda) resisted \/ Exists (fun g => in_range g lambda) (gaps_from from open resisted).
+Lemma gaps_keep (P : range -> Prop) from open resisted before : Exists P before ->
+  Exists P (gaps_from from open resisted before).
 Proof.
-  revert from open. induction resisted as [|[lo hi] resisted IH]; intros from open L O; cbn.
-  - right. constructor. unfold in_range; cbn. auto.
+  revert from open before. induction resisted as [|[lo hi] resisted IH]; intros from open before B; cbn [gaps_from].
+  - rewrite rev_append_rev, app_nil_r. apply Exists_rev. now apply Exists_cons_tl.
+  - set (now := if Qlt_bool from lo then _ else before).
+    assert (N : Exists P now) by (unfold now; destruct (Qlt_bool from lo); [now apply Exists_cons_tl|exact B]).
+    destruct hi as [h|]; [now apply IH|]. rewrite rev_append_rev, app_nil_r. now apply Exists_rev.
+Qed.
+
+(* Every multiple from `from` on is in an interval or in a gap. *)
+Lemma gaps_from_cover from open resisted before lambda :
+  Q2R from <= lambda -> (open = true -> Q2R from < lambda) ->
+  Exists (among lambda) resisted \/ Exists (fun g => in_range g lambda) (gaps_from from open resisted before).
+Proof.
+  revert from open before. induction resisted as [|[lo hi] resisted IH]; intros from open before L O; cbn [gaps_from].
+  - right. rewrite rev_append_rev, app_nil_r. apply Exists_rev. constructor. unfold in_range; cbn. auto.
   - destruct (Rlt_dec lambda (Q2R lo)) as [B|B].
     + right. assert (H : Qlt_bool from lo = true).
       { unfold Qlt_bool. apply negb_true_iff. apply not_true_is_false. intros H.
         apply Qle_bool_R in H. lra. }
-      rewrite H. cbn. apply Exists_cons_hd. unfold in_range; cbn. repeat split; auto; lra.
+      rewrite H. set (now := _ :: before).
+      assert (N : Exists (fun g => in_range g lambda) now).
+      { apply Exists_cons_hd. unfold in_range; cbn. repeat split; auto; lra. }
+      destruct hi as [h|]; [now apply gaps_keep|]. rewrite rev_append_rev, app_nil_r. now apply Exists_rev.
     + destruct hi as [h|].
       * destruct (Rle_dec lambda (Q2R h)) as [A|A].
         -- left. apply Exists_cons_hd. unfold among; cbn. lra.
-        -- destruct (IH h true) as [E|E]; [lra|intros; lra| |].
-           ++ left. now apply Exists_cons_tl.
-           ++ right. apply Exists_app. now right.
+        -- destruct (IH h true (if Qlt_bool from lo then Range from (Some lo) open true :: before else before))
+             as [E|E]; [lra|intros; lra| |right; exact E]. left. now apply Exists_cons_tl.
       * left. apply Exists_cons_hd. unfold among; cbn. split; [lra|trivial].
 Qed.
 

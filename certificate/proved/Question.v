@@ -110,13 +110,16 @@ Inductive advice :=
 
 (* An oracle has a memory of any type for each region.  `advise` hears that a region is cut by
    form >= 0, or by form = 0 if the flag is set, and gives advice about each candidate ray in
-   the order of Cone.v.  Theorems hold for every oracle. *)
+   the order of Cone.v.  `foremost` says by which of many forms, as their numbers from 0, it is best to cut
+   first, so that most others change nothing.  Theorems hold for every oracle. *)
 Record oracle (memory : Type) := Oracle {
   begin : nat -> memory;              (* all of R^n *)
-  advise : memory -> list Z -> bool -> memory * list advice
+  advise : memory -> list Z -> bool -> memory * list advice;
+  foremost : memory -> list (list Z * bool) -> list Z
 }.
 Arguments begin {memory}.
 Arguments advise {memory}.
+Arguments foremost {memory}.
 
 (* The checker (Checker.v) is
      check : forall memory, oracle memory -> question -> certificate -> answer. *)

@@ -12,12 +12,6 @@ Import ListNotations.
 Section Numbered.
 Open Scope Z_scope.
 
-Fixpoint numbered {A} (l : list A) (i : Z) : option A :=
-  match l with
-  | [] => None
-  | a :: l' => if i =? 0 then Some a else numbered l' (i - 1)
-  end.
-
 Fixpoint replace_after {A} (before l : list A) (i : Z) (new : A) : list A :=
   match l with
   | [] => rev_append before []
@@ -277,15 +271,6 @@ Proof.
   - intros E H. injection E as ->. unfold replace; cbn [replace_after]. rewrite Z. cbn [rev_append].
     destruct (H _ Hxy); [left|right]; now constructor.
   - intros E H. rewrite !replace_cons by exact Z. destruct (IH _ E H); [left|right]; now constructor.
-Qed.
-
-Lemma numbered_is {A} (l : list A) i a : numbered l i = Some a ->
-  exists k, i = Z.of_nat k /\ nth_error l k = Some a.
-Proof.
-  revert i. induction l as [|b l IH]; intros i H; cbn in H; [discriminate|].
-  destruct (Z.eqb_spec i 0) as [Z|Z].
-  - exists O. split; [lia|exact H].
-  - destruct (IH _ H) as (k & E & N). exists (S k). split; [lia|exact N].
 Qed.
 
 Lemma fits_at {A B} (P : A -> B -> Prop) l l' k a : Forall2 P l l' -> nth_error l k = Some a ->

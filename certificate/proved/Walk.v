@@ -4,7 +4,7 @@
    the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
    list of nodes is accepted for some roots, no solution is at home in any of them. *)
 From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
-From Proved Require Import Question Cone Box Terms.
+From Proved Require Import Lists Question Cone Box Terms.
 Import ListNotations.
 
 Section Walk.
@@ -30,7 +30,10 @@ Record branch := Branch {
   branch_setting : setting
 }.
 
+(* A condition that holds on all rays changes nothing, and nobody has to hear of it. *)
 Definition cut_region (r : region) (c : form * bool) : region :=
+  if negb (snd c) && nowhere_negative (rays r) (fst c) then r
+  else
   let (remembered', advices) := advise advisor (remembered r) (fst c) (snd c) in
   Region (cut (rays r) (fst c) (snd c) advices) (strict r) (moving r) (around r) remembered'
     (depth r).
@@ -39,8 +42,16 @@ Definition strictly (r : region) (f : form) : region :=
   Region (map (add_strict [f]) (rays r)) ([f] :: strict r) (moving r) (around r) (remembered r)
     (depth r).
 
+(* The conditions of these numbers. *)
+Definition of_numbers (cs : list (form * bool)) (numbers : list Z) : list (form * bool) :=
+  flat_map (fun k => match numbered cs k with Some c => [c] | None => [] end) numbers.
+
+Definition cut_by (r : region) (cs : list (form * bool)) : region :=
+  fold_left cut_region cs
+    (fold_left cut_region (of_numbers cs (foremost advisor (remembered r) cs)) r).
+
 Definition child (r : region) (b : branch) : region :=
-  let r := fold_left strictly (new_strict b) (fold_left cut_region (conditions b) r) in
+  let r := fold_left strictly (new_strict b) (cut_by r (conditions b)) in
   Region (rays r) (strict r) (new_moving b ++ moving r) (branch_setting b) (remembered r) (depth r + 1).
 
 (* The children's branches, or the rule that fails. *)
@@ -158,7 +169,7 @@ Definition refuted (r : region) := forall x, ~ at_home r x.
 
 Lemma cut_good r c : good r -> good (cut_region r c).
 Proof.
-  unfold good, cut_region. destruct (advise advisor (remembered r) (fst c) (snd c)). cbn.
+  unfold good, cut_region. destruct (_ && _); [auto|]. destruct (advise advisor (remembered r) (fst c) (snd c)). cbn.
   apply cut_knows.
 Qed.
 
@@ -170,10 +181,11 @@ Qed.
 
 Lemma child_good r b : good r -> good (child r b).
 Proof.
-  intros G. unfold child. set (r1 := fold_left cut_region (conditions b) r).
+  intros G. unfold child. set (r1 := cut_by r (conditions b)).
   assert (G1 : good r1).
-  { subst r1. revert r G. induction (conditions b) as [|c cs IH]; intros r G; cbn; auto.
-    apply IH. now apply cut_good. }
+  { assert (All : forall cs r, good r -> good (fold_left cut_region cs r)).
+    { induction cs as [|c cs IH]; intros r' G'; cbn; auto. apply IH. now apply cut_good. }
+    unfold r1, cut_by. now apply All, All. }
   change (good (fold_left strictly (new_strict b) r1)). clearbody r1. clear r G.
   revert r1 G1. induction (new_strict b) as [|f fs IH]; intros r G; cbn; auto.
   apply IH. apply add_strict_all. exact G.
@@ -181,7 +193,7 @@ Qed.
 
 Lemma cut_home r c x : at_home r x -> meets x c -> at_home (cut_region r c) x.
 Proof.
-  intros [S P T M] H. unfold cut_region.
+  intros [S P T M] H. unfold cut_region. destruct (_ && _); [now constructor|].
   destruct (advise advisor (remembered r) (fst c) (snd c)) as [m' adv].
   constructor; cbn; [exact S| |exact T|exact M]. now apply cut_keeps_region.
 Qed.
@@ -196,10 +208,15 @@ Qed.
 Lemma child_home r b x : at_home r x -> takes b x -> at_home (child r b) x.
 Proof.
   intros H [S C T M]. unfold child.
-  assert (H1 : at_home (fold_left cut_region (conditions b) r) x).
-  { clear T M. revert r H. induction C as [|c cs Hc C IH]; intros r H; cbn; [exact H|].
-    apply IH. now apply cut_home. }
-  set (r1 := fold_left cut_region (conditions b) r) in *. clearbody r1.
+  assert (H1 : at_home (cut_by r (conditions b)) x).
+  { assert (All : forall cs, Forall (meets x) cs -> forall r, at_home r x -> at_home (fold_left cut_region cs r) x).
+    { intros cs Cs. induction Cs as [|c cs Hc Cs IH]; intros r' H'; cbn; [exact H'|].
+      apply IH. now apply cut_home. }
+    unfold cut_by. apply All; [exact C|]. apply All; [|exact H]. apply Forall_forall. intros c Hc.
+    apply in_flat_map in Hc as (k & _ & Hc). destruct (numbered _ k) as [c'|] eqn:N; [|destruct Hc].
+    destruct Hc as [<-|[]]. apply numbered_is in N as (j & _ & N). apply nth_error_In in N.
+    rewrite Forall_forall in C. auto. }
+  set (r1 := cut_by r (conditions b)) in *. clearbody r1.
   assert (H2 : at_home (fold_left strictly (new_strict b) r1) x).
   { clear H C M. revert r1 H1. induction T as [|f fs Hf T IH]; intros r1 H1; cbn; [exact H1|].
     apply IH. now apply strictly_home. }

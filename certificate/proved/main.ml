@@ -211,20 +211,7 @@ let run (arguments : Arguments.arguments) =
     code
   end
 
-(* What is extracted calls itself once for each contact, and the system's stack ends at a hundred
-   thousand or so. So the program starts itself again, by a shell, with all the stack that it may
-   have; without a shell it goes on with what there is. *)
-let with_a_large_stack () =
-  let mark = "STICKSLIP_PROVED_STACK" in
-  if Sys.getenv_opt mark = None then begin
-    Unix.putenv mark "large";
-    let again = {|ulimit -s unlimited 2>/dev/null || ulimit -s "$(ulimit -H -s)" 2>/dev/null; exec "$0" "$@"|} in
-    let words = "/bin/sh" :: "-c" :: again :: Sys.executable_name :: List.tl (Array.to_list Sys.argv) in
-    try Unix.execv "/bin/sh" (Array.of_list words) with Unix.Unix_error _ -> ()
-  end
-
 let () =
-  with_a_large_stack ();
   Work.watch ();
   let code =
     try

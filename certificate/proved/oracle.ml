@@ -252,7 +252,7 @@ let free_number forms =
   let rec from k = if List.exists (fun f -> f.number = k) forms then from (k + 1) else k in
   from 0
 
-let advise region form equality =
+let answer region form equality =
   let valued = List.map (fun g -> (g, dot form g.x)) region.generators in
   let count good = List.length (List.filter (fun (_, v) -> good (Integer.sign v)) valued) in
   Work.spend (List.length valued + (count (fun s -> s > 0) * count (fun s -> s < 0)));
@@ -267,4 +267,49 @@ let advise region form equality =
   let kept = List.filter_map (function Kept g -> Some g | Dropped _ -> None) fates in
   ({ generators = kept; forms = needed_forms kept forms }, List.map (advice kept) fates)
 
-let oracle = { begin0 = (fun n -> begin_region (Print.int_of_nat n)); advise }
+(* What was just answered in advance, for the region and the form: of `foremost`. *)
+let answered = ref []
+
+let advise region form equality =
+  match List.find_opt (fun (r, f, _) -> r == region && not equality && List.equal Integer.equal f form) !answered with
+  | Some (_, _, found) -> found
+  | None -> answer region form equality
+
+(* Where many forms cut, as those of the bilateral law do at a root, those first that cut deepest, in doubles: with few
+   of them the region is what it is with all. *)
+let foremost region conditions =
+  answered := [];
+  if List.compare_length_with conditions 20 < 0 then []
+  else begin
+    let unit x =
+      let v = Array.of_list (List.map Integer.to_float x) in
+      let size = sqrt (Array.fold_left (fun s c -> s +. (c *. c)) 0. v) in
+      if size > 0. && size < infinity then Array.map (fun c -> c /. size) v else Array.map (fun _ -> 0.) v in
+    let forms = Array.of_list conditions in
+    let units = Array.map (fun (form, _) -> unit form) forms in
+    let product a b =
+      let sum = ref 0. in
+      for k = 0 to min (Array.length a) (Array.length b) - 1 do sum := !sum +. (a.(k) *. b.(k)) done;
+      !sum in
+    let rec go region numbers =
+      let rays = List.map (fun g -> unit g.x) region.generators in
+      let depth k = List.fold_left (fun least r -> Float.min least (product units.(k) r)) 0. rays in
+      let deepest = ref (-1) and most = ref (-1e-12) in
+      Array.iteri
+        (fun k (_, equality) ->
+          if not equality then
+            let it = depth k in
+            if it < !most then begin deepest := k; most := it end)
+        forms;
+      if !deepest < 0 then List.rev numbers
+      else begin
+        let form = fst forms.(!deepest) in
+        let found = answer region form false in
+        answered := (region, form, found) :: !answered;
+        units.(!deepest) <- [||];
+        go (fst found) (Integer.of_int !deepest :: numbers)
+      end in
+    go region []
+  end
+
+let oracle = { begin0 = (fun n -> begin_region (Print.int_of_nat n)); advise; foremost }

@@ -30,7 +30,9 @@ let json_string text =
   Buffer.add_char result '"';
   Buffer.contents result
 
-let rec int_of_nat = function O -> 0 | S n -> 1 + int_of_nat n
+let int_of_nat =
+  let rec count so_far = function O -> so_far | S n -> count (so_far + 1) n in
+  count 0
 
 (* In lowest terms. *)
 let number { qnum; qden } =
@@ -38,7 +40,8 @@ let number { qnum; qden } =
   let num = Integer.div qnum divisor and den = Integer.div qden divisor in
   if Integer.equal den Integer.one then Integer.to_string num else Integer.to_string num ^ "/" ^ Integer.to_string den
 
-let separated show items = String.concat ", " (List.map show items)
+(* Lists of files are long, and List.map is not tail recursive. *)
+let separated show items = String.concat ", " (List.rev (List.rev_map show items))
 let vector items = "(" ^ separated number items ^ ")"
 let json_number x = json_string (number x)
 let json_vector items = "[" ^ separated json_number items ^ "]"

@@ -1110,6 +1110,16 @@ let rec all_some_after f items before =
 let all_some f items =
   all_some_after f items []
 
+(** val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option **)
+
+let rec numbered l i =
+  match l with
+  | [] -> None
+  | a :: l' ->
+    if Z.eqb i Big_int_Z.zero_big_int
+    then Some a
+    else numbered l' (Z.sub i Big_int_Z.unit_big_int)
+
 type json =
 | Null
 | Boolean of bool
@@ -1361,7 +1371,10 @@ type advice =
 
 type 'memory oracle = { begin0 : (nat -> 'memory);
                         advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list) }
+                                 -> 'memory * advice list);
+                        foremost : ('memory -> (Big_int_Z.big_int
+                                   list * bool) list -> Big_int_Z.big_int
+                                   list) }
 
 (** val qabs : q -> q **)
 
@@ -2723,9 +2736,14 @@ type 'setting branch = { conditions : (form * bool) list;
     'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region **)
 
 let cut_region advisor r c =
-  let (remembered', advices) = advisor.advise r.remembered (fst c) (snd c) in
-  { rays = (cut r.rays (fst c) (snd c) advices); strict = r.strict; moving =
-  r.moving; around = r.around; remembered = remembered'; depth = r.depth }
+  if (&&) (negb (snd c)) (nowhere_negative r.rays (fst c))
+  then r
+  else let (remembered', advices) =
+         advisor.advise r.remembered (fst c) (snd c)
+       in
+       { rays = (cut r.rays (fst c) (snd c) advices); strict = r.strict;
+       moving = r.moving; around = r.around; remembered = remembered';
+       depth = r.depth }
 
 (** val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region **)
 
@@ -2734,14 +2752,27 @@ let strictly r f =
     ((f :: []) :: r.strict); moving = r.moving; around = r.around;
     remembered = r.remembered; depth = r.depth }
 
+(** val of_numbers :
+    (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list **)
+
+let of_numbers cs numbers0 =
+  flat_map (fun k -> match numbered cs k with
+                     | Some c -> c :: []
+                     | None -> []) numbers0
+
+(** val cut_by :
+    'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region **)
+
+let cut_by advisor r cs =
+  fold_left (cut_region advisor) cs
+    (fold_left (cut_region advisor)
+      (of_numbers cs (advisor.foremost r.remembered cs)) r)
+
 (** val child :
     'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region **)
 
 let child advisor r b =
-  let r0 =
-    fold_left strictly b.new_strict
-      (fold_left (cut_region advisor) b.conditions r)
-  in
+  let r0 = fold_left strictly b.new_strict (cut_by advisor r b.conditions) in
   { rays = r0.rays; strict = r0.strict; moving =
   (app b.new_moving r0.moving); around = b.branch_setting; remembered =
   r0.remembered; depth = (Z.add r0.depth Big_int_Z.unit_big_int) }
@@ -2965,16 +2996,6 @@ let is_inverse n left m =
 
 let all_of_length n m =
   forallb (fun r -> Nat.eqb (length r) n) m
-
-(** val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option **)
-
-let rec numbered l i =
-  match l with
-  | [] -> None
-  | a :: l' ->
-    if Z.eqb i Big_int_Z.zero_big_int
-    then Some a
-    else numbered l' (Z.sub i Big_int_Z.unit_big_int)
 
 (** val replace_after :
     'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
@@ -3815,28 +3836,31 @@ let rec order_fails least first resisted number =
     then order_fails hi false resisted' (S number)
     else Some number
 
-(** val gaps_from : q -> bool -> (q * q option) list -> range list **)
+(** val gaps_from :
+    q -> bool -> (q * q option) list -> range list -> range list **)
 
-let rec gaps_from from0 open0 = function
-| [] ->
-  { range_low = from0; range_high = None; open_low = open0; open_high =
-    true } :: []
-| p :: resisted' ->
-  let (lo, hi) = p in
-  app
-    (if qlt_bool from0 lo
-     then { range_low = from0; range_high = (Some lo); open_low = open0;
-            open_high = true } :: []
-     else [])
+let rec gaps_from from0 open0 resisted before =
+  match resisted with
+  | [] ->
+    rev_append ({ range_low = from0; range_high = None; open_low = open0;
+      open_high = true } :: before) []
+  | p :: resisted' ->
+    let (lo, hi) = p in
+    let now =
+      if qlt_bool from0 lo
+      then { range_low = from0; range_high = (Some lo); open_low = open0;
+             open_high = true } :: before
+      else before
+    in
     (match hi with
-     | Some h -> gaps_from h true resisted'
-     | None -> [])
+     | Some h -> gaps_from h true resisted' now
+     | None -> rev_append now [])
 
 (** val gaps : (q * q option) list -> range list **)
 
 let gaps resisted =
   gaps_from { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-    false resisted
+    false resisted []
 
 (** val opposite0 : vector -> vector **)
 

@@ -252,6 +252,8 @@ val all_some_after :
 
 val all_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 list option
 
+val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option
+
 type json =
 | Null
 | Boolean of bool
@@ -397,7 +399,10 @@ type advice =
 
 type 'memory oracle = { begin0 : (nat -> 'memory);
                         advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list) }
+                                 -> 'memory * advice list);
+                        foremost : ('memory -> (Big_int_Z.big_int
+                                   list * bool) list -> Big_int_Z.big_int
+                                   list) }
 
 val qabs : q -> q
 
@@ -706,6 +711,12 @@ val cut_region :
 
 val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region
 
+val of_numbers :
+  (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list
+
+val cut_by :
+  'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region
+
 val child : 'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region
 
 val at_leaf : ('a1, 'a2) region -> form list list * ray list
@@ -758,8 +769,6 @@ val same_matrices : matrix -> matrix -> bool
 val is_inverse : nat -> matrix -> matrix -> bool
 
 val all_of_length : nat -> 'a1 list list -> bool
-
-val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option
 
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
@@ -919,7 +928,7 @@ val segments_fail :
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
-val gaps_from : q -> bool -> (q * q option) list -> range list
+val gaps_from : q -> bool -> (q * q option) list -> range list -> range list
 
 val gaps : (q * q option) list -> range list
 

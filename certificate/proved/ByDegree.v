@@ -56,7 +56,7 @@ Definition in_K_conditions : list (form * bool) := map (fun f => (to_form (room 
 Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_t)).
 
 Definition middle_setting (s : setting) : setting :=
-  make_setting (dimension_of s) (map (fun r => make_row (middle_box (box r))) (rows s))
+  make_setting (dimension_of s) (map_all (fun r => make_row (middle_box (box r))) (rows s))
     (make_load (map only_middle (load_box (the_load s))) (load_growth (the_load s)))
     (map relative (direction_rows g)).
 
@@ -703,7 +703,7 @@ Proof.
       (l_at g (part q)), fs, c.
     split; [reflexivity|]. split; [exact C|]. split; [|intros k r Hk; discriminate].
     constructor; cbn [middle_setting make_setting rows the_load make_load load_box load_growth]; try assumption.
-    - destruct Q as [Q|Q].
+    - rewrite map_all_is. destruct Q as [Q|Q].
       + cbn [system_at Rows.rows]. rewrite Q. now apply rows_in_middle with D.
       + unfold is_point in Q. apply andb_true_iff in Q as [Q _]. apply point_fits; [exact Q|].
         apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].

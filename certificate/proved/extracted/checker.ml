@@ -4059,7 +4059,7 @@ let strict_form g =
 
 let middle_setting g s =
   make_setting s.dimension_of
-    (map (fun r -> make_row (middle_box r.box)) s.rows)
+    (map_all (fun r -> make_row (middle_box r.box)) s.rows)
     (make_load (map only_middle s.the_load.load_box) s.the_load.load_growth)
     (map (relative g) g.direction_rows)
 

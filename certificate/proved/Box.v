@@ -37,6 +37,8 @@ Record inside_at (b : cbox) (r : Rows.row) (p : list R) (F : list R -> list (lis
   forms_rational : forall qs, F (map Q2R qs) = map (map Q2R) (box_forms b qs);
   forms_affine : forall j d,
     multiaffine (List.length (box_geometry b)) (fun p => Rows.dot (nth j (F p) []) d);
+  forms_shape : forall p p', List.length p = List.length (box_geometry b) ->
+    List.length p' = List.length (box_geometry b) -> map (@List.length R) (F p) = map (@List.length R) (F p');
   in_friction : within (box_friction b) mu;
   friction_nonneg : 0 <= mu;
   is_rho : Rows.rho r = mu * sqrt (Q2R (box_square b));

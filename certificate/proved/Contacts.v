@@ -286,6 +286,7 @@ Proof.
   - intros qs. destruct qs as [|x' [|y' [|e' [|? ?]]]]; try reflexivity.
     cbn. rationals. each; ring.
   - intros j d. apply plane_affine.
+  - intros [|? [|? [|? [|? ?]]]] [|? [|? [|? [|? ?]]]] P P'; try discriminate P; try discriminate P'; reflexivity.
   - rewrite Q2R_1, sqrt_1. ring.
   - rewrite Q2R_1. lra.
   - cbn. now rewrite Q2R_1.
@@ -386,6 +387,8 @@ Proof.
     cbn [space_reals space_forms map at_point at_point_reals]. unfold at_point, at_point_reals.
     cbn [map]. rationals. rewrite !Q2R_div by exact NZ. rationals. rewrite Q2R_1, Q2R_0. reflexivity.
   - intros j d. apply space_affine.
+  - intros [|? [|? [|? [|? [|? [|? ?]]]]]] [|? [|? [|? [|? [|? [|? ?]]]]]] P P'; try discriminate P; try discriminate P';
+      reflexivity.
   - rewrite <- LE. replace (1 + 0 * 0) with 1 by ring. rewrite sqrt_1. ring.
   - cbn. now rewrite Q2R_1.
   - apply three_positive.

@@ -2,7 +2,7 @@
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Leaf Tree Witness Margin
-  Checker.
+  RowLimits ByDegree Parts Checker.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -30,15 +30,21 @@ Lemma Forall2_weaken {A B} (P P' : A -> B -> Prop) l l' :
   (forall a b, P a b -> P' a b) -> Forall2 P l l' -> Forall2 P' l l'.
 Proof. intros H. induction 1; constructor; auto. Qed.
 
+(* The lengths of a row's lists. *)
+Definition shaped_row (D : nat) (r : Rows.row) : Prop :=
+  List.length (Rows.N r) = D /\ Forall (fun f => List.length f = D) (Rows.slips r) /\
+  List.length (Rows.weights r) = List.length (Rows.slips r).
+
 (* All that the proofs need to know of a choice. *)
 Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_rows : Forall2 fits (rows st) (Rows.rows s);
   posed_load : the_load st = make_load (wrench q) (direction q);
-  posed_slipping : slipping st = [];
+  posed_slipping : slipping st = [] /\ pushes st = [];
   posed_dimension : dimension_of st = Rows.dimension s /\ dimension q = Rows.dimension s;
   posed_wrench : Forall2 within (wrench q) (Rows.wrench s);
   posed_direction : map Q2R (direction q) = Rows.direction s;
   posed_lengths : List.length (Rows.direction s) = List.length (Rows.wrench s);
+  posed_shapes : List.length (Rows.wrench s) = Rows.dimension s /\ Forall (shaped_row (Rows.dimension s)) (Rows.rows s);
   posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral
 }.
 
@@ -47,7 +53,8 @@ Proof.
   unfold setting_of. intros H C. destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate].
   injection H as <-. destruct C as [(g & (D & F & W & U & N) & ->)|(g & (D & F & W & U & N) & ->)];
     (constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
-       Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split)).
+       Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split);
+     try (split; [reflexivity|]; apply Forall_map, Forall_forall; intros c _; now repeat constructor)).
   - apply (enlarge_all_fits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
     + intros q0 b r B (c & Ch & ->). eapply enlarge_plane; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
@@ -84,47 +91,6 @@ Proof.
   - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
 Qed.
 
-(* Where w and P are 0, so they are of each choice. *)
-Lemma choice_at_rest q s : choice_of q s -> at_rest q = true ->
-  (forall y, Rows.dot (Rows.wrench s) y = 0) /\ Forall (fun r => Rows.preload r = 0) (Rows.rows s).
-Proof.
-  intros C A. unfold at_rest in A. apply andb_true_iff in A as [Aw Ap].
-  assert (Z : forall i x, Qeq_bool (low i) 0 && Qeq_bool (high i) 0 = true -> within i x -> x = 0).
-  { intros i x H [L U]. apply andb_true_iff in H as [H1 H2].
-    apply Qeq_bool_eq, Qeq_eqR in H1, H2. rewrite Q2R_0 in *. lra. }
-  assert (Wz : forall w, Forall2 within (wrench q) w -> forall y, Rows.dot w y = 0).
-  { intros w F. revert Aw. induction F as [|i x is w W F IH]; intros Aw [|z y]; cbn; try reflexivity.
-    cbn in Aw. apply andb_true_iff in Aw as [Ai Aw]. rewrite (Z i x Ai W), (IH Aw y). ring. }
-  assert (Pz : forall (B : Type) (P : contact -> B -> Prop) (f : B -> Rows.row) cs,
-    (forall c b, P c b -> exists p len, within (preload c) p /\ Rows.preload (f b) = p / len) ->
-    Forall2 P (contacts q) cs -> Forall (fun r => Rows.preload r = 0) (map f cs)).
-  { intros B P f cs H F. revert Ap. induction F as [|c b qs cs Pc F IH]; intros Ap; cbn; constructor;
-      cbn in Ap; apply andb_true_iff in Ap as [Ai Ap]; [|now apply IH].
-    destruct (H c b Pc) as (p & len & W & ->). rewrite (Z _ _ Ai W). unfold Rdiv. ring. }
-  destruct C as [(g & (_ & F & W & _) & ->)|(g & (_ & F & W & _) & ->)];
-    (split; [now apply Wz|]); cbn [Rows.rows grasp_rows space_grasp_rows].
-  - apply (Pz _ chosen_contact); [|exact F]. intros c b (_ & _ & _ & Wp & _). do 2 eexists. split; [exact Wp|reflexivity].
-  - apply (Pz _ chosen_contact_in_space); [|exact F]. intros c b (_ & _ & _ & Wp & _). do 2 eexists.
-    split; [exact Wp|reflexivity].
-Qed.
-
-(* Then an equilibrium for one multiple is one for all, times a number. *)
-Lemma resists_all s l : (forall y, Rows.dot (Rows.wrench s) y = 0) ->
-  Forall (fun r => Rows.preload r = 0) (Rows.rows s) ->
-  Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s) ->
-  0 <= l -> Rows.stable_at s 1 -> Rows.stable_at s l.
-Proof.
-  intros W P Po L (d & fs & E).
-  destruct (mixture s _ _ _ _ _ _ _ _ l 0 L (Rle_refl 0) E E (self_modes s _ _ _ _ E Po)) as (gs & G).
-  exists (mix l d 0 d), gs. destruct G as (Len & O & B). split; [exact Len|]. split.
-  - clear B Po E W Len. revert P. induction O as [|r [a g] rs gs Or O IH]; intros P; [constructor|].
-    inversion P as [|? ? P1 P2]; subst. constructor; [|now apply IH].
-    destruct Or as (Law & Rest). split; [|exact Rest].
-    assert (V : Rows.v r (mix l d 0 d) (l * 1 + 0 * 1) (l * 1 + 0 * 1) = Rows.v r (mix l d 0 d) 1 l)
-      by (unfold Rows.v; rewrite P1; ring). now rewrite <- V.
-  - intros y. specialize (B y). unfold Rows.load in *. rewrite W in *. lra.
-Qed.
-
 Section Correct.
 Variable memory : Type.
 Variable advisor : oracle memory.
@@ -134,10 +100,26 @@ Theorem refute_correct q st s ranges nodes lambda : poses q st s ->
   refute memory advisor q st ranges nodes = None -> 0 <= lambda ->
   Exists (fun r => in_range r lambda) ranges -> ~ Rows.stable_at s lambda.
 Proof.
-  intros P R L X (d & fs & E). destruct P.
-  apply (refuted_multiple memory advisor _ (bilateral q) st ranges nodes s lambda d fs posed_slipping0
-    (proj1 posed_dimension0) R); try assumption.
-  constructor; try assumption; try lra; rewrite posed_load0; try assumption; reflexivity.
+  intros P R L X (d & fs & Ld & O & B). destruct P. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D _].
+  apply (refuted_multiple memory advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
+    try assumption.
+  - congruence.
+  - constructor; try assumption; try lra; rewrite posed_load0; try assumption; reflexivity.
+Qed.
+
+Lemma posed_in_setting q st s : poses q st s -> in_setting st s.
+Proof.
+  intros []. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D1 D2], posed_shapes0 as [Lw Sh].
+  constructor; try congruence.
+  - unfold contains. rewrite posed_load0. now repeat split.
+  - rewrite D1. clear - posed_rows0 Sh. revert Sh.
+    induction posed_rows0 as [|row r rows rs [_ (p & F & mu & t & I)] P IH]; intros Sh; constructor.
+    + destruct (Forall_inv Sh) as (A & B & C). constructor; try assumption; try apply I.
+      * rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos].
+      * intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp.
+        rewrite (is_rho _ _ _ _ _ _ I), (spring_smooth _ _ _ _ _ _ I Sp). ring.
+    + apply IH. exact (Forall_inv_tail Sh).
+  - split; congruence.
 Qed.
 
 Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
@@ -167,29 +149,31 @@ Proof.
   destruct hi as [h|]; [|exact I]. destruct stable; [now apply Qle_bool_R|]. left. now apply Qlt_bool_R.
 Qed.
 
-Lemma points_hold q st number lo hi points s l : poses q st s -> choice_of q s ->
-  points_fail q st number lo hi points = None ->
-  (hi = None -> Qeq_bool lo 0 && at_rest q = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
+Lemma evidence_holds q st number lo hi evidence s l : poses q st s ->
+  holding_fails memory advisor q st number lo hi evidence = None ->
+  (hi = None -> Qeq_bool lo 0 && unloaded st = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
 Proof.
-  intros P C H Whole L [A B]. cbn [fst snd] in A, B. unfold points_fail in H.
-  destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
-  destruct (one_grasp _ _ _ P X) as [E Lo]. pose proof P as []. destruct posed_dimension0 as [_ D]. rewrite D in H.
-  assert (Po : Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s))
-    by (eapply rows_positive; eassumption).
-  destruct points as [|w [|w' [|? ?]]]; try discriminate.
-  - destruct (check_at _ _ _ _ (Point (Some (match hi with Some _ => lo | None => 1%Q end)) w)) as [ss|] eqn:K;
-      [|discriminate].
-    pose proof (point_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ K eq_refl) as St.
-    destruct hi as [h|].
-    + destruct (Qeq_bool lo h) eqn:T; [|discriminate]. apply Qeq_bool_R in T.
-      replace l with (Q2R lo) by lra. exact St.
-    + specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ R]. rewrite Q2R_1 in St.
-      destruct (choice_at_rest q s C R) as [Wz Pz]. now apply resists_all.
-  - destruct hi as [h|]; [|discriminate].
-    destruct (check_at _ _ _ _ (Point (Some lo) w)) as [ss|] eqn:K; [|discriminate].
-    destruct (check_at _ _ _ _ (Point (Some h) w')) as [ss'|] eqn:K'; [|discriminate].
-    destruct (same_mode ss ss') eqn:M; [|discriminate].
-    exact (segment_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ _ lo l K K' M eq_refl A B).
+  intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
+  set (low := match hi with None => 1%Q | Some _ => lo end) in *.
+  set (high := match hi with None => 1%Q | Some h => h end) in *.
+  (* From low to high, or 1 alone. *)
+  assert (Here : (forall l, Q2R low <= l <= Q2R high -> Rows.stable_at s l) -> Rows.stable_at s l).
+  { intros St. destruct hi as [h|]; [apply St; unfold low, high; lra|].
+    specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ U].
+    apply (unloaded_stable s st l (posed_in_setting _ _ _ P) U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
+  destruct evidence as [p|points].
+  - destruct (part_fails _ _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
+    exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K (posed_in_setting _ _ _ P) L').
+  - destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
+    destruct (one_grasp _ _ _ P X) as [E Lo]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
+    apply Here. intros l' [L1 L2]. destruct points as [|w more]; [discriminate|].
+    destruct (check_at _ _ _ _ (Point (Some low) w)) as [ss|] eqn:K; [|discriminate].
+    destruct more as [|w' more].
+    + destruct (Qeq_bool low high) eqn:T; [|discriminate]. apply Qeq_bool_R in T.
+      replace l' with (Q2R low) by lra. eapply point_resists; try eassumption. reflexivity.
+    + destruct (check_at _ _ _ _ (Point (Some high) w')) as [ss'|] eqn:K'; [|discriminate].
+      destruct (same_mode ss ss') eqn:M; [|discriminate].
+      exact (segment_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ _ low l' K K' M eq_refl L1 L2).
 Qed.
 
 Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
@@ -210,16 +194,16 @@ Proof.
     true_of_rows q (Claims (rev_append resisted' []) (rev_append refuted' []))).
   { intros r1 r2 H s C l L. rewrite !rev_append_rev, !app_nil_r. destruct (H s C l L) as [A B].
     split; intros E; apply Exists_rev in E; rewrite rev_involutive in E; [now apply A|now apply B]. }
-  destruct cl as [lo hi part|lo hi points|lo hi nodes]; [exact I| |].
+  destruct cl as [lo hi evidence|lo hi nodes].
   - destruct (in_order true before lo hi) eqn:O; [cbn [negb]|exact I].
     destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
     destruct (match hi with None => _ | Some _ => false end) eqn:Wh; [exact I|].
-    destruct (points_fail q st number lo hi points) as [a|] eqn:K.
-    { destruct a; try exact I; exfalso; revert K; clear; unfold points_fail;
+    destruct (holding_fails memory advisor q st number lo hi evidence) as [a|] eqn:K.
+    { destruct a; try exact I; exfalso; revert K; clear; unfold holding_fails;
         repeat match goal with |- context [match ?x with _ => _ end] => destruct x end; discriminate. }
     apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
     split; [|exact B]. intros E. apply joined_holds in E as [E|E]; [|now apply A].
-    apply (points_hold q st number lo hi points s l (P s C) C K); try assumption.
+    apply (evidence_holds q st number lo hi evidence s l (P s C) K); try assumption.
     intros ->. now apply negb_false_iff.
   - destruct (in_order false before lo hi) eqn:O; [cbn [negb]|exact I].
     destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
@@ -238,13 +222,18 @@ Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
   assert (P := fun s => choice_poses _ _ _ s S).
-  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims]; destruct (is_margin q); try exact I.
+  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).
     destruct (one_grasp _ _ _ P X) as [E L]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in W.
     replace 0 with (Q2R 0) by apply Q2R_0.
     eapply point_resists; try eassumption. reflexivity.
+  - (* parts *)
+    unfold check_parts. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
+    intros s C. specialize (P s C).
+    pose proof (parts_stable memory advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
+    apply (Forall_inv A). cbn. now apply posed_in_setting with q.
   - (* a tree *)
     unfold check_tree. destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C. apply (refute_correct q st s _ _ 0 (P s C) R (Rle_refl 0)).
@@ -253,16 +242,18 @@ Proof.
   - (* a margin *)
     unfold check_margin. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (order_fails _ _ resisted 0); [exact I|].
-    destruct (segments_fail _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
+    destruct (segments_fail _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
     destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as [E L]. split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
-    + intros A. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in SF.
-      eapply segments_resist; try eassumption; [discriminate|].
+    + intros A. pose proof (posed_in_setting q st s P) as In_s. destruct P. destruct posed_dimension0 as [_ D].
+      rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
+      { intros a b d1 d2 walls direction tree l Hd Z La Lb.
+        eapply (segment_by_degree_resists memory advisor); eassumption. }
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
   - (* claims *)
-    destruct (forallb _ claims); [|exact I]. apply claims_true; [exact P|rewrite Q2R_0; lra|].
+    apply claims_true; [exact P|rewrite Q2R_0; lra|].
     intros s C l L. split; intros E; inversion E.
 Qed.
 

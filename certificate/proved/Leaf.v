@@ -94,16 +94,18 @@ Open Scope R_scope.
 
 Definition fits (row : row) (r : Rows.row) := row = make_row (box row) /\ inside (box row) r.
 
-(* A point (d, h, l) and forces that are an equilibrium of a system in the box of these rows and this load. *)
-Record solution (rows : list row) (ld : load) (s : Rows.system) (d : list R) (h l : R) (fs : list Rows.force)
-    : Prop := Solution {
+(* A point (d, h, l) and forces that obey the law of a system in the box of these rows and this load; what they
+   do of work, with the load, is that of `push`: nothing in an equilibrium. *)
+Record solution (rows : list row) (ld : load) (push : list R -> R) (s : Rows.system) (d : list R) (h l : R)
+    (fs : list Rows.force) : Prop := Solution {
   rows_fit : Forall2 fits rows (Rows.rows s);
   load_fits : ld = make_load (load_box ld) (load_growth ld);
   wrench_fits : Forall2 within (load_box ld) (Rows.wrench s);
   growth_fits : map Q2R (load_growth ld) = Rows.direction s;
   h_nonneg : 0 <= h;
   l_nonneg : 0 <= l;
-  is_equilibrium : Rows.equilibrium s d h l fs
+  all_obey : Forall2 (Rows.obeys (Rows.normal s) d h l) (Rows.rows s) fs;
+  is_balanced : forall y, Rows.load s h l y + Rows.works (Rows.rows s) fs y = push y
 }.
 
 (* The contacts of these numbers slip. *)
@@ -277,11 +279,11 @@ Proof.
     rewrite (open_works w (box row) r a g I Oc Sp Open). lra.
 Qed.
 
-Theorem leaf_refutes rows ld slipping s fs :
-  solution rows ld s d h l fs -> slips_at slipping (Rows.rows s) d ->
+Theorem leaf_refutes rows ld push slipping s fs :
+  solution rows ld push s d h l fs -> slips_at slipping (Rows.rows s) d -> 0 <= push yv ->
   leaf_holds_by m (pressers strict rays slipping factor y rows 0 []) ld strict rays y = false.
 Proof.
-  intros [F LE LW LU H0 L0 (_ & Ob & Bal)] SL. apply not_true_is_false. intros H.
+  intros [F LE LW LU H0 L0 Ob Bal] SL P. apply not_true_is_false. intros H.
   unfold leaf_holds_by in H. apply andb_true_iff in H as [_ H].
   destruct (collect _ _ _ []) as [linear bends] eqn:C in H.
   apply (positive_at_home_positive strict rays _ rays_know strict_at_x ws W spanned) in H.
@@ -290,7 +292,7 @@ Proof.
   pose proof (forces_bound _ slipping rows (Rows.rows s) fs 0%Z [] F Ob SL) as FB. cbn [map bounds] in FB.
   pose proof (load_bound ld s LE LW LU H0 L0) as LB. specialize (Bal yv).
   set (A := Rows.load s h l yv) in *. set (B := Rows.works (Rows.rows s) fs yv) in *.
-  replace A with (- B) in LB by lra. lra.
+  apply IZR_lt in m_positive as MP. assert (0 <= IZR m * (A + B)) by (rewrite Bal; apply Rmult_le_pos; lra). lra.
 Qed.
 
 End Leaf.

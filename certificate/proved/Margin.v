@@ -21,6 +21,11 @@ Variable two_sided : bool.
 Variable dim : nat.
 Variable rows : list row.
 Variable ld : load.
+(* The rules of a segment by degree, from a multiple to another or without end: the one that fails, and the node. *)
+Variable degree : Q -> option Q -> list Q -> list Q -> list (list Q) -> list (list Q) -> list node ->
+  option (string * option nat).
+(* Whether there is no load and no preload but what grows. *)
+Variable unloaded : bool.
 
 Definition check_at (p : point) : list state + string :=
   check_point two_sided dim rows ld (integer_point p) (shares (point_witness p)).
@@ -47,20 +52,30 @@ Definition reaches (high to : option Q) : bool :=
 Fixpoint segments_fail (segments : list segment) (resisted : list (Q * option Q))
     (from : option Q) (last : option (point * list state)) (number : nat)
     : option (string * place) :=
-  let out_of_chain := Some ("segment-chain"%string, AtSegment number) in
+  let out_of_chain := Some ("segment-chain"%string, AtSegment number None) in
   match segments, resisted with
   | [], [] => None
   | [], _ :: _ => out_of_chain
   | _ :: _, [] => out_of_chain
-  | s :: segments', (lo, hi) :: resisted' =>
-      let first := match first_point s with
+  | SegmentByDegree to d1 d2 walls direction tree :: segments', (lo, hi) :: resisted' =>
+      let start := match from with Some e => e | None => lo end in
+      let goes_up := match to with Some t => Qlt_bool start t | None => Qlt_bool 0 start || (Qeq_bool start 0 && unloaded) end in
+      if negb goes_up || beyond hi to then out_of_chain
+      else
+        match degree start to d1 d2 walls direction tree with
+        | Some (rule, node) => Some (rule, AtSegment number node)
+        | None =>
+            if reaches hi to then segments_fail segments' resisted' None None (S number)
+            else segments_fail segments' resisted to None (S number)
+        end
+  | Segment first_point second :: segments', (lo, hi) :: resisted' =>
+      let first := match first_point with
                    | Some p => Some (p, check_at p)
                    | None => match last with
                              | Some (p, ss) => Some (p, inl ss)
                              | None => None
                              end
                    end in
-      let second := second_point s in
       match first with
       | None => out_of_chain
       | Some (p, checked) =>
@@ -84,7 +99,7 @@ Fixpoint segments_fail (segments : list segment) (resisted : list (Q * option Q)
                           else
                             segments_fail segments' resisted (multiple second)
                               (Some (second, ss2)) (S number)
-                        else Some ("segment-mode"%string, AtSegment number)
+                        else Some ("segment-mode"%string, AtSegment number None)
                     end
                 end
           end
@@ -271,8 +286,17 @@ Proof.
   eapply at_multiple; [exact Eg| |]; [rewrite H1; ring|rewrite H2; ring].
 Qed.
 
+(* Of segments by degree this is known. *)
+Variable degree : Q -> option Q -> list Q -> list Q -> list (list Q) -> list (list Q) -> list node ->
+  option (string * option nat).
+Variable unloaded : bool.
+Hypothesis degree_resists : forall a b d1 d2 walls direction tree lambda,
+  degree a b d1 d2 walls direction tree = None ->
+  match b with Some _ => True | None => Q2R a <> 0 \/ unloaded = true end ->
+  Q2R a <= lambda -> match b with Some t => lambda <= Q2R t | None => True end -> Rows.stable_at s lambda.
+
 Theorem segments_resist segments resisted from last number lambda :
-  segments_fail two_sided dim rows ld segments resisted from last number = None ->
+  segments_fail two_sided dim rows ld degree unloaded segments resisted from last number = None ->
   (forall p ss, last = Some (p, ss) -> check_at two_sided dim rows ld p = inl ss) ->
   match resisted with
   | [] => False
@@ -287,12 +311,37 @@ Proof.
   - destruct resisted as [|[lo hi] resisted]; [contradiction|discriminate].
   - destruct resisted as [|[lo hi] resisted]; [contradiction|]. cbn [segments_fail] in H.
     set (start := match from with Some e => e | None => lo end) in *.
-    destruct (match first_point seg with
+    (* What is left of the interval after a segment. *)
+    assert (Rest : forall to next, (Q2R start <= lambda -> match to with Some t => lambda <= Q2R t | None => True end ->
+        Rows.stable_at s lambda) -> beyond hi to = false ->
+      (if reaches hi to then segments_fail two_sided dim rows ld degree unloaded segments resisted None next (S number)
+       else segments_fail two_sided dim rows ld degree unloaded segments ((lo, hi) :: resisted) to next (S number)) = None ->
+      (forall p ss, next = Some (p, ss) -> check_at two_sided dim rows ld p = inl ss) -> Rows.stable_at s lambda).
+    { intros to next Seg Beyond H' K'. destruct (reaches hi to) eqn:R.
+      - destruct A as [[A1 A2]|A].
+        + apply Seg; [exact A1|]. cbn in A2. unfold reaches in R.
+          destruct hi as [h|], to as [t|]; try discriminate; auto. apply Qeq_bool_R in R. lra.
+        + eapply IH; [exact H'|exact K'|]. destruct resisted as [|[lo' hi'] resisted]; [inversion A|].
+          inversion A; subst; [left|right]; assumption.
+      - destruct A as [[A1 A2]|A]; [|eapply IH; [exact H'|exact K'|right; exact A]].
+        destruct to as [t|]; [|unfold beyond, reaches in *; destruct hi; discriminate].
+        destruct (Rle_dec lambda (Q2R t)) as [B|B]; [now apply Seg|].
+        eapply IH; [exact H'|exact K'|]. left. unfold among in *; cbn in *. split; [lra|exact A2]. }
+    destruct seg as [first_point second|to d1 d2 walls direction tree].
+    2:{ destruct (negb _ || beyond hi to) eqn:Chain in H; [discriminate|]. apply orb_false_iff in Chain as [Up Beyond].
+        apply negb_false_iff in Up. fold start in H.
+        destruct (degree start to d1 d2 walls direction tree) as [[rule node]|] eqn:Dg; [discriminate|].
+        apply (Rest to None); [|exact Beyond|exact H|discriminate]. intros S1 S2.
+        apply (degree_resists start to d1 d2 walls direction tree lambda Dg); try assumption.
+        destruct to as [t|]; [exact I|]. fold start in Up. apply orb_true_iff in Up as [Up|Up].
+        - left. apply Qlt_bool_R in Up. rewrite Q2R_0 in Up. lra.
+        - right. now apply andb_true_iff in Up. }
+    destruct (match first_point with
               | Some p => Some (p, check_at two_sided dim rows ld p)
               | None => match last with Some (p, ss) => Some (p, inl ss) | None => None end
               end) as [[p checked]|] eqn:First; [|discriminate].
     assert (Checked : check_at two_sided dim rows ld p = checked).
-    { destruct (first_point seg) as [p0|].
+    { destruct first_point as [p0|].
       - injection First as <- <-. reflexivity.
       - destruct last as [[p0 ss0]|]; [|discriminate]. injection First as <- <-. now apply K. }
     destruct (multiple p) as [l1|] eqn:M1; [|discriminate].
@@ -300,29 +349,11 @@ Proof.
     apply orb_false_iff in Chain as [Chain Down]. apply orb_false_iff in Chain as [Start Beyond].
     apply negb_false_iff, Qeq_bool_R in Start.
     destruct checked as [ss1|]; [|discriminate].
-    destruct (check_at two_sided dim rows ld (second_point seg)) as [ss2|] eqn:C2; [|discriminate].
+    destruct (check_at two_sided dim rows ld second) as [ss2|] eqn:C2; [|discriminate].
     destruct (same_mode ss1 ss2) eqn:SM; [|discriminate].
-    assert (K' : forall p ss, Some (second_point seg, ss2) = Some (p, ss) ->
-                 check_at two_sided dim rows ld p = inl ss).
-    { intros p0 ss0 Eq. injection Eq as <- <-. exact C2. }
-    assert (Seg : Q2R l1 <= lambda ->
-      match multiple (second_point seg) with Some l2 => lambda <= Q2R l2 | None => True end ->
-      Rows.stable_at s lambda).
-    { intros S1 S2. exact (segment_resists p ss1 _ ss2 l1 lambda Checked C2 SM M1 S1 S2). }
-    destruct (reaches hi (multiple (second_point seg))) eqn:R.
-    + destruct A as [[A1 A2]|A].
-      * apply Seg; [cbn in A1; lra|]. cbn in A2. unfold reaches in R.
-        destruct hi as [h|], (multiple (second_point seg)) as [l2|]; try discriminate; auto.
-        apply Qeq_bool_R in R. lra.
-      * eapply IH; [exact H|exact K'|]. destruct resisted as [|[lo' hi'] resisted].
-        -- inversion A.
-        -- inversion A; subst; [left|right]; assumption.
-    + destruct A as [[A1 A2]|A].
-      * cbn in A1, A2. destruct (multiple (second_point seg)) as [l2|] eqn:M2.
-        -- destruct (Rle_dec lambda (Q2R l2)) as [B|B]; [apply Seg; [lra|exact B]|].
-           eapply IH; [exact H|exact K'|]. left. unfold among; cbn. split; [lra|exact A2].
-        -- unfold beyond, reaches in *. destruct hi; discriminate.
-      * eapply IH; [exact H|exact K'|]. right. exact A.
+    apply (Rest (multiple second) (Some (second, ss2))); [|exact Beyond|exact H|].
+    + intros S1 S2. apply (segment_resists p ss1 second ss2 l1 lambda Checked C2 SM M1); [lra|exact S2].
+    + intros p0 ss0 Eq. injection Eq as <- <-. exact C2.
 Qed.
 
 End Proofs.

@@ -54,20 +54,21 @@ Record witness := Witness {
 (* POINT of a margin in the plane: lambda, or None for null. *)
 Record point := Point { multiple : option Q; point_witness : witness }.
 
-(* None: begins with the last point of the segment before it. *)
-Record segment := Segment { first_point : option point; second_point : point }.
+Inductive segment :=
+  | Segment (first : option point) (second : point)    (* None: begins with the last point of the segment before it *)
+  | SegmentByDegree (to : option Q) (first_twist last_twist : list Q) (walls direction : list (list Q))
+      (tree : list node).
 
 (* PART of a stable verdict. *)
 Inductive part :=
   | PartCut (name : parameter) (index : Z) (at_number : Q)
-  | PartProof (d0 : list Q) (walls : list (list Q)) (direction : list (list Q))
+  | PartProof (d0 : list Q) (simplex : bool) (walls : list (list Q)) (direction : list (list Q))
       (tree : list node)
-  | PartAtRest.                         (* this checker only reads it *)
+  | PartAtRest (forces : list (Z * list Q)) (answers : list (Z * list (list Q))) (reach : list Q).
 
-(* CLAIM of a margin in space. *)
+(* CLAIM of a margin in space: a part, or points. *)
 Inductive claim :=
-  | ClaimPart (low : Q) (high : option Q) (proof : part)
-  | ClaimPoints (low : Q) (high : option Q) (points : list witness)
+  | ClaimStable (low : Q) (high : option Q) (evidence : part + list witness)
   | ClaimUnstable (low : Q) (high : option Q) (tree : list node).
 
 (* All after the member `question`. *)
@@ -76,7 +77,6 @@ Inductive proof :=
   | StableByParts (parts : list part)
   | UnstableByTree (tree : list node)
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
-  | MarginByDegree                      (* in the plane, some segments of which are by degree *)
   | MarginInSpace (claims : list claim).
 
 Record certificate := Certificate {
@@ -90,10 +90,11 @@ Inductive place :=
   | AtNode (number : nat)
   | AtContact (number : Z)            (* of a witness *)
   | AtInterval (number : nat)
-  | AtSegment (number : nat)
+  | AtSegment (number : nat) (node : option nat)
   | AtPoint (segment : nat) (second : bool)
+  | AtPart (number : nat) (node : option nat)    (* and the number in the part's own tree *)
   | AtPointOf (interval : nat) (second : bool)
-  | AtNodeOf (interval : nat) (number : nat).
+  | AtProofOf (interval : nat) (node : option nat).
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)

@@ -228,23 +228,23 @@ Definition read_walls (s : shape) (more : Z) (at_path : path) (value : json)
   end.
 
 (** Friction forces of a contact, one for each component of a wrench. *)
-Definition read_answers (s : shape) (at_path : path) (value : json) : result unit :=
+Definition read_answers (s : shape) (at_path : path) (value : json) : result (Z * list (list Q)) :=
   match value with
   | Array [contact; forces] =>
-      let* _ := read_index at_path contact in
-      let* _ := read_sized (size_of_twist s) "a force for each component of a wrench"
-                  (read_friction s) at_path forces in
-      Fine tt
+      let* i := read_index at_path contact in
+      let* them := read_sized (size_of_twist s) "a force for each component of a wrench"
+                     (read_friction s) at_path forces in
+      Fine (i, them)
   | _ => expected "[contact, forces]" at_path value
   end.
 
 Definition read_at_rest (s : shape) (at_path : path) (value : json) : result part :=
   let* members := members_in_order ["rest"; "answers"; "reach"] at_path value in
-  let* _ := member "rest" (read_shares s) at_path members in
-  let* _ := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
+  let* f := member "rest" (read_shares s) at_path members in
+  let* g := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
               at_path members in
-  let* _ := member "reach" (read_twist s) at_path members in
-  Fine PartAtRest.
+  let* z := member "reach" (read_twist s) at_path members in
+  Fine (PartAtRest f g z).
 
 Definition is_at_rest (value : json) : bool :=
   match value with Object members => has_member "rest" members | _ => false end.
@@ -267,44 +267,42 @@ Definition read_part (s : shape) (at_path : path) (value : json) : result part :
       let* e := member walls (read_walls s (if simplex then 1 else 0)%Z) at_path members in
       let* a := member "direction" (read_matrix s) at_path members in
       let* tree := member "tree" (read_nodes s) at_path members in
-      Fine (PartProof d e a tree)
+      Fine (PartProof d simplex e a tree)
   end.
 
-(** BY_DEGREE; this checker only reads it. *)
-Definition read_segment_by_degree (s : shape) (at_path : path) (value : json) : result unit :=
+(** BY_DEGREE. *)
+Definition read_segment_by_degree (s : shape) (at_path : path) (value : json) : result segment :=
   let* members :=
     members_in_order ["to"; "twists"; "walls"; "direction"; "tree"] at_path value in
-  let* _ := member "to" read_or_null at_path members in
-  let* _ := member "twists" (read_sized 2 "two twists" (read_twist s)) at_path members in
-  let* _ := member "walls" (read_matrix s) at_path members in
-  let* _ := member "direction" (read_matrix s) at_path members in
-  let* _ := member "tree" (read_nodes s) at_path members in
-  Fine tt.
+  let* b := member "to" read_or_null at_path members in
+  let* twists := member "twists" (read_sized 2 "two twists" (read_twist s)) at_path members in
+  let* e := member "walls" (read_matrix s) at_path members in
+  let* a := member "direction" (read_matrix s) at_path members in
+  let* tree := member "tree" (read_nodes s) at_path members in
+  Fine (SegmentByDegree b (nth 0 twists []) (nth 1 twists []) e a tree).
 
-(* The segments, or None if one is by degree. *)
 Fixpoint read_segments_from (s : shape) (goes_on : bool) (index : Z) (at_path : path)
-  (items : list json) (done : option (list segment)) : result (option (list segment)) :=
+  (items : list json) (done : list segment) : result (list segment) :=
   match items with
-  | [] => Fine (match done with Some them => Some (rev_append them []) | None => None end)
+  | [] => Fine (rev_append done [])
   | Object members :: rest =>
       match read_segment_by_degree s (Element index :: at_path) (Object members) with
-      | Fine _ => read_segments_from s false (index + 1) at_path rest None
+      | Fine it => read_segments_from s false (index + 1) at_path rest (it :: done)
       | Malformed where_ found problem => Malformed where_ found problem
       end
   | item :: rest =>
       match read_segment s goes_on (Element index :: at_path) item with
       | Fine it =>
-          let ends := match multiple (second_point it) with Some _ => true | None => false end in
-          let them := match done with Some them => Some (it :: them) | None => None end in
-          read_segments_from s ends (index + 1) at_path rest them
+          let ends := match it with Segment _ (Point (Some _) _) => true | _ => false end in
+          read_segments_from s ends (index + 1) at_path rest (it :: done)
       | Malformed where_ found problem => Malformed where_ found problem
       end
   end.
 
 Definition read_segments (s : shape) (at_path : path) (value : json)
-  : result (option (list segment)) :=
+  : result (list segment) :=
   match value with
-  | Array items => read_segments_from s false 0 at_path items (Some [])
+  | Array items => read_segments_from s false 0 at_path items []
   | _ => expected "an array of segments" at_path value
   end.
 
@@ -334,13 +332,13 @@ Definition read_claim (s : shape) (at_path : path) (value : json) : result claim
             let* _ := check_that two at_path one_or_two in
             let* p := read_spatial_point s at_path first in
             let* q := read_spatial_point s at_path second in
-            Fine (ClaimPoints a b [p; q])
+            Fine (ClaimStable a b (inr [p; q]))
         | [only] =>
             if is_point only then
               let* _ := check_that (negb two) at_path one_or_two in
               let* p := read_spatial_point s at_path only in
-              Fine (ClaimPoints a b [p])
-            else let* it := read_part s at_path only in Fine (ClaimPart a b it)
+              Fine (ClaimStable a b (inr [p]))
+            else let* it := read_part s at_path only in Fine (ClaimStable a b (inl it))
         | _ => expected what at_path value
         end
       else
@@ -403,10 +401,7 @@ Definition read_body (s : shape) (good : bool) (members : list (string * json)) 
       let* '(segments, rest) := next_read "segments" (read_segments s) rest in
       let* it := next_read "tree" (read_nodes s) rest in
       let* tree := finish it in
-      Fine (match segments with
-            | Some them => MarginBy resisted them tree
-            | None => MarginByDegree
-            end)
+      Fine (MarginBy resisted segments tree)
   else if good then
     if begins_with "parts" members then
       let* it := next_read "parts" (read_array "an array of parts" (read_part s)) members in

@@ -3,7 +3,7 @@
    `refuted_multiple`: where trees about ranges are accepted, no multiple in a range has an
    equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk Matrix.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -28,10 +28,30 @@ Record range := Range {
 }.
 
 (* The box that a tree is about: the dimension of motions, rows, load, the contacts whose slip is strict; and
-   two numbers M for leaves, a short one and one that makes them exact but for what with_alphas adds. *)
+   two numbers M for leaves, a short one and one that makes them exact but for what with_alphas adds.  Solutions
+   may need some multiple of `pushes` in addition, forms of the point for a wrench (in proofs by degree). *)
 Record setting := Setting {
-  dimension_of : nat; rows : list row; the_load : load; slipping : list Z; short : Z; exact : Z
+  dimension_of : nat; rows : list row; the_load : load; pushes : matrix; slipping : list Z; short : Z; exact : Z
 }.
+
+Section Numbers.
+Open Scope Z_scope.
+
+(* A multiple of all denominators of leaves, but for those of alphas; and a power of two with which every term
+   of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
+Definition common_multiple (rows : list row) (ld : load) : Z :=
+  fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
+
+Definition short_multiple (rows : list row) (multiple : Z) : Z :=
+  let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
+  let short := Z.shiftl 1 (Z.log2 most + 65) in
+  if (short <? multiple) && forallb (fun r => box_signed (box r)) rows then short else multiple.
+
+End Numbers.
+
+Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : matrix) : setting :=
+  let m := common_multiple rows ld in
+  Setting dimension rows ld pushes [] (short_multiple rows m) m.
 
 (* ---- Nodes ---- *)
 
@@ -43,7 +63,10 @@ Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray
   else
     let them := pressers strict rays (slipping s) (unit_of sc) y' (rows s) 0 [] in
     let holds m := leaf_holds_by m them (the_load s) strict rays y' in
-    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_alphas (exact s) them) then None
+    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_alphas (exact s) them) then
+      let along := of_rows y (pushes s) in
+      if nowhere_negative rays (map (to_integer (scaling_of along)) along) then None
+      else Some "leaf-direction"%string
     else Some "leaf-bound"%string.
 
 Definition is_inside (i : interval) (c : Q) : bool :=
@@ -98,12 +121,12 @@ Definition set (b : cbox) (name : parameter) (i : interval) : cbox :=
 
 Definition set_row (s : setting) (index : Z) (b : cbox) : setting :=
   let row := make_row b in
-  Setting (dimension_of s) (replace (rows s) index row) (the_load s) (slipping s) (short s)
+  Setting (dimension_of s) (replace (rows s) index row) (the_load s) (pushes s) (slipping s) (short s)
     (Z.lcm (exact s) (over_weight row)).
 
 Definition set_load (s : setting) (w : list interval) : setting :=
   let ld := make_load w (load_growth (the_load s)) in
-  Setting (dimension_of s) (rows s) ld (slipping s) (short s) (Z.lcm (exact s) (over (load_scaling ld))).
+  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (Z.lcm (exact s) (over (load_scaling ld))).
 
 (* The two halves of a box, or the rule that fails. *)
 Definition halves (s : setting) (name : parameter) (index : Z) (c : Q)
@@ -166,7 +189,7 @@ Definition split (s : setting) (n : node) : list (branch setting) + string :=
           else
             let fs := slip_forms row in
             inl [Branch (map (fun f => (f, true)) fs) [] [] s;
-                 Branch [] [] [fs] (Setting (dimension_of s) (rows s) (the_load s) (i :: slipping s)
+                 Branch [] [] [fs] (Setting (dimension_of s) (rows s) (the_load s) (pushes s) (i :: slipping s)
                                       (short s) (exact s))]
       end
   | Separation i =>
@@ -281,13 +304,13 @@ Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i
   negb (same_parameter name PPreload) || certain (box_growth b) = true ->
   inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
 Proof.
-  intros (p & F & mu & t & [Ge Fo Ra Af Fr F0 Rh Sq We Wp St Pr Gr K Sp Sm Sa Ss Si]) E C G.
+  intros (p & F & mu & t & [Ge Fo Ra Af Sh Fr F0 Rh Sq We Wp St Pr Gr K Sp Sm Sa Ss Si]) E C G.
   destruct b as [names g f m pl u k sq n w sg sp]. cbn in *.
   assert (Geometry : forall name', get_named name' names g = Some i ->
     inside (CBox names (set_named name' (low_half i c) names g) f m pl u k sq n w sg sp) r \/
     inside (CBox names (set_named name' (high_half i c) names g) f m pl u k sq n w sg sp) r).
   { intros name' E'. destruct (set_named_within name' names g p i c Ge E') as [H|H]; [left|right];
-      exists p, F, mu, t; constructor; cbn; try assumption; intros; rewrite set_named_length; apply Af. }
+      exists p, F, mu, t; constructor; cbn; try assumption; intros; rewrite set_named_length in *; auto. }
   destruct name; cbn in *; try discriminate; try (now apply Geometry).
   - destruct (has_friction _); [|discriminate]. injection E as <-.
     destruct (within_halves _ c _ Fr); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
@@ -321,13 +344,19 @@ Proof.
     destruct (within_halves _ c _ K); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
 Qed.
 
-Lemma halves_cover s name i c lo hi sys d h l fs : halves s name i c = inl (lo, hi) ->
-  solution (rows s) (the_load s) sys d h l fs ->
-  (slipping lo = slipping s /\ slipping hi = slipping s) /\
-  (solution (rows lo) (the_load lo) sys d h l fs \/ solution (rows hi) (the_load hi) sys d h l fs).
+(* A system in the box. *)
+Definition contains (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
+  Forall2 fits rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
+  Forall2 within (load_box ld) (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
+
+Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
+  contains (rows s) (the_load s) sys ->
+  (forall t, t = lo \/ t = hi ->
+     dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+  (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
 Proof.
-  intros H [F LE LW LU H0 L0 E].
-  assert (Row : name <> PWrench -> match numbered (rows s) i with
+  intros H (F & LE & LW & LU).
+  assert (Row : match numbered (rows s) i with
       | None => inr "part-contact"%string
       | Some row => match get (box row) name with
           | None => inr "part-contact"%string
@@ -338,22 +367,33 @@ Proof.
               else inr "part-inside"%string
           end
       end = inl (lo, hi) ->
-    (slipping lo = slipping s /\ slipping hi = slipping s) /\
-    (solution (rows lo) (the_load lo) sys d h l fs \/ solution (rows hi) (the_load hi) sys d h l fs)).
-  { intros _ R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
+    (forall t, t = lo \/ t = hi ->
+       dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+    (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys)).
+  { intros R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (get (box row) name) as [iv|] eqn:Ge; [|discriminate].
     destruct (is_inside iv c && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [C G].
-    injection R as <- <-. cbn. split; [auto|].
+    injection R as <- <-. split; [intros t [-> | ->]; auto|].
     destruct (numbered_replace_either fits (rows s) (Rows.rows sys) i row
       (make_row (set (box row) name (low_half iv c))) (make_row (set (box row) name (high_half iv c))) F N)
-      as [F'|F']; [|left; constructor; assumption|right; constructor; assumption].
+      as [F'|F']; [|left; now repeat split|right; now repeat split].
     intros k [_ Ik]. destruct (set_inside _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
-  destruct name; cbn [halves] in H; try (apply Row; [discriminate|exact H]).
+  destruct name; cbn [halves] in H; try (apply Row; exact H).
   destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
-  destruct (is_inside iv c); [|discriminate]. injection H as <- <-. cbn. split; [auto|].
+  destruct (is_inside iv c); [|discriminate]. injection H as <- <-. split; [intros t [-> | ->]; auto|].
   destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
-    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right];
-    constructor; cbn; try assumption; reflexivity.
+    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right]; now repeat split.
+Qed.
+
+Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
+  solution (rows s) (the_load s) push sys d h l fs ->
+  (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
+  (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
+Proof.
+  intros H [F LE LW LU H0 L0 E Bal].
+  destruct (halves_contain s name i c lo hi sys H) as [S C]; [now repeat split|].
+  destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
+  split; [auto|]. destruct C as [(F' & LE' & LW' & LU')|(F' & LE' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
 
 Definition in_range (g : range) (lambda : R) :=
@@ -390,9 +430,14 @@ Qed.
 
 (* ---- Solutions ---- *)
 
+Definition pushed (pushes : matrix) (c : R) (x y : list R) : R := c * Rows.dot y (Degree.times (map real pushes) x).
+
+Lemma not_pushed c x y : pushed [] c x y = 0.
+Proof. unfold pushed. cbn. rewrite Degree.dot_nil. ring. Qed.
+
 Definition solves (s : setting) (x : list R) :=
-  exists sys d h l fs, x = h :: l :: d /\ solution (rows s) (the_load s) sys d h l fs /\
-    slips_at (slipping s) (Rows.rows sys) d.
+  exists sys d h l fs c, x = h :: l :: d /\ 0 <= c /\
+    solution (rows s) (the_load s) (pushed (pushes s) c x) sys d h l fs /\ slips_at (slipping s) (Rows.rows sys) d.
 
 (* Where the geometry is certain, the slip is zero where its forms are. *)
 Lemma slip_forms_zero row r d h l : fits row r -> slip_certain row = true -> box_signed (box row) = false ->
@@ -449,17 +494,17 @@ Proof.
       * exists (on_plane s f). split; [cbn; auto|]. constructor; cbn; [exact S| |constructor|constructor].
         constructor; [exact P|constructor].
       * exists (above s f). split; [cbn; auto|]. now apply takes_above.
-    + destruct S as (sys & d & h & l & fs & -> & S & SL).
+    + destruct S as (sys & d & h & l & fs & t & -> & T0 & S & SL).
       destruct (numbered_is _ _ _ N) as (k & -> & NR).
-      destruct (fits_at _ _ _ _ _ (rows_fit _ _ _ _ _ _ _ S) NR) as (r & Nr & Fr).
+      destruct (fits_at _ _ _ _ _ (rows_fit _ _ _ _ _ _ _ _ S) NR) as (r & Nr & Fr).
       destruct (slip_forms_zero row r d h l Fr SC Sg) as [Z|[NZ Z]].
       * eexists. split; [now left|]. constructor; cbn [branch_setting conditions new_strict new_moving];
-          [now exists sys, d, h, l, fs| |constructor|constructor].
+          [now exists sys, d, h, l, fs, t| |constructor|constructor].
         apply Forall_map. eapply Forall_impl; [|exact Z]. intros f E. exact E.
       * eexists. split; [right; now left|].
         constructor; cbn [branch_setting conditions new_strict new_moving];
           [|constructor|constructor|constructor; [exact Z|constructor]].
-        exists sys, d, h, l, fs. split; [reflexivity|]. split; [exact S|].
+        exists sys, d, h, l, fs, t. split; [reflexivity|]. split; [exact T0|]. split; [exact S|].
         intros k' r' H Nr'. cbn in H. apply orb_true_iff in H as [H|H]; [|now apply (SL k' r')].
         apply Z.eqb_eq, Nat2Z.inj in H. subst k'. rewrite Nr in Nr'. injection Nr' as <-. exact NZ.
   - destruct (numbered (rows s) i) as [row|]; [|discriminate].
@@ -467,12 +512,12 @@ Proof.
     destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (takes_side f).
   - injection H as <-. now apply takes_side.
   - destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate]. injection H as <-.
-    destruct S as (sys & d & h & l & fs & X & S & SL).
-    destruct (halves_cover _ _ _ _ _ _ sys d h l fs E S) as [[El Eh] [S'|S']].
+    destruct S as (sys & d & h & l & fs & t & X & T0 & S & SL).
+    destruct (halves_cover _ _ _ _ _ _ _ sys d h l fs E S) as [(El & Eh & Pl & Ph) [S'|S']].
     + exists (Branch [] [] [] lo). split; [cbn; auto|]. constructor; cbn; try constructor.
-      exists sys, d, h, l, fs. rewrite El. auto.
+      exists sys, d, h, l, fs, t. rewrite El, Pl. auto.
     + exists (Branch [] [] [] hi). split; [cbn; auto|]. constructor; cbn; try constructor.
-      exists sys, d, h, l, fs. rewrite Eh. auto.
+      exists sys, d, h, l, fs, t. rewrite Eh, Ph. auto.
   - now destruct (NL y).
 Qed.
 
@@ -481,7 +526,7 @@ Lemma leaf_refuted s strict rays y x :
   spans (map coordinates rays) (fun a => rdot a x) -> Forall (not_zero x) strict ->
   solves s x -> False.
 Proof.
-  unfold leaf_fails. intros H G (ws & W & Sp) T (sys & d & h & l & fs & -> & S & SL).
+  unfold leaf_fails. intros H G (ws & W & Sp) T (sys & d & h & l & fs & c & -> & C0 & S & SL).
   destruct (barred strict rays) eqn:B.
   { apply (not_barred strict rays (h :: l :: d) G T ws Sp rays); auto.
     eapply Forall_impl; [|exact W]. intros p [_ Hp]. right.
@@ -489,12 +534,21 @@ Proof.
   set (y' := map _ y) in *. set (them := pressers _ _ _ _ _ _ _ _) in *.
   assert (FP : 0 < Q2R (unit_of (scaling_of y))).
   { rewrite unit_of_is by apply common_denominator_positive. apply unit_positive. }
+  destruct ((_ && _) || _) eqn:C in H; [|discriminate].
+  destruct (nowhere_negative rays _) eqn:N in H; [|discriminate]. clear H.
+  assert (P : 0 <= pushed (pushes s) c (h :: l :: d) (map IZR y')).
+  { apply (nowhere_negative_nonneg rays (h :: l :: d) ws W Sp) in N. set (along := of_rows y (pushes s)) in *.
+    apply Rmult_le_pos; [exact C0|]. unfold y'. pose proof (unit_positive y) as Uy. pose proof (unit_positive along) as Ua.
+    apply Rmult_le_reg_l with (unit (scaling_of y)); [exact Uy|]. rewrite Rmult_0_r, <- Rows.dot_scaled.
+    replace (Rows.scaled _ _) with (real y).
+    - rewrite <- Matrix.dot_of_rows. fold along. unfold real. rewrite <- qdot_is, (qdot_to_integers along) by auto.
+      apply Rmult_le_pos; lra.
+    - unfold real, Rows.scaled. rewrite !map_map. apply map_ext_in. intros q Hq. now apply to_integer_exact. }
   assert (L : forall m, leaf_holds_by m them (the_load s) strict rays y' = true -> False).
   { intros m Hm. assert (Hm' := Hm). unfold leaf_holds_by in Hm'.
     apply andb_true_iff in Hm' as [M _]. apply Z.ltb_lt in M. unfold them in Hm.
-    rewrite (leaf_refutes strict rays d h l G T ws W Sp y' _ FP m M (rows s) (the_load s) (slipping s) sys fs S SL)
+    rewrite (leaf_refutes strict rays d h l G T ws W Sp y' _ FP m M (rows s) (the_load s) _ (slipping s) sys fs S SL P)
       in Hm. discriminate. }
-  destruct (_ || _) eqn:C in H; [|discriminate]. clear H.
   apply orb_true_iff in C as [C|C]; [|exact (L _ C)]. apply andb_true_iff in C as [_ C]. exact (L _ C).
 Qed.
 
@@ -512,18 +566,20 @@ Proof.
 Qed.
 
 Lemma root_takes (two_sided : bool) s rng sys d lambda fs :
-  solution (rows s) (the_load s) sys d 1 lambda fs -> slips_at (slipping s) (Rows.rows sys) d ->
-  Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  solution (rows s) (the_load s) (fun _ => 0) sys d 1 lambda fs -> slips_at (slipping s) (Rows.rows sys) d ->
+  pushes s = [] -> Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   in_range rng lambda -> takes solves (root_branch two_sided s rng) (1 :: lambda :: d).
 Proof.
-  intros S SL Law R. set (x := 1 :: lambda :: d).
+  intros S SL NP Law R. set (x := 1 :: lambda :: d).
   destruct (range_conditions_met d rng lambda R) as [C T].
   constructor; cbn [branch_setting conditions new_strict new_moving root_branch];
-    [now exists sys, d, 1, lambda, fs| |exact T|constructor].
+    [| |exact T|constructor].
+  { exists sys, d, 1, lambda, fs, 0. split; [reflexivity|]. split; [lra|]. split; [|exact SL].
+    destruct S as [S1 S2 S3 S4 S5 S6 S7 S8]. constructor; try assumption. intros y. rewrite NP, not_pushed. apply S8. }
   rewrite map_all_is. apply Forall_map.
   destruct two_sided; [|exact C].
   apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
-  intros row f Hr E Sp. destruct S as [F _ _ _ _ _ (_ & Ob & _)]. rewrite Law in Ob.
+  intros row f Hr E Sp. destruct S as [F _ _ _ _ _ Ob _]. rewrite Law in Ob.
   apply In_nth_error in Hr as (k & Hr).
   destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er (p & G & mu & t & I)]).
   destruct (fits_at _ _ _ _ _ Ob Nr) as ([a g] & _ & (La & _)).
@@ -544,19 +600,19 @@ Definition walk_ranges (most_depth : Z) (two_sided : bool) (s : setting) (ranges
     (map_all (fun g => root memory advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
 
 Theorem refuted_multiple most (two_sided : bool) s ranges nodes sys lambda d fs :
-  slipping s = [] -> dimension_of s = Rows.dimension sys ->
+  slipping s = [] -> pushes s = [] -> List.length d = dimension_of s ->
   walk_ranges most two_sided s ranges nodes = None ->
-  solution (rows s) (the_load s) sys d 1 lambda fs ->
+  solution (rows s) (the_load s) (fun _ => 0) sys d 1 lambda fs ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Exists (fun r => in_range r lambda) ranges -> False.
 Proof.
-  intros SE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
+  intros SE PE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
   unfold walk_ranges in W. rewrite map_all_is in W.
   apply (walk_refutes memory advisor setting split leaf_fails solves) in W.
   - rewrite Forall_forall in W. eapply W.
     + apply in_map_iff. now exists rng.
     + apply (root_home _ _ _ _ _ _ (1 :: lambda :: d)).
-      * cbn. rewrite D. destruct S as [_ _ _ _ _ _ (L & _)]. now rewrite L.
+      * cbn. now rewrite D.
       * eapply root_takes; try eassumption. intros k r H. rewrite SE in H. discriminate.
   - intros s' n bs x. apply split_covers.
   - intros s' st rs y x. apply leaf_refuted.

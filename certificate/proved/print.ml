@@ -88,7 +88,7 @@ let json_resisted intervals =
   "[" ^ separated one intervals ^ "]"
 
 (* How long the proof is. *)
-type size = { nodes : int; leaves : int; parts : int; segments : int; trees : int }
+type size = { nodes : int; leaves : int; parts : int; rests : int; segments : int; trees : int }
 
 let size_of_tree size tree =
   let leaves = List.length (List.filter (function Leaf _ -> true | _ -> false) tree) in
@@ -103,21 +103,25 @@ let gaps = function
     count + 1 - ends - if Integer.sign low.qnum = 0 then 1 else 0
 
 let size_of certificate =
-  let none = { nodes = 0; leaves = 0; parts = 0; segments = 0; trees = 0 } in
+  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; segments = 0; trees = 0 } in
   let add_part size = function
-    | PartProof (_, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
-    | PartCut _ | PartAtRest -> size in
+    | PartProof (_, _, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
+    | PartAtRest _ -> { size with rests = size.rests + 1 }
+    | PartCut _ -> size in
   match certificate.body with
   | StableByWitness _ -> none
   | StableByParts parts -> List.fold_left add_part none parts
   | UnstableByTree tree -> size_of_tree none tree
   | MarginBy (resisted, segments, tree) ->
-    size_of_tree { none with segments = List.length segments; trees = gaps resisted } tree
-  | MarginByDegree -> none
+    let add size = function
+      | Segment _ -> { size with segments = size.segments + 1 }
+      | SegmentByDegree (_, _, _, _, _, tree) ->
+        size_of_tree { size with segments = size.segments + 1; parts = size.parts + 1 } tree in
+    size_of_tree (List.fold_left add { none with trees = gaps resisted } segments) tree
   | MarginInSpace claims ->
     let add size = function
-      | ClaimPart (_, _, part) -> add_part size part
-      | ClaimPoints _ -> size
+      | ClaimStable (_, _, Inl part) -> add_part size part
+      | ClaimStable (_, _, Inr _) -> size
       | ClaimUnstable (_, _, tree) -> size_of_tree { size with trees = size.trees + 1 } tree in
     List.fold_left add none claims
 
@@ -127,16 +131,19 @@ let in_words place =
   | AtNode _ -> None
   | AtContact i -> Some ("contact " ^ Integer.to_string i)
   | AtInterval n -> Some ("interval " ^ string_of_int (int_of_nat n))
-  | AtSegment n -> Some ("segment " ^ string_of_int (int_of_nat n))
+  | AtSegment (n, _) -> Some ("segment " ^ string_of_int (int_of_nat n))
   | AtPoint (n, second) ->
     Some ("segment " ^ string_of_int (int_of_nat n)
           ^ if second then ", second point" else ", first point")
+  | AtPart (n, _) -> Some ("part " ^ string_of_int (int_of_nat n))
   | AtPointOf (n, second) ->
     Some ("interval " ^ string_of_int (int_of_nat n)
           ^ if second then ", second point" else ", first point")
-  | AtNodeOf (n, _) -> Some ("interval " ^ string_of_int (int_of_nat n))
+  | AtProofOf (n, _) -> Some ("interval " ^ string_of_int (int_of_nat n))
 
-let node_of = function AtNode n | AtNodeOf (_, n) -> Some (int_of_nat n) | _ -> None
+let node_of = function
+  | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) | AtProofOf (_, Some n) -> Some (int_of_nat n)
+  | _ -> None
 
 let question asked =
   let o = asked.the_options in
@@ -182,9 +189,16 @@ let proof answer size =
   let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
   match answer with
   | Claims _ ->
-    Printf.sprintf "intervals by degree: %d, refuted: %d; trees of %s" size.parts size.trees tree
-  | Margin _ -> Printf.sprintf "segments: %d; trees: %d, of %s" size.segments size.trees tree
-  | Stable when size.parts > 0 -> Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree
+    Printf.sprintf "intervals by degree: %d%s, refuted: %d; trees of %s" size.parts
+      (if size.rests > 0 then Printf.sprintf ", at rest: %d" size.rests else "") size.trees tree
+  | Margin _ ->
+    let by_degree = if size.parts > 0 then Printf.sprintf ", by degree: %d" size.parts else "" in
+    Printf.sprintf "segments: %d%s; trees: %d, of %s" size.segments by_degree size.trees tree
+  | Stable when size.parts + size.rests > 0 ->
+    let some number text = if number > 0 then [text] else [] in
+    String.concat "; "
+      (some size.rests (Printf.sprintf "at rest, parts: %d" size.rests)
+       @ some size.parts (Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree))
   | Stable -> "an equilibrium"
   | _ -> "a tree of " ^ tree
 
@@ -235,7 +249,7 @@ let as_json report =
   | Judged { answer = NotProvedHere why; _ } | Not_judged why -> line "not judged" ~found:why
   | Judged { asked; answer; certificate } ->
     let size = size_of certificate in
-    let tree = match answer with Stable -> size.parts > 0 | _ -> true in
+    let tree = match certificate.body with StableByWitness _ -> false | _ -> true in
     line "accepted" ~box:asked.is_box ~asked
       ~verdict:(match answer with Margin _ | Claims _ -> "margin" | Stable -> "stable" | _ -> "unstable")
       ?size:(if tree then Some size else None)

@@ -26,7 +26,6 @@ PROVED = os.environ.get("STICKSLIP_PROVED")
 UP = ("--wrench", "0,11/10,0")  # unstable
 
 sys.path.append(os.path.join(HERE, "..", "support"))
-import batch  # noqa: E402
 from in_process import in_process  # noqa: E402
 
 DONE, BAD_INPUT, UNDECIDED, STABLE, UNSTABLE = 0, 2, 3, 10, 20
@@ -47,11 +46,11 @@ def stickslip(*words, stdin=None):
 
 
 def checkers(proof, grasp=None):
-    """The programs that have to judge a certificate. Proofs by degree and at rest, regions and several bodies (in the file of the
-    grasp) are not stickslip-proved's."""
+    """The programs that have to judge a certificate. Regions and several bodies (in the file of the grasp) are not
+    stickslip-proved's."""
     try:
         certificate = json.loads(read(proof))
-        covered = "pieces" not in certificate and not batch.has_parts(certificate)
+        covered = "pieces" not in certificate
     except ValueError:
         covered = True  # and malformed
     covered = covered and not (grasp and "stickslip-grasp/3" in read(grasp))

@@ -55,6 +55,20 @@ include Coq__1
 let eqb b1 b2 =
   if b1 then b2 else if b2 then false else true
 
+(** val gmax : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1 **)
+
+let gmax cmp x y =
+  match cmp x y with
+  | Lt -> y
+  | _ -> x
+
+(** val gmin : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1 **)
+
+let gmin cmp x y =
+  match cmp x y with
+  | Gt -> y
+  | _ -> x
+
 module Nat =
  struct
   (** val eqb : nat -> nat -> bool **)
@@ -493,6 +507,62 @@ module Coq_Pos =
 
   let gcd a b =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
+
+  (** val ggcdn :
+      nat -> Big_int_Z.big_int -> Big_int_Z.big_int ->
+      Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int) **)
+
+  let rec ggcdn n a b =
+    match n with
+    | O -> (Big_int_Z.unit_big_int, (a, b))
+    | S n0 ->
+      ((fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+         (fun a' ->
+         (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+           (fun b' ->
+           match compare a' b' with
+           | Eq -> (a, (Big_int_Z.unit_big_int, Big_int_Z.unit_big_int))
+           | Lt ->
+             let (g, p) = ggcdn n0 (sub b' a') a in
+             let (ba, aa) = p in
+             (g, (aa, (add aa (Big_int_Z.mult_int_big_int 2 ba))))
+           | Gt ->
+             let (g, p) = ggcdn n0 (sub a' b') b in
+             let (ab, bb) = p in
+             (g, ((add bb (Big_int_Z.mult_int_big_int 2 ab)), bb)))
+           (fun b0 ->
+           let (g, p) = ggcdn n0 a b0 in
+           let (aa, bb) = p in (g, (aa, (Big_int_Z.mult_int_big_int 2 bb))))
+           (fun _ -> (Big_int_Z.unit_big_int, (a, Big_int_Z.unit_big_int)))
+           b)
+         (fun a0 ->
+         (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+           (fun _ ->
+           let (g, p) = ggcdn n0 a0 b in
+           let (aa, bb) = p in (g, ((Big_int_Z.mult_int_big_int 2 aa), bb)))
+           (fun b0 ->
+           let (g, p) = ggcdn n0 a0 b0 in
+           ((Big_int_Z.mult_int_big_int 2 g), p))
+           (fun _ -> (Big_int_Z.unit_big_int, (a, Big_int_Z.unit_big_int)))
+           b)
+         (fun _ -> (Big_int_Z.unit_big_int, (Big_int_Z.unit_big_int, b)))
+         a)
+
+  (** val ggcd :
+      Big_int_Z.big_int -> Big_int_Z.big_int ->
+      Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int) **)
+
+  let ggcd a b =
+    ggcdn (Coq__1.add (size_nat a) (size_nat b)) a b
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -521,6 +591,14 @@ let rec nth_error l = function
 | S n0 -> (match l with
            | [] -> None
            | _ :: l0 -> nth_error l0 n0)
+
+(** val removelast : 'a1 list -> 'a1 list **)
+
+let rec removelast = function
+| [] -> []
+| a :: l0 -> (match l0 with
+              | [] -> []
+              | _ :: _ -> a :: (removelast l0))
 
 (** val rev_append : 'a1 list -> 'a1 list -> 'a1 list **)
 
@@ -602,6 +680,21 @@ let rec firstn n l =
   | S n0 -> (match l with
              | [] -> []
              | a :: l0 -> a :: (firstn n0 l0))
+
+(** val skipn : nat -> 'a1 list -> 'a1 list **)
+
+let rec skipn n l =
+  match n with
+  | O -> l
+  | S n0 -> (match l with
+             | [] -> []
+             | _ :: l0 -> skipn n0 l0)
+
+(** val seq : nat -> nat -> nat list **)
+
+let rec seq start = function
+| O -> []
+| S len0 -> start :: (seq (S start) len0)
 
 (** val repeat : 'a1 -> nat -> 'a1 list **)
 
@@ -873,6 +966,41 @@ module Z =
 
   let gcd = Big_int_Z.gcd_big_int
 
+  (** val ggcd :
+      Big_int_Z.big_int -> Big_int_Z.big_int ->
+      Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int) **)
+
+  let ggcd a b =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> ((abs b), (Big_int_Z.zero_big_int, (sgn b))))
+      (fun a0 ->
+      (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+        (fun _ -> ((abs a), ((sgn a), Big_int_Z.zero_big_int)))
+        (fun b0 ->
+        let (g, p) = Coq_Pos.ggcd a0 b0 in let (aa, bb) = p in (g, (aa, bb)))
+        (fun b0 ->
+        let (g, p) = Coq_Pos.ggcd a0 b0 in
+        let (aa, bb) = p in (g, (aa, (Big_int_Z.minus_big_int bb))))
+        b)
+      (fun a0 ->
+      (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+        (fun _ -> ((abs a), ((sgn a), Big_int_Z.zero_big_int)))
+        (fun b0 ->
+        let (g, p) = Coq_Pos.ggcd a0 b0 in
+        let (aa, bb) = p in (g, ((Big_int_Z.minus_big_int aa), bb)))
+        (fun b0 ->
+        let (g, p) = Coq_Pos.ggcd a0 b0 in
+        let (aa, bb) = p in
+        (g, ((Big_int_Z.minus_big_int aa), (Big_int_Z.minus_big_int bb))))
+        b)
+      a
+
   (** val shiftl :
       Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -901,6 +1029,11 @@ type q = { qnum : Big_int_Z.big_int; qden : Big_int_Z.big_int }
 
 let inject_Z x =
   { qnum = x; qden = Big_int_Z.unit_big_int }
+
+(** val qcompare : q -> q -> comparison **)
+
+let qcompare p q0 =
+  Z.compare (Z.mul p.qnum q0.qden) (Z.mul q0.qnum p.qden)
 
 (** val qeq_bool : q -> q -> bool **)
 
@@ -949,6 +1082,12 @@ let qinv x =
 
 let qdiv x y =
   qmult x (qinv y)
+
+(** val qred : q -> q **)
+
+let qred q0 =
+  let { qnum = q1; qden = q2 } = q0 in
+  let (r1, r2) = snd (Z.ggcd q1 q2) in { qnum = r1; qden = (Z.to_pos r2) }
 
 (** val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
 
@@ -1185,16 +1324,19 @@ type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
 type point = { multiple : q option; point_witness : witness }
 
-type segment = { first_point : point option; second_point : point }
+type segment =
+| Segment of point option * point
+| SegmentByDegree of q option * q list * q list * q list list * q list list
+   * node list
 
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
-| PartProof of q list * q list list * q list list * node list
-| PartAtRest
+| PartProof of q list * bool * q list list * q list list * node list
+| PartAtRest of (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list list) list * q list
 
 type claim =
-| ClaimPart of q * q option * part
-| ClaimPoints of q * q option * witness list
+| ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
 
 type proof =
@@ -1202,7 +1344,6 @@ type proof =
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
-| MarginByDegree
 | MarginInSpace of claim list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -1212,10 +1353,11 @@ type place =
 | AtNode of nat
 | AtContact of Big_int_Z.big_int
 | AtInterval of nat
-| AtSegment of nat
+| AtSegment of nat * nat option
 | AtPoint of nat * bool
+| AtPart of nat * nat option
 | AtPointOf of nat * bool
-| AtNodeOf of nat * nat
+| AtProofOf of nat * nat option
 
 type answer =
 | Stable
@@ -1240,6 +1382,16 @@ type 'memory oracle = { begin0 : (nat -> 'memory);
 
 let qabs x =
   let { qnum = n; qden = d } = x in { qnum = (Z.abs n); qden = d }
+
+(** val qmax : q -> q -> q **)
+
+let qmax =
+  gmax qcompare
+
+(** val qmin : q -> q -> q **)
+
+let qmin =
+  gmin qcompare
 
 type form = Big_int_Z.big_int list
 
@@ -2697,6 +2849,156 @@ let everywhere advisor n s =
 let root advisor n b =
   child advisor (everywhere advisor n b.branch_setting) b
 
+type vector = q list
+
+type matrix = vector list
+
+(** val inner : vector -> vector -> q **)
+
+let rec inner a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> qred (qplus (qmult x y) (inner a' b')))
+
+(** val plus_times : vector -> q -> vector -> vector **)
+
+let rec plus_times a s b =
+  match a with
+  | [] -> (match b with
+           | [] -> a
+           | _ :: _ -> map (fun y -> qred (qmult s y)) b)
+  | x :: a' ->
+    (match b with
+     | [] -> a
+     | y :: b' -> (qred (qplus x (qmult s y))) :: (plus_times a' s b'))
+
+(** val is_zero : q -> bool **)
+
+let is_zero q0 =
+  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val unit_vector : nat -> nat -> vector **)
+
+let unit_vector n i =
+  map (fun j ->
+    if Nat.eqb i j
+    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    (seq O n)
+
+(** val identity : nat -> matrix **)
+
+let identity n =
+  map (unit_vector n) (seq O n)
+
+(** val of_rows : vector -> matrix -> vector **)
+
+let rec of_rows a m =
+  match a with
+  | [] -> []
+  | x :: a' ->
+    (match m with
+     | [] -> []
+     | r :: m' -> plus_times (of_rows a' m') x r)
+
+(** val pivot : nat -> matrix -> (vector * matrix) option **)
+
+let rec pivot column0 = function
+| [] -> None
+| r :: m' ->
+  if is_zero
+       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int })
+  then (match pivot column0 m' with
+        | Some p -> let (found, others) = p in Some (found, (r :: others))
+        | None -> None)
+  else Some (r, m')
+
+(** val eliminate :
+    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
+
+let rec eliminate columns column0 m done0 =
+  match columns with
+  | O -> done0
+  | S columns' ->
+    (match pivot column0 m with
+     | Some p ->
+       let (r, others) = p in
+       let r0 =
+         plus_times []
+           (qinv
+             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r
+       in
+       let without = fun a ->
+         plus_times a
+           (qopp
+             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r0
+       in
+       eliminate columns' (S column0) (map without others)
+         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
+           ((column0, r0) :: []))
+     | None -> eliminate columns' (S column0) m done0)
+
+(** val kernel : nat -> matrix -> matrix **)
+
+let kernel n m =
+  let done0 = eliminate n O m [] in
+  flat_map (fun j ->
+    if existsb (fun p -> Nat.eqb (fst p) j) done0
+    then []
+    else (fold_right (fun p a ->
+           plus_times a
+             (qopp
+               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int })) (unit_vector n (fst p)))
+           (unit_vector n j) done0) :: []) (seq O n)
+
+(** val inverse_of : nat -> matrix -> matrix **)
+
+let inverse_of n m =
+  map (fun p -> skipn n (snd p))
+    (eliminate n O
+      (map (fun p -> app (fst p) (snd p)) (combine m (identity n))) [])
+
+(** val same_vectors : vector -> vector -> bool **)
+
+let rec same_vectors a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
+
+(** val same_matrices : matrix -> matrix -> bool **)
+
+let rec same_matrices a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
+
+(** val is_inverse : nat -> matrix -> matrix -> bool **)
+
+let is_inverse n left m =
+  same_matrices (map (fun a -> of_rows a m) left) (identity n)
+
+(** val all_of_length : nat -> 'a1 list list -> bool **)
+
+let all_of_length n m =
+  forallb (fun r -> Nat.eqb (length r) n) m
+
 (** val replace_after :
     'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
 
@@ -2717,8 +3019,40 @@ type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 slipping : Big_int_Z.big_int list;
+                 pushes : matrix; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
+
+(** val common_multiple : row list -> load -> Big_int_Z.big_int **)
+
+let common_multiple rows0 ld =
+  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 ld.load_scaling.over
+
+(** val short_multiple :
+    row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+let short_multiple rows0 multiple0 =
+  let most =
+    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows0
+      Big_int_Z.unit_big_int
+  in
+  let short0 =
+    Z.shiftl Big_int_Z.unit_big_int
+      (Z.add (Z.log2 most)
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
+  in
+  if (&&) (Z.ltb short0 multiple0) (forallb (fun r -> r.box.box_signed) rows0)
+  then short0
+  else multiple0
+
+(** val make_setting : nat -> row list -> load -> matrix -> setting **)
+
+let make_setting dimension0 rows0 ld pushes0 =
+  let m = common_multiple rows0 ld in
+  { dimension_of = dimension0; rows = rows0; the_load = ld; pushes = pushes0;
+  slipping = []; short = (short_multiple rows0 m); exact = m }
 
 (** val leaf_fails :
     setting -> form list list -> ray list -> q list -> string option **)
@@ -2736,7 +3070,11 @@ let leaf_fails s strict0 rays0 y =
        in
        if (||) ((&&) (negb (Z.eqb s.short s.exact)) (holds s.short))
             (holds (with_alphas s.exact them))
-       then None
+       then let along = of_rows y s.pushes in
+            if nowhere_negative rays0
+                 (map (to_integer (scaling_of along)) along)
+            then None
+            else Some "leaf-direction"
        else Some "leaf-bound"
 
 (** val is_inside : interval -> q -> bool **)
@@ -2860,15 +3198,16 @@ let set b name i =
 let set_row s index b =
   let row0 = make_row b in
   { dimension_of = s.dimension_of; rows = (replace s.rows index row0);
-  the_load = s.the_load; slipping = s.slipping; short = s.short; exact =
-  (Z.lcm s.exact row0.over_weight) }
+  the_load = s.the_load; pushes = s.pushes; slipping = s.slipping; short =
+  s.short; exact = (Z.lcm s.exact row0.over_weight) }
 
 (** val set_load : setting -> interval list -> setting **)
 
 let set_load s w =
   let ld = make_load w s.the_load.load_growth in
-  { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; slipping =
-  s.slipping; short = s.short; exact = (Z.lcm s.exact ld.load_scaling.over) }
+  { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
+  s.pushes; slipping = s.slipping; short = s.short; exact =
+  (Z.lcm s.exact ld.load_scaling.over) }
 
 (** val halves :
     setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -2949,8 +3288,8 @@ let split s = function
                     s } :: ({ conditions = []; new_strict = []; new_moving =
                     (fs :: []); branch_setting = { dimension_of =
                     s.dimension_of; rows = s.rows; the_load = s.the_load;
-                    slipping = (i :: s.slipping); short = s.short; exact =
-                    s.exact } } :: []))
+                    pushes = s.pushes; slipping = (i :: s.slipping); short =
+                    s.short; exact = s.exact } } :: []))
    | None -> Inr "node-contact")
 | Separation i ->
   (match numbered s.rows i with
@@ -3024,11 +3363,11 @@ let root_branch two_sided s g =
     'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
     list -> (string * nat) option **)
 
-let walk_ranges advisor most_depth0 two_sided s ranges nodes =
+let walk_ranges advisor most_depth0 two_sided s ranges0 nodes =
   walk advisor split leaf_fails most_depth0 nodes
     (map_all (fun g ->
       root advisor (add (S (S O)) s.dimension_of) (root_branch two_sided s g))
-      ranges) O
+      ranges0) O
 
 (** val exact_box : cbox -> bool **)
 
@@ -3387,61 +3726,97 @@ let reaches high0 to1 =
              | None -> true)
 
 (** val segments_fail :
-    bool -> nat -> row list -> load -> segment list -> (q * q option) list ->
-    q option -> (point * state list) option -> nat -> (string * place) option **)
+    bool -> nat -> row list -> load -> (q -> q option -> q list -> q list ->
+    q list list -> q list list -> node list -> (string * nat option) option)
+    -> bool -> segment list -> (q * q option) list -> q option ->
+    (point * state list) option -> nat -> (string * place) option **)
 
-let rec segments_fail two_sided dim rows0 ld segments resisted from0 last number =
-  let out_of_chain = Some ("segment-chain", (AtSegment number)) in
+let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted from0 last number =
+  let out_of_chain = Some ("segment-chain", (AtSegment (number, None))) in
   (match segments with
    | [] -> (match resisted with
             | [] -> None
             | _ :: _ -> out_of_chain)
    | s :: segments' ->
-     (match resisted with
-      | [] -> out_of_chain
-      | p :: resisted' ->
-        let (lo, hi) = p in
-        let first =
-          match s.first_point with
-          | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
-          | None ->
-            (match last with
-             | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
-             | None -> None)
-        in
-        let second = s.second_point in
-        (match first with
-         | Some p0 ->
-           let (p1, checked) = p0 in
-           (match p1.multiple with
-            | Some l1 ->
-              let start = match from0 with
-                          | Some e -> e
-                          | None -> lo in
-              if (||)
-                   ((||) (negb (qeq_bool l1 start))
-                     (beyond hi second.multiple))
-                   (match second.multiple with
-                    | Some l2 -> qlt_bool l2 l1
-                    | None -> false)
-              then out_of_chain
-              else (match checked with
-                    | Inl ss1 ->
-                      (match check_at two_sided dim rows0 ld second with
-                       | Inl ss2 ->
-                         if same_mode ss1 ss2
-                         then if reaches hi second.multiple
-                              then segments_fail two_sided dim rows0 ld
-                                     segments' resisted' None (Some (second,
-                                     ss2)) (S number)
-                              else segments_fail two_sided dim rows0 ld
-                                     segments' resisted second.multiple (Some
-                                     (second, ss2)) (S number)
-                         else Some ("segment-mode", (AtSegment number))
-                       | Inr rule -> Some (rule, (AtPoint (number, true))))
-                    | Inr rule -> Some (rule, (AtPoint (number, false))))
-            | None -> out_of_chain)
-         | None -> out_of_chain)))
+     (match s with
+      | Segment (first_point, second) ->
+        (match resisted with
+         | [] -> out_of_chain
+         | p :: resisted' ->
+           let (lo, hi) = p in
+           let first =
+             match first_point with
+             | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
+             | None ->
+               (match last with
+                | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
+                | None -> None)
+           in
+           (match first with
+            | Some p0 ->
+              let (p1, checked) = p0 in
+              (match p1.multiple with
+               | Some l1 ->
+                 let start = match from0 with
+                             | Some e -> e
+                             | None -> lo in
+                 if (||)
+                      ((||) (negb (qeq_bool l1 start))
+                        (beyond hi second.multiple))
+                      (match second.multiple with
+                       | Some l2 -> qlt_bool l2 l1
+                       | None -> false)
+                 then out_of_chain
+                 else (match checked with
+                       | Inl ss1 ->
+                         (match check_at two_sided dim rows0 ld second with
+                          | Inl ss2 ->
+                            if same_mode ss1 ss2
+                            then if reaches hi second.multiple
+                                 then segments_fail two_sided dim rows0 ld
+                                        degree unloaded0 segments' resisted'
+                                        None (Some (second, ss2)) (S number)
+                                 else segments_fail two_sided dim rows0 ld
+                                        degree unloaded0 segments' resisted
+                                        second.multiple (Some (second, ss2))
+                                        (S number)
+                            else Some ("segment-mode", (AtSegment (number,
+                                   None)))
+                          | Inr rule -> Some (rule, (AtPoint (number, true))))
+                       | Inr rule -> Some (rule, (AtPoint (number, false))))
+               | None -> out_of_chain)
+            | None -> out_of_chain))
+      | SegmentByDegree (to1, d1, d2, walls0, direction0, tree) ->
+        (match resisted with
+         | [] -> out_of_chain
+         | p :: resisted' ->
+           let (lo, hi) = p in
+           let start = match from0 with
+                       | Some e -> e
+                       | None -> lo in
+           let goes_up =
+             match to1 with
+             | Some t -> qlt_bool start t
+             | None ->
+               (||)
+                 (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int } start)
+                 ((&&)
+                   (qeq_bool start { qnum = Big_int_Z.zero_big_int; qden =
+                     Big_int_Z.unit_big_int }) unloaded0)
+           in
+           if (||) (negb goes_up) (beyond hi to1)
+           then out_of_chain
+           else (match degree start to1 d1 d2 walls0 direction0 tree with
+                 | Some p0 ->
+                   let (rule, node0) = p0 in
+                   Some (rule, (AtSegment (number, node0)))
+                 | None ->
+                   if reaches hi to1
+                   then segments_fail two_sided dim rows0 ld degree unloaded0
+                          segments' resisted' None None (S number)
+                   else segments_fail two_sided dim rows0 ld degree unloaded0
+                          segments' resisted to1 None (S number)))))
 
 (** val order_fails :
     q option -> bool -> (q * q option) list -> nat -> nat option **)
@@ -3489,6 +3864,702 @@ let gaps resisted =
   gaps_from { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
     false resisted []
 
+(** val opposite0 : vector -> vector **)
+
+let opposite0 a =
+  map qopp a
+
+(** val walls_of : bool -> matrix -> matrix **)
+
+let walls_of simplex e =
+  if simplex then e else flat_map (fun a -> a :: ((opposite0 a) :: [])) e
+
+(** val transpose : nat -> matrix -> matrix **)
+
+let transpose columns m =
+  map (fun j ->
+    map (fun a ->
+      nth j a { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+      m) (seq O columns)
+
+(** val all_positive : vector -> bool **)
+
+let all_positive c =
+  forallb (fun q0 ->
+    negb
+      (qle_bool q0 { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int })) c
+
+(** val zeros0 : nat -> vector **)
+
+let zeros0 n =
+  repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } n
+
+(** val balances : nat -> matrix -> vector -> bool **)
+
+let balances n e c =
+  (&&) ((&&) (all_positive c) (Nat.eqb (length c) (length e)))
+    (same_vectors (of_rows c e) (zeros0 n))
+
+(** val is_simplex : nat -> matrix -> bool **)
+
+let is_simplex n e =
+  match kernel (length e) (transpose n e) with
+  | [] -> false
+  | c :: l ->
+    (match l with
+     | [] -> (||) (balances n e c) (balances n e (opposite0 c))
+     | _ :: _ -> false)
+
+(** val free_motions : nat -> bool -> matrix -> matrix option **)
+
+let free_motions n simplex e =
+  let free = kernel n e in
+  let all = app (if simplex then removelast e else e) free in
+  if (&&)
+       ((&&) ((&&) (all_of_length n e) (all_of_length n free))
+         (is_inverse n (inverse_of n all) all))
+       ((||) (negb simplex) (is_simplex n e))
+  then Some free
+  else None
+
+(** val plus_square : vector -> matrix -> matrix **)
+
+let plus_square z0 m =
+  map (fun p -> plus_times (snd p) (fst p) z0) (combine z0 m)
+
+(** val inverted : nat -> matrix -> matrix -> (matrix * matrix) option **)
+
+let inverted n free a =
+  let m = fold_right plus_square a free in
+  let inverse = inverse_of n m in
+  if (&&)
+       ((&&)
+         ((&&) ((&&) (all_of_length n a) (Nat.eqb (length a) n))
+           (forallb (fun z0 ->
+             (&&) (forallb (fun r -> is_zero (inner r z0)) a)
+               (same_vectors (of_rows z0 a) (zeros0 n))) free))
+         (is_inverse n inverse m)) (is_inverse n m inverse)
+  then Some (m, inverse)
+  else None
+
+(** val middle : interval -> q **)
+
+let middle i =
+  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+
+(** val only_middle : interval -> interval **)
+
+let only_middle i =
+  exactly (middle i)
+
+(** val middle_box : cbox -> cbox **)
+
+let middle_box b =
+  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
+    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
+    box_preload = (only_middle b.box_preload); box_growth =
+    (only_middle b.box_growth); box_stiffness =
+    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring }
+
+(** val friction_sound : cbox -> bool **)
+
+let friction_sound b =
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } b.box_friction.low)
+    ((||) (negb b.box_spring)
+      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+type degree_proof = { low_multiple : q; high_multiple : q option;
+                      first_twist : vector; last_twist : vector;
+                      is_a_simplex : bool; wall_rows : matrix;
+                      direction_rows : matrix }
+
+(** val one_multiple : degree_proof -> bool **)
+
+let one_multiple g =
+  match g.high_multiple with
+  | Some b -> qeq_bool g.low_multiple b
+  | None -> false
+
+(** val s_and_t : degree_proof -> vector * vector **)
+
+let s_and_t g =
+  let a = g.low_multiple in
+  if one_multiple g
+  then (({ qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } :: [])), ({ qnum = Big_int_Z.zero_big_int;
+         qden = Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+         qden = Big_int_Z.unit_big_int } :: [])))
+  else (match g.high_multiple with
+        | Some b ->
+          (((qdiv b (qminus b a)) :: ((qopp (qinv (qminus b a))) :: [])),
+            ((qdiv (qopp a) (qminus b a)) :: ((qinv (qminus b a)) :: [])))
+        | None ->
+          (({ qnum = Big_int_Z.unit_big_int; qden =
+            Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+            qden = Big_int_Z.unit_big_int } :: [])), ({ qnum =
+            (Big_int_Z.minus_big_int Big_int_Z.unit_big_int); qden =
+            Big_int_Z.unit_big_int } :: ((qinv a) :: []))))
+
+(** val relative : degree_proof -> vector -> vector **)
+
+let relative g f =
+  app
+    (plus_times
+      (plus_times [] (qopp (inner f g.first_twist)) (fst (s_and_t g)))
+      (qopp (inner f g.last_twist)) (snd (s_and_t g))) f
+
+(** val room : degree_proof -> vector -> vector **)
+
+let room g f =
+  plus_times
+    (plus_times (fst (s_and_t g)) { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } (snd (s_and_t g))) { qnum =
+    (Big_int_Z.minus_big_int Big_int_Z.unit_big_int); qden =
+    Big_int_Z.unit_big_int } (relative g f)
+
+(** val to_form : vector -> form **)
+
+let to_form a =
+  map (to_integer (scaling_of a)) a
+
+(** val base_conditions : degree_proof -> (form * bool) list **)
+
+let base_conditions g =
+  ((to_form (fst (s_and_t g))), false) :: (((to_form (snd (s_and_t g))),
+    false) :: (if one_multiple g
+               then ((to_form ((qopp g.low_multiple) :: ({ qnum =
+                       Big_int_Z.unit_big_int; qden =
+                       Big_int_Z.unit_big_int } :: []))), true) :: []
+               else []))
+
+(** val walls : degree_proof -> matrix **)
+
+let walls g =
+  walls_of g.is_a_simplex g.wall_rows
+
+(** val in_K_conditions : degree_proof -> (form * bool) list **)
+
+let in_K_conditions g =
+  map (fun f -> ((to_form (room g f)), false)) (walls g)
+
+(** val strict_form : degree_proof -> form **)
+
+let strict_form g =
+  to_form
+    (plus_times (fst (s_and_t g)) { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } (snd (s_and_t g)))
+
+(** val middle_setting : degree_proof -> setting -> setting **)
+
+let middle_setting g s =
+  make_setting s.dimension_of
+    (map_all (fun r -> make_row (middle_box r.box)) s.rows)
+    (make_load (map only_middle s.the_load.load_box) s.the_load.load_growth)
+    (map (relative g) g.direction_rows)
+
+(** val middle_conditions : degree_proof -> (form * bool) list **)
+
+let middle_conditions g =
+  if one_multiple g
+  then []
+  else ((to_form
+          (plus_times (fst (s_and_t g)) { qnum = (Big_int_Z.minus_big_int
+            Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int }
+            (snd (s_and_t g)))), true) :: []
+
+(** val point_box : cbox -> bool **)
+
+let point_box b =
+  (&&)
+    ((&&)
+      ((&&) ((&&) (forallb certain b.box_geometry) (certain b.box_friction))
+        (certain b.box_preload)) (certain b.box_growth))
+    (certain b.box_stiffness)
+
+(** val is_point : setting -> bool **)
+
+let is_point s =
+  (&&) (forallb (fun r -> point_box r.box) s.rows)
+    (forallb certain s.the_load.load_box)
+
+(** val row_free : vector -> cbox -> bool **)
+
+let row_free z0 b =
+  forallb (fun fs ->
+    (&&) (is_zero (inner (n_of fs) z0))
+      ((||)
+        (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int })
+        (forallb (fun f -> is_zero (inner f z0)) (tl fs))))
+    (tips (geometry_tree b))
+
+(** val load_free : vector -> interval list -> bool **)
+
+let rec load_free z0 w =
+  match z0 with
+  | [] -> true
+  | q0 :: z' ->
+    (match w with
+     | [] -> true
+     | i :: w' -> (&&) ((||) (certain i) (is_zero q0)) (load_free z' w'))
+
+(** val all_free : matrix -> setting -> bool **)
+
+let all_free free s =
+  (&&) (forallb (fun r -> friction_sound r.box) s.rows)
+    (forallb (fun z0 ->
+      (&&)
+        ((&&)
+          ((&&) (forallb (fun r -> row_free z0 r.box) s.rows)
+            (load_free z0 s.the_load.load_box))
+          (is_zero (inner (map (fun i -> i.low) s.the_load.load_box) z0)))
+        (is_zero (inner s.the_load.load_growth z0))) free)
+
+(** val range_sound : degree_proof -> setting -> bool **)
+
+let range_sound g s =
+  let n = s.dimension_of in
+  (&&)
+    ((&&)
+      ((&&) (Nat.eqb (length g.first_twist) n)
+        (Nat.eqb (length g.last_twist) n))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } g.low_multiple))
+    (match g.high_multiple with
+     | Some b -> qle_bool g.low_multiple b
+     | None ->
+       negb
+         (qle_bool g.low_multiple { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int }))
+
+(** val k_region :
+    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+    setting) region **)
+
+let k_region advisor g s more =
+  root advisor (add (S (S O)) s.dimension_of) { conditions =
+    (app (base_conditions g) (app more (in_K_conditions g))); new_strict =
+    []; new_moving = []; branch_setting = s }
+
+(** val wall_regions :
+    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+    setting) region list **)
+
+let wall_regions advisor g s more =
+  let k = k_region advisor g s more in
+  map (fun f ->
+    child advisor k { conditions = (((to_form (room g f)), true) :: []);
+      new_strict = ((strict_form g) :: []); new_moving = []; branch_setting =
+      s }) (walls g)
+
+(** val root_regions :
+    'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list **)
+
+let root_regions advisor g s =
+  app
+    (if (&&) (is_point s) (one_multiple g)
+     then []
+     else wall_regions advisor g s [])
+    (wall_regions advisor g (middle_setting g s) (middle_conditions g))
+
+(** val law_holds : 'a1 oracle -> degree_proof -> setting -> bool **)
+
+let law_holds advisor g s =
+  let r = k_region advisor g s [] in
+  forallb (fun row0 ->
+    (||) row0.box.box_spring
+      (forallb (nowhere_negative r.rays) (pull_tips row0))) s.rows
+
+(** val degree_fails :
+    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof ->
+    node list -> (string * nat option) option **)
+
+let degree_fails advisor two_sided most_depth0 s g nodes =
+  let n = s.dimension_of in
+  (match free_motions n g.is_a_simplex g.wall_rows with
+   | Some free ->
+     if negb ((&&) (range_sound g s) (all_free free s))
+     then Some ("degree-free", None)
+     else (match inverted n free g.direction_rows with
+           | Some _ ->
+             if (&&) two_sided (negb (law_holds advisor g s))
+             then Some ("degree-law", None)
+             else (match walk advisor split leaf_fails most_depth0 nodes
+                           (root_regions advisor g s) O with
+                   | Some p ->
+                     let (rule, number) = p in Some (rule, (Some number))
+                   | None -> None)
+           | None -> Some ("degree-direction", None))
+   | None -> Some ("degree-walls", None))
+
+type rest_proof = { rest_forces : (Big_int_Z.big_int * vector) list;
+                    rest_answers : (Big_int_Z.big_int * matrix) list;
+                    rest_reach : vector }
+
+type resting = { resting_box : cbox; force_at_rest : vector; answers : matrix }
+
+(** val good_force : cbox -> vector -> bool **)
+
+let good_force b f =
+  (&&) ((&&) (has_friction b) (Nat.eqb (length f) (length b.box_weights)))
+    ((||) b.box_signed (is_zero (inner f b.box_normal)))
+
+(** val taken :
+    'a1 -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list ->
+    'a1 * (Big_int_Z.big_int * 'a1) list **)
+
+let taken none i them = match them with
+| [] -> (none, [])
+| p :: others ->
+  let (j, a) = p in if Z.eqb j i then (a, others) else (none, them)
+
+(** val resting_contacts :
+    nat -> row list -> Big_int_Z.big_int -> (Big_int_Z.big_int * vector) list
+    -> (Big_int_Z.big_int * matrix) list -> resting list -> resting list
+    option **)
+
+let rec resting_contacts n rows0 i forces all_answers before =
+  match rows0 with
+  | [] ->
+    (match forces with
+     | [] ->
+       (match all_answers with
+        | [] -> Some (rev_append before [])
+        | _ :: _ -> None)
+     | _ :: _ -> None)
+  | row0 :: rows' ->
+    let b = row0.box in
+    let (f, forces') = taken [] i forces in
+    let (g, answers') = taken [] i all_answers in
+    let fine = fun f0 -> match f0 with
+                         | [] -> true
+                         | _ :: _ -> good_force b f0
+    in
+    if (&&) (fine f)
+         (match g with
+          | [] -> true
+          | _ :: _ -> (&&) (Nat.eqb (length g) n) (forallb (good_force b) g))
+    then resting_contacts n rows' (Z.add i Big_int_Z.unit_big_int) forces'
+           answers' ({ resting_box = b; force_at_rest = f; answers =
+           g } :: before)
+    else None
+
+(** val range_of : vector -> interval **)
+
+let range_of = function
+| [] ->
+  exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+| q0 :: qs' ->
+  fold_left (fun i q1 -> { low = (qmin i.low q1); high = (qmax i.high q1) })
+    qs' (exactly q0)
+
+(** val plus_interval : interval -> interval -> interval **)
+
+let plus_interval a b =
+  { low = (qred (qplus a.low b.low)); high = (qred (qplus a.high b.high)) }
+
+(** val shifted : interval -> q -> interval **)
+
+let shifted a c =
+  { low = (qred (qplus a.low c)); high = (qred (qplus a.high c)) }
+
+(** val plus_intervals : interval list -> interval list -> interval list **)
+
+let rec plus_intervals a b =
+  match a with
+  | [] -> []
+  | x :: a' ->
+    (match b with
+     | [] -> []
+     | y :: b' -> (plus_interval x y) :: (plus_intervals a' b'))
+
+(** val most_of : interval -> q **)
+
+let most_of a =
+  qmax a.high (qopp a.low)
+
+(** val ranges : nat -> cbox -> vector list -> interval list **)
+
+let ranges n b sums =
+  let vs = flat_map (fun c -> map (of_rows c) (tips (geometry_tree b))) sums
+  in
+  map (fun k ->
+    range_of
+      (map (fun v ->
+        nth k v { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }) vs)) (seq O n)
+
+(** val pressures : cbox -> q -> q list **)
+
+let pressures b lambda =
+  (qplus b.box_preload.low (qmult lambda b.box_growth.low)) :: ((qplus
+                                                                  b.box_preload.high
+                                                                  (qmult
+                                                                    lambda
+                                                                    b.box_growth.high)) :: [])
+
+(** val loads_at : setting -> q -> interval list **)
+
+let loads_at s lambda =
+  map (fun p -> shifted (fst p) (qmult lambda (snd p)))
+    (combine s.the_load.load_box s.the_load.load_growth)
+
+(** val left_over : nat -> setting -> resting list -> q -> interval list **)
+
+let left_over n s them lambda =
+  fold_left (fun sum0 r ->
+    plus_intervals sum0
+      (ranges n r.resting_box
+        (map (fun p -> p :: r.force_at_rest) (pressures r.resting_box lambda))))
+    them (loads_at s lambda)
+
+(** val column : nat -> resting list -> nat -> interval list **)
+
+let column n them l =
+  fold_left (fun sum0 r ->
+    match r.answers with
+    | [] -> sum0
+    | v :: l0 ->
+      plus_intervals sum0
+        (ranges n r.resting_box (({ qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: (nth l (v :: l0) [])) :: []))) them
+    (repeat
+      (exactly { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }) n)
+
+(** val reach_holds :
+    nat -> interval list -> interval list list -> vector -> bool **)
+
+let reach_holds n left columns reach =
+  (&&) (Nat.eqb (length reach) n)
+    (forallb (fun k ->
+      let z0 =
+        nth k reach { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }
+      in
+      (&&)
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } z0)
+        (qle_bool
+          (fold_left (fun sum0 l ->
+            let d =
+              nth k (nth l columns [])
+                (exactly { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int })
+            in
+            qred
+              (qplus sum0
+                (qmult
+                  (most_of
+                    (shifted d
+                      (if Nat.eqb k l
+                       then qopp { qnum = Big_int_Z.unit_big_int; qden =
+                              Big_int_Z.unit_big_int }
+                       else { qnum = Big_int_Z.zero_big_int; qden =
+                              Big_int_Z.unit_big_int })))
+                  (nth l reach { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int })))) (seq O n)
+            (most_of
+              (nth k left
+                (exactly { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int })))) z0)) (seq O n))
+
+(** val square_of : vector -> vector -> q **)
+
+let rec square_of weights f =
+  match weights with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | w :: ws ->
+    (match f with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | x :: f' -> qred (qplus (qdiv (qmult x x) w) (square_of ws f')))
+
+(** val length_bound : cbox -> vector -> q **)
+
+let length_bound b f =
+  root_above (square_of b.box_weights f)
+
+(** val least_pressure : cbox -> q -> q **)
+
+let least_pressure b lambda =
+  match pressures b lambda with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | p :: l ->
+    (match l with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | q0 :: l0 ->
+       (match l0 with
+        | [] -> qmin p q0
+        | _ :: _ ->
+          { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+
+(** val answers_bound : cbox -> matrix -> vector -> q **)
+
+let rec answers_bound b g reach =
+  match g with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | f :: g' ->
+    (match reach with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | z0 :: reach' ->
+       qred (qplus (qmult (length_bound b f) z0) (answers_bound b g' reach')))
+
+(** val cone_holds : vector -> q -> resting -> bool **)
+
+let cone_holds reach lambda r =
+  let b = r.resting_box in
+  (match r.force_at_rest with
+   | [] ->
+     (match r.answers with
+      | [] -> true
+      | v :: l ->
+        qle_bool (qplus (length_bound b []) (answers_bound b (v :: l) reach))
+          (qmult (qmult b.box_friction.low (root_below b.box_square))
+            (least_pressure b lambda)))
+   | q0 :: l ->
+     qle_bool
+       (qplus (length_bound b (q0 :: l)) (answers_bound b r.answers reach))
+       (qmult (qmult b.box_friction.low (root_below b.box_square))
+         (least_pressure b lambda)))
+
+(** val resting_sound : q -> resting -> bool **)
+
+let resting_sound lambda r =
+  let b = r.resting_box in
+  (&&)
+    ((&&)
+      ((&&) (friction_sound b)
+        (forallb (fun w ->
+          negb
+            (qle_bool w { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int })) b.box_weights))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } b.box_square))
+    ((||) b.box_spring
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } (least_pressure b lambda)))
+
+(** val rest_fails_at :
+    nat -> setting -> resting list -> interval list list -> vector -> q ->
+    string option **)
+
+let rest_fails_at n s them columns reach lambda =
+  if negb (reach_holds n (left_over n s them lambda) columns reach)
+  then Some "rest-reach"
+  else if negb
+            ((&&) (forallb (cone_holds reach lambda) them)
+              (forallb (resting_sound lambda) them))
+       then Some "rest-cone"
+       else None
+
+(** val rest_fails : setting -> q -> q -> rest_proof -> string option **)
+
+let rest_fails s alpha0 beta p =
+  let n = s.dimension_of in
+  (match resting_contacts n s.rows Big_int_Z.zero_big_int p.rest_forces
+           p.rest_answers [] with
+   | Some them ->
+     let holds =
+       rest_fails_at n s them (map (column n them) (seq O n)) p.rest_reach
+     in
+     (match holds alpha0 with
+      | Some rule -> Some rule
+      | None -> if qeq_bool alpha0 beta then None else holds beta)
+   | None -> Some "rest-share")
+
+(** val part_fails :
+    'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
+    (string * nat option) option **)
+
+let part_fails advisor two_sided most_depth0 alpha0 beta s = function
+| PartCut (_, _, _) -> Some ("part-inside", None)
+| PartProof (d0, simplex, walls0, direction0, tree) ->
+  degree_fails advisor two_sided most_depth0 s { low_multiple = alpha0;
+    high_multiple = (Some beta); first_twist = d0; last_twist = d0;
+    is_a_simplex = simplex; wall_rows = walls0; direction_rows = direction0 }
+    tree
+| PartAtRest (forces, answers0, reach) ->
+  (match rest_fails s alpha0 beta { rest_forces = forces; rest_answers =
+           answers0; rest_reach = reach } with
+   | Some rule -> Some (rule, None)
+   | None -> None)
+
+(** val unloaded : setting -> bool **)
+
+let unloaded s =
+  (&&)
+    (forallb (fun i -> (&&) (is_zero i.low) (is_zero i.high))
+      s.the_load.load_box)
+    (forallb (fun r ->
+      (&&) (is_zero r.box.box_preload.low) (is_zero r.box.box_preload.high))
+      s.rows)
+
+(** val segment_by_degree_fails :
+    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
+    list -> q list -> q list list -> q list list -> node list ->
+    (string * nat option) option **)
+
+let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 walls0 direction0 tree =
+  let alpha1 =
+    match beta with
+    | Some _ -> alpha0
+    | None ->
+      if is_zero alpha0
+      then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+      else alpha0
+  in
+  degree_fails advisor two_sided most_depth0 s { low_multiple = alpha1;
+    high_multiple = beta; first_twist = d1; last_twist = d2; is_a_simplex =
+    false; wall_rows = walls0; direction_rows = direction0 } tree
+
+(** val parts_fail :
+    'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
+    (setting * Big_int_Z.big_int) list -> nat -> (string * place) option **)
+
+let rec parts_fail advisor two_sided most_depth0 parts todo number =
+  match parts with
+  | [] ->
+    (match todo with
+     | [] -> None
+     | _ :: _ -> Some ("tree-short", (AtPart (number, None))))
+  | p :: parts' ->
+    (match todo with
+     | [] -> Some ("tree-long", (AtPart (number, None)))
+     | p0 :: todo' ->
+       let (s, depth0) = p0 in
+       if Z.ltb most_depth0 depth0
+       then Some ("node-depth", (AtPart (number, None)))
+       else (match p with
+             | PartCut (name, i, c) ->
+               (match halves s name i c with
+                | Inl p1 ->
+                  let (lo, hi) = p1 in
+                  parts_fail advisor two_sided most_depth0 parts' ((lo,
+                    (Z.add depth0 Big_int_Z.unit_big_int)) :: ((hi,
+                    (Z.add depth0 Big_int_Z.unit_big_int)) :: todo')) (S
+                    number)
+                | Inr rule -> Some (rule, (AtPart (number, None))))
+             | _ ->
+               (match part_fails advisor two_sided most_depth0 { qnum =
+                        Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int } { qnum =
+                        Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int } s p with
+                | Some p1 ->
+                  let (rule, node0) = p1 in
+                  Some (rule, (AtPart (number, node0)))
+                | None ->
+                  parts_fail advisor two_sided most_depth0 parts' todo' (S
+                    number))))
+
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
 let enlarge_all bits0 qs =
@@ -3496,31 +4567,6 @@ let enlarge_all bits0 qs =
     match enlarge bits0 q0 with
     | Some b -> Some (make_row b)
     | None -> None) qs
-
-(** val common_multiple : row list -> load -> Big_int_Z.big_int **)
-
-let common_multiple rows0 ld =
-  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 ld.load_scaling.over
-
-(** val short_multiple :
-    row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
-
-let short_multiple rows0 multiple0 =
-  let most =
-    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows0
-      Big_int_Z.unit_big_int
-  in
-  let short0 =
-    Z.shiftl Big_int_Z.unit_big_int
-      (Z.add (Z.log2 most)
-        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
-  in
-  if (&&) (Z.ltb short0 multiple0) (forallb (fun r -> r.box.box_signed) rows0)
-  then short0
-  else multiple0
 
 (** val most_depth : 'a1 list -> Big_int_Z.big_int **)
 
@@ -3538,10 +4584,8 @@ let most_depth rows0 =
 let setting_of bits0 q0 =
   match enlarge_all bits0 q0.contacts with
   | Some rows0 ->
-    let ld = make_load q0.wrench q0.direction in
-    let m = common_multiple rows0 ld in
-    Some { dimension_of = q0.dimension; rows = rows0; the_load = ld;
-    slipping = []; short = (short_multiple rows0 m); exact = m }
+    Some
+      (make_setting q0.dimension rows0 (make_load q0.wrench q0.direction) [])
   | None -> None
 
 (** val is_one_grasp : setting -> bool **)
@@ -3553,8 +4597,8 @@ let is_one_grasp s =
     'a1 oracle -> question -> setting -> range list -> node list ->
     (string * nat) option **)
 
-let refute advisor q0 s ranges nodes =
-  walk_ranges advisor (most_depth s.rows) q0.bilateral s ranges nodes
+let refute advisor q0 s ranges0 nodes =
+  walk_ranges advisor (most_depth s.rows) q0.bilateral s ranges0 nodes
 
 (** val at_zero : range **)
 
@@ -3583,6 +4627,15 @@ let check_tree advisor q0 s nodes =
   | Some p -> let (rule, number) = p in Rejected (rule, (AtNode number))
   | None -> Unstable
 
+(** val check_parts :
+    'a1 oracle -> question -> setting -> part list -> answer **)
+
+let check_parts advisor q0 s parts =
+  match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
+          Big_int_Z.zero_big_int) :: []) O with
+  | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
+  | None -> Stable
+
 (** val check_margin :
     'a1 oracle -> question -> setting -> (q * q option) list -> segment list
     -> node list -> answer **)
@@ -3594,7 +4647,9 @@ let check_margin advisor q0 s resisted segments nodes =
         | Some number -> Rejected ("resisted-order", (AtInterval number))
         | None ->
           (match segments_fail q0.bilateral q0.dimension s.rows s.the_load
-                   segments resisted None None O with
+                   (segment_by_degree_fails advisor q0.bilateral
+                     (most_depth s.rows) s) (unloaded s) segments resisted
+                   None None O with
            | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
            | None ->
              (match refute advisor q0 s (gaps resisted) nodes with
@@ -3602,19 +4657,6 @@ let check_margin advisor q0 s resisted segments nodes =
                 let (rule, number) = p in Rejected (rule, (AtNode number))
               | None -> Margin resisted)))
   else NotProvedHere "a margin of a box"
-
-(** val at_rest : question -> bool **)
-
-let at_rest q0 =
-  let is_1 = fun i ->
-    (&&)
-      (qeq_bool i.low { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int })
-      (qeq_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int })
-  in
-  (&&) (forallb is_1 q0.wrench)
-    (forallb (fun c -> is_1 c.preload) q0.contacts)
 
 (** val in_order : bool -> q option -> q -> q option -> bool **)
 
@@ -3627,11 +4669,11 @@ let in_order stable before lo hi =
        | None -> true)
   | None -> false
 
-(** val points_fail :
-    question -> setting -> nat -> q -> q option -> witness list -> answer
-    option **)
+(** val holding_fails :
+    'a1 oracle -> question -> setting -> nat -> q -> q option -> (part,
+    witness list) sum -> answer option **)
 
-let points_fail q0 s number lo hi points =
+let holding_fails advisor q0 s number lo hi evidence =
   let at_ = fun l w ->
     check_at q0.bilateral q0.dimension s.rows s.the_load { multiple = (Some
       l); point_witness = w }
@@ -3641,41 +4683,43 @@ let points_fail q0 s number lo hi points =
     | Some _ -> lo
     | None -> { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
   in
+  let high0 =
+    match hi with
+    | Some h -> h
+    | None -> { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+  in
   let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
     second))))
   in
-  if negb (is_one_grasp s)
-  then failing "witness-box" false
-  else (match points with
-        | [] -> Some (NotProvedHere "points of another number")
-        | w :: l ->
-          (match l with
-           | [] ->
+  (match evidence with
+   | Inl p ->
+     (match part_fails advisor q0.bilateral (most_depth s.rows) low0 high0 s p with
+      | Some p0 ->
+        let (rule, node0) = p0 in
+        Some (Rejected (rule, (AtProofOf (number, node0))))
+      | None -> None)
+   | Inr points ->
+     if negb (is_one_grasp s)
+     then failing "witness-box" false
+     else (match points with
+           | [] -> Some (NotProvedHere "no points")
+           | w :: more ->
              (match at_ low0 w with
-              | Inl _ ->
-                if match hi with
-                   | Some h -> qeq_bool lo h
-                   | None -> true
-                then None
-                else Some (NotProvedHere "one point of two")
-              | Inr rule -> failing rule false)
-           | w' :: l0 ->
-             (match l0 with
-              | [] ->
-                (match hi with
-                 | Some h ->
-                   (match at_ low0 w with
-                    | Inl ss ->
-                      (match at_ h w' with
-                       | Inl ss' ->
-                         if same_mode ss ss'
-                         then None
-                         else Some (Rejected ("segment-mode", (AtInterval
-                                number)))
-                       | Inr rule -> failing rule true)
-                    | Inr rule -> failing rule false)
-                 | None -> Some (NotProvedHere "points of another number"))
-              | _ :: _ -> Some (NotProvedHere "points of another number"))))
+              | Inl ss ->
+                (match more with
+                 | [] ->
+                   if qeq_bool low0 high0
+                   then None
+                   else Some (NotProvedHere "one point of two")
+                 | w' :: _ ->
+                   (match at_ high0 w' with
+                    | Inl ss' ->
+                      if same_mode ss ss'
+                      then None
+                      else Some (Rejected ("segment-mode", (AtInterval
+                             number)))
+                    | Inr rule -> failing rule true))
+              | Inr rule -> failing rule false)))
 
 (** val joined :
     (q * q option) list -> q -> q option -> (q * q option) list **)
@@ -3699,8 +4743,7 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
   | [] -> Claims ((rev_append resisted []), (rev_append refuted []))
   | c :: rest ->
     (match c with
-     | ClaimPart (_, _, _) -> NotProvedHere "a proof by degree or at rest"
-     | ClaimPoints (lo, hi, points) ->
+     | ClaimStable (lo, hi, evidence) ->
        if negb (in_order true before lo hi)
        then Rejected ("interval-order", (AtInterval number))
        else if match hi with
@@ -3709,9 +4752,9 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
                  negb
                    ((&&)
                      (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
-                       Big_int_Z.unit_big_int }) (at_rest q0))
+                       Big_int_Z.unit_big_int }) (unloaded s))
             then Rejected ("interval-whole", (AtInterval number))
-            else (match points_fail q0 s number lo hi points with
+            else (match holding_fails advisor q0 s number lo hi evidence with
                   | Some failure -> failure
                   | None ->
                     check_claims advisor q0 s rest hi (S number)
@@ -3724,7 +4767,7 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
               | O ->
                 (&&)
                   (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int }) (negb (at_rest q0))
+                    Big_int_Z.unit_big_int }) (negb (unloaded s))
               | S _ -> false
             in
             (match refute advisor q0 s ({ range_low = lo; range_high = hi;
@@ -3732,7 +4775,7 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
                      nodes with
              | Some p ->
                let (rule, node0) = p in
-               Rejected (rule, (AtNodeOf (number, node0)))
+               Rejected (rule, (AtProofOf (number, (Some node0))))
              | None ->
                check_claims advisor q0 s rest hi (S number) resisted (((lo,
                  hi), with_low) :: refuted)))
@@ -3747,10 +4790,10 @@ let check advisor q0 c =
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
        else check_witness q0 s w
-     | StableByParts _ ->
+     | StableByParts parts ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
-       else NotProvedHere "a proof by degree or at rest"
+       else check_parts advisor q0 s parts
      | UnstableByTree nodes ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
@@ -3759,20 +4802,10 @@ let check advisor q0 c =
        if q0.is_margin
        then check_margin advisor q0 s resisted segments nodes
        else NotProvedHere "a proof of something else than was asked"
-     | MarginByDegree ->
-       if q0.is_margin
-       then NotProvedHere "segments by degree"
-       else NotProvedHere "a proof of something else than was asked"
      | MarginInSpace claims ->
        if q0.is_margin
-       then if forallb (fun c0 ->
-                 match c0 with
-                 | ClaimPart (_, _, _) -> false
-                 | _ -> true) claims
-            then check_claims advisor q0 s claims (Some { qnum =
-                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
-                   [] []
-            else NotProvedHere "a proof by degree or at rest"
+       then check_claims advisor q0 s claims (Some { qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
        else NotProvedHere "a proof of something else than was asked")
   | None ->
     NotProvedHere "normals that are uncertain, or numbers of the question"
@@ -5748,16 +6781,16 @@ let read_segment s goes_on at_path value0 = match value0 with
      (match l with
       | [] ->
         if goes_on
-        then bind (read_point0 s true at_path last) (fun b -> Fine
-               { first_point = None; second_point = b })
+        then bind (read_point0 s true at_path last) (fun b -> Fine (Segment
+               (None, b)))
         else expected "two points, as no segment before ended with a number"
                at_path value0
       | last0 :: l0 ->
         (match l0 with
          | [] ->
            bind (read_point0 s false at_path last) (fun a ->
-             bind (read_point0 s true at_path last0) (fun b -> Fine
-               { first_point = (Some a); second_point = b }))
+             bind (read_point0 s true at_path last0) (fun b -> Fine (Segment
+               ((Some a), b))))
          | _ :: _ ->
            expected
              "two points, or one where the segment before ended with a number"
@@ -5812,7 +6845,8 @@ let read_walls s more at_path value0 =
      else expected what at_path value0
    | _ -> expected what at_path value0)
 
-(** val read_answers : shape -> path -> json -> unit result **)
+(** val read_answers :
+    shape -> path -> json -> (Big_int_Z.big_int * q list list) result **)
 
 let read_answers s at_path value0 = match value0 with
 | Array items ->
@@ -5824,11 +6858,11 @@ let read_answers s at_path value0 = match value0 with
       | forces :: l0 ->
         (match l0 with
          | [] ->
-           bind (read_index at_path contact0) (fun _ ->
+           bind (read_index at_path contact0) (fun i ->
              bind
                (read_sized (size_of_twist s)
                  "a force for each component of a wrench" (read_friction s)
-                 at_path forces) (fun _ -> Fine ()))
+                 at_path forces) (fun them -> Fine (i, them)))
          | _ :: _ -> expected "[contact, forces]" at_path value0)))
 | _ -> expected "[contact, forces]" at_path value0
 
@@ -5838,13 +6872,13 @@ let read_at_rest s at_path value0 =
   bind
     (members_in_order ("rest" :: ("answers" :: ("reach" :: []))) at_path
       value0) (fun members ->
-    bind (member "rest" (read_shares s) at_path members) (fun _ ->
+    bind (member "rest" (read_shares s) at_path members) (fun f ->
       bind
         (member "answers"
           (read_array "an array [[contact, forces], ...]" (read_answers s))
-          at_path members) (fun _ ->
-        bind (member "reach" (read_twist s) at_path members) (fun _ -> Fine
-          PartAtRest))))
+          at_path members) (fun g ->
+        bind (member "reach" (read_twist s) at_path members) (fun z0 -> Fine
+          (PartAtRest (f, g, z0))))))
 
 (** val is_at_rest : json -> bool **)
 
@@ -5869,14 +6903,14 @@ let read_part s at_path value0 =
             | Object members -> has_member "simplex" members
             | _ -> false
           in
-          let walls = if simplex then "simplex" else "walls" in
+          let walls0 = if simplex then "simplex" else "walls" in
           bind
             (members_in_order
-              ("twist" :: (walls :: ("direction" :: ("tree" :: [])))) at_path
-              value0) (fun members ->
+              ("twist" :: (walls0 :: ("direction" :: ("tree" :: []))))
+              at_path value0) (fun members ->
             bind (member "twist" (read_twist s) at_path members) (fun d ->
               bind
-                (member walls
+                (member walls0
                   (read_walls s
                     (if simplex
                      then Big_int_Z.unit_big_int
@@ -5884,70 +6918,65 @@ let read_part s at_path value0 =
                 bind (member "direction" (read_matrix s) at_path members)
                   (fun a ->
                   bind (member "tree" (read_nodes s) at_path members)
-                    (fun tree -> Fine (PartProof (d, e, a, tree))))))))
+                    (fun tree -> Fine (PartProof (d, simplex, e, a, tree))))))))
 
-(** val read_segment_by_degree : shape -> path -> json -> unit result **)
+(** val read_segment_by_degree : shape -> path -> json -> segment result **)
 
 let read_segment_by_degree s at_path value0 =
   bind
     (members_in_order
       ("to" :: ("twists" :: ("walls" :: ("direction" :: ("tree" :: [])))))
       at_path value0) (fun members ->
-    bind (member "to" read_or_null at_path members) (fun _ ->
+    bind (member "to" read_or_null at_path members) (fun b ->
       bind
         (member "twists"
           (read_sized (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-            "two twists" (read_twist s)) at_path members) (fun _ ->
-        bind (member "walls" (read_matrix s) at_path members) (fun _ ->
-          bind (member "direction" (read_matrix s) at_path members) (fun _ ->
-            bind (member "tree" (read_nodes s) at_path members) (fun _ ->
-              Fine ()))))))
+            "two twists" (read_twist s)) at_path members) (fun twists ->
+        bind (member "walls" (read_matrix s) at_path members) (fun e ->
+          bind (member "direction" (read_matrix s) at_path members) (fun a ->
+            bind (member "tree" (read_nodes s) at_path members) (fun tree ->
+              Fine (SegmentByDegree (b, (nth O twists []),
+              (nth (S O) twists []), e, a, tree))))))))
 
 (** val read_segments_from :
     shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
-    option -> segment list option result **)
+    -> segment list result **)
 
 let rec read_segments_from s goes_on index at_path items done0 =
   match items with
-  | [] ->
-    Fine
-      (match done0 with
-       | Some them -> Some (rev_append them [])
-       | None -> None)
+  | [] -> Fine (rev_append done0 [])
   | item :: rest ->
     (match item with
      | Object members ->
        (match read_segment_by_degree s ((Element index) :: at_path) (Object
                 members) with
-        | Fine _ ->
+        | Fine it ->
           read_segments_from s false (Z.add index Big_int_Z.unit_big_int)
-            at_path rest None
+            at_path rest (it :: done0)
         | Malformed (where_, found, problem) ->
           Malformed (where_, found, problem))
      | _ ->
        (match read_segment s goes_on ((Element index) :: at_path) item with
         | Fine it ->
           let ends0 =
-            match it.second_point.multiple with
-            | Some _ -> true
-            | None -> false
-          in
-          let them =
-            match done0 with
-            | Some them -> Some (it :: them)
-            | None -> None
+            match it with
+            | Segment (_, second) ->
+              let { multiple = multiple0; point_witness = _ } = second in
+              (match multiple0 with
+               | Some _ -> true
+               | None -> false)
+            | SegmentByDegree (_, _, _, _, _, _) -> false
           in
           read_segments_from s ends0 (Z.add index Big_int_Z.unit_big_int)
-            at_path rest them
+            at_path rest (it :: done0)
         | Malformed (where_, found, problem) ->
           Malformed (where_, found, problem)))
 
-(** val read_segments :
-    shape -> path -> json -> segment list option result **)
+(** val read_segments : shape -> path -> json -> segment list result **)
 
 let read_segments s at_path value0 = match value0 with
 | Array items ->
-  read_segments_from s false Big_int_Z.zero_big_int at_path items (Some [])
+  read_segments_from s false Big_int_Z.zero_big_int at_path items []
 | _ -> expected "an array of segments" at_path value0
 
 (** val read_spatial_point : shape -> path -> json -> witness result **)
@@ -5959,9 +6988,9 @@ let read_spatial_point s at_path value0 =
       bind (member "shares" (read_shares s) at_path members) (fun them ->
         Fine { twist = d; shares = them })))
 
-(** val is_point : json -> bool **)
+(** val is_point0 : json -> bool **)
 
-let is_point = function
+let is_point0 = function
 | Object members -> has_member "shares" members
 | _ -> false
 
@@ -5998,15 +7027,15 @@ let read_claim s at_path value0 =
                         | only :: l1 ->
                           (match l1 with
                            | [] ->
-                             if is_point only
+                             if is_point0 only
                              then bind
                                     (check_that (negb two) at_path one_or_two)
                                     (fun _ ->
                                     bind (read_spatial_point s at_path only)
-                                      (fun p -> Fine (ClaimPoints (a0, b0,
-                                      (p :: [])))))
+                                      (fun p -> Fine (ClaimStable (a0, b0,
+                                      (Inr (p :: []))))))
                              else bind (read_part s at_path only) (fun it ->
-                                    Fine (ClaimPart (a0, b0, it)))
+                                    Fine (ClaimStable (a0, b0, (Inl it))))
                            | second :: l2 ->
                              (match l2 with
                               | [] ->
@@ -6016,8 +7045,8 @@ let read_claim s at_path value0 =
                                     (fun p ->
                                     bind
                                       (read_spatial_point s at_path second)
-                                      (fun q0 -> Fine (ClaimPoints (a0, b0,
-                                      (p :: (q0 :: [])))))))
+                                      (fun q0 -> Fine (ClaimStable (a0, b0,
+                                      (Inr (p :: (q0 :: []))))))))
                               | _ :: _ -> expected what at_path value0)))
                   else if is_text "unstable" kind
                        then (match evidence with
@@ -6128,10 +7157,8 @@ let read_body0 s good members =
               bind (next_read "segments" (read_segments s) rest) (fun pat0 ->
                 let (segments, rest0) = pat0 in
                 bind (next_read "tree" (read_nodes s) rest0) (fun it ->
-                  bind (finish it) (fun tree -> Fine
-                    (match segments with
-                     | Some them -> MarginBy (resisted, them, tree)
-                     | None -> MarginByDegree)))))
+                  bind (finish it) (fun tree -> Fine (MarginBy (resisted,
+                    segments, tree))))))
   else if good
        then if begins_with "parts" members
             then bind

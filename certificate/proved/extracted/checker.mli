@@ -26,6 +26,10 @@ val add : nat -> nat -> nat
 
 val eqb : bool -> bool -> bool
 
+val gmax : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1
+
+val gmin : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1
+
 module Nat :
  sig
   val eqb : nat -> nat -> bool
@@ -102,6 +106,14 @@ module Coq_Pos :
     nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val ggcdn :
+    nat -> Big_int_Z.big_int -> Big_int_Z.big_int ->
+    Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int)
+
+  val ggcd :
+    Big_int_Z.big_int -> Big_int_Z.big_int ->
+    Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int)
  end
 
 val tl : 'a1 list -> 'a1 list
@@ -109,6 +121,8 @@ val tl : 'a1 list -> 'a1 list
 val nth : nat -> 'a1 list -> 'a1 -> 'a1
 
 val nth_error : 'a1 list -> nat -> 'a1 option
+
+val removelast : 'a1 list -> 'a1 list
 
 val rev_append : 'a1 list -> 'a1 list -> 'a1 list
 
@@ -133,6 +147,10 @@ val find : ('a1 -> bool) -> 'a1 list -> 'a1 option
 val combine : 'a1 list -> 'a2 list -> ('a1 * 'a2) list
 
 val firstn : nat -> 'a1 list -> 'a1 list
+
+val skipn : nat -> 'a1 list -> 'a1 list
+
+val seq : nat -> nat -> nat list
 
 val repeat : 'a1 -> nat -> 'a1 list
 
@@ -192,6 +210,10 @@ module Z :
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val ggcd :
+    Big_int_Z.big_int -> Big_int_Z.big_int ->
+    Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int)
+
   val shiftl : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val lcm : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
@@ -202,6 +224,8 @@ val zeq_bool : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
 type q = { qnum : Big_int_Z.big_int; qden : Big_int_Z.big_int }
 
 val inject_Z : Big_int_Z.big_int -> q
+
+val qcompare : q -> q -> comparison
 
 val qeq_bool : q -> q -> bool
 
@@ -218,6 +242,8 @@ val qminus : q -> q -> q
 val qinv : q -> q
 
 val qdiv : q -> q -> q
+
+val qred : q -> q
 
 val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
@@ -326,16 +352,19 @@ type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
 type point = { multiple : q option; point_witness : witness }
 
-type segment = { first_point : point option; second_point : point }
+type segment =
+| Segment of point option * point
+| SegmentByDegree of q option * q list * q list * q list list * q list list
+   * node list
 
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
-| PartProof of q list * q list list * q list list * node list
-| PartAtRest
+| PartProof of q list * bool * q list list * q list list * node list
+| PartAtRest of (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list list) list * q list
 
 type claim =
-| ClaimPart of q * q option * part
-| ClaimPoints of q * q option * witness list
+| ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
 
 type proof =
@@ -343,7 +372,6 @@ type proof =
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
-| MarginByDegree
 | MarginInSpace of claim list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -353,10 +381,11 @@ type place =
 | AtNode of nat
 | AtContact of Big_int_Z.big_int
 | AtInterval of nat
-| AtSegment of nat
+| AtSegment of nat * nat option
 | AtPoint of nat * bool
+| AtPart of nat * nat option
 | AtPointOf of nat * bool
-| AtNodeOf of nat * nat
+| AtProofOf of nat * nat option
 
 type answer =
 | Stable
@@ -378,6 +407,10 @@ type 'memory oracle = { begin0 : (nat -> 'memory);
                                    list) }
 
 val qabs : q -> q
+
+val qmax : q -> q -> q
+
+val qmin : q -> q -> q
 
 type form = Big_int_Z.big_int list
 
@@ -706,6 +739,39 @@ val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region
 
 val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
 
+type vector = q list
+
+type matrix = vector list
+
+val inner : vector -> vector -> q
+
+val plus_times : vector -> q -> vector -> vector
+
+val is_zero : q -> bool
+
+val unit_vector : nat -> nat -> vector
+
+val identity : nat -> matrix
+
+val of_rows : vector -> matrix -> vector
+
+val pivot : nat -> matrix -> (vector * matrix) option
+
+val eliminate :
+  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
+
+val kernel : nat -> matrix -> matrix
+
+val inverse_of : nat -> matrix -> matrix
+
+val same_vectors : vector -> vector -> bool
+
+val same_matrices : matrix -> matrix -> bool
+
+val is_inverse : nat -> matrix -> matrix -> bool
+
+val all_of_length : nat -> 'a1 list list -> bool
+
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
 
@@ -715,8 +781,14 @@ type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 slipping : Big_int_Z.big_int list;
+                 pushes : matrix; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
+
+val common_multiple : row list -> load -> Big_int_Z.big_int
+
+val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+val make_setting : nat -> row list -> load -> matrix -> setting
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
@@ -851,8 +923,10 @@ val beyond : q option -> q option -> bool
 val reaches : q option -> q option -> bool
 
 val segments_fail :
-  bool -> nat -> row list -> load -> segment list -> (q * q option) list -> q
-  option -> (point * state list) option -> nat -> (string * place) option
+  bool -> nat -> row list -> load -> (q -> q option -> q list -> q list -> q
+  list list -> q list list -> node list -> (string * nat option) option) ->
+  bool -> segment list -> (q * q option) list -> q option -> (point * state
+  list) option -> nat -> (string * place) option
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
@@ -860,11 +934,162 @@ val gaps_from : q -> bool -> (q * q option) list -> range list -> range list
 
 val gaps : (q * q option) list -> range list
 
+val opposite0 : vector -> vector
+
+val walls_of : bool -> matrix -> matrix
+
+val transpose : nat -> matrix -> matrix
+
+val all_positive : vector -> bool
+
+val zeros0 : nat -> vector
+
+val balances : nat -> matrix -> vector -> bool
+
+val is_simplex : nat -> matrix -> bool
+
+val free_motions : nat -> bool -> matrix -> matrix option
+
+val plus_square : vector -> matrix -> matrix
+
+val inverted : nat -> matrix -> matrix -> (matrix * matrix) option
+
+val middle : interval -> q
+
+val only_middle : interval -> interval
+
+val middle_box : cbox -> cbox
+
+val friction_sound : cbox -> bool
+
+type degree_proof = { low_multiple : q; high_multiple : q option;
+                      first_twist : vector; last_twist : vector;
+                      is_a_simplex : bool; wall_rows : matrix;
+                      direction_rows : matrix }
+
+val one_multiple : degree_proof -> bool
+
+val s_and_t : degree_proof -> vector * vector
+
+val relative : degree_proof -> vector -> vector
+
+val room : degree_proof -> vector -> vector
+
+val to_form : vector -> form
+
+val base_conditions : degree_proof -> (form * bool) list
+
+val walls : degree_proof -> matrix
+
+val in_K_conditions : degree_proof -> (form * bool) list
+
+val strict_form : degree_proof -> form
+
+val middle_setting : degree_proof -> setting -> setting
+
+val middle_conditions : degree_proof -> (form * bool) list
+
+val point_box : cbox -> bool
+
+val is_point : setting -> bool
+
+val row_free : vector -> cbox -> bool
+
+val load_free : vector -> interval list -> bool
+
+val all_free : matrix -> setting -> bool
+
+val range_sound : degree_proof -> setting -> bool
+
+val k_region :
+  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+  setting) region
+
+val wall_regions :
+  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
+  setting) region list
+
+val root_regions :
+  'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list
+
+val law_holds : 'a1 oracle -> degree_proof -> setting -> bool
+
+val degree_fails :
+  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node
+  list -> (string * nat option) option
+
+type rest_proof = { rest_forces : (Big_int_Z.big_int * vector) list;
+                    rest_answers : (Big_int_Z.big_int * matrix) list;
+                    rest_reach : vector }
+
+type resting = { resting_box : cbox; force_at_rest : vector; answers : matrix }
+
+val good_force : cbox -> vector -> bool
+
+val taken :
+  'a1 -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list ->
+  'a1 * (Big_int_Z.big_int * 'a1) list
+
+val resting_contacts :
+  nat -> row list -> Big_int_Z.big_int -> (Big_int_Z.big_int * vector) list
+  -> (Big_int_Z.big_int * matrix) list -> resting list -> resting list option
+
+val range_of : vector -> interval
+
+val plus_interval : interval -> interval -> interval
+
+val shifted : interval -> q -> interval
+
+val plus_intervals : interval list -> interval list -> interval list
+
+val most_of : interval -> q
+
+val ranges : nat -> cbox -> vector list -> interval list
+
+val pressures : cbox -> q -> q list
+
+val loads_at : setting -> q -> interval list
+
+val left_over : nat -> setting -> resting list -> q -> interval list
+
+val column : nat -> resting list -> nat -> interval list
+
+val reach_holds : nat -> interval list -> interval list list -> vector -> bool
+
+val square_of : vector -> vector -> q
+
+val length_bound : cbox -> vector -> q
+
+val least_pressure : cbox -> q -> q
+
+val answers_bound : cbox -> matrix -> vector -> q
+
+val cone_holds : vector -> q -> resting -> bool
+
+val resting_sound : q -> resting -> bool
+
+val rest_fails_at :
+  nat -> setting -> resting list -> interval list list -> vector -> q ->
+  string option
+
+val rest_fails : setting -> q -> q -> rest_proof -> string option
+
+val part_fails :
+  'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
+  (string * nat option) option
+
+val unloaded : setting -> bool
+
+val segment_by_degree_fails :
+  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
+  list -> q list -> q list list -> q list list -> node list -> (string * nat
+  option) option
+
+val parts_fail :
+  'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
+  (setting * Big_int_Z.big_int) list -> nat -> (string * place) option
+
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
-
-val common_multiple : row list -> load -> Big_int_Z.big_int
-
-val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
 
@@ -882,16 +1107,17 @@ val check_witness : question -> setting -> witness -> answer
 
 val check_tree : 'a1 oracle -> question -> setting -> node list -> answer
 
+val check_parts : 'a1 oracle -> question -> setting -> part list -> answer
+
 val check_margin :
   'a1 oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
 
-val at_rest : question -> bool
-
 val in_order : bool -> q option -> q -> q option -> bool
 
-val points_fail :
-  question -> setting -> nat -> q -> q option -> witness list -> answer option
+val holding_fails :
+  'a1 oracle -> question -> setting -> nat -> q -> q option -> (part, witness
+  list) sum -> answer option
 
 val joined : (q * q option) list -> q -> q option -> (q * q option) list
 
@@ -1175,7 +1401,8 @@ val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool
 val read_walls :
   shape -> Big_int_Z.big_int -> path -> json -> q list list result
 
-val read_answers : shape -> path -> json -> unit result
+val read_answers :
+  shape -> path -> json -> (Big_int_Z.big_int * q list list) result
 
 val read_at_rest : shape -> path -> json -> part result
 
@@ -1183,17 +1410,17 @@ val is_at_rest : json -> bool
 
 val read_part : shape -> path -> json -> part result
 
-val read_segment_by_degree : shape -> path -> json -> unit result
+val read_segment_by_degree : shape -> path -> json -> segment result
 
 val read_segments_from :
-  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
-  option -> segment list option result
+  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list ->
+  segment list result
 
-val read_segments : shape -> path -> json -> segment list option result
+val read_segments : shape -> path -> json -> segment list result
 
 val read_spatial_point : shape -> path -> json -> witness result
 
-val is_point : json -> bool
+val is_point0 : json -> bool
 
 val read_claim : shape -> path -> json -> claim result
 

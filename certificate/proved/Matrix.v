@@ -13,14 +13,14 @@ Definition vector := list Q.
 Definition matrix := list vector.
 
 Fixpoint inner (a b : vector) : Q :=
-  match a, b with x :: a', y :: b' => Qred (x * y + inner a' b') | _, _ => 0 end.
+  match a, b with x :: a', y :: b' => reduced (x * y + inner a' b') | _, _ => 0 end.
 
 (* a + s b *)
 Fixpoint plus_times (a : vector) (s : Q) (b : vector) : vector :=
   match a, b with
-  | x :: a', y :: b' => Qred (x + s * y) :: plus_times a' s b'
+  | x :: a', y :: b' => reduced (x + s * y) :: plus_times a' s b'
   | _, [] => a
-  | [], _ => map (fun y => Qred (s * y)) b
+  | [], _ => map (fun y => reduced (s * y)) b
   end.
 
 Definition is_zero (q : Q) : bool := Qeq_bool q 0.
@@ -97,23 +97,20 @@ Open Scope R_scope.
 
 Definition real (a : vector) : list R := map Q2R a.
 
-Lemma Qred_R q : Q2R (Qred q) = Q2R q.
-Proof. apply Qeq_eqR, Qred_correct. Qed.
-
 Lemma inner_is a b : Q2R (inner a b) = Rows.dot (real a) (real b).
 Proof.
   revert b. induction a as [|x a IH]; intros [|y b]; cbn [inner real map Rows.dot]; try apply Q2R_0.
-  rewrite Qred_R, Q2R_plus, Q2R_mult, IH. reflexivity.
+  rewrite reduced_same, Q2R_plus, Q2R_mult, IH. reflexivity.
 Qed.
 
 Lemma dot_plus_times a s b d : Rows.dot (real (plus_times a s b)) d = Rows.dot (real a) d + Q2R s * Rows.dot (real b) d.
 Proof.
-  assert (Sc : forall b d, Rows.dot (real (map (fun y => Qred (s * y)) b)) d = Q2R s * Rows.dot (real b) d).
-  { clear. induction b as [|y b IH]; intros [|z d]; cbn [real map Rows.dot]; try ring. rewrite Qred_R, Q2R_mult.
+  assert (Sc : forall b d, Rows.dot (real (map (fun y => reduced (s * y)) b)) d = Q2R s * Rows.dot (real b) d).
+  { clear. induction b as [|y b IH]; intros [|z d]; cbn [real map Rows.dot]; try ring. rewrite reduced_same, Q2R_mult.
     unfold real in IH. rewrite IH. ring. }
   revert b d. induction a as [|x a IH]; intros [|y b] [|z d]; cbn [plus_times real map Rows.dot]; try ring.
-  - fold (real (map (fun y => Qred (s * y)) b)). rewrite Qred_R, Q2R_mult, Sc. unfold real. ring.
-  - rewrite Qred_R, Q2R_plus, Q2R_mult. fold (real (plus_times a s b)). rewrite IH. unfold real. ring.
+  - fold (real (map (fun y => reduced (s * y)) b)). rewrite reduced_same, Q2R_mult, Sc. unfold real. ring.
+  - rewrite reduced_same, Q2R_plus, Q2R_mult. fold (real (plus_times a s b)). rewrite IH. unfold real. ring.
 Qed.
 
 Lemma dot_of_rows a m e : Rows.dot (real (of_rows a m)) e = Rows.dot (real a) (times (map real m) e).

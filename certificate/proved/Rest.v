@@ -54,9 +54,9 @@ Definition range_of (qs : vector) : interval :=
   | q :: qs' => fold_left (fun i q => Interval (Qmin (low i) q) (Qmax (high i) q)) qs' (exactly q)
   end.
 
-Definition plus_interval (a b : interval) : interval := Interval (Qred (low a + low b)) (Qred (high a + high b)).
-Definition times_interval (c : Q) (a : interval) : interval := Interval (Qred (c * low a)) (Qred (c * high a)).   (* c >= 0 *)
-Definition shifted (a : interval) (c : Q) : interval := Interval (Qred (low a + c)) (Qred (high a + c)).
+Definition plus_interval (a b : interval) : interval := Interval (reduced (low a + low b)) (reduced (high a + high b)).
+Definition times_interval (c : Q) (a : interval) : interval := Interval (reduced (c * low a)) (reduced (c * high a)).   (* c >= 0 *)
+Definition shifted (a : interval) (c : Q) : interval := Interval (reduced (low a + c)) (reduced (high a + c)).
 
 Fixpoint plus_intervals (a b : list interval) : list interval :=
   match a, b with x :: a', y :: b' => plus_interval x y :: plus_intervals a' b' | _, _ => [] end.
@@ -99,13 +99,13 @@ Definition reach_holds (n : nat) (left : list interval) (columns : list (list in
     Qle_bool
       (fold_left (fun sum l =>
          let d := nth k (nth l columns []) (exactly 0) in
-         Qred (sum + most_of (shifted d (if Nat.eqb k l then -(1) else 0)) * nth l reach 0))
+         reduced (sum + most_of (shifted d (if Nat.eqb k l then -(1) else 0)) * nth l reach 0))
          (seq 0 n) (most_of (nth k left (exactly 0)))) z)
     (seq 0 n).
 
 (* |f|^2, where f = g*. *)
 Fixpoint square_of (weights f : vector) : Q :=
-  match weights, f with w :: ws, x :: f' => Qred (x * x / w + square_of ws f') | _, _ => 0 end.
+  match weights, f with w :: ws, x :: f' => reduced (x * x / w + square_of ws f') | _, _ => 0 end.
 
 Definition length_bound (b : cbox) (f : vector) : Q := root_above (square_of (box_weights b) f).
 
@@ -114,7 +114,7 @@ Definition least_pressure (b : cbox) (lambda : Q) : Q :=
 
 Fixpoint answers_bound (b : cbox) (g : matrix) (reach : vector) : Q :=
   match g, reach with
-  | f :: g', z :: reach' => Qred (length_bound b f * z + answers_bound b g' reach')
+  | f :: g', z :: reach' => reduced (length_bound b f * z + answers_bound b g' reach')
   | _, _ => 0
   end.
 
@@ -180,10 +180,10 @@ Proof.
 Qed.
 
 Lemma plus_interval_within a b x y : within a x -> within b y -> within (plus_interval a b) (x + y).
-Proof. unfold within, plus_interval; cbn [low high]. rewrite !Qred_R, !Q2R_plus. lra. Qed.
+Proof. unfold within, plus_interval; cbn [low high]. rewrite !reduced_same, !Q2R_plus. lra. Qed.
 
 Lemma shifted_within a c x : within a x -> within (shifted a c) (x + Q2R c).
-Proof. unfold within, shifted; cbn [low high]. rewrite !Qred_R, !Q2R_plus. lra. Qed.
+Proof. unfold within, shifted; cbn [low high]. rewrite !reduced_same, !Q2R_plus. lra. Qed.
 
 Lemma most_of_bound a x : within a x -> Rabs x <= Q2R (most_of a).
 Proof.
@@ -315,7 +315,7 @@ Lemma square_of_is ws f : Forall (fun w => 0 < Q2R w) ws ->
 Proof.
   intros P. revert f. induction P as [|w ws Pw P IH]; intros [|x f]; cbn [square_of real map star Rows.product];
     try (now rewrite Q2R_0).
-  rewrite Qred_R, Q2R_plus, Q2R_div, Q2R_mult. 2: { intros E. apply Qeq_eqR in E. rewrite Q2R_0 in E. lra. }
+  rewrite reduced_same, Q2R_plus, Q2R_div, Q2R_mult. 2: { intros E. apply Qeq_eqR in E. rewrite Q2R_0 in E. lra. }
   unfold real in *. rewrite IH. field. lra.
 Qed.
 
@@ -335,7 +335,7 @@ Proof.
   assert (Pw : Rows.positive ws) by (unfold ws, Rows.positive, real; now rewrite Forall_map).
   revert g L. induction F as [|x m z reach Hx F IH]; intros [|a g] L; cbn in L; try lia.
   1-2: cbn [answered answers_bound]; rewrite Q2R_0; pose proof (size_star b f P) as S; fold ws in S; lra.
-  cbn [answered answers_bound]. rewrite Qred_R, Q2R_plus, Q2R_mult.
+  cbn [answered answers_bound]. rewrite reduced_same, Q2R_plus, Q2R_mult.
   eapply Rle_trans; [apply Rows.size_plus, Pw|]. rewrite size_scaled_any by exact Pw.
   specialize (IH g ltac:(lia)). pose proof (size_star b a P) as S. fold ws in S.
   assert (Rabs x * Rows.size ws (star ws (real a)) <= Q2R (length_bound b a) * Q2R m).
@@ -662,11 +662,11 @@ Proof.
   intros k _. rewrite nth_exactly. unfold within; cbn. rewrite Q2R_0. lra.
 Qed.
 
-Lemma sum_by_fold f g init m0 m : Q2R (fold_left (fun sum l => Qred (sum + f l * g l)) (seq m0 m) init) =
+Lemma sum_by_fold f g init m0 m : Q2R (fold_left (fun sum l => reduced (sum + f l * g l)) (seq m0 m) init) =
   Q2R init + sum_to m (fun l => Q2R (f (m0 + l)%nat) * Q2R (g (m0 + l)%nat)).
 Proof.
   revert m0 init. induction m as [|m IH]; intros m0 init; cbn [seq fold_left sum_to]; [ring|].
-  rewrite IH, Qred_R, Q2R_plus, Q2R_mult, Nat.add_0_r.
+  rewrite IH, reduced_same, Q2R_plus, Q2R_mult, Nat.add_0_r.
   rewrite (sum_same m (fun l => Q2R (f (S m0 + l)%nat) * Q2R (g (S m0 + l)%nat))
     (fun l => Q2R (f (m0 + S l)%nat) * Q2R (g (m0 + S l)%nat))) by (intros; now rewrite Nat.add_succ_r). ring.
 Qed.

@@ -507,62 +507,6 @@ module Coq_Pos =
 
   let gcd a b =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
-
-  (** val ggcdn :
-      nat -> Big_int_Z.big_int -> Big_int_Z.big_int ->
-      Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int) **)
-
-  let rec ggcdn n a b =
-    match n with
-    | O -> (Big_int_Z.unit_big_int, (a, b))
-    | S n0 ->
-      ((fun f2p1 f2p f1 p ->
-  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
-  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
-  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
-         (fun a' ->
-         (fun f2p1 f2p f1 p ->
-  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
-  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
-  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
-           (fun b' ->
-           match compare a' b' with
-           | Eq -> (a, (Big_int_Z.unit_big_int, Big_int_Z.unit_big_int))
-           | Lt ->
-             let (g, p) = ggcdn n0 (sub b' a') a in
-             let (ba, aa) = p in
-             (g, (aa, (add aa (Big_int_Z.mult_int_big_int 2 ba))))
-           | Gt ->
-             let (g, p) = ggcdn n0 (sub a' b') b in
-             let (ab, bb) = p in
-             (g, ((add bb (Big_int_Z.mult_int_big_int 2 ab)), bb)))
-           (fun b0 ->
-           let (g, p) = ggcdn n0 a b0 in
-           let (aa, bb) = p in (g, (aa, (Big_int_Z.mult_int_big_int 2 bb))))
-           (fun _ -> (Big_int_Z.unit_big_int, (a, Big_int_Z.unit_big_int)))
-           b)
-         (fun a0 ->
-         (fun f2p1 f2p f1 p ->
-  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
-  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
-  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
-           (fun _ ->
-           let (g, p) = ggcdn n0 a0 b in
-           let (aa, bb) = p in (g, ((Big_int_Z.mult_int_big_int 2 aa), bb)))
-           (fun b0 ->
-           let (g, p) = ggcdn n0 a0 b0 in
-           ((Big_int_Z.mult_int_big_int 2 g), p))
-           (fun _ -> (Big_int_Z.unit_big_int, (a, Big_int_Z.unit_big_int)))
-           b)
-         (fun _ -> (Big_int_Z.unit_big_int, (Big_int_Z.unit_big_int, b)))
-         a)
-
-  (** val ggcd :
-      Big_int_Z.big_int -> Big_int_Z.big_int ->
-      Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int) **)
-
-  let ggcd a b =
-    ggcdn (Coq__1.add (size_nat a) (size_nat b)) a b
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -966,41 +910,6 @@ module Z =
 
   let gcd = Big_int_Z.gcd_big_int
 
-  (** val ggcd :
-      Big_int_Z.big_int -> Big_int_Z.big_int ->
-      Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int) **)
-
-  let ggcd a b =
-    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
-  if s = 0 then fO () else if s > 0 then fp z
-  else fn (Big_int_Z.minus_big_int z))
-      (fun _ -> ((abs b), (Big_int_Z.zero_big_int, (sgn b))))
-      (fun a0 ->
-      (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
-  if s = 0 then fO () else if s > 0 then fp z
-  else fn (Big_int_Z.minus_big_int z))
-        (fun _ -> ((abs a), ((sgn a), Big_int_Z.zero_big_int)))
-        (fun b0 ->
-        let (g, p) = Coq_Pos.ggcd a0 b0 in let (aa, bb) = p in (g, (aa, bb)))
-        (fun b0 ->
-        let (g, p) = Coq_Pos.ggcd a0 b0 in
-        let (aa, bb) = p in (g, (aa, (Big_int_Z.minus_big_int bb))))
-        b)
-      (fun a0 ->
-      (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
-  if s = 0 then fO () else if s > 0 then fp z
-  else fn (Big_int_Z.minus_big_int z))
-        (fun _ -> ((abs a), ((sgn a), Big_int_Z.zero_big_int)))
-        (fun b0 ->
-        let (g, p) = Coq_Pos.ggcd a0 b0 in
-        let (aa, bb) = p in (g, ((Big_int_Z.minus_big_int aa), bb)))
-        (fun b0 ->
-        let (g, p) = Coq_Pos.ggcd a0 b0 in
-        let (aa, bb) = p in
-        (g, ((Big_int_Z.minus_big_int aa), (Big_int_Z.minus_big_int bb))))
-        b)
-      a
-
   (** val shiftl :
       Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -1082,12 +991,6 @@ let qinv x =
 
 let qdiv x y =
   qmult x (qinv y)
-
-(** val qred : q -> q **)
-
-let qred q0 =
-  let { qnum = q1; qden = q2 } = q0 in
-  let (r1, r2) = snd (Z.ggcd q1 q2) in { qnum = r1; qden = (Z.to_pos r2) }
 
 (** val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
 
@@ -2861,19 +2764,20 @@ let rec inner a b =
   | x :: a' ->
     (match b with
      | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-     | y :: b' -> qred (qplus (qmult x y) (inner a' b')))
+     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
 
 (** val plus_times : vector -> q -> vector -> vector **)
 
 let rec plus_times a s b =
   match a with
-  | [] -> (match b with
-           | [] -> a
-           | _ :: _ -> map (fun y -> qred (qmult s y)) b)
+  | [] ->
+    (match b with
+     | [] -> a
+     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
   | x :: a' ->
     (match b with
      | [] -> a
-     | y :: b' -> (qred (qplus x (qmult s y))) :: (plus_times a' s b'))
+     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
 
 (** val is_zero : q -> bool **)
 
@@ -4264,12 +4168,13 @@ let range_of = function
 (** val plus_interval : interval -> interval -> interval **)
 
 let plus_interval a b =
-  { low = (qred (qplus a.low b.low)); high = (qred (qplus a.high b.high)) }
+  { low = (reduced (qplus a.low b.low)); high =
+    (reduced (qplus a.high b.high)) }
 
 (** val shifted : interval -> q -> interval **)
 
 let shifted a c =
-  { low = (qred (qplus a.low c)); high = (qred (qplus a.high c)) }
+  { low = (reduced (qplus a.low c)); high = (reduced (qplus a.high c)) }
 
 (** val plus_intervals : interval list -> interval list -> interval list **)
 
@@ -4355,7 +4260,7 @@ let reach_holds n left columns reach =
                 (exactly { qnum = Big_int_Z.zero_big_int; qden =
                   Big_int_Z.unit_big_int })
             in
-            qred
+            reduced
               (qplus sum0
                 (qmult
                   (most_of
@@ -4380,7 +4285,7 @@ let rec square_of weights f =
   | w :: ws ->
     (match f with
      | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-     | x :: f' -> qred (qplus (qdiv (qmult x x) w) (square_of ws f')))
+     | x :: f' -> reduced (qplus (qdiv (qmult x x) w) (square_of ws f')))
 
 (** val length_bound : cbox -> vector -> q **)
 
@@ -4410,7 +4315,8 @@ let rec answers_bound b g reach =
     (match reach with
      | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
      | z0 :: reach' ->
-       qred (qplus (qmult (length_bound b f) z0) (answers_bound b g' reach')))
+       reduced
+         (qplus (qmult (length_bound b f) z0) (answers_bound b g' reach')))
 
 (** val cone_holds : vector -> q -> resting -> bool **)
 

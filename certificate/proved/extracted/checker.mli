@@ -106,14 +106,6 @@ module Coq_Pos :
     nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
-
-  val ggcdn :
-    nat -> Big_int_Z.big_int -> Big_int_Z.big_int ->
-    Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int)
-
-  val ggcd :
-    Big_int_Z.big_int -> Big_int_Z.big_int ->
-    Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int)
  end
 
 val tl : 'a1 list -> 'a1 list
@@ -210,10 +202,6 @@ module Z :
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
-  val ggcd :
-    Big_int_Z.big_int -> Big_int_Z.big_int ->
-    Big_int_Z.big_int * (Big_int_Z.big_int * Big_int_Z.big_int)
-
   val shiftl : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val lcm : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
@@ -242,8 +230,6 @@ val qminus : q -> q -> q
 val qinv : q -> q
 
 val qdiv : q -> q -> q
-
-val qred : q -> q
 
 val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 

@@ -66,17 +66,12 @@ Proof.
   now rewrite (IH (fun j => e (S j))) by lia.
 Qed.
 
-Lemma listed_same n e f : (forall i, (i < n)%nat -> e i = f i) -> listed n e = listed n f.
-Proof.
-  revert e f. induction n as [|n IH]; intros e f H; cbn; [reflexivity|].
-  rewrite (H O) by lia. f_equal. apply IH. intros; apply H; lia.
-Qed.
-
 Lemma dot_sym a b : dot a b = dot b a.
 Proof. revert b. induction a as [|x a IH]; intros [|y b]; cbn; try reflexivity. rewrite IH. ring. Qed.
 
 (* Works are known by those on the n unit vectors. *)
-Definition known_by_units (n : nat) (f : list R -> R) := forall y, f y = sum_to n (fun i => nth i y 0 * f (basis_vector n i)).
+Definition known_by_units (n : nat) (f : list R -> R) := forall y, f y = sum_to n (fun i => nth i y 0 * f
+  (basis_vector n i)).
 
 Lemma dot_known n a : List.length a = n -> known_by_units n (dot a).
 Proof.
@@ -155,7 +150,8 @@ Proof.
   { intros y. rewrite E. apply dot_self_zero. rewrite <- E.
     assert (G : Forall (fun z => dot z sum = 0) zs).
     { apply Forall_forall. intros z Hz. rewrite dot_sym, <- E. auto. }
-    unfold spread. generalize sum G. clear. intros f G. induction G as [|z zs Hz G IH]; cbn; [reflexivity|]. rewrite Hz, IH. ring. }
+    unfold spread. generalize sum G. clear. intros f G. induction G as [|z zs Hz G IH]; cbn; [reflexivity|].
+      rewrite Hz, IH. ring. }
   split; [|exact Z]. specialize (Z e). unfold spread in Z. clear H sum E.
   assert (P : forall ws, 0 <= fold_right (fun z s => dot z e * dot z e + s) 0 ws).
   { clear. induction ws as [|z ws IH]; cbn; [lra|]. pose proof (Rle_0_sqr (dot z e)). unfold Rsqr in *. lra. }
@@ -209,7 +205,8 @@ Variable middle : R -> list R.
 Definition motion (t : R) (e : vec) : list R := listed D (fun i => nth i (middle t) 0 + e i).
 
 Hypothesis all_proper : forall t, Forall (proper D) (rows (system_at t)).
-Hypothesis loads_length : forall t, List.length (wrench (system_at t)) = D /\ List.length (direction (system_at t)) = D.
+Hypothesis loads_length : forall t, List.length (wrench (system_at t)) = D /\ List.length (direction (system_at
+  t)) = D.
 Hypothesis systems_continuous : forall s s', (forall k, 0 <= s k <= 1) -> Un_cv s s' ->
   cv_rows (fun k => rows (system_at (s k))) (rows (system_at s')) /\
   cv_list (fun k => wrench (system_at (s k))) (wrench (system_at s')) /\
@@ -267,7 +264,8 @@ Proof.
   unfold gap. induction all_walls as [|f fs IH]; cbn.
   - split; [auto|tauto].
   - split.
-    + intros H. pose proof (Rmin_l (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 fs)).
+    + intros H. pose proof (Rmin_l (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D
+        e)) m) 1 fs)).
       pose proof (Rmin_r (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 fs)).
       destruct IH as [IH _]. destruct IH as [I1 I2]; [lra|]. split; [exact I1|]. constructor; [lra|exact I2].
     + intros [C F]. inversion F; subst. apply Rmin_glb; [lra|]. now apply IH.
@@ -293,7 +291,8 @@ Lemma gap_cv u x : converges D u x -> Un_cv (fun k => gap (u k)) (gap x).
 Proof.
   intros C. apply cv_listed in C. unfold gap. induction all_walls as [|f fs IH]; cbn; [apply cv_constant|].
   apply (cv_min (fun k => 1 - dot f (listed D (u k)))); [|exact IH].
-  apply (CV_minus (fun _ => 1)); [apply cv_constant|]. apply (cv_dot (fun _ => f)); [apply cv_list_constant|exact C].
+  apply (CV_minus (fun _ => 1)); [apply cv_constant|]. apply (cv_dot (fun _ => f)); [apply
+    cv_list_constant|exact C].
 Qed.
 
 (* Times from 0 to 1 turn -A e into the forces of the middle system; those from 1 to 2 are one later. *)
@@ -302,7 +301,8 @@ Definition later (s : R) : R := Rmax 0 (s - 1).
 
 Definition net (k : nat) (s : R) (e : vec) (y : list R) : R :=
   portion s * (load (system_at (later s)) (h (later s)) (l (later s)) y +
-               smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at (later s))) y) -
+               smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at
+                 (later s))) y) -
   ((1 - portion s) * dot y (times A (listed D e)) + spread free y (listed D e)).
 
 Definition balance (s : R) (e : vec) : Prop := exists fs, forces_obey (later s) e fs /\
@@ -319,7 +319,8 @@ Proof.
      smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at (later s))) y))).
   { apply known_multiple, known_plus; [|now apply smooth_works_known].
     unfold load. apply known_plus; now apply known_multiple, dot_known. }
-  assert (K2 : known_by_units D (fun y => (1 - portion s) * dot (times A (listed D e)) y + spread free y (listed D e))).
+  assert (K2 : known_by_units D (fun y => (1 - portion s) * dot (times A (listed D e)) y + spread free y
+    (listed D e))).
   { apply known_plus; [|now apply spread_known]. apply known_multiple, dot_known. now rewrite times_length. }
   pose proof (known_plus D _ _ K1 (known_multiple D (-1) _ K2) y) as E. cbn beta in E.
   eapply eq_trans; [|eapply eq_trans; [exact E|]].
@@ -363,12 +364,6 @@ Proof.
   { now apply cv_later. }
   unfold motion. apply (cv_listed D (fun k i => nth i (middle (later (s k))) 0 + e k i)).
   intros i I. apply CV_plus; [now apply Cm|now apply E].
-Qed.
-
-Lemma later_constant s e : (forall k, s k = s O) -> Un_cv s e -> s O = e.
-Proof.
-  intros C S. apply (cv_unique s); [|exact S]. replace s with (fun _ : nat => s O); [apply cv_constant|].
-  apply functional_extensionality. auto.
 Qed.
 
 Lemma net_continuous k y s s' e e' : (forall m, 0 <= s m <= 2) -> Un_cv s s' -> converges D e e' ->
@@ -417,7 +412,8 @@ Proof.
   inversion Z as [|? ? [Zn Zs] Zr]; subst. inversion P as [|? ? Pr Ps]; subst. rewrite IH by assumption.
   unfold work; cbn [fst snd]. rewrite Zn. destruct O as (_ & C & _).
   enough (product (weights r) g (slip r z) = 0) by lra. destruct Zs as [Zr0|Zs].
-  - apply size_zero; [apply (weights_positive _ _ Pr)|]. pose proof (size_nonneg (weights r) g). rewrite Zr0 in C. lra.
+  - apply size_zero; [apply (weights_positive _ _ Pr)|]. pose proof (size_nonneg (weights r) g). rewrite Zr0 in
+      C. lra.
   - unfold slip. clear C. revert g. generalize (weights r).
     induction Zs as [|s ss Hs Zs IHs]; intros ws g; destruct ws, g; cbn; try reflexivity.
     rewrite Hs, IHs. ring.
@@ -441,7 +437,8 @@ Proof.
       apply Exists_exists in H as (z & Hz & E); specialize (Z z Hz); rewrite ?dot_scaled in E; lra.
 Qed.
 
-Lemma M_not_zero e : on_wall e -> (forall y, dot y (times A (listed D e)) + spread free y (listed D e) = 0) -> False.
+Lemma M_not_zero e : on_wall e -> (forall y, dot y (times A (listed D e)) + spread free y (listed D e) = 0) ->
+  False.
 Proof.
   intros [_ W] H.
   assert (Z : forall i, (i < D)%nat -> nth i (times M (listed D e)) 0 = 0).
@@ -478,11 +475,13 @@ Qed.
 Theorem stable_by_degree : exists e fs, Forall (fun f => dot f (listed D e) < 1) walls /\
   forces_obey 1 e fs /\ forall y, total_work 1 fs y = 0.
 Proof.
-  assert (Unit : forall e j, (j < D)%nat -> dot (basis_vector D j) (times A (listed D e)) + spread free (basis_vector D j) (listed D e) =
+  assert (Unit : forall e j, (j < D)%nat -> dot (basis_vector D j) (times A (listed D e)) + spread free
+    (basis_vector D j) (listed D e) =
     nth j (times M (listed D e)) 0).
   { intros e j J. rewrite <- M_is by apply length_listed. now rewrite dot_sym, dot_unit. }
   destruct (homotopy D gap B) with (pull := fun e j => - nth j (times M (listed D e)) 0)
-    (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e (basis_vector D j))
+    (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e
+      (basis_vector D j))
     (balance := balance) as (e & I & fs & F & H).
   - intros u x U. now apply gap_cv.
   - apply Rlt_le_trans with (1 / 2); [lra|]. apply gap_least. split; [lra|].

@@ -71,6 +71,83 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
     end
   else NotProvedHere "a margin of a box".
 
+(* ---- Claims ---- *)
+
+(* Of the interval after one that ended with `before`. *)
+Definition in_order (stable : bool) (before : option Q) (lo : Q) (hi : option Q) : bool :=
+  match before with
+  | None => false
+  | Some b =>
+      Qle_bool b lo &&
+      match hi with Some h => if stable then Qle_bool lo h else Qlt_bool lo h | None => true end
+  end.
+
+(* Nothing, if a part or points hold all from lo to hi; without end, what holds 1 does. *)
+Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (hi : option Q)
+    (evidence : part + list witness) : option answer :=
+  let at_ l w := check_at (bilateral q) (dimension q) (rows s) (the_load s) (Point (Some l) w) in
+  let low := match hi with None => 1%Q | Some _ => lo end in
+  let high := match hi with None => 1%Q | Some h => h end in
+  let failing rule second := Some (Rejected rule (AtPointOf number second)) in
+  match evidence with
+  | inl p =>
+      match part_fails memory advisor (bilateral q) (most_depth (rows s)) low high s p with
+      | Some (rule, node) => Some (Rejected rule (AtProofOf number node))
+      | None => None
+      end
+  | inr points =>
+      if negb (is_one_grasp s) then failing "witness-box" false
+      else
+        match points with
+        | [] => Some (NotProvedHere "no points")
+        | w :: more =>
+            match at_ low w with
+            | inr rule => failing rule false
+            | inl ss =>
+                match more with
+                | [] => if Qeq_bool low high then None else Some (NotProvedHere "one point of two")
+                | w' :: _ =>
+                    match at_ high w' with
+                    | inr rule => failing rule true
+                    | inl ss' =>
+                        if same_mode ss ss' then None else Some (Rejected "segment-mode" (AtInterval number))
+                    end
+                end
+            end
+        end
+  end.
+
+(* With the claim, and as one with that before if they touch. *)
+Definition joined (resisted : list (Q * option Q)) (lo : Q) (hi : option Q) : list (Q * option Q) :=
+  match resisted with
+  | (lo', Some hi') :: rest => if Qeq_bool hi' lo then (lo', hi) :: rest else (lo, hi) :: resisted
+  | _ => (lo, hi) :: resisted
+  end.
+
+(* `resisted` and `refuted` are in reverse order. *)
+Fixpoint check_claims (q : question) (s : setting) (claims : list claim) (before : option Q) (number : nat)
+    (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool)) : answer :=
+  match claims with
+  | [] => Claims (rev_append resisted []) (rev_append refuted [])
+  | ClaimStable lo hi evidence :: rest =>
+      if negb (in_order true before lo hi) then Rejected "interval-order" (AtInterval number)
+      else if match hi with None => negb (Qeq_bool lo 0 && unloaded s) | Some _ => false end
+      then Rejected "interval-whole" (AtInterval number)
+      else
+        match holding_fails q s number lo hi evidence with
+        | Some failure => failure
+        | None => check_claims q s rest hi (S number) (joined resisted lo hi) refuted
+        end
+  | ClaimUnstable lo hi nodes :: rest =>
+      if negb (in_order false before lo hi) then Rejected "interval-order" (AtInterval number)
+      else
+        let with_low := match number with O => Qeq_bool lo 0 && negb (unloaded s) | _ => false end in
+        match refute q s [Range lo hi (negb with_low) true] nodes with
+        | Some (rule, node) => Rejected rule (AtProofOf number (Some node))
+        | None => check_claims q s rest hi (S number) resisted ((lo, hi, with_low) :: refuted)
+        end
+  end.
+
 Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "normals that are uncertain, or numbers of the question"
@@ -80,7 +157,7 @@ Definition check (q : question) (c : certificate) : answer :=
       | UnstableByTree nodes, false => check_tree q s nodes
       | StableByParts parts, false => check_parts q s parts
       | MarginBy resisted segments nodes, true => check_margin q s resisted segments nodes
-      | MarginInSpace _, true => NotProvedHere "a margin in space"
+      | MarginInSpace claims, true => check_claims q s claims (Some 0%Q) 0 [] []
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end
   end.

@@ -71,6 +71,9 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | Unstable => forall s, choice_of q s -> ~ Rows.stable_at s 0
   | Margin intervals => forall s, choice_of q s -> forall l, 0 <= l ->
       (Rows.stable_at s l <-> Exists (among l) intervals)
+  | Claims resisted refuted => forall s, choice_of q s -> forall l, 0 <= l ->
+      (Exists (among l) resisted -> Rows.stable_at s l) /\
+      (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
@@ -82,6 +85,8 @@ Proof.
   - apply space_stable_as_rows. apply H. right. now exists g.
   - intros St. apply (H (grasp_rows g)); [left; now exists g|]. now apply stable_as_rows.
   - intros St. apply (H (space_grasp_rows g)); [right; now exists g|]. now apply space_stable_as_rows.
+  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
+  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
   - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
   - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
 Qed.
@@ -124,6 +129,95 @@ Proof.
   split; [exact X1|]. rewrite posed_load0 in *. now constructor.
 Qed.
 
+Lemma joined_holds l resisted lo hi : Exists (among l) (joined resisted lo hi) ->
+  among l (lo, hi) \/ Exists (among l) resisted.
+Proof.
+  unfold joined. assert (Plain : Exists (among l) ((lo, hi) :: resisted) -> among l (lo, hi) \/ Exists (among l) resisted)
+    by (intros E; inversion E; subst; auto).
+  destruct resisted as [|[lo' [hi'|]] rest]; [exact Plain| |exact Plain].
+  destruct (Qeq_bool hi' lo) eqn:T; [|exact Plain].
+  apply Qeq_bool_R in T. intros E. inversion E as [? ? [A B]|]; subst; [|right; now apply Exists_cons_tl].
+  cbn [fst snd] in *. destruct (Rle_dec l (Q2R hi')) as [H|H].
+  - right. apply Exists_cons_hd. now split.
+  - left. split; cbn [fst snd]; [lra|exact B].
+Qed.
+
+Lemma in_order_from stable before lo hi b : in_order stable before lo hi = true -> before = Some b ->
+  Q2R b <= Q2R lo /\ match hi with Some h => Q2R lo <= Q2R h | None => True end.
+Proof.
+  intros H ->. unfold in_order in H. apply andb_true_iff in H as [H1 H2]. split; [now apply Qle_bool_R|].
+  destruct hi as [h|]; [|exact I]. destruct stable; [now apply Qle_bool_R|]. left. now apply Qlt_bool_R.
+Qed.
+
+Lemma evidence_holds q st number lo hi evidence s l : poses q st s ->
+  holding_fails memory advisor q st number lo hi evidence = None ->
+  (hi = None -> Qeq_bool lo 0 && unloaded st = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
+Proof.
+  intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
+  set (low := match hi with None => 1%Q | Some _ => lo end) in *.
+  set (high := match hi with None => 1%Q | Some h => h end) in *.
+  (* From low to high, or 1 alone. *)
+  assert (Here : (forall l, Q2R low <= l <= Q2R high -> Rows.stable_at s l) -> Rows.stable_at s l).
+  { intros St. destruct hi as [h|]; [apply St; unfold low, high; lra|].
+    specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ U].
+    apply (unloaded_stable s st l (posed_in_setting _ _ _ P) U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
+  destruct evidence as [p|points].
+  - destruct (part_fails _ _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
+    exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K (posed_in_setting _ _ _ P) L').
+  - destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
+    destruct (one_grasp _ _ _ P X) as [E Lo]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
+    apply Here. intros l' [L1 L2]. destruct points as [|w more]; [discriminate|].
+    destruct (check_at _ _ _ _ (Point (Some low) w)) as [ss|] eqn:K; [|discriminate].
+    destruct more as [|w' more].
+    + destruct (Qeq_bool low high) eqn:T; [|discriminate]. apply Qeq_bool_R in T.
+      replace l' with (Q2R low) by lra. eapply point_resists; try eassumption. reflexivity.
+    + destruct (check_at _ _ _ _ (Point (Some high) w')) as [ss'|] eqn:K'; [|discriminate].
+      destruct (same_mode ss ss') eqn:M; [|discriminate].
+      exact (segment_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ _ low l' K K' M eq_refl L1 L2).
+Qed.
+
+Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
+  forall claims before number resisted refuted,
+  match before with Some b => 0 <= Q2R b | None => True end ->
+  true_of_rows q (Claims (rev_append resisted []) (rev_append refuted [])) ->
+  true_of_rows q (check_claims memory advisor q st claims before number resisted refuted).
+Proof.
+  intros P. induction claims as [|cl claims IH]; intros before number resisted refuted B0 T; cbn [check_claims];
+    [exact T|].
+  assert (T' : forall s, choice_of q s -> forall l, 0 <= l ->
+    (Exists (among l) resisted -> Rows.stable_at s l) /\ (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)).
+  { intros s C l L. destruct (T s C l L) as [A B]. rewrite !rev_append_rev, !app_nil_r in *.
+    split; intros E; [apply A|apply B]; now apply Exists_rev. }
+  assert (Back : forall resisted' refuted',
+    (forall s, choice_of q s -> forall l, 0 <= l ->
+      (Exists (among l) resisted' -> Rows.stable_at s l) /\ (Exists (refuted_by l) refuted' -> ~ Rows.stable_at s l)) ->
+    true_of_rows q (Claims (rev_append resisted' []) (rev_append refuted' []))).
+  { intros r1 r2 H s C l L. rewrite !rev_append_rev, !app_nil_r. destruct (H s C l L) as [A B].
+    split; intros E; apply Exists_rev in E; rewrite rev_involutive in E; [now apply A|now apply B]. }
+  destruct cl as [lo hi evidence|lo hi nodes].
+  - destruct (in_order true before lo hi) eqn:O; [cbn [negb]|exact I].
+    destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
+    destruct (match hi with None => _ | Some _ => false end) eqn:Wh; [exact I|].
+    destruct (holding_fails memory advisor q st number lo hi evidence) as [a|] eqn:K.
+    { destruct a; try exact I; exfalso; revert K; clear; unfold holding_fails;
+        repeat match goal with |- context [match ?x with _ => _ end] => destruct x end; discriminate. }
+    apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
+    split; [|exact B]. intros E. apply joined_holds in E as [E|E]; [|now apply A].
+    apply (evidence_holds q st number lo hi evidence s l (P s C) K); try assumption.
+    intros ->. now apply negb_false_iff.
+  - destruct (in_order false before lo hi) eqn:O; [cbn [negb]|exact I].
+    destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
+    set (with_low := match number with O => _ | S _ => false end).
+    destruct (refute _ _ _ _ _ _) as [[rule node]|] eqn:R; [exact I|].
+    apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
+    split; [exact A|]. intros E. apply Exists_cons in E as [E|E]; [|now apply B].
+    unfold refuted_by in E. destruct E as [Lo Hi].
+    apply (refute_correct q st s _ _ l (P s C) R L). constructor. unfold in_range; cbn [range_low range_high open_low open_high].
+    split; [destruct Lo as [Lo|[_ Lo]]; lra|]. split.
+    + intros N. destruct Lo as [Lo|[Wl _]]; [exact Lo|]. fold with_low in Wl. rewrite Wl in N. discriminate.
+    + destruct hi as [h|]; [|exact I]. split; [lra|auto].
+Qed.
+
 Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
@@ -158,6 +252,9 @@ Proof.
       { intros a b d1 d2 walls direction tree l Hd Z La Lb.
         eapply (segment_by_degree_resists memory advisor); eassumption. }
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
+  - (* claims *)
+    apply claims_true; [exact P|rewrite Q2R_0; lra|].
+    intros s C l L. split; intros E; inversion E.
 Qed.
 
 (* Whatever the certificate and the oracle's advice are, the answer is true. *)

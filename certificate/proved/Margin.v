@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* Margins (FORMAT.md section 5): points prove which multiples are resisted, and trees that others are not.
    In the plane points are segments, and the trees are about the gaps between them (`segments_resist`,
-   `gaps_cover`); else they are claims (`claims_true`). *)
+   `gaps_cover`); else they are claims (Correct.v, `claims_true`). *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Tree Witness.
 From Proved Require Rows Model.
@@ -266,17 +266,21 @@ Proof.
         with (u * IZR l + (lambda - Q2R l1) * (u' * IZR l')) by ring. rewrite H2, H2'. ring.
 Qed.
 
+Lemma rows_positive : Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s).
+Proof.
+  clear - F E. induction F as [|row r rows rs Fr F' IH]; constructor; cbn in E; apply andb_true_iff in E as [Er E].
+  - split; [now apply (positive_weights row)|]. destruct (exact_friction row r Fr Er) as (M0 & -> & _).
+    apply Rmult_le_pos; [exact M0|apply sqrt_pos].
+  - now apply IH.
+Qed.
+
 (* A point alone. *)
 Lemma point_resists p ss lambda : check_at two_sided dim rows ld p = inl ss -> multiple p = Some lambda ->
   Rows.stable_at s (Q2R lambda).
 Proof.
   intros C M. destruct (accepted_point p ss C) as (h & l & ds & st & u & U & _ & _ & B & H).
   rewrite M in H. destruct H as [H1 H2].
-  assert (P : Forall (fun r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) (Rows.rows s)).
-  { clear - F E. induction F as [|row r rows rs Fr F' IH]; constructor; cbn in E; apply andb_true_iff in E as [Er E].
-    - split; [now apply (positive_weights row)|]. destruct (exact_friction row r Fr Er) as (M0 & -> & _).
-      apply Rmult_le_pos; [exact M0|apply sqrt_pos].
-    - now apply IH. }
+  pose proof rows_positive as P.
   pose proof (self_modes s _ _ _ _ B P) as SM.
   destruct (mixture s _ _ _ _ _ _ _ _ u 0 (Rlt_le _ _ U) (Rle_refl 0) B B SM) as (gs & Eg).
   eapply at_multiple; [exact Eg| |]; [rewrite H1; ring|rewrite H2; ring].

@@ -66,6 +66,10 @@ Definition chosen_in_space (q : question) (g : SpaceModel.grasp) :=
 Definition among (l : R) (i : Q * option Q) :=
   Q2R (fst i) <= l /\ match snd i with Some h => l <= Q2R h | None => True end.
 
+Definition refuted_by (l : R) (r : Q * option Q * bool) :=
+  let '(lo, hi, with_low) := r in
+  (Q2R lo < l \/ with_low = true /\ l = Q2R lo) /\ match hi with Some h => l < Q2R h | None => True end.
+
 (* What an answer says about a question.  That a certificate is rejected says nothing. *)
 Definition true_answer (q : question) (a : answer) : Prop :=
   match a with
@@ -79,6 +83,13 @@ Definition true_answer (q : question) (a : answer) : Prop :=
       (forall g, chosen q g -> forall l, 0 <= l -> (Model.stable_at g l <-> Exists (among l) intervals)) /\
       (forall g, chosen_in_space q g -> forall l, 0 <= l ->
          (SpaceModel.stable_at g l <-> Exists (among l) intervals))
+  | Claims resisted refuted =>
+      (forall g, chosen q g -> forall l, 0 <= l ->
+         (Exists (among l) resisted -> Model.stable_at g l) /\
+         (Exists (refuted_by l) refuted -> ~ Model.stable_at g l)) /\
+      (forall g, chosen_in_space q g -> forall l, 0 <= l ->
+         (Exists (among l) resisted -> SpaceModel.stable_at g l) /\
+         (Exists (refuted_by l) refuted -> ~ SpaceModel.stable_at g l))
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

@@ -66,10 +66,9 @@ Inductive part :=
       (tree : list node)
   | PartAtRest (forces : list (Z * list Q)) (answers : list (Z * list (list Q))) (reach : list Q).
 
-(* CLAIM of a margin in space. *)
+(* CLAIM of a margin in space: a part, or points. *)
 Inductive claim :=
-  | ClaimPart (low : Q) (high : option Q) (proof : part)
-  | ClaimPoints (low : Q) (high : option Q) (points : list witness)
+  | ClaimStable (low : Q) (high : option Q) (evidence : part + list witness)
   | ClaimUnstable (low : Q) (high : option Q) (tree : list node).
 
 (* All after the member `question`. *)
@@ -93,12 +92,17 @@ Inductive place :=
   | AtInterval (number : nat)
   | AtSegment (number : nat) (node : option nat)
   | AtPoint (segment : nat) (second : bool)
-  | AtPart (number : nat) (node : option nat).   (* and the number in the part's own tree *)
+  | AtPart (number : nat) (node : option nat)    (* and the number in the part's own tree *)
+  | AtPointOf (interval : nat) (second : bool)
+  | AtProofOf (interval : nat) (node : option nat).
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)
   | Unstable                                       (* likewise *)
   | Margin (resisted : list (Q * option Q))        (* exactly these multiples; None: no end *)
+  (* These multiples, and not those between the numbers of these; where the flag is set, not at the low one
+     either.  Nothing is claimed of others. *)
+  | Claims (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool))
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 

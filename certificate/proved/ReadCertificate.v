@@ -332,13 +332,13 @@ Definition read_claim (s : shape) (at_path : path) (value : json) : result claim
             let* _ := check_that two at_path one_or_two in
             let* p := read_spatial_point s at_path first in
             let* q := read_spatial_point s at_path second in
-            Fine (ClaimPoints a b [p; q])
+            Fine (ClaimStable a b (inr [p; q]))
         | [only] =>
             if is_point only then
               let* _ := check_that (negb two) at_path one_or_two in
               let* p := read_spatial_point s at_path only in
-              Fine (ClaimPoints a b [p])
-            else let* it := read_part s at_path only in Fine (ClaimPart a b it)
+              Fine (ClaimStable a b (inr [p]))
+            else let* it := read_part s at_path only in Fine (ClaimStable a b (inl it))
         | _ => expected what at_path value
         end
       else

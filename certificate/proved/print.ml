@@ -69,6 +69,18 @@ let resisted_in_words = function
         ^ match high with Some x -> number x ^ "]" | None -> "oo)")
       intervals
 
+let refuted_in_words =
+  separated (fun ((low, high), with_low) ->
+    (if with_low then "[" else "(") ^ number low ^ ", "
+    ^ match high with Some x -> number x ^ ")" | None -> "oo)")
+
+let json_refuted ranges =
+  let one ((low, high), with_low) =
+    "[" ^ json_number low ^ ", "
+    ^ (match high with Some x -> json_number x | None -> "null")
+    ^ ", " ^ string_of_bool with_low ^ "]" in
+  "[" ^ separated one ranges ^ "]"
+
 let json_resisted intervals =
   let one (low, high) =
     "[" ^ json_number low ^ ", "
@@ -108,8 +120,8 @@ let size_of certificate =
     size_of_tree (List.fold_left add { none with trees = gaps resisted } segments) tree
   | MarginInSpace claims ->
     let add size = function
-      | ClaimPart (_, _, part) -> add_part size part
-      | ClaimPoints _ -> size
+      | ClaimStable (_, _, Inl part) -> add_part size part
+      | ClaimStable (_, _, Inr _) -> size
       | ClaimUnstable (_, _, tree) -> size_of_tree { size with trees = size.trees + 1 } tree in
     List.fold_left add none claims
 
@@ -124,9 +136,13 @@ let in_words place =
     Some ("segment " ^ string_of_int (int_of_nat n)
           ^ if second then ", second point" else ", first point")
   | AtPart (n, _) -> Some ("part " ^ string_of_int (int_of_nat n))
+  | AtPointOf (n, second) ->
+    Some ("interval " ^ string_of_int (int_of_nat n)
+          ^ if second then ", second point" else ", first point")
+  | AtProofOf (n, _) -> Some ("interval " ^ string_of_int (int_of_nat n))
 
 let node_of = function
-  | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) -> Some (int_of_nat n)
+  | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) | AtProofOf (_, Some n) -> Some (int_of_nat n)
   | _ -> None
 
 let question asked =
@@ -172,6 +188,9 @@ type report =
 let proof answer size =
   let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
   match answer with
+  | Claims _ ->
+    Printf.sprintf "intervals by degree: %d%s, refuted: %d; trees of %s" size.parts
+      (if size.rests > 0 then Printf.sprintf ", at rest: %d" size.rests else "") size.trees tree
   | Margin _ ->
     let by_degree = if size.parts > 0 then Printf.sprintf ", by degree: %d" size.parts else "" in
     Printf.sprintf "segments: %d%s; trees: %d, of %s" size.segments by_degree size.trees tree
@@ -186,6 +205,10 @@ let proof answer size =
 let accepted asked answer certificate =
   let verdict = match answer with
     | Margin resisted -> "resisted    " ^ resisted_in_words resisted
+    | Claims (resisted, refuted) ->
+      let or_none listed = function [] -> "none claimed" | them -> listed them in
+      "resisted    " ^ or_none resisted_in_words resisted
+      ^ "\nrefuted     " ^ or_none refuted_in_words refuted ^ "\nelsewhere   nothing is claimed"
     | Stable -> "verdict     stable"
     | _ -> "verdict     unstable" in
   let box = match answer with
@@ -207,7 +230,7 @@ let as_text = function
 
 let as_json report =
   let text it = match it with Some text -> json_string text | None -> "null" in
-  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?asked result =
+  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?refuted ?asked result =
     let number_of part = match size with Some s -> string_of_int (part s) | None -> "null" in
     "{\"result\": " ^ json_string result ^ ", \"rule\": " ^ text rule ^ ", \"node\": "
     ^ (match node with Some n -> string_of_int n | None -> "null")
@@ -216,7 +239,8 @@ let as_json report =
     ^ ", \"nodes\": " ^ number_of (fun s -> s.nodes)
     ^ ", \"leaves\": " ^ number_of (fun s -> s.leaves)
     ^ ", \"resisted\": " ^ (match resisted with Some r -> json_resisted r | None -> "null")
-    ^ ", \"refuted\": null, \"question\": "
+    ^ ", \"refuted\": " ^ (match refuted with Some r -> json_refuted r | None -> "null")
+    ^ ", \"question\": "
     ^ (match asked with Some a -> json_question a | None -> "null") ^ "}\n" in
   match report with
   | Illegible { place; problem; _ } -> line "malformed" ~path:place ~found:problem
@@ -227,9 +251,10 @@ let as_json report =
     let size = size_of certificate in
     let tree = match certificate.body with StableByWitness _ -> false | _ -> true in
     line "accepted" ~box:asked.is_box ~asked
-      ~verdict:(match answer with Margin _ -> "margin" | Stable -> "stable" | _ -> "unstable")
+      ~verdict:(match answer with Margin _ | Claims _ -> "margin" | Stable -> "stable" | _ -> "unstable")
       ?size:(if tree then Some size else None)
-      ?resisted:(match answer with Margin r -> Some r | _ -> None)
+      ?resisted:(match answer with Margin r | Claims (r, _) -> Some r | _ -> None)
+      ?refuted:(match answer with Claims (_, r) -> Some r | _ -> None)
 
 let exit_code = function
   | Illegible _ -> 2

@@ -63,14 +63,14 @@ def judged_by_all(entry):
 
 
 def is_proved(entry):
-    """The theorem of stickslip-proved is not about margins in space, uncertain normals in space, and several bodies."""
+    """The theorem of stickslip-proved is not about uncertain normals in space and several bodies."""
     certificate = entry.certificate
     if entry.kind in BODIES:
         return False
     in_space = entry.kind.startswith("space")
     turns = "normal" in certificate["question"].get("uncertain", {}) or any(
         isinstance(contact["normal"], dict) for contact in entry.grasp["contacts"] if "normal" in contact)
-    return not ("intervals" in certificate or (in_space and turns))
+    return not (in_space and turns)
 
 
 def question_of(entry):

@@ -1239,8 +1239,7 @@ type part =
    * (Big_int_Z.big_int * q list list) list * q list
 
 type claim =
-| ClaimPart of q * q option * part
-| ClaimPoints of q * q option * witness list
+| ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
 
 type proof =
@@ -1260,11 +1259,14 @@ type place =
 | AtSegment of nat * nat option
 | AtPoint of nat * bool
 | AtPart of nat * nat option
+| AtPointOf of nat * bool
+| AtProofOf of nat * nat option
 
 type answer =
 | Stable
 | Unstable
 | Margin of (q * q option) list
+| Claims of (q * q option) list * ((q * q option) * bool) list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -4562,6 +4564,128 @@ let check_margin advisor q0 s resisted segments nodes =
               | None -> Margin resisted)))
   else NotProvedHere "a margin of a box"
 
+(** val in_order : bool -> q option -> q -> q option -> bool **)
+
+let in_order stable before lo hi =
+  match before with
+  | Some b ->
+    (&&) (qle_bool b lo)
+      (match hi with
+       | Some h -> if stable then qle_bool lo h else qlt_bool lo h
+       | None -> true)
+  | None -> false
+
+(** val holding_fails :
+    'a1 oracle -> question -> setting -> nat -> q -> q option -> (part,
+    witness list) sum -> answer option **)
+
+let holding_fails advisor q0 s number lo hi evidence =
+  let at_ = fun l w ->
+    check_at q0.bilateral q0.dimension s.rows s.the_load { multiple = (Some
+      l); point_witness = w }
+  in
+  let low0 =
+    match hi with
+    | Some _ -> lo
+    | None -> { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+  in
+  let high0 =
+    match hi with
+    | Some h -> h
+    | None -> { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+  in
+  let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
+    second))))
+  in
+  (match evidence with
+   | Inl p ->
+     (match part_fails advisor q0.bilateral (most_depth s.rows) low0 high0 s p with
+      | Some p0 ->
+        let (rule, node0) = p0 in
+        Some (Rejected (rule, (AtProofOf (number, node0))))
+      | None -> None)
+   | Inr points ->
+     if negb (is_one_grasp s)
+     then failing "witness-box" false
+     else (match points with
+           | [] -> Some (NotProvedHere "no points")
+           | w :: more ->
+             (match at_ low0 w with
+              | Inl ss ->
+                (match more with
+                 | [] ->
+                   if qeq_bool low0 high0
+                   then None
+                   else Some (NotProvedHere "one point of two")
+                 | w' :: _ ->
+                   (match at_ high0 w' with
+                    | Inl ss' ->
+                      if same_mode ss ss'
+                      then None
+                      else Some (Rejected ("segment-mode", (AtInterval
+                             number)))
+                    | Inr rule -> failing rule true))
+              | Inr rule -> failing rule false)))
+
+(** val joined :
+    (q * q option) list -> q -> q option -> (q * q option) list **)
+
+let joined resisted lo hi =
+  match resisted with
+  | [] -> (lo, hi) :: resisted
+  | p :: rest ->
+    let (lo', o) = p in
+    (match o with
+     | Some hi' ->
+       if qeq_bool hi' lo then (lo', hi) :: rest else (lo, hi) :: resisted
+     | None -> (lo, hi) :: resisted)
+
+(** val check_claims :
+    'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
+    (q * q option) list -> ((q * q option) * bool) list -> answer **)
+
+let rec check_claims advisor q0 s claims before number resisted refuted =
+  match claims with
+  | [] -> Claims ((rev_append resisted []), (rev_append refuted []))
+  | c :: rest ->
+    (match c with
+     | ClaimStable (lo, hi, evidence) ->
+       if negb (in_order true before lo hi)
+       then Rejected ("interval-order", (AtInterval number))
+       else if match hi with
+               | Some _ -> false
+               | None ->
+                 negb
+                   ((&&)
+                     (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
+                       Big_int_Z.unit_big_int }) (unloaded s))
+            then Rejected ("interval-whole", (AtInterval number))
+            else (match holding_fails advisor q0 s number lo hi evidence with
+                  | Some failure -> failure
+                  | None ->
+                    check_claims advisor q0 s rest hi (S number)
+                      (joined resisted lo hi) refuted)
+     | ClaimUnstable (lo, hi, nodes) ->
+       if negb (in_order false before lo hi)
+       then Rejected ("interval-order", (AtInterval number))
+       else let with_low =
+              match number with
+              | O ->
+                (&&)
+                  (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int }) (negb (unloaded s))
+              | S _ -> false
+            in
+            (match refute advisor q0 s ({ range_low = lo; range_high = hi;
+                     open_low = (negb with_low); open_high = true } :: [])
+                     nodes with
+             | Some p ->
+               let (rule, node0) = p in
+               Rejected (rule, (AtProofOf (number, (Some node0))))
+             | None ->
+               check_claims advisor q0 s rest hi (S number) resisted (((lo,
+                 hi), with_low) :: refuted)))
+
 (** val check : 'a1 oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
@@ -4584,9 +4708,10 @@ let check advisor q0 c =
        if q0.is_margin
        then check_margin advisor q0 s resisted segments nodes
        else NotProvedHere "a proof of something else than was asked"
-     | MarginInSpace _ ->
+     | MarginInSpace claims ->
        if q0.is_margin
-       then NotProvedHere "a margin in space"
+       then check_claims advisor q0 s claims (Some { qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
        else NotProvedHere "a proof of something else than was asked")
   | None ->
     NotProvedHere "normals that are uncertain, or numbers of the question"
@@ -6813,10 +6938,10 @@ let read_claim s at_path value0 =
                                     (check_that (negb two) at_path one_or_two)
                                     (fun _ ->
                                     bind (read_spatial_point s at_path only)
-                                      (fun p -> Fine (ClaimPoints (a0, b0,
-                                      (p :: [])))))
+                                      (fun p -> Fine (ClaimStable (a0, b0,
+                                      (Inr (p :: []))))))
                              else bind (read_part s at_path only) (fun it ->
-                                    Fine (ClaimPart (a0, b0, it)))
+                                    Fine (ClaimStable (a0, b0, (Inl it))))
                            | second :: l2 ->
                              (match l2 with
                               | [] ->
@@ -6826,8 +6951,8 @@ let read_claim s at_path value0 =
                                     (fun p ->
                                     bind
                                       (read_spatial_point s at_path second)
-                                      (fun q0 -> Fine (ClaimPoints (a0, b0,
-                                      (p :: (q0 :: [])))))))
+                                      (fun q0 -> Fine (ClaimStable (a0, b0,
+                                      (Inr (p :: (q0 :: []))))))))
                               | _ :: _ -> expected what at_path value0)))
                   else if is_text "unstable" kind
                        then (match evidence with

@@ -350,8 +350,7 @@ type part =
    * (Big_int_Z.big_int * q list list) list * q list
 
 type claim =
-| ClaimPart of q * q option * part
-| ClaimPoints of q * q option * witness list
+| ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
 
 type proof =
@@ -371,11 +370,14 @@ type place =
 | AtSegment of nat * nat option
 | AtPoint of nat * bool
 | AtPart of nat * nat option
+| AtPointOf of nat * bool
+| AtProofOf of nat * nat option
 
 type answer =
 | Stable
 | Unstable
 | Margin of (q * q option) list
+| Claims of (q * q option) list * ((q * q option) * bool) list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -1096,6 +1098,18 @@ val check_parts : 'a1 oracle -> question -> setting -> part list -> answer
 val check_margin :
   'a1 oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
+
+val in_order : bool -> q option -> q -> q option -> bool
+
+val holding_fails :
+  'a1 oracle -> question -> setting -> nat -> q -> q option -> (part, witness
+  list) sum -> answer option
+
+val joined : (q * q option) list -> q -> q option -> (q * q option) list
+
+val check_claims :
+  'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
+  (q * q option) list -> ((q * q option) * bool) list -> answer
 
 val check : 'a1 oracle -> question -> certificate -> answer
 

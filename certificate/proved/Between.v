@@ -47,6 +47,7 @@ Proof.
     + apply functional_extensionality. intros k. specialize (L k). destruct (us k); [discriminate|reflexivity].
 Qed.
 
+(* A function that is affine in each of several numbers is continuous. *)
 Lemma multiaffine_cv ps p G : multiaffine (List.length p) G -> cv_list ps p -> Un_cv (fun k => G (ps k)) (G p).
 Proof.
   intros M C. revert G M. induction C as [|u x us xs U C IH]; intros G M; [apply cv_constant|].
@@ -67,6 +68,7 @@ Qed.
 
 Definition mix (t a b : R) : R := (1 - t) * a + t * b.
 
+(* The same for lists. *)
 Fixpoint mixed (t : R) (a b : list R) : list R :=
   match a, b with x :: a', y :: b' => mix t x y :: mixed t a' b' | _, _ => [] end.
 
@@ -128,6 +130,7 @@ Qed.
 
 Definition middle (i : interval) : Q := ((low i + high i) * (1 # 2))%Q.
 
+(* An interval of one number. *)
 Definition only_middle (i : interval) : interval := exactly (middle i).
 
 Definition middle_box (b : cbox) : cbox :=
@@ -166,6 +169,7 @@ Hypothesis sound : friction_sound b = true.
 
 Definition center : list R := map (fun i => Q2R (middle i)) (box_geometry b).
 
+(* The row at the time s. *)
 Definition row_at (s : R) : Rows.row :=
   let fs := F (mixed s center p) in
   let u := mix s (1 / 2) t in
@@ -181,6 +185,7 @@ Proof. symmetry. apply (same_length within). apply I. Qed.
 Lemma center_length : List.length center = List.length p.
 Proof. unfold center. now rewrite map_length, p_length. Qed.
 
+(* Rows on the way have the shape of the last. *)
 Lemma shape_at s : map (@List.length R) (F (mixed s center p)) = D :: map (@List.length R) (Rows.slips r).
 Proof.
   rewrite (forms_shape _ _ _ _ _ _ I _ p); [|rewrite mixed_length, center_length; [apply p_length|apply
@@ -195,6 +200,7 @@ Proof.
   now exists n, ss.
 Qed.
 
+(* At the end it is the choice. *)
 Lemma row_at_end : row_at 1 = r.
 Proof.
   unfold row_at. rewrite mixed_end by apply center_length. rewrite <- (is_forms _ _ _ _ _ _ I). cbn [hd tl].
@@ -202,6 +208,7 @@ Proof.
   rewrite <- (in_preload _ _ _ _ _ _ I), <- (in_growth _ _ _ _ _ _ I), <- (is_rho _ _ _ _ _ _ I). now destruct r.
 Qed.
 
+(* Its friction coefficient. *)
 Definition friction_at (s : R) : R := mix s (Q2R (middle (box_friction b))) mu.
 
 Lemma friction_at_nonneg s : 0 <= s <= 1 -> 0 <= friction_at s.
@@ -240,6 +247,7 @@ Proof.
   induction G as [|i x is p Wx G IH]; cbn; constructor; [now apply middle_within in Wx|exact IH].
 Qed.
 
+(* On the way it stays in the box. *)
 Lemma row_at_inside s : 0 <= s <= 1 ->
   inside_at b (row_at s) (mixed s center p) F (friction_at s) (mix s (1 / 2) t).
 Proof.
@@ -282,6 +290,7 @@ Proof.
   - unfold row_at. cbn. rewrite M. apply exactly_within.
 Qed.
 
+(* And it moves continuously. *)
 Lemma row_at_continuous s s' : Un_cv s s' -> cv_row (fun k => row_at (s k)) (row_at s').
 Proof.
   intros Cs. assert (Cp : cv_list (fun k => mixed (s k) center p) (mixed s' center p))

@@ -42,6 +42,7 @@ Definition relative (f : vector) : vector :=
 Definition room (f : vector) : vector :=
   plus_times (plus_times (fst s_and_t) 1 (snd s_and_t)) (-1) (relative f).
 
+(* In integers, by a factor above 0. *)
 Definition to_form (a : vector) : form := map (to_integer (scaling_of a)) a.
 
 (* s >= 0 and t >= 0; if there is one multiple, it is l / h. *)
@@ -51,19 +52,23 @@ Definition base_conditions : list (form * bool) :=
 
 Definition walls : matrix := walls_of (is_a_simplex g) (wall_rows g).
 
+(* s + t >= F_j.e for all walls. *)
 Definition in_K_conditions : list (form * bool) := map (fun f => (to_form (room f), false)) walls.
 
 (* s + t is not 0 *)
 Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_t)).
 
+(* The middle of the box, pushed by multiples of A e. *)
 Definition middle_setting (s : setting) : setting :=
   make_setting (dimension_of s) (map_all (fun r => make_row (middle_box (box r))) (rows s))
     (make_load (map only_middle (load_box (the_load s))) (load_growth (the_load s)))
     (map relative (direction_rows g)).
 
+(* s = t. *)
 Definition middle_conditions : list (form * bool) :=
   if one_multiple then [] else [(to_form (plus_times (fst s_and_t) (-1) (snd s_and_t)), true)].
 
+(* Whether a box is one point. *)
 Definition point_box (b : cbox) : bool :=
   forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) && certain
     (box_growth b) &&
@@ -79,12 +84,14 @@ Definition row_free (z : vector) (b : cbox) : bool :=
     (Qle_bool (high (box_friction b)) 0 || forallb (fun f => is_zero (inner f z)) (tl fs)))
     (tips (geometry_tree b)).
 
+(* z is 0 where the load is uncertain. *)
 Fixpoint load_free (z : vector) (w : list interval) : bool :=
   match z, w with
   | q :: z', i :: w' => (certain i || is_zero q) && load_free z' w'
   | _, _ => true
   end.
 
+(* degree-free; and what a question guarantees of friction. *)
 Definition all_free (free : matrix) (s : setting) : bool :=
   forallb (fun r => friction_sound (box r)) (rows s) &&
   forallb (fun z =>
@@ -190,6 +197,7 @@ Definition good_range := 0 <= Q2R (low_multiple g) /\
   match high_multiple g with Some b => Q2R (low_multiple g) <= Q2R b | None => 0 < Q2R (low_multiple g) end.
 Definition good_part (t : R) := 0 <= t <= 1 /\ (one_multiple g = true -> t = 0).
 
+(* s and t are the shares of the beginning and the end. *)
 Lemma parts_at t : good_range -> good_part t ->
   s_at (h_at t) (l_at t) = 1 - t /\ t_at (h_at t) (l_at t) = t /\
   (one_multiple g = true -> l_at t = Q2R (low_multiple g) * h_at t).
@@ -228,6 +236,7 @@ Proof.
     injection L. ring.
 Qed.
 
+(* What `relative` says. *)
 Lemma relative_is f h l d :
   Rows.dot (real (relative g f)) (h :: l :: d) =
   Rows.dot (real f) d - s_at h l * Rows.dot (real f) (real (first_twist g)) -
@@ -256,6 +265,7 @@ Proof.
   rewrite G by (unfold real; rewrite map_length; assumption). ring.
 Qed.
 
+(* What `room` says: how far e is from a wall. *)
 Lemma room_at t e f n : good_range -> good_part t -> List.length f = n ->
   List.length (first_twist g) = n -> List.length (last_twist g) = n ->
   Rows.dot (real (room g f)) (h_at t :: l_at t :: listed n (fun i => nth i (twist_at t) 0 + e i)) =
@@ -282,6 +292,7 @@ Hypothesis range_good : good_range g.
 
 Notation point t e := (h_at g t :: l_at g t :: listed n (fun i => nth i (twist_at g t) 0 + e i)).
 
+(* All points of the range meet the conditions of roots, *)
 Lemma base_met t e : good_part g t -> Forall (meets (point t e)) (base_conditions g).
 Proof.
   intros T. destruct (parts_at g t range_good T) as (E1 & E2 & E3). destruct (s_and_t_length g) as [S1 S2].
@@ -295,6 +306,7 @@ Proof.
     cbn [real map Rows.dot]. rewrite Q2R_opp, Q2R_1, (E3 eq_refl). ring.
 Qed.
 
+(* those in K the conditions of K, *)
 Lemma in_K_met t e fs : good_part g t -> Forall (fun f => List.length f = n) fs ->
   Forall (fun f => Rows.dot (real f) (listed n e) <= 1) fs ->
   Forall (meets (point t e)) (map (fun f => (to_form (room g f), false)) fs).
@@ -306,6 +318,7 @@ Qed.
 Variable memory : Type.
 Variable advisor : oracle memory.
 
+(* and so are at home in its region; *)
 Lemma k_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
   Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
@@ -317,6 +330,7 @@ Proof.
   apply Forall_app. split; [now apply base_met|]. apply Forall_app. split; [exact M|]. now apply in_K_met.
 Qed.
 
+(* and a point on a wall is at home in the region of a wall. *)
 Lemma wall_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
   Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
@@ -354,6 +368,7 @@ Record is_way (row : row) (way : R -> Rows.row) : Prop := IsWay {
   way_continuous : forall s s', Un_cv s s' -> cv_row (fun k => way (s k)) (way s')
 }.
 
+(* To every choice of all contacts there is a way for each. *)
 Lemma ways_to rows rs : Forall2 fits rows rs -> Forall (proper D) rs ->
   forallb (fun r => friction_sound (box r)) rows = true ->
   exists ways, map (fun w => w 1) ways = rs /\ Forall2 is_way rows ways.
@@ -367,6 +382,7 @@ Proof.
     constructor; [exact W2| | |exact W4]; intros s Hs; now apply W3.
 Qed.
 
+(* All rows at the time s. *)
 Definition rows_at (ways : list (R -> Rows.row)) (s : R) : list Rows.row := map (fun w => w s) ways.
 
 Lemma rows_continuous rows ways s s' : Forall2 is_way rows ways -> Un_cv s s' ->

@@ -15,6 +15,7 @@ Open Scope R_scope.
 Fixpoint sum_to (n : nat) (f : nat -> R) : R :=
   match n with O => 0 | S n' => f O + sum_to n' (fun i => f (S i)) end.
 
+(* 1 at i, of n numbers. *)
 Fixpoint basis_vector (n i : nat) : list R :=
   match n with
   | O => []
@@ -52,6 +53,7 @@ Proof.
   - rewrite IH by lia. ring.
 Qed.
 
+(* The same product, number by number. *)
 Lemma dot_by_numbers n a y : List.length a = n -> dot a y = sum_to n (fun i => nth i y 0 * nth i a 0).
 Proof.
   revert a y. induction n as [|n IH]; intros [|x a] y L; try discriminate; cbn; [reflexivity|].
@@ -89,6 +91,7 @@ Proof. intros F y. rewrite (F y), <- sum_multiple. apply sum_same. intros; ring.
 Lemma known_zero n : known_by_units n (fun _ => 0).
 Proof. intros y. rewrite sum_zero; [reflexivity|]. intros; ring. Qed.
 
+(* What a force of a contact does, is. *)
 Lemma work_known n r f : proper n r -> known_by_units n (work r f).
 Proof.
   intros P. unfold work. apply known_plus.
@@ -100,6 +103,7 @@ Proof.
       apply (known_plus n (fun y => w * x * dot s y)); [|apply IH]. apply known_multiple, dot_known, Ls.
 Qed.
 
+(* And so is the work of all. *)
 Lemma smooth_works_known n eps d h l rs : Forall (proper n) rs -> known_by_units n (smooth_works eps d h l rs).
 Proof.
   intros P. induction P as [|r rs Pr P IH]; cbn; [apply known_zero|].
@@ -129,6 +133,7 @@ Proof.
   intros y. rewrite (dot_known D z L y), Rmult_comm, <- sum_multiple. apply sum_same. intros; ring.
 Qed.
 
+(* What has no length has no product with anything. *)
 Lemma dot_self_zero a y : dot a a = 0 -> dot a y = 0.
 Proof.
   revert y. induction a as [|x a IH]; intros [|t y]; cbn; try reflexivity. intros H.
@@ -247,6 +252,7 @@ Definition total_work (t : R) (fs : list force) (y : list R) : R :=
 Definition forces_obey (t : R) (e : vec) (fs : list force) :=
   Forall2 (obeys Model.unilateral (motion t e) (h t) (l t)) (rows (system_at t)) fs.
 
+(* On one wall or more, and not beyond any. *)
 Definition on_wall (e : vec) := in_K (listed D e) /\ Exists (fun f => dot f (listed D e) = 1) walls.
 
 Hypothesis middle_holds : forall e fs c, on_wall e -> forces_obey 0 e fs -> 0 <= c ->
@@ -257,8 +263,10 @@ Hypothesis way_holds : forall t e fs, 0 < t <= 1 -> on_wall e -> forces_obey t e
 (* The walls of K, and those that make it bounded. *)
 Definition all_walls : list (list R) := walls ++ free ++ map (scaled (-1)) free.
 
+(* How far e is from the walls, at most 1; below 0 beyond one of them. *)
 Definition gap (e : vec) : R := fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 all_walls.
 
+(* What it says of each wall. *)
 Lemma gap_least e c : c <= gap e <-> c <= 1 /\ Forall (fun f => dot f (listed D e) <= 1 - c) all_walls.
 Proof.
   unfold gap. induction all_walls as [|f fs IH]; cbn.
@@ -297,14 +305,17 @@ Qed.
 
 (* Times from 0 to 1 turn -A e into the forces of the middle system; those from 1 to 2 are one later. *)
 Definition portion (s : R) : R := Rmin 1 s.
+(* The time of the systems that is meant. *)
 Definition later (s : R) : R := Rmax 0 (s - 1).
 
+(* What all forces together do of work on y, and what was added to A takes. *)
 Definition net (k : nat) (s : R) (e : vec) (y : list R) : R :=
   portion s * (load (system_at (later s)) (h (later s)) (l (later s)) y +
                smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at
                  (later s))) y) -
   ((1 - portion s) * dot y (times A (listed D e)) + spread free y (listed D e)).
 
+(* Forces that obey the law at this time do no work in sum, with these. *)
 Definition balance (s : R) (e : vec) : Prop := exists fs, forces_obey (later s) e fs /\
   forall y, portion s * total_work (later s) fs y -
     ((1 - portion s) * dot y (times A (listed D e)) + spread free y (listed D e)) = 0.
@@ -366,6 +377,7 @@ Proof.
   intros i I. apply CV_plus; [now apply Cm|now apply E].
 Qed.
 
+(* The work is continuous in time and motion. *)
 Lemma net_continuous k y s s' e e' : (forall m, 0 <= s m <= 2) -> Un_cv s s' -> converges D e e' ->
   Un_cv (fun m => net k (s m) (e m) y) (net k s' e' y).
 Proof.
@@ -379,6 +391,7 @@ Proof.
   - now apply cv_motion.
 Qed.
 
+(* Where smooth forces balance for smaller and smaller eps, in the limit forces of the law do. *)
 Lemma balance_closed phi s s' e e' : onward phi -> Un_cv s s' -> converges D e e' -> (forall k, 0 <= s k <= 2) ->
   (forall k j, (j < D)%nat -> net (phi k) (s k) (e k) (basis_vector D j) = 0) -> balance s' e'.
 Proof.
@@ -404,6 +417,7 @@ Proof.
     rewrite (net_known _ _ _ y). symmetry. apply sum_zero. intros i I. rewrite Z by exact I. ring.
 Qed.
 
+(* Nothing does work on a free motion. *)
 Lemma work_free t e fs z : In z free -> forces_obey t e fs -> total_work t fs z = 0.
 Proof.
   intros Hz F. unfold total_work. rewrite (load_free t z Hz), Rplus_0_l.
@@ -428,6 +442,7 @@ Proof.
   rewrite (work_free t e fs z Hz F), (A_free z e Hz) in H. lra.
 Qed.
 
+(* Without a part along free motions, the wall that e is on is one of K. *)
 Lemma on_a_wall e : gap e = 0 -> Forall (fun z => dot z (listed D e) = 0) free -> on_wall e.
 Proof.
   intros H Z. split.
@@ -437,6 +452,7 @@ Proof.
       apply Exists_exists in H as (z & Hz & E); specialize (Z z Hz); rewrite ?dot_scaled in E; lra.
 Qed.
 
+(* A e is not 0 on a wall. *)
 Lemma M_not_zero e : on_wall e -> (forall y, dot y (times A (listed D e)) + spread free y (listed D e) = 0) ->
   False.
 Proof.
@@ -454,6 +470,8 @@ Proof.
   apply Exists_exists in W as (f & _ & Hf). rewrite E, dot_sym, dot_scaled in Hf. lra.
 Qed.
 
+(* Whatever the time, nothing balances on a wall: at first A e does not, then the middle, then what is on the
+   way. *)
 Lemma no_balance_on_walls s e : 0 <= s <= 2 -> gap e = 0 -> ~ balance s e.
 Proof.
   intros Rg I (fs & F & H). destruct (no_free_part _ _ _ _ _ F H) as [Z Sp]. pose proof (on_a_wall e I Z) as W.

@@ -27,6 +27,7 @@ Definition zeros (n : nat) : vector := repeat 0 n.
 Definition balances (n : nat) (e : matrix) (c : vector) : bool :=
   all_positive c && Nat.eqb (List.length c) (List.length e) && same_vectors (of_rows c e) (zeros n).
 
+(* Whether such numbers are found; up to a factor there is only one choice. *)
 Definition is_simplex (n : nat) (e : matrix) : bool :=
   match kernel (List.length e) (transpose n e) with
   | [c] => balances n e c || balances n e (opposite c)
@@ -114,6 +115,7 @@ Proof.
   pose proof (Rmax_l C 1). pose proof (Rmax_r C 1). apply Rabs_le. lra.
 Qed.
 
+(* Where all rows of a matrix are bounded on d, so is d. *)
 Lemma inverse_bound n left m C d : is_inverse n left m = true -> List.length d = n ->
   Forall (fun a => Rabs (Rows.dot (real a) d) <= C) m -> 0 <= C ->
   Forall2 (fun a x => Rabs x <= C * fold_right (fun q s => Rabs (Q2R q) + s) 0 a) left d.
@@ -134,6 +136,7 @@ Proof.
   now rewrite E in A.
 Qed.
 
+(* K is bounded, where free motions are. *)
 Theorem walls_bound n simplex e free : free_motions n simplex e = Some free ->
   exists B : vec, forall d, List.length d = n ->
     Forall (fun a => Rows.dot (real a) d <= 1) (walls_of simplex e) ->
@@ -170,6 +173,7 @@ Proof.
     0)); lra.
 Qed.
 
+(* All rows have n numbers. *)
 Lemma free_lengths n simplex e free : free_motions n simplex e = Some free ->
   Forall (fun z => List.length z = n) free /\ Forall (fun a => List.length a = n) e.
 Proof.
@@ -194,6 +198,7 @@ Proof.
   now apply G.
 Qed.
 
+(* What degree-direction says of A. *)
 Theorem direction_inverse n free a m inverse : inverted n free a = Some (m, inverse) ->
   Forall (fun z => List.length z = n) free ->
   List.length a = n /\ Forall (fun r => List.length r = n) a /\ List.length m = n /\

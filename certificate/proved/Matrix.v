@@ -67,6 +67,7 @@ Definition kernel (n : nat) (m : matrix) : matrix :=
     else [fold_right (fun p a => plus_times a (- nth j (snd p) 0) (unit_vector n (fst p))) (unit_vector n j) done])
     (seq 0 n).
 
+(* The inverse, if there is one: what elimination makes of 1 beside the matrix. *)
 Definition inverse_of (n : nat) (m : matrix) : matrix :=
   map (fun p => skipn n (snd p)) (eliminate n 0 (map (fun p => fst p ++ snd p) (combine m (identity n))) []).
 
@@ -95,6 +96,7 @@ End Computing.
 Section Proofs.
 Open Scope R_scope.
 
+(* As real numbers. *)
 Definition real (a : vector) : list R := map Q2R a.
 
 Lemma inner_is a b : Q2R (inner a b) = Rows.dot (real a) (real b).
@@ -115,6 +117,7 @@ Proof.
   - rewrite reduced_same, Q2R_plus, Q2R_mult. fold (real (plus_times a s b)). rewrite IH. unfold real. ring.
 Qed.
 
+(* A sum of multiples of rows, applied to e, is that of what the rows give. *)
 Lemma dot_of_rows a m e : Rows.dot (real (of_rows a m)) e = Rows.dot (real a) (times (map real m) e).
 Proof.
   revert m. induction a as [|x a IH]; intros [|r m]; try reflexivity.
@@ -151,6 +154,7 @@ Proof.
   intros i L. apply (G i O L).
 Qed.
 
+(* What was multiplied out to be 1 undoes the matrix. *)
 Theorem is_inverse_times n left m e : is_inverse n left m = true -> List.length e = n ->
   times (map real left) (times (map real m) e) = e.
 Proof.

@@ -73,6 +73,7 @@ Variable most_depth : Z.
 Variable sys : Rows.system.
 Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral).
 
+(* A part that is not cut makes every system in its box stable. *)
 Theorem part_stable alpha beta s p lambda : part_fails memory advisor two_sided most_depth alpha beta s p = None ->
   in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at sys lambda.
 Proof.
@@ -115,6 +116,7 @@ Proof.
     rewrite B. ring.
 Qed.
 
+(* A segment by degree proves what it spans. *)
 Theorem segment_by_degree_resists s alpha beta d1 d2 walls direction tree lambda :
   segment_by_degree_fails memory advisor two_sided most_depth s alpha beta d1 d2 walls direction tree = None ->
   in_setting s sys -> match beta with Some _ => True | None => Q2R alpha <> 0 \/ unloaded s = true end ->
@@ -130,6 +132,7 @@ Proof.
     + eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law|exact L|exact Logic.I].
 Qed.
 
+(* Of boxes that are cut, one half or the other has the system. *)
 Theorem parts_stable parts todo number : parts_fail memory advisor two_sided most_depth parts todo number = None ->
   Forall (fun sd => in_setting (fst sd) sys -> Rows.stable_at sys 0) todo.
 Proof.

@@ -21,6 +21,7 @@ Open Scope Q_scope.
 
 (* ---- rest-share ---- *)
 
+(* A friction force of this contact, across its normal. *)
 Definition good_force (b : cbox) (f : vector) : bool :=
   has_friction b && Nat.eqb (List.length f) (List.length (box_weights b)) &&
   (box_signed b || is_zero (inner f (box_normal b))).
@@ -32,6 +33,7 @@ Definition taken {A} (none : A) (i : Z) (them : list (Z * A)) : A * list (Z * A)
   | [] => (none, [])
   end.
 
+(* The lists, put beside the contacts; None if rest-share does not hold. *)
 Fixpoint resting_contacts (n : nat) (rows : list row) (i : Z) (forces : list (Z * vector))
     (all_answers : list (Z * matrix)) (before : list resting) : option (list resting) :=
   match rows with
@@ -48,6 +50,7 @@ Fixpoint resting_contacts (n : nat) (rows : list row) (i : Z) (forces : list (Z 
 
 (* ---- Intervals ---- *)
 
+(* The least interval with these numbers in it. *)
 Definition range_of (qs : vector) : interval :=
   match qs with
   | [] => exactly 0
@@ -75,6 +78,7 @@ Definition ranges (n : nat) (b : cbox) (sums : list vector) : list interval :=
 Definition pressures (b : cbox) (lambda : Q) : list Q :=
   [low (box_preload b) + lambda * low (box_growth b); high (box_preload b) + lambda * high (box_growth b)].
 
+(* w + lambda u *)
 Definition loads_at (s : setting) (lambda : Q) : list interval :=
   map (fun p => shifted (fst p) (lambda * snd p)) (List.combine (load_box (the_load s)) (load_growth (the_load s))).
 
@@ -91,6 +95,7 @@ Definition column (n : nat) (them : list resting) (l : nat) : list interval :=
                           | g => plus_intervals sum (ranges n (resting_box r) [0 :: nth l g []])
                           end) them (repeat (exactly 0) n).
 
+(* rest-reach *)
 Definition reach_holds (n : nat) (left : list interval) (columns : list (list interval)) (reach : vector) : bool :=
   Nat.eqb (List.length reach) n &&
   forallb (fun k =>
@@ -118,6 +123,7 @@ Fixpoint answers_bound (b : cbox) (g : matrix) (reach : vector) : Q :=
   | _, _ => 0
   end.
 
+(* rest-cone, of one contact. *)
 Definition cone_holds (reach : vector) (lambda : Q) (r : resting) : bool :=
   let b := resting_box r in
   match force_at_rest r, answers r with
@@ -134,6 +140,7 @@ Definition resting_sound (lambda : Q) (r : resting) : bool :=
   friction_sound b && forallb (fun w => negb (Qle_bool w 0)) (box_weights b) && Qle_bool 0 (box_square b) &&
   (box_spring b || Qle_bool 0 (least_pressure b lambda)).
 
+(* Both rules at one multiple. *)
 Definition rest_fails_at (n : nat) (s : setting) (them : list resting) (columns : list (list interval)) (reach
   : vector)
     (lambda : Q) : option string :=

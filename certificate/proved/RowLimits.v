@@ -108,6 +108,7 @@ Inductive cv_lists : (nat -> list (list R)) -> list (list R) -> Prop :=
   | cv_lists_nil : cv_lists (fun _ => []) []
   | cv_lists_cons u x us xs : cv_list u x -> cv_lists us xs -> cv_lists (fun k => u k :: us k) (x :: xs).
 
+(* Rows of one shape, the numbers of which converge. *)
 Record cv_row (rs : nat -> row) (r : row) : Prop := CvRow {
   cv_N : cv_list (fun k => N (rs k)) (N r);
   cv_slips : cv_lists (fun k => slips (rs k)) (slips r);
@@ -167,6 +168,7 @@ Definition pressed (r : row) (d : list R) (h l : R) : R :=
 Definition way (eps : R) (r : row) (d : list R) : list R :=
   scaled (/ Rmax (size (weights r) (slip r d)) eps) (slip r d).
 
+(* Friction of the size rho a against the slip, and less where the slip is shorter than eps. *)
 Definition smooth_force (eps : R) (d : list R) (h l : R) (r : row) : force :=
   (pressed r d h l, scaled (- (rho r * pressed r d h l)) (way eps r d)).
 
@@ -180,6 +182,7 @@ Proof.
   destruct (spring r); [exact V|]. apply cv_max; [apply cv_constant|exact V].
 Qed.
 
+(* What the cone allows is never below 0. *)
 Lemma pressed_nonneg D r d h l : proper D r -> 0 <= rho r * pressed r d h l.
 Proof.
   intros P. unfold pressed. destruct (spring r) eqn:S.
@@ -199,12 +202,14 @@ Proof.
     apply cv_product; [exact G|]. apply (cv_slip _ _ (fun _ => y)); [exact C|apply cv_list_constant].
 Qed.
 
+(* The work of all such forces on y. *)
 Fixpoint smooth_works (eps : R) (d : list R) (h l : R) (rs : list row) (y : list R) : R :=
   match rs with
   | [] => 0
   | r :: rs' => work r (smooth_force eps d h l r) y + smooth_works eps d h l rs' y
   end.
 
+(* At a given eps this work is continuous. *)
 Theorem works_continuous eps D us rs ds d hs h ls l y : 0 < eps -> cv_rows us rs -> Forall (proper D) rs ->
   cv_list ds d -> Un_cv hs h -> Un_cv ls l ->
   Un_cv (fun k => smooth_works eps (ds k) (hs k) (ls k) (us k) y) (smooth_works eps d h l rs y).
@@ -266,6 +271,7 @@ Proof.
   transitivity (map (fun x => x) (slip r d)); [|apply map_id]. apply map_ext. intros x. field. lra.
 Qed.
 
+(* As eps goes to 0, forces of a contact have a limit, perhaps of a subsequence, that obeys the law. *)
 Lemma row_limit D eps rs r ds d hs h ls l : (forall k, 0 < eps k) -> Un_cv eps 0 ->
   cv_row rs r -> proper D r -> cv_list ds d -> Un_cv hs h -> Un_cv ls l ->
   exists phi f, onward phi /\ obeys Model.unilateral d h l r f /\
@@ -332,6 +338,7 @@ Proof.
         apply CV_mult; [apply (cv_rho _ _ C)|exact A].
 Qed.
 
+(* So have those of all contacts together. *)
 Theorem works_limit D eps us rs ds d hs h ls l : (forall k, 0 < eps k) -> Un_cv eps 0 ->
   cv_rows us rs -> Forall (proper D) rs -> cv_list ds d -> Un_cv hs h -> Un_cv ls l ->
   exists phi fs, onward phi /\ Forall2 (obeys Model.unilateral d h l) rs fs /\

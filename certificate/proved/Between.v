@@ -22,7 +22,8 @@ Proof.
         apply functional_extensionality. intros k. now destruct (us k).
       * apply IH; [|now injection Lx|].
         -- intros k. specialize (L k). destruct (us k); cbn in *; lia.
-        -- intros i I. replace (fun k => nth i (tl (us k)) 0) with (fun k => nth (S i) (us k) 0); [apply (C (S i)); lia|].
+        -- intros i I. replace (fun k => nth i (tl (us k)) 0) with (fun k => nth (S i) (us k) 0); [apply (C (S
+          i)); lia|].
            apply functional_extensionality. intros k. specialize (L k). destruct (us k); [discriminate|reflexivity].
     + apply functional_extensionality. intros k. specialize (L k). destruct (us k); [discriminate|reflexivity].
 Qed.
@@ -40,11 +41,13 @@ Proof.
         apply functional_extensionality. intros k. now destruct (us k).
       * apply IH; [|now injection Lx|].
         -- intros k. specialize (L k). destruct (us k); cbn in *; lia.
-        -- intros i I. replace (fun k => nth i (tl (us k)) []) with (fun k => nth (S i) (us k) []); [apply (C (S i)); lia|].
+        -- intros i I. replace (fun k => nth i (tl (us k)) []) with (fun k => nth (S i) (us k) []); [apply (C
+          (S i)); lia|].
            apply functional_extensionality. intros k. specialize (L k). destruct (us k); [discriminate|reflexivity].
     + apply functional_extensionality. intros k. specialize (L k). destruct (us k); [discriminate|reflexivity].
 Qed.
 
+(* A function that is affine in each of several numbers is continuous. *)
 Lemma multiaffine_cv ps p G : multiaffine (List.length p) G -> cv_list ps p -> Un_cv (fun k => G (ps k)) (G p).
 Proof.
   intros M C. revert G M. induction C as [|u x us xs U C IH]; intros G M; [apply cv_constant|].
@@ -54,8 +57,10 @@ Proof.
   { intros y p' L. destruct (A p' L) as (a & b & H). rewrite !H. ring. }
   rewrite (E x xs eq_refl).
   replace (fun k => G (u k :: us k)) with (fun k => G (0 :: us k) + u k * (G (1 :: us k) - G (0 :: us k)))
-    by (apply functional_extensionality; intros k; rewrite (E (u k) (us k)); [reflexivity|now apply cv_list_length]).
-  pose proof (IH (fun p => G (0 :: p)) (M 0)) as C0. pose proof (IH (fun p => G (1 :: p)) (M 1)) as C1. cbn in C0, C1.
+    by (apply functional_extensionality; intros k; rewrite (E (u k) (us k)); [reflexivity|now apply
+      cv_list_length]).
+  pose proof (IH (fun p => G (0 :: p)) (M 0)) as C0. pose proof (IH (fun p => G (1 :: p)) (M 1)) as C1. cbn in
+    C0, C1.
   apply (CV_plus (fun k => G (0 :: us k))); [exact C0|]. apply (CV_mult u); [exact U|]. now apply CV_minus.
 Qed.
 
@@ -63,6 +68,7 @@ Qed.
 
 Definition mix (t a b : R) : R := (1 - t) * a + t * b.
 
+(* The same for lists. *)
 Fixpoint mixed (t : R) (a b : list R) : list R :=
   match a, b with x :: a', y :: b' => mix t x y :: mixed t a' b' | _, _ => [] end.
 
@@ -124,6 +130,7 @@ Qed.
 
 Definition middle (i : interval) : Q := ((low i + high i) * (1 # 2))%Q.
 
+(* An interval of one number. *)
 Definition only_middle (i : interval) : interval := exactly (middle i).
 
 Definition middle_box (b : cbox) : cbox :=
@@ -162,10 +169,12 @@ Hypothesis sound : friction_sound b = true.
 
 Definition center : list R := map (fun i => Q2R (middle i)) (box_geometry b).
 
+(* The row at the time s. *)
 Definition row_at (s : R) : Rows.row :=
   let fs := F (mixed s center p) in
   let u := mix s (1 / 2) t in
-  Rows.Row (hd [] fs) (tl fs) (Rows.weights r) (mix s (Q2R (middle (box_friction b))) mu * sqrt (Q2R (box_square b)))
+  Rows.Row (hd [] fs) (tl fs) (Rows.weights r) (mix s (Q2R (middle (box_friction b))) mu * sqrt (Q2R
+    (box_square b)))
     (mix u (Q2R (low (box_preload b))) (Q2R (high (box_preload b))))
     (mix u (Q2R (low (box_growth b))) (Q2R (high (box_growth b))))
     (mix s (Q2R (middle (box_stiffness b))) (Rows.stiffness r)) (Rows.spring r).
@@ -176,9 +185,11 @@ Proof. symmetry. apply (same_length within). apply I. Qed.
 Lemma center_length : List.length center = List.length p.
 Proof. unfold center. now rewrite map_length, p_length. Qed.
 
+(* Rows on the way have the shape of the last. *)
 Lemma shape_at s : map (@List.length R) (F (mixed s center p)) = D :: map (@List.length R) (Rows.slips r).
 Proof.
-  rewrite (forms_shape _ _ _ _ _ _ I _ p); [|rewrite mixed_length, center_length; [apply p_length|apply center_length]|apply p_length].
+  rewrite (forms_shape _ _ _ _ _ _ I _ p); [|rewrite mixed_length, center_length; [apply p_length|apply
+    center_length]|apply p_length].
   rewrite <- (is_forms _ _ _ _ _ _ I). cbn. now rewrite (N_length _ _ r_proper).
 Qed.
 
@@ -189,6 +200,7 @@ Proof.
   now exists n, ss.
 Qed.
 
+(* At the end it is the choice. *)
 Lemma row_at_end : row_at 1 = r.
 Proof.
   unfold row_at. rewrite mixed_end by apply center_length. rewrite <- (is_forms _ _ _ _ _ _ I). cbn [hd tl].
@@ -196,6 +208,7 @@ Proof.
   rewrite <- (in_preload _ _ _ _ _ _ I), <- (in_growth _ _ _ _ _ _ I), <- (is_rho _ _ _ _ _ _ I). now destruct r.
 Qed.
 
+(* Its friction coefficient. *)
 Definition friction_at (s : R) : R := mix s (Q2R (middle (box_friction b))) mu.
 
 Lemma friction_at_nonneg s : 0 <= s <= 1 -> 0 <= friction_at s.
@@ -218,12 +231,14 @@ Proof.
   constructor; cbn.
   - exact L.
   - pose proof (slips_length _ _ r_proper) as P. clear - Ls P. revert ss Ls.
-    induction P as [|x xs Hx P IH]; intros [|s ss] Ls; try discriminate; constructor; injection Ls as L1 L2; [congruence|auto].
+    induction P as [|x xs Hx P IH]; intros [|s ss] Ls; try discriminate; constructor; injection Ls as L1 L2;
+      [congruence|auto].
   - apply I.
   - rewrite (RowLimits.weights_length _ _ r_proper). apply (f_equal (@List.length nat)) in Ls.
     now rewrite !map_length in Ls.
   - apply Rmult_le_pos; [now apply friction_at_nonneg|apply sqrt_pos].
-  - intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp. fold (friction_at s). rewrite friction_at_spring by assumption. ring.
+  - intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp. fold (friction_at s). rewrite friction_at_spring by
+      assumption. ring.
 Qed.
 
 Lemma center_within : Forall2 within (box_geometry b) center.
@@ -232,6 +247,7 @@ Proof.
   induction G as [|i x is p Wx G IH]; cbn; constructor; [now apply middle_within in Wx|exact IH].
 Qed.
 
+(* On the way it stays in the box. *)
 Lemma row_at_inside s : 0 <= s <= 1 ->
   inside_at b (row_at s) (mixed s center p) F (friction_at s) (mix s (1 / 2) t).
 Proof.
@@ -249,7 +265,8 @@ Proof.
   - intros Sp. apply NoSlips, (spring_alone _ _ _ _ _ _ I Sp).
   - intros Sg. destruct (is_signed _ _ _ _ _ _ I Sg) as (Sl & We & Sq). split; [|split; [|exact Sq]].
     + destruct Sl as [Z|(T0 & Z)]; [left; now apply NoSlips|right].
-      unfold row_at. cbn. rewrite E. cbn. rewrite Z in Ls. destruct ss as [|T1 [|? ?]]; try discriminate. now exists T1.
+      unfold row_at. cbn. rewrite E. cbn. rewrite Z in Ls. destruct ss as [|T1 [|? ?]]; try discriminate. now
+        exists T1.
     + unfold row_at. cbn. rewrite We, E. cbn. clear - Ls. revert ss Ls.
       induction (Rows.slips r) as [|x xs IH]; intros [|y ss] Ls; try discriminate; cbn; [reflexivity|].
       f_equal. apply IH. now injection Ls.
@@ -261,7 +278,8 @@ Proof.
   pose proof (row_at_inside 0 ltac:(lra)) as I0.
   exists (mixed 0 center p), F, (friction_at 0), (mix 0 (1 / 2) t).
   assert (M : forall x y, mix 0 x y = x) by (intros; unfold mix; ring).
-  constructor; try apply I0; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth box_stiffness].
+  constructor; try apply I0; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth
+    box_stiffness].
   - rewrite mixed_start by apply center_length. unfold center. clear.
     induction (box_geometry b) as [|i is IH]; cbn; constructor; [apply exactly_within|exact IH].
   - intros j d. rewrite map_length. apply (forms_affine _ _ _ _ _ _ I).
@@ -272,11 +290,13 @@ Proof.
   - unfold row_at. cbn. rewrite M. apply exactly_within.
 Qed.
 
+(* And it moves continuously. *)
 Lemma row_at_continuous s s' : Un_cv s s' -> cv_row (fun k => row_at (s k)) (row_at s').
 Proof.
   intros Cs. assert (Cp : cv_list (fun k => mixed (s k) center p) (mixed s' center p))
     by (apply cv_mixed; [apply center_length|exact Cs]).
-  assert (Forms : forall j, cv_list (fun k => nth j (F (mixed (s k) center p)) []) (nth j (F (mixed s' center p)) [])).
+  assert (Forms : forall j, cv_list (fun k => nth j (F (mixed (s k) center p)) []) (nth j (F (mixed s' center
+    p)) [])).
   { intros j. assert (Len : forall q, List.length (nth j (F (mixed q center p)) []) =
       nth j (D :: map (@List.length R) (Rows.slips r)) O).
     { intros q. rewrite <- (shape_at q). change O with (List.length (@nil R)). now rewrite map_nth. }
@@ -290,14 +310,16 @@ Proof.
     rewrite mixed_length, center_length, p_length by apply center_length. apply (forms_affine _ _ _ _ _ _ I). }
   constructor; cbn.
   - specialize (Forms O). rewrite nth_0 in Forms.
-    replace (fun k => hd [] (F (mixed (s k) center p))) with (fun k => nth 0 (F (mixed (s k) center p)) []); [exact Forms|].
+    replace (fun k => hd [] (F (mixed (s k) center p))) with (fun k => nth 0 (F (mixed (s k) center p)) []);
+      [exact Forms|].
     apply functional_extensionality. intros k. apply nth_0.
   - assert (Len : forall q, List.length (tl (F (mixed q center p))) = List.length (Rows.slips r)).
     { intros q. destruct (forms_at q) as (n & ss & E & _ & Ls). rewrite E. cbn.
       apply (f_equal (@List.length nat)) in Ls. now rewrite !map_length in Ls. }
     apply (cv_lists_by_members (List.length (Rows.slips r))); [intros; apply Len|apply Len|].
     intros j _. specialize (Forms (S j)). rewrite nth_S in Forms.
-    replace (fun k => nth j (tl (F (mixed (s k) center p))) []) with (fun k => nth (S j) (F (mixed (s k) center p)) []);
+    replace (fun k => nth j (tl (F (mixed (s k) center p))) []) with (fun k => nth (S j) (F (mixed (s k) center
+      p)) []);
       [exact Forms|].
     apply functional_extensionality. intros k. apply nth_S.
   - reflexivity.

@@ -532,7 +532,8 @@ Proof.
         destruct (Rlt_dec (F (place k z) j) 0); [lra|discriminate]. }
   set (cell := fun k => proj1_sig (sig_of_sig2 (Cells k))).
   assert (In_cell : forall k, in_box n B (place k (start (cell k)))).
-  { intros k. apply Inside. intros l Hl. apply Nat.lt_le_incl. unfold cell. now destruct (Cells k) as [c X]; apply X. }
+  { intros k. apply Inside. intros l Hl. apply Nat.lt_le_incl. unfold cell. now destruct (Cells k) as [c X];
+      apply X. }
   assert (Signs : forall k j, (j < n)%nat ->
      (corner_of (start (cell k)) (ones (cell k) j) /\ 0 <= F (place k (ones (cell k) j)) j) /\
      (corner_of (start (cell k)) (others (cell k) j) /\ F (place k (others (cell k) j)) j <= 0)).

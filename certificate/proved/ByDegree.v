@@ -35,12 +35,14 @@ Definition s_and_t : vector * vector :=
 
 (* f.e at the point (h, l, d), where e = d - s d' - t d''. *)
 Definition relative (f : vector) : vector :=
-  plus_times (plus_times [] (- inner f (first_twist g)) (fst s_and_t)) (- inner f (last_twist g)) (snd s_and_t) ++ f.
+  plus_times (plus_times [] (- inner f (first_twist g)) (fst s_and_t)) (- inner f (last_twist g)) (snd s_and_t)
+    ++ f.
 
 (* s + t - f.e *)
 Definition room (f : vector) : vector :=
   plus_times (plus_times (fst s_and_t) 1 (snd s_and_t)) (-1) (relative f).
 
+(* In integers, by a factor above 0. *)
 Definition to_form (a : vector) : form := map (to_integer (scaling_of a)) a.
 
 (* s >= 0 and t >= 0; if there is one multiple, it is l / h. *)
@@ -50,21 +52,26 @@ Definition base_conditions : list (form * bool) :=
 
 Definition walls : matrix := walls_of (is_a_simplex g) (wall_rows g).
 
+(* s + t >= F_j.e for all walls. *)
 Definition in_K_conditions : list (form * bool) := map (fun f => (to_form (room f), false)) walls.
 
 (* s + t is not 0 *)
 Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_t)).
 
+(* The middle of the box, pushed by multiples of A e. *)
 Definition middle_setting (s : setting) : setting :=
   make_setting (dimension_of s) (map_all (fun r => make_row (middle_box (box r))) (rows s))
     (make_load (map only_middle (load_box (the_load s))) (load_growth (the_load s)))
     (map relative (direction_rows g)).
 
+(* s = t. *)
 Definition middle_conditions : list (form * bool) :=
   if one_multiple then [] else [(to_form (plus_times (fst s_and_t) (-1) (snd s_and_t)), true)].
 
+(* Whether a box is one point. *)
 Definition point_box (b : cbox) : bool :=
-  forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) && certain (box_growth b) &&
+  forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) && certain
+    (box_growth b) &&
   certain (box_stiffness b).
 
 Definition is_point (s : setting) : bool :=
@@ -77,12 +84,14 @@ Definition row_free (z : vector) (b : cbox) : bool :=
     (Qle_bool (high (box_friction b)) 0 || forallb (fun f => is_zero (inner f z)) (tl fs)))
     (tips (geometry_tree b)).
 
+(* z is 0 where the load is uncertain. *)
 Fixpoint load_free (z : vector) (w : list interval) : bool :=
   match z, w with
   | q :: z', i :: w' => (certain i || is_zero q) && load_free z' w'
   | _, _ => true
   end.
 
+(* degree-free; and what a question guarantees of friction. *)
 Definition all_free (free : matrix) (s : setting) : bool :=
   forallb (fun r => friction_sound (box r)) (rows s) &&
   forallb (fun z =>
@@ -107,11 +116,14 @@ Variable advisor : oracle memory.
 
 (* K, with further conditions; and its walls. *)
 Definition k_region (g : degree_proof) (s : setting) (more : list (form * bool)) : region memory setting :=
-  root memory advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) [] [] s).
+  root memory advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) []
+    [] s).
 
-Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region memory setting) :=
+Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region memory
+  setting) :=
   let k := k_region g s more in
-  map (fun f => child memory advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s)) (walls g).
+  map (fun f => child memory advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s))
+    (walls g).
 
 (* List 1 and list 2. *)
 Definition root_regions (g : degree_proof) (s : setting) : list (region memory setting) :=
@@ -121,7 +133,8 @@ Definition root_regions (g : degree_proof) (s : setting) : list (region memory s
 (* Under the bilateral law: no contact but a spring pulls in K. *)
 Definition law_holds (g : degree_proof) (s : setting) : bool :=
   let r := k_region g s [] in
-  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays memory setting r)) (pull_tips row)) (rows s).
+  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays memory setting r)) (pull_tips
+    row)) (rows s).
 
 (* The rule that fails; and at which node, if it is about one. *)
 Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : degree_proof) (nodes : list node)
@@ -162,7 +175,8 @@ Lemma to_form_nonneg a x : 0 <= Rows.dot (real a) x -> 0 <= rdot (to_form a) x.
 Proof. rewrite to_form_is. pose proof (unit_positive a) as U. intros H. apply Rnot_lt_le. intros L. nra. Qed.
 
 Lemma to_form_zero a x : Rows.dot (real a) x = 0 -> rdot (to_form a) x = 0.
-Proof. rewrite to_form_is. pose proof (unit_positive a) as U. intros H. apply Rmult_integral in H as [H|H]; lra. Qed.
+Proof. rewrite to_form_is. pose proof (unit_positive a) as U. intros H. apply Rmult_integral in H as [H|H];
+  lra. Qed.
 
 Lemma to_form_not_zero a x : Rows.dot (real a) x <> 0 -> rdot (to_form a) x <> 0.
 Proof. rewrite to_form_is. intros H E. rewrite E in H. apply H. ring. Qed.
@@ -183,9 +197,7 @@ Definition good_range := 0 <= Q2R (low_multiple g) /\
   match high_multiple g with Some b => Q2R (low_multiple g) <= Q2R b | None => 0 < Q2R (low_multiple g) end.
 Definition good_part (t : R) := 0 <= t <= 1 /\ (one_multiple g = true -> t = 0).
 
-Lemma Q2R_is_1 : Q2R 1 = 1.
-Proof. apply Q2R_1. Qed.
-
+(* s and t are the shares of the beginning and the end. *)
 Lemma parts_at t : good_range -> good_part t ->
   s_at (h_at t) (l_at t) = 1 - t /\ t_at (h_at t) (l_at t) = t /\
   (one_multiple g = true -> l_at t = Q2R (low_multiple g) * h_at t).
@@ -214,14 +226,17 @@ Proof. destruct a as [|x [|y [|? ?]]]; try discriminate. intros _. reflexivity. 
 
 Lemma plus_times_length a s b : List.length (plus_times a s b) = max (List.length a) (List.length b).
 Proof.
-  revert b. induction a as [|x a IH]; intros [|y b]; cbn; try reflexivity; [now rewrite map_length|]. now rewrite IH.
+  revert b. induction a as [|x a IH]; intros [|y b]; cbn; try reflexivity; [now rewrite map_length|]. now
+    rewrite IH.
 Qed.
 
 Lemma dot_app a b x y : List.length a = List.length x -> Rows.dot (a ++ b) (x ++ y) = Rows.dot a x + Rows.dot b y.
 Proof.
-  revert x. induction a as [|p a IH]; intros [|q x] L; try discriminate; cbn; [ring|]. rewrite IH by now injection L. ring.
+  revert x. induction a as [|p a IH]; intros [|q x] L; try discriminate; cbn; [ring|]. rewrite IH by now
+    injection L. ring.
 Qed.
 
+(* What `relative` says. *)
 Lemma relative_is f h l d :
   Rows.dot (real (relative g f)) (h :: l :: d) =
   Rows.dot (real f) d - s_at h l * Rows.dot (real f) (real (first_twist g)) -
@@ -250,13 +265,15 @@ Proof.
   rewrite G by (unfold real; rewrite map_length; assumption). ring.
 Qed.
 
+(* What `room` says: how far e is from a wall. *)
 Lemma room_at t e f n : good_range -> good_part t -> List.length f = n ->
   List.length (first_twist g) = n -> List.length (last_twist g) = n ->
   Rows.dot (real (room g f)) (h_at t :: l_at t :: listed n (fun i => nth i (twist_at t) 0 + e i)) =
   1 - Rows.dot (real f) (listed n e).
 Proof.
   intros R T Lf L1 L2. unfold room. destruct s_and_t_length as [S1 S2]. destruct (parts_at t R T) as (E1 & E2 & _).
-  rewrite !dot_plus_times, relative_at by assumption. rewrite (dot_two (fst (s_and_t g))), (dot_two (snd (s_and_t g))) by assumption.
+  rewrite !dot_plus_times, relative_at by assumption. rewrite (dot_two (fst (s_and_t g))), (dot_two (snd
+    (s_and_t g))) by assumption.
   unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. replace (Q2R (-1)) with (-1) by (unfold Q2R; cbn; lra). ring.
 Qed.
 
@@ -275,17 +292,21 @@ Hypothesis range_good : good_range g.
 
 Notation point t e := (h_at g t :: l_at g t :: listed n (fun i => nth i (twist_at g t) 0 + e i)).
 
+(* All points of the range meet the conditions of roots, *)
 Lemma base_met t e : good_part g t -> Forall (meets (point t e)) (base_conditions g).
 Proof.
   intros T. destruct (parts_at g t range_good T) as (E1 & E2 & E3). destruct (s_and_t_length g) as [S1 S2].
   destruct T as [T Z]. unfold base_conditions.
   constructor; [|constructor].
-  - unfold meets; cbn [fst snd]. apply to_form_nonneg. rewrite dot_two by exact S1. unfold s_at in E1. rewrite E1. lra.
-  - unfold meets; cbn [fst snd]. apply to_form_nonneg. rewrite dot_two by exact S2. unfold t_at in E2. rewrite E2. lra.
+  - unfold meets; cbn [fst snd]. apply to_form_nonneg. rewrite dot_two by exact S1. unfold s_at in E1. rewrite
+      E1. lra.
+  - unfold meets; cbn [fst snd]. apply to_form_nonneg. rewrite dot_two by exact S2. unfold t_at in E2. rewrite
+      E2. lra.
   - destruct (one_multiple g); constructor; [|constructor]. unfold meets; cbn [fst snd]. apply to_form_zero.
     cbn [real map Rows.dot]. rewrite Q2R_opp, Q2R_1, (E3 eq_refl). ring.
 Qed.
 
+(* those in K the conditions of K, *)
 Lemma in_K_met t e fs : good_part g t -> Forall (fun f => List.length f = n) fs ->
   Forall (fun f => Rows.dot (real f) (listed n e) <= 1) fs ->
   Forall (meets (point t e)) (map (fun f => (to_form (room g f), false)) fs).
@@ -297,6 +318,7 @@ Qed.
 Variable memory : Type.
 Variable advisor : oracle memory.
 
+(* and so are at home in its region; *)
 Lemma k_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
   Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
@@ -308,6 +330,7 @@ Proof.
   apply Forall_app. split; [now apply base_met|]. apply Forall_app. split; [exact M|]. now apply in_K_met.
 Qed.
 
+(* and a point on a wall is at home in the region of a wall. *)
 Lemma wall_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
   Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
@@ -345,6 +368,7 @@ Record is_way (row : row) (way : R -> Rows.row) : Prop := IsWay {
   way_continuous : forall s s', Un_cv s s' -> cv_row (fun k => way (s k)) (way s')
 }.
 
+(* To every choice of all contacts there is a way for each. *)
 Lemma ways_to rows rs : Forall2 fits rows rs -> Forall (proper D) rs ->
   forallb (fun r => friction_sound (box r)) rows = true ->
   exists ways, map (fun w => w 1) ways = rs /\ Forall2 is_way rows ways.
@@ -358,6 +382,7 @@ Proof.
     constructor; [exact W2| | |exact W4]; intros s Hs; now apply W3.
 Qed.
 
+(* All rows at the time s. *)
 Definition rows_at (ways : list (R -> Rows.row)) (s : R) : list Rows.row := map (fun w => w s) ways.
 
 Lemma rows_continuous rows ways s s' : Forall2 is_way rows ways -> Un_cv s s' ->
@@ -368,7 +393,8 @@ Proof.
 Qed.
 
 Lemma rows_proper rows ways s : Forall2 is_way rows ways -> 0 <= s <= 1 -> Forall (proper D) (rows_at ways s).
-Proof. intros F S. induction F as [|row w rows ways H F IH]; cbn; constructor; [now apply (way_proper _ _ H)|exact IH]. Qed.
+Proof. intros F S. induction F as [|row w rows ways H F IH]; cbn; constructor; [now apply (way_proper _ _
+  H)|exact IH]. Qed.
 
 Lemma rows_fit_box rows ways s : Forall2 is_way rows ways -> 0 <= s <= 1 ->
   Forall (fun r => r = make_row (box r)) rows -> Forall2 fits rows (rows_at ways s).
@@ -394,10 +420,13 @@ Qed.
 
 Lemma point_inside b r : point_box b = true -> inside b r -> inside (middle_box b) r.
 Proof.
-  intros P (p & F & mu & t & I). unfold point_box in P. rewrite !andb_true_iff in P. destruct P as [[[[P1 P2] P3] P4] P5].
+  intros P (p & F & mu & t & I). unfold point_box in P. rewrite !andb_true_iff in P. destruct P as [[[[P1 P2]
+    P3] P4] P5].
   exists p, F, mu, t.
-  constructor; try apply I; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth box_stiffness].
-  - pose proof (in_geometry _ _ _ _ _ _ I) as G. clear - G P1. induction G as [|i x is p W G IH]; cbn in *; constructor.
+  constructor; try apply I; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth
+    box_stiffness].
+  - pose proof (in_geometry _ _ _ _ _ _ I) as G. clear - G P1. induction G as [|i x is p W G IH]; cbn in *;
+      constructor.
     + apply andb_true_iff in P1 as [P1 _]. now apply certain_middle.
     + apply andb_true_iff in P1 as [_ P1]. now apply IH.
   - intros j d. rewrite map_length. apply (forms_affine _ _ _ _ _ _ I).
@@ -474,9 +503,6 @@ End Free.
 Section Multiples.
 Open Scope R_scope.
 
-Lemma size_of_multiple ws c s : Rows.positive ws -> 0 <= c -> Rows.size ws (Rows.scaled c s) = c * Rows.size ws s.
-Proof. apply Rows.size_scaled. Qed.
-
 Lemma v_multiple r d h l c : Rows.v r (Rows.scaled c d) (c * h) (c * l) = c * Rows.v r d h l.
 Proof. unfold Rows.v. rewrite dot_sym, Rows.dot_scaled, (dot_sym d). ring. Qed.
 
@@ -509,11 +535,13 @@ Qed.
 Lemma stable_by_multiple sys d h l fs : 0 < h -> Forall (fun r => Rows.positive (Rows.weights r)) (Rows.rows sys) ->
   Rows.equilibrium sys d h l fs -> Rows.stable_at sys (l / h).
 Proof.
-  intros H P (L & O & Bal). exists (Rows.scaled (/ h) d), (map (fun f => (/ h * fst f, Rows.scaled (/ h) (snd f))) fs).
+  intros H P (L & O & Bal). exists (Rows.scaled (/ h) d), (map (fun f => (/ h * fst f, Rows.scaled (/ h) (snd
+    f))) fs).
   assert (C : 0 < / h) by now apply Rinv_0_lt_compat.
   split; [unfold Rows.scaled; now rewrite map_length|]. split.
   - replace 1 with (/ h * h) by (field; lra). replace (l / h) with (/ h * l) by (unfold Rdiv; ring).
-    clear Bal. revert P. induction O as [|r f rs fs Of O IH]; intros P; cbn; constructor; [|exact (IH (Forall_inv_tail P))].
+    clear Bal. revert P. induction O as [|r f rs fs Of O IH]; intros P; cbn; constructor; [|exact (IH
+      (Forall_inv_tail P))].
     apply obeys_multiple; [lra|exact (Forall_inv P)|exact Of].
   - intros y. rewrite works_multiple. specialize (Bal y). unfold Rows.load in *.
     apply Rmult_eq_reg_l with h; [|lra]. field_simplify; [|lra]. lra.
@@ -532,11 +560,13 @@ Lemma both_laws d h l rows rs fs : Forall2 fits rows rs -> Forall2 (Rows.obeys M
   (forall row r, In row rows -> fits row r -> box_spring (box row) = false -> 0 <= Rows.v r d h l) ->
   Forall2 (Rows.obeys Model.bilateral d h l) rs fs.
 Proof.
-  intros F. revert fs. induction F as [|row r rows rs Fr F IH]; intros fs O V; inversion O as [|? [a y] ? fs' Oc Os]; subst;
+  intros F. revert fs. induction F as [|row r rows rs Fr F IH]; intros fs O V; inversion O as [|? [a y] ? fs'
+    Oc Os]; subst;
     constructor.
   - destruct Oc as (L & C & D). repeat split; try assumption. specialize (V row r (or_introl eq_refl) Fr).
     destruct Fr as [_ (p & G & mu & t & I)]. unfold Rows.normal_law in *. rewrite (is_spring _ _ _ _ _ _ I) in *.
-    destruct (box_spring (box row)); [exact L|]. specialize (V eq_refl). cbn in *. rewrite Rmax_right in L by exact V. now split.
+    destruct (box_spring (box row)); [exact L|]. specialize (V eq_refl). cbn in *. rewrite Rmax_right in L by
+      exact V. now split.
   - apply IH; [exact Os|]. intros row' r' H. apply V. now right.
 Qed.
 
@@ -582,7 +612,8 @@ Proof.
       * apply Rmult_le_pos; lra.
       * apply Rmult_le_reg_r with (q - a); [lra|]. field_simplify; lra.
       * unfold mix. field. lra.
-  - set (a := Q2R (low_multiple g)) in *. exists (1 - a / lambda). assert (P : 0 < / lambda) by (apply Rinv_0_lt_compat; lra).
+  - set (a := Q2R (low_multiple g)) in *. exists (1 - a / lambda). assert (P : 0 < / lambda) by (apply
+      Rinv_0_lt_compat; lra).
     assert (0 < a / lambda) by (apply Rmult_lt_0_compat; lra).
     assert (a / lambda <= 1) by (apply Rmult_le_reg_r with lambda; [lra|]; field_simplify; lra).
     repeat split; try discriminate; try lra. field. lra.
@@ -608,12 +639,14 @@ Qed.
 Lemma cv_l ts t : Un_cv ts t -> Un_cv (fun k => l_at g (ts k)) (l_at g t).
 Proof. intros C. unfold l_at. destruct (high_multiple g); [now apply cv_mix|apply cv_constant]. Qed.
 
-Lemma range_sound_is : range_sound g s = true -> good_range g /\ List.length (first_twist g) = D /\ List.length (last_twist g) = D.
+Lemma range_sound_is : range_sound g s = true -> good_range g /\ List.length (first_twist g) = D /\ List.length
+  (last_twist g) = D.
 Proof.
   unfold range_sound. rewrite !andb_true_iff. intros [[[L1 L2] A] R]. apply Nat.eqb_eq in L1, L2.
   apply Qle_bool_R in A. rewrite Q2R_0 in A. repeat split; try assumption.
   destruct (high_multiple g) as [b|]; [now apply Qle_bool_R|].
-  apply negb_true_iff in R. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence.
+  apply negb_true_iff in R. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in
+    L. congruence.
 Qed.
 
 Lemma walls_real_length simplex e : Forall (fun a => List.length a = D) e ->
@@ -653,7 +686,8 @@ Proof.
   assert (Made : Forall (fun r => r = make_row (box r)) (rows s)).
   { clear - Fr. induction Fr as [|row r rws rs [E _] F IH]; constructor; assumption. }
   assert (W0 : Forall2 within (load_box (the_load s)) w0).
-  { unfold w0. clear - Fw. induction Fw as [|i x is w Wx F IH]; cbn; constructor; [now apply middle_within with x|exact IH]. }
+  { unfold w0. clear - Fw. induction Fw as [|i x is w Wx F IH]; cbn; constructor; [now apply middle_within with
+      x|exact IH]. }
   assert (Ww : forall q, Forall2 within (load_box (the_load s)) (mixed (clamp q) w0 (Rows.wrench sys))).
   { intros q. apply mixed_within; [apply clamp_range|exact W0|exact Fw]. }
   assert (Wd : Forall (fun f => List.length f = D) (walls g)) by now apply walls_real_length.
@@ -664,9 +698,11 @@ Proof.
   (* A point at home in a root does not exist. *)
   apply (walk_refutes memory advisor setting split leaf_fails solves) in W;
     [|intros s' n bs x; apply split_covers|intros s' st rs y x; apply leaf_refuted
-     |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|]; apply walls_good].
+     |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|];
+       apply walls_good].
   rewrite Forall_forall in W.
-  assert (Point : forall q e, solves s (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i (twist_at g (part q)) 0 + e i)) ->
+  assert (Point : forall q e, solves s (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i
+    (twist_at g (part q)) 0 + e i)) ->
     is_point s && one_multiple g = false -> on_wall D (map real (walls g)) e -> False).
   { intros q e S NP OW. destruct (K_real e OW) as [K X].
     destruct (wall_home g D L1 L2 Range memory advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
@@ -690,13 +726,15 @@ Proof.
   assert (Nonneg : forall t, good_part g t -> 0 <= h_at g t /\ 0 <= l_at g t).
   { intros t [T _]. destruct Range as [A0 R]. unfold h_at, l_at, mix. destruct (high_multiple g); split; nra. }
   assert (Pushed : forall t e, good_part g t -> forall y c,
-    pushed (pushes (middle_setting g s)) c (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 + e i)) y =
+    pushed (pushes (middle_setting g s)) c (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 +
+      e i)) y =
     c * Rows.dot y (times (map real (direction_rows g)) (listed D e))).
   { intros t e T y c. unfold pushed. cbn [pushes middle_setting make_setting]. do 2 f_equal. unfold times.
     rewrite !map_map. apply map_ext_in. intros f Hf. apply relative_at; try assumption.
     rewrite Forall_forall in AL. now apply AL. }
   assert (InMiddle : forall q e fs c, (clamp q = 0 \/ is_point s = true) -> 0 <= c ->
-    forces_obey D system_at (fun q => h_at g (part q)) (fun q => l_at g (part q)) (fun q => twist_at g (part q)) q e fs ->
+    forces_obey D system_at (fun q => h_at g (part q)) (fun q => l_at g (part q)) (fun q => twist_at g (part
+      q)) q e fs ->
     (forall y, total_work system_at (fun q => h_at g (part q)) (fun q => l_at g (part q)) q fs y =
        c * Rows.dot y (times (map real (direction_rows g)) (listed D e))) ->
     solves (middle_setting g s)
@@ -715,7 +753,8 @@ Proof.
       + rewrite Q, mixed_start by congruence. unfold w0. clear.
         induction (load_box (the_load s)) as [|i is IH]; cbn; constructor; [apply exactly_within|exact IH].
       + unfold is_point in Q. apply andb_true_iff in Q as [_ Q]. clear - Q Ww. specialize (Ww q).
-        revert Q. induction Ww as [|i x is w Wx F IH]; intros Q; cbn in *; constructor; apply andb_true_iff in Q as [Q1 Q2];
+        revert Q. induction Ww as [|i x is w Wx F IH]; intros Q; cbn in *; constructor; apply andb_true_iff in
+          Q as [Q1 Q2];
           [now apply certain_middle|now apply IH].
     - intros y. rewrite Pushed by apply Part. apply Bal. }
   assert (C0 : clamp 0 = 0) by (apply clamp_same; lra). assert (C1 : clamp 1 = 1) by (apply clamp_same; lra).
@@ -746,7 +785,8 @@ Proof.
   - exact I2.
   - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
     destruct AF as [[[_ A2] A3] A4]. unfold Rows.load. cbn [system_at Rows.wrench Rows.direction].
-    rewrite (load_is_free z' _ _ A2 A3 (Ww q)). apply is_zero_real in A4. rewrite inner_is in A4. unfold real in A4 at 1.
+    rewrite (load_is_free z' _ _ A2 A3 (Ww q)). apply is_zero_real in A4. rewrite inner_is in A4. unfold real
+      in A4 at 1.
     rewrite Fg in A4. rewrite A4. ring.
   - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
     destruct AF as [[[A1 _] _] _]. apply rows_are_free with (rows s); [exact A1|].

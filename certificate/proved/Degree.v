@@ -15,6 +15,7 @@ Open Scope R_scope.
 Fixpoint sum_to (n : nat) (f : nat -> R) : R :=
   match n with O => 0 | S n' => f O + sum_to n' (fun i => f (S i)) end.
 
+(* 1 at i, of n numbers. *)
 Fixpoint basis_vector (n i : nat) : list R :=
   match n with
   | O => []
@@ -52,6 +53,7 @@ Proof.
   - rewrite IH by lia. ring.
 Qed.
 
+(* The same product, number by number. *)
 Lemma dot_by_numbers n a y : List.length a = n -> dot a y = sum_to n (fun i => nth i y 0 * nth i a 0).
 Proof.
   revert a y. induction n as [|n IH]; intros [|x a] y L; try discriminate; cbn; [reflexivity|].
@@ -66,17 +68,12 @@ Proof.
   now rewrite (IH (fun j => e (S j))) by lia.
 Qed.
 
-Lemma listed_same n e f : (forall i, (i < n)%nat -> e i = f i) -> listed n e = listed n f.
-Proof.
-  revert e f. induction n as [|n IH]; intros e f H; cbn; [reflexivity|].
-  rewrite (H O) by lia. f_equal. apply IH. intros; apply H; lia.
-Qed.
-
 Lemma dot_sym a b : dot a b = dot b a.
 Proof. revert b. induction a as [|x a IH]; intros [|y b]; cbn; try reflexivity. rewrite IH. ring. Qed.
 
 (* Works are known by those on the n unit vectors. *)
-Definition known_by_units (n : nat) (f : list R -> R) := forall y, f y = sum_to n (fun i => nth i y 0 * f (basis_vector n i)).
+Definition known_by_units (n : nat) (f : list R -> R) := forall y, f y = sum_to n (fun i => nth i y 0 * f
+  (basis_vector n i)).
 
 Lemma dot_known n a : List.length a = n -> known_by_units n (dot a).
 Proof.
@@ -94,6 +91,7 @@ Proof. intros F y. rewrite (F y), <- sum_multiple. apply sum_same. intros; ring.
 Lemma known_zero n : known_by_units n (fun _ => 0).
 Proof. intros y. rewrite sum_zero; [reflexivity|]. intros; ring. Qed.
 
+(* What a force of a contact does, is. *)
 Lemma work_known n r f : proper n r -> known_by_units n (work r f).
 Proof.
   intros P. unfold work. apply known_plus.
@@ -105,6 +103,7 @@ Proof.
       apply (known_plus n (fun y => w * x * dot s y)); [|apply IH]. apply known_multiple, dot_known, Ls.
 Qed.
 
+(* And so is the work of all. *)
 Lemma smooth_works_known n eps d h l rs : Forall (proper n) rs -> known_by_units n (smooth_works eps d h l rs).
 Proof.
   intros P. induction P as [|r rs Pr P IH]; cbn; [apply known_zero|].
@@ -134,6 +133,7 @@ Proof.
   intros y. rewrite (dot_known D z L y), Rmult_comm, <- sum_multiple. apply sum_same. intros; ring.
 Qed.
 
+(* What has no length has no product with anything. *)
 Lemma dot_self_zero a y : dot a a = 0 -> dot a y = 0.
 Proof.
   revert y. induction a as [|x a IH]; intros [|t y]; cbn; try reflexivity. intros H.
@@ -155,7 +155,8 @@ Proof.
   { intros y. rewrite E. apply dot_self_zero. rewrite <- E.
     assert (G : Forall (fun z => dot z sum = 0) zs).
     { apply Forall_forall. intros z Hz. rewrite dot_sym, <- E. auto. }
-    unfold spread. generalize sum G. clear. intros f G. induction G as [|z zs Hz G IH]; cbn; [reflexivity|]. rewrite Hz, IH. ring. }
+    unfold spread. generalize sum G. clear. intros f G. induction G as [|z zs Hz G IH]; cbn; [reflexivity|].
+      rewrite Hz, IH. ring. }
   split; [|exact Z]. specialize (Z e). unfold spread in Z. clear H sum E.
   assert (P : forall ws, 0 <= fold_right (fun z s => dot z e * dot z e + s) 0 ws).
   { clear. induction ws as [|z ws IH]; cbn; [lra|]. pose proof (Rle_0_sqr (dot z e)). unfold Rsqr in *. lra. }
@@ -209,7 +210,8 @@ Variable middle : R -> list R.
 Definition motion (t : R) (e : vec) : list R := listed D (fun i => nth i (middle t) 0 + e i).
 
 Hypothesis all_proper : forall t, Forall (proper D) (rows (system_at t)).
-Hypothesis loads_length : forall t, List.length (wrench (system_at t)) = D /\ List.length (direction (system_at t)) = D.
+Hypothesis loads_length : forall t, List.length (wrench (system_at t)) = D /\ List.length (direction (system_at
+  t)) = D.
 Hypothesis systems_continuous : forall s s', (forall k, 0 <= s k <= 1) -> Un_cv s s' ->
   cv_rows (fun k => rows (system_at (s k))) (rows (system_at s')) /\
   cv_list (fun k => wrench (system_at (s k))) (wrench (system_at s')) /\
@@ -250,6 +252,7 @@ Definition total_work (t : R) (fs : list force) (y : list R) : R :=
 Definition forces_obey (t : R) (e : vec) (fs : list force) :=
   Forall2 (obeys Model.unilateral (motion t e) (h t) (l t)) (rows (system_at t)) fs.
 
+(* On one wall or more, and not beyond any. *)
 Definition on_wall (e : vec) := in_K (listed D e) /\ Exists (fun f => dot f (listed D e) = 1) walls.
 
 Hypothesis middle_holds : forall e fs c, on_wall e -> forces_obey 0 e fs -> 0 <= c ->
@@ -260,14 +263,17 @@ Hypothesis way_holds : forall t e fs, 0 < t <= 1 -> on_wall e -> forces_obey t e
 (* The walls of K, and those that make it bounded. *)
 Definition all_walls : list (list R) := walls ++ free ++ map (scaled (-1)) free.
 
+(* How far e is from the walls, at most 1; below 0 beyond one of them. *)
 Definition gap (e : vec) : R := fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 all_walls.
 
+(* What it says of each wall. *)
 Lemma gap_least e c : c <= gap e <-> c <= 1 /\ Forall (fun f => dot f (listed D e) <= 1 - c) all_walls.
 Proof.
   unfold gap. induction all_walls as [|f fs IH]; cbn.
   - split; [auto|tauto].
   - split.
-    + intros H. pose proof (Rmin_l (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 fs)).
+    + intros H. pose proof (Rmin_l (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D
+        e)) m) 1 fs)).
       pose proof (Rmin_r (1 - dot f (listed D e)) (fold_right (fun f m => Rmin (1 - dot f (listed D e)) m) 1 fs)).
       destruct IH as [IH _]. destruct IH as [I1 I2]; [lra|]. split; [exact I1|]. constructor; [lra|exact I2].
     + intros [C F]. inversion F; subst. apply Rmin_glb; [lra|]. now apply IH.
@@ -293,18 +299,23 @@ Lemma gap_cv u x : converges D u x -> Un_cv (fun k => gap (u k)) (gap x).
 Proof.
   intros C. apply cv_listed in C. unfold gap. induction all_walls as [|f fs IH]; cbn; [apply cv_constant|].
   apply (cv_min (fun k => 1 - dot f (listed D (u k)))); [|exact IH].
-  apply (CV_minus (fun _ => 1)); [apply cv_constant|]. apply (cv_dot (fun _ => f)); [apply cv_list_constant|exact C].
+  apply (CV_minus (fun _ => 1)); [apply cv_constant|]. apply (cv_dot (fun _ => f)); [apply
+    cv_list_constant|exact C].
 Qed.
 
 (* Times from 0 to 1 turn -A e into the forces of the middle system; those from 1 to 2 are one later. *)
 Definition portion (s : R) : R := Rmin 1 s.
+(* The time of the systems that is meant. *)
 Definition later (s : R) : R := Rmax 0 (s - 1).
 
+(* What all forces together do of work on y, and what was added to A takes. *)
 Definition net (k : nat) (s : R) (e : vec) (y : list R) : R :=
   portion s * (load (system_at (later s)) (h (later s)) (l (later s)) y +
-               smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at (later s))) y) -
+               smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at
+                 (later s))) y) -
   ((1 - portion s) * dot y (times A (listed D e)) + spread free y (listed D e)).
 
+(* Forces that obey the law at this time do no work in sum, with these. *)
 Definition balance (s : R) (e : vec) : Prop := exists fs, forces_obey (later s) e fs /\
   forall y, portion s * total_work (later s) fs y -
     ((1 - portion s) * dot y (times A (listed D e)) + spread free y (listed D e)) = 0.
@@ -319,7 +330,8 @@ Proof.
      smooth_works (nth_part k) (motion (later s) e) (h (later s)) (l (later s)) (rows (system_at (later s))) y))).
   { apply known_multiple, known_plus; [|now apply smooth_works_known].
     unfold load. apply known_plus; now apply known_multiple, dot_known. }
-  assert (K2 : known_by_units D (fun y => (1 - portion s) * dot (times A (listed D e)) y + spread free y (listed D e))).
+  assert (K2 : known_by_units D (fun y => (1 - portion s) * dot (times A (listed D e)) y + spread free y
+    (listed D e))).
   { apply known_plus; [|now apply spread_known]. apply known_multiple, dot_known. now rewrite times_length. }
   pose proof (known_plus D _ _ K1 (known_multiple D (-1) _ K2) y) as E. cbn beta in E.
   eapply eq_trans; [|eapply eq_trans; [exact E|]].
@@ -365,12 +377,7 @@ Proof.
   intros i I. apply CV_plus; [now apply Cm|now apply E].
 Qed.
 
-Lemma later_constant s e : (forall k, s k = s O) -> Un_cv s e -> s O = e.
-Proof.
-  intros C S. apply (cv_unique s); [|exact S]. replace s with (fun _ : nat => s O); [apply cv_constant|].
-  apply functional_extensionality. auto.
-Qed.
-
+(* The work is continuous in time and motion. *)
 Lemma net_continuous k y s s' e e' : (forall m, 0 <= s m <= 2) -> Un_cv s s' -> converges D e e' ->
   Un_cv (fun m => net k (s m) (e m) y) (net k s' e' y).
 Proof.
@@ -384,6 +391,7 @@ Proof.
   - now apply cv_motion.
 Qed.
 
+(* Where smooth forces balance for smaller and smaller eps, in the limit forces of the law do. *)
 Lemma balance_closed phi s s' e e' : onward phi -> Un_cv s s' -> converges D e e' -> (forall k, 0 <= s k <= 2) ->
   (forall k j, (j < D)%nat -> net (phi k) (s k) (e k) (basis_vector D j) = 0) -> balance s' e'.
 Proof.
@@ -409,6 +417,7 @@ Proof.
     rewrite (net_known _ _ _ y). symmetry. apply sum_zero. intros i I. rewrite Z by exact I. ring.
 Qed.
 
+(* Nothing does work on a free motion. *)
 Lemma work_free t e fs z : In z free -> forces_obey t e fs -> total_work t fs z = 0.
 Proof.
   intros Hz F. unfold total_work. rewrite (load_free t z Hz), Rplus_0_l.
@@ -417,7 +426,8 @@ Proof.
   inversion Z as [|? ? [Zn Zs] Zr]; subst. inversion P as [|? ? Pr Ps]; subst. rewrite IH by assumption.
   unfold work; cbn [fst snd]. rewrite Zn. destruct O as (_ & C & _).
   enough (product (weights r) g (slip r z) = 0) by lra. destruct Zs as [Zr0|Zs].
-  - apply size_zero; [apply (weights_positive _ _ Pr)|]. pose proof (size_nonneg (weights r) g). rewrite Zr0 in C. lra.
+  - apply size_zero; [apply (weights_positive _ _ Pr)|]. pose proof (size_nonneg (weights r) g). rewrite Zr0 in
+      C. lra.
   - unfold slip. clear C. revert g. generalize (weights r).
     induction Zs as [|s ss Hs Zs IHs]; intros ws g; destruct ws, g; cbn; try reflexivity.
     rewrite Hs, IHs. ring.
@@ -432,6 +442,7 @@ Proof.
   rewrite (work_free t e fs z Hz F), (A_free z e Hz) in H. lra.
 Qed.
 
+(* Without a part along free motions, the wall that e is on is one of K. *)
 Lemma on_a_wall e : gap e = 0 -> Forall (fun z => dot z (listed D e) = 0) free -> on_wall e.
 Proof.
   intros H Z. split.
@@ -441,7 +452,9 @@ Proof.
       apply Exists_exists in H as (z & Hz & E); specialize (Z z Hz); rewrite ?dot_scaled in E; lra.
 Qed.
 
-Lemma M_not_zero e : on_wall e -> (forall y, dot y (times A (listed D e)) + spread free y (listed D e) = 0) -> False.
+(* A e is not 0 on a wall. *)
+Lemma M_not_zero e : on_wall e -> (forall y, dot y (times A (listed D e)) + spread free y (listed D e) = 0) ->
+  False.
 Proof.
   intros [_ W] H.
   assert (Z : forall i, (i < D)%nat -> nth i (times M (listed D e)) 0 = 0).
@@ -457,6 +470,8 @@ Proof.
   apply Exists_exists in W as (f & _ & Hf). rewrite E, dot_sym, dot_scaled in Hf. lra.
 Qed.
 
+(* Whatever the time, nothing balances on a wall: at first A e does not, then the middle, then what is on the
+   way. *)
 Lemma no_balance_on_walls s e : 0 <= s <= 2 -> gap e = 0 -> ~ balance s e.
 Proof.
   intros Rg I (fs & F & H). destruct (no_free_part _ _ _ _ _ F H) as [Z Sp]. pose proof (on_a_wall e I Z) as W.
@@ -478,11 +493,13 @@ Qed.
 Theorem stable_by_degree : exists e fs, Forall (fun f => dot f (listed D e) < 1) walls /\
   forces_obey 1 e fs /\ forall y, total_work 1 fs y = 0.
 Proof.
-  assert (Unit : forall e j, (j < D)%nat -> dot (basis_vector D j) (times A (listed D e)) + spread free (basis_vector D j) (listed D e) =
+  assert (Unit : forall e j, (j < D)%nat -> dot (basis_vector D j) (times A (listed D e)) + spread free
+    (basis_vector D j) (listed D e) =
     nth j (times M (listed D e)) 0).
   { intros e j J. rewrite <- M_is by apply length_listed. now rewrite dot_sym, dot_unit. }
   destruct (homotopy D gap B) with (pull := fun e j => - nth j (times M (listed D e)) 0)
-    (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e (basis_vector D j))
+    (inverse := fun f j => nth j (times inverse (listed D f)) 0) (forces := fun k s e j => net k s e
+      (basis_vector D j))
     (balance := balance) as (e & I & fs & F & H).
   - intros u x U. now apply gap_cv.
   - apply Rlt_le_trans with (1 / 2); [lra|]. apply gap_least. split; [lra|].

@@ -27,6 +27,7 @@ Definition zeros (n : nat) : vector := repeat 0 n.
 Definition balances (n : nat) (e : matrix) (c : vector) : bool :=
   all_positive c && Nat.eqb (List.length c) (List.length e) && same_vectors (of_rows c e) (zeros n).
 
+(* Whether such numbers are found; up to a factor there is only one choice. *)
 Definition is_simplex (n : nat) (e : matrix) : bool :=
   match kernel (List.length e) (transpose n e) with
   | [c] => balances n e c || balances n e (opposite c)
@@ -42,7 +43,8 @@ Definition free_motions (n : nat) (simplex : bool) (e : matrix) : option matrix 
   then Some free else None.
 
 (* m + z z^T *)
-Definition plus_square (z : vector) (m : matrix) : matrix := map (fun p => plus_times (snd p) (fst p) z) (combine z m).
+Definition plus_square (z : vector) (m : matrix) : matrix := map (fun p => plus_times (snd p) (fst p) z)
+  (combine z m).
 
 (* A with all z z^T added, and the inverse; or None if degree-direction does not hold. *)
 Definition inverted (n : nat) (free a : matrix) : option (matrix * matrix) :=
@@ -63,10 +65,12 @@ Proof. unfold zeros, real. induction n as [|n IH]; cbn [repeat map]; [reflexivit
 
 Lemma dot_opposite a d : Rows.dot (real (opposite a)) d = - Rows.dot (real a) d.
 Proof.
-  revert d. induction a as [|x a IH]; intros [|y d]; cbn; try ring. unfold real, opposite in IH. rewrite IH, Q2R_opp. ring.
+  revert d. induction a as [|x a IH]; intros [|y d]; cbn; try ring. unfold real, opposite in IH. rewrite IH,
+    Q2R_opp. ring.
 Qed.
 
-Lemma Forall2_weaker {A B} (P Q : A -> B -> Prop) l l' : Forall2 P l l' -> (forall a b, P a b -> Q a b) -> Forall2 Q l l'.
+Lemma Forall2_weaker {A B} (P Q : A -> B -> Prop) l l' : Forall2 P l l' -> (forall a b, P a b -> Q a b) ->
+  Forall2 Q l l'.
 Proof. intros F H. induction F; constructor; auto. Qed.
 
 (* What is at most 1 everywhere, and sums up to 0 with numbers above 0, is bounded. *)
@@ -86,10 +90,12 @@ Proof.
   (* The sum of the others is at least minus the sum of c. *)
   assert (Sum : exists T, forall d, Forall (fun a => Rows.dot (real a) d <= 1) e ->
     Rows.dot (real c) (map (fun a => Rows.dot (real a) d) e) <= T /\ 0 <= T /\
-    Forall2 (fun q a => Rows.dot (real c) (map (fun a => Rows.dot (real a) d) e) <= T + Q2R q * Rows.dot (real a) d) c e).
+    Forall2 (fun q a => Rows.dot (real c) (map (fun a => Rows.dot (real a) d) e) <= T + Q2R q * Rows.dot (real
+      a) d) c e).
   { clear Z n. revert e L. induction Pos as [|q c Pq Pos IH]; intros [|a e] L; try discriminate.
     - exists 0. intros d _. cbn. repeat split; try lra. constructor.
-    - destruct (IH e) as (T & HT); [now injection L|]. exists (T + Q2R q). intros d F. inversion F as [|? ? Fa Fe]; subst.
+    - destruct (IH e) as (T & HT); [now injection L|]. exists (T + Q2R q). intros d F. inversion F as [|? ? Fa
+        Fe]; subst.
       destruct (HT d Fe) as (A & B & C). cbn [real map Rows.dot]. fold (real c).
       set (s := Rows.dot (real c) (map (fun a => Rows.dot (real a) d) e)) in *.
       assert (Q2R q * Rows.dot (real a) d <= Q2R q) by nra. unfold real in *. repeat split; try lra.
@@ -109,12 +115,14 @@ Proof.
   pose proof (Rmax_l C 1). pose proof (Rmax_r C 1). apply Rabs_le. lra.
 Qed.
 
+(* Where all rows of a matrix are bounded on d, so is d. *)
 Lemma inverse_bound n left m C d : is_inverse n left m = true -> List.length d = n ->
   Forall (fun a => Rabs (Rows.dot (real a) d) <= C) m -> 0 <= C ->
   Forall2 (fun a x => Rabs x <= C * fold_right (fun q s => Rabs (Q2R q) + s) 0 a) left d.
 Proof.
   intros I L F P.
-  assert (G : forall a, Rabs (Rows.dot (real a) (times (map real m) d)) <= C * fold_right (fun q s => Rabs (Q2R q) + s) 0 a).
+  assert (G : forall a, Rabs (Rows.dot (real a) (times (map real m) d)) <= C * fold_right (fun q s => Rabs (Q2R
+    q) + s) 0 a).
   { unfold times. rewrite map_map. clear I. revert F. induction m as [|r m IH]; intros F a.
     - cbn. rewrite dot_nil, Rabs_R0. apply Rmult_le_pos; [exact P|]. clear. induction a; cbn; [lra|].
       pose proof (Rabs_pos (Q2R a)). lra.
@@ -128,6 +136,7 @@ Proof.
   now rewrite E in A.
 Qed.
 
+(* K is bounded, where free motions are. *)
 Theorem walls_bound n simplex e free : free_motions n simplex e = Some free ->
   exists B : vec, forall d, List.length d = n ->
     Forall (fun a => Rows.dot (real a) d <= 1) (walls_of simplex e) ->
@@ -160,9 +169,11 @@ Proof.
   assert (N : forall i, (i < List.length d)%nat ->
     Rabs (nth i d 0) <= Rmax C 1 * fold_right (fun q s => Rabs (Q2R q) + s) 0 (nth i (inverse_of n all) [])).
   { clear - G. induction G as [|a x l d Hx G IH]; intros [|i] I; cbn in *; try lia; [exact Hx|apply IH; lia]. }
-  specialize (N i ltac:(lia)). cbv beta. set (v := _ * _) in *. unfold Rabs in N. destruct (Rcase_abs (nth i d 0)); lra.
+  specialize (N i ltac:(lia)). cbv beta. set (v := _ * _) in *. unfold Rabs in N. destruct (Rcase_abs (nth i d
+    0)); lra.
 Qed.
 
+(* All rows have n numbers. *)
 Lemma free_lengths n simplex e free : free_motions n simplex e = Some free ->
   Forall (fun z => List.length z = n) free /\ Forall (fun a => List.length a = n) e.
 Proof.
@@ -181,15 +192,18 @@ Proof.
   assert (G : forall w m y, List.length w = List.length m ->
     Rows.dot y (map (fun x => Rows.dot (real (plus_times (snd x) (fst x) z)) e) (combine w m)) =
     Rows.dot y (map (fun r => Rows.dot (real r) e) m) + Rows.dot (real w) y * Rows.dot (real z) e).
-  { clear. induction w as [|q w IH]; intros [|r m] [|t y] L; try discriminate; cbn [combine map Rows.dot real fst snd]; try ring.
+  { clear. induction w as [|q w IH]; intros [|r m] [|t y] L; try discriminate; cbn [combine map Rows.dot real
+      fst snd]; try ring.
     rewrite dot_plus_times. unfold real in *. rewrite IH by now injection L. ring. }
   now apply G.
 Qed.
 
+(* What degree-direction says of A. *)
 Theorem direction_inverse n free a m inverse : inverted n free a = Some (m, inverse) ->
   Forall (fun z => List.length z = n) free ->
   List.length a = n /\ Forall (fun r => List.length r = n) a /\ List.length m = n /\
-  (forall y e, Rows.dot y (times (map real m) e) = Rows.dot y (times (map real a) e) + spread (map real free) y e) /\
+  (forall y e, Rows.dot y (times (map real m) e) = Rows.dot y (times (map real a) e) + spread (map real free) y
+    e) /\
   (forall e, List.length e = n -> times (map real inverse) (times (map real m) e) = e) /\
   (forall e, List.length e = n -> times (map real m) (times (map real inverse) e) = e) /\
   (forall z e, In z free -> Rows.dot (real z) (times (map real a) e) = 0).

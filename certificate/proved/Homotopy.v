@@ -57,9 +57,6 @@ Proof. apply UL_sequence. Qed.
 Lemma converges_onward n phi u x : onward phi -> converges n u x -> converges n (fun k => u (phi k)) x.
 Proof. intros P U i I. apply (cv_onward phi (fun k => u k i)); auto. Qed.
 
-Lemma converges_constant n x : converges n (fun _ => x) x.
-Proof. intros i _. apply cv_constant. Qed.
-
 (* Nothing but the first n numbers counts. *)
 Lemma continuous_same n f x y : continuous n f -> (forall i, (i < n)%nat -> x i = y i) -> f x = f y.
 Proof.
@@ -91,7 +88,8 @@ Hypothesis inverse_not_zero : forall f, (forall j, (j < n)%nat -> inverse f j = 
 (* Forces at e, at the time s from 0 to 2; the larger k, the better they approach the law, *)
 Variable forces : nat -> R -> vec -> vec.
 Hypothesis forces_continuous : forall k j, (j < n)%nat -> forall s s' e e',
-  (forall m, 0 <= s m <= 2) -> Un_cv s s' -> converges n e e' -> Un_cv (fun m => forces k (s m) (e m) j) (forces k s' e' j).
+  (forall m, 0 <= s m <= 2) -> Un_cv s s' -> converges n e e' -> Un_cv (fun m => forces k (s m) (e m) j)
+    (forces k s' e' j).
 Hypothesis forces_at_0 : forall k e j, (j < n)%nat -> forces k 0 e j = pull e j.
 
 (* by which there is balance at the time s and e. *)
@@ -162,7 +160,8 @@ Proof.
   clearbody e. destruct (cluster_point n e B) as [phi P [e' E]]; [intros; now apply inside_bounded|].
   destruct (cluster_number (fun k => time (phi k) (e (phi k))) 2) as [psi Q [s S]].
   { intros k. pose proof (time_range (phi k) (e (phi k))). lra. }
-  assert (E' : converges n (fun k => e (phi (psi k))) e') by now apply (converges_onward n psi (fun k => e (phi k))).
+  assert (E' : converges n (fun k => e (phi (psi k))) e') by now apply (converges_onward n psi (fun k => e (phi
+    k))).
   assert (PQ : onward (fun k => phi (psi k))) by (intros k; specialize (P (psi k)); specialize (Q k); cbn; lia).
   assert (Bal : balance s e').
   { eapply (balance_closed (fun k => phi (psi k))); [exact PQ|exact S|exact E'| |].

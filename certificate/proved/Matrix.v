@@ -67,6 +67,7 @@ Definition kernel (n : nat) (m : matrix) : matrix :=
     else [fold_right (fun p a => plus_times a (- nth j (snd p) 0) (unit_vector n (fst p))) (unit_vector n j) done])
     (seq 0 n).
 
+(* The inverse, if there is one: what elimination makes of 1 beside the matrix. *)
 Definition inverse_of (n : nat) (m : matrix) : matrix :=
   map (fun p => skipn n (snd p)) (eliminate n 0 (map (fun p => fst p ++ snd p) (combine m (identity n))) []).
 
@@ -95,6 +96,7 @@ End Computing.
 Section Proofs.
 Open Scope R_scope.
 
+(* As real numbers. *)
 Definition real (a : vector) : list R := map Q2R a.
 
 Lemma inner_is a b : Q2R (inner a b) = Rows.dot (real a) (real b).
@@ -103,16 +105,19 @@ Proof.
   rewrite reduced_same, Q2R_plus, Q2R_mult, IH. reflexivity.
 Qed.
 
-Lemma dot_plus_times a s b d : Rows.dot (real (plus_times a s b)) d = Rows.dot (real a) d + Q2R s * Rows.dot (real b) d.
+Lemma dot_plus_times a s b d : Rows.dot (real (plus_times a s b)) d = Rows.dot (real a) d + Q2R s * Rows.dot
+  (real b) d.
 Proof.
   assert (Sc : forall b d, Rows.dot (real (map (fun y => reduced (s * y)) b)) d = Q2R s * Rows.dot (real b) d).
-  { clear. induction b as [|y b IH]; intros [|z d]; cbn [real map Rows.dot]; try ring. rewrite reduced_same, Q2R_mult.
+  { clear. induction b as [|y b IH]; intros [|z d]; cbn [real map Rows.dot]; try ring. rewrite reduced_same,
+      Q2R_mult.
     unfold real in IH. rewrite IH. ring. }
   revert b d. induction a as [|x a IH]; intros [|y b] [|z d]; cbn [plus_times real map Rows.dot]; try ring.
   - fold (real (map (fun y => reduced (s * y)) b)). rewrite reduced_same, Q2R_mult, Sc. unfold real. ring.
   - rewrite reduced_same, Q2R_plus, Q2R_mult. fold (real (plus_times a s b)). rewrite IH. unfold real. ring.
 Qed.
 
+(* A sum of multiples of rows, applied to e, is that of what the rows give. *)
 Lemma dot_of_rows a m e : Rows.dot (real (of_rows a m)) e = Rows.dot (real a) (times (map real m) e).
 Proof.
   revert m. induction a as [|x a IH]; intros [|r m]; try reflexivity.
@@ -136,10 +141,12 @@ Qed.
 Lemma unit_vector_is n i : (i < n)%nat -> real (unit_vector n i) = basis_vector n i.
 Proof.
   unfold unit_vector, real. rewrite map_map. revert i.
-  assert (Z : forall n i s, (i < s)%nat -> map (fun j => Q2R (if Nat.eqb i j then 1 else 0)) (seq s n) = repeat 0 n).
+  assert (Z : forall n i s, (i < s)%nat -> map (fun j => Q2R (if Nat.eqb i j then 1 else 0)) (seq s n) = repeat
+    0 n).
   { clear. induction n as [|n IH]; intros i s L; cbn [seq map repeat]; [reflexivity|].
     destruct (Nat.eqb_spec i s); [lia|]. now rewrite Q2R_0, IH by lia. }
-  assert (G : forall i s, (i < n)%nat -> map (fun j => Q2R (if Nat.eqb (s + i) j then 1 else 0)) (seq s n) = basis_vector n i).
+  assert (G : forall i s, (i < n)%nat -> map (fun j => Q2R (if Nat.eqb (s + i) j then 1 else 0)) (seq s n) =
+    basis_vector n i).
   { induction n as [|n' IH]; intros i s L; [lia|]. cbn [seq map basis_vector]. destruct i as [|i].
     - rewrite Nat.add_0_r, Nat.eqb_refl, Z by lia. f_equal. unfold Q2R; cbn; lra.
     - destruct (Nat.eqb_spec (s + S i) s); [lia|]. rewrite Q2R_0. f_equal.
@@ -147,6 +154,7 @@ Proof.
   intros i L. apply (G i O L).
 Qed.
 
+(* What was multiplied out to be 1 undoes the matrix. *)
 Theorem is_inverse_times n left m e : is_inverse n left m = true -> List.length e = n ->
   times (map real left) (times (map real m) e) = e.
 Proof.
@@ -162,13 +170,9 @@ Proof.
       now rewrite unit_vector_is, dot_sym, dot_unit by exact I.
 Qed.
 
-Lemma is_inverse_length n left m : is_inverse n left m = true -> List.length left = n.
-Proof.
-  intros H. apply same_matrices_real, (f_equal (@List.length _)) in H.
-  unfold identity in H. now rewrite !map_length, seq_length in H.
-Qed.
-
-Lemma all_of_length_is {A} n (m : list (list A)) : all_of_length n m = true -> Forall (fun r => List.length r = n) m.
-Proof. intros H. apply Forall_forall. intros r Hr. unfold all_of_length in H. rewrite forallb_forall in H. now apply Nat.eqb_eq, H. Qed.
+Lemma all_of_length_is {A} n (m : list (list A)) : all_of_length n m = true -> Forall (fun r => List.length r =
+  n) m.
+Proof. intros H. apply Forall_forall. intros r Hr. unfold all_of_length in H. rewrite forallb_forall in H. now
+  apply Nat.eqb_eq, H. Qed.
 
 End Proofs.

@@ -2,7 +2,8 @@
 (* The parts of a stable verdict (FORMAT.md section 6): a tree of boxes, each of which is proved stable at rest or
    by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits ByDegree Rest.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits
+  ByDegree Rest.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -16,7 +17,8 @@ Variable most_depth : Z.
 Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string * option nat) :=
   match p with
   | PartProof d0 simplex walls direction tree =>
-      degree_fails memory advisor two_sided most_depth s (DegreeProof alpha (Some beta) d0 d0 simplex walls direction) tree
+      degree_fails memory advisor two_sided most_depth s (DegreeProof alpha (Some beta) d0 d0 simplex walls
+        direction) tree
   | PartAtRest forces answers reach =>
       match rest_fails s alpha beta (RestProof forces answers reach) with
       | Some rule => Some (rule, None)
@@ -71,10 +73,12 @@ Variable most_depth : Z.
 Variable sys : Rows.system.
 Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral).
 
+(* A part that is not cut makes every system in its box stable. *)
 Theorem part_stable alpha beta s p lambda : part_fails memory advisor two_sided most_depth alpha beta s p = None ->
   in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at sys lambda.
 Proof.
-  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; cbn in H; [discriminate| |].
+  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; cbn in H;
+    [discriminate| |].
   - eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
 Qed.
@@ -90,7 +94,8 @@ Proof.
     cbn in Uw. rewrite !andb_true_iff in Uw. destruct Uw as [[U1 U2] Uw]. apply is_zero_real in U1, U2.
     destruct y as [|t y]; [reflexivity|]. cbn. rewrite IH by exact Uw. replace x with 0 by lra. ring. }
   assert (P : Forall (fun r => Rows.preload r = 0) (Rows.rows sys)).
-  { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ (p & F & mu & t & I)] Fr IH]; intros Up; constructor;
+  { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ (p & F & mu & t & I)] Fr IH]; intros Up;
+      constructor;
       cbn in Up; rewrite !andb_true_iff in Up; destruct Up as [[U1 U2] Up]; [|now apply IH].
     apply is_zero_real in U1, U2. rewrite (in_preload _ _ _ _ _ _ I), U1, U2. ring. }
   pose proof (its_proper _ _ I) as Pr.
@@ -101,14 +106,17 @@ Proof.
     pose proof (obeys_multiple (Rows.normal sys) d 1 1 r f lambda L
       (RowLimits.weights_positive _ _ (Forall_inv Pr)) Of) as M.
     unfold Rows.obeys in *. cbn [fst snd] in *.
-    assert (E : Rows.v r (Rows.scaled lambda d) (lambda * 1) (lambda * 1) = Rows.v r (Rows.scaled lambda d) 1 lambda).
+    assert (E : Rows.v r (Rows.scaled lambda d) (lambda * 1) (lambda * 1) = Rows.v r (Rows.scaled lambda d) 1
+      lambda).
     { unfold Rows.v. rewrite (Forall_inv P). ring. }
     now rewrite <- E.
   - intros y. rewrite works_multiple. specialize (B y). unfold Rows.load in *. rewrite W in *.
-    transitivity (lambda * (1 * 0 + 1 * Rows.dot (Rows.direction sys) y + Rows.works (Rows.rows sys) fs y)); [ring|].
+    transitivity (lambda * (1 * 0 + 1 * Rows.dot (Rows.direction sys) y + Rows.works (Rows.rows sys) fs y));
+      [ring|].
     rewrite B. ring.
 Qed.
 
+(* A segment by degree proves what it spans. *)
 Theorem segment_by_degree_resists s alpha beta d1 d2 walls direction tree lambda :
   segment_by_degree_fails memory advisor two_sided most_depth s alpha beta d1 d2 walls direction tree = None ->
   in_setting s sys -> match beta with Some _ => True | None => Q2R alpha <> 0 \/ unloaded s = true end ->
@@ -124,6 +132,7 @@ Proof.
     + eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law|exact L|exact Logic.I].
 Qed.
 
+(* Of boxes that are cut, one half or the other has the system. *)
 Theorem parts_stable parts todo number : parts_fail memory advisor two_sided most_depth parts todo number = None ->
   Forall (fun sd => in_setting (fst sd) sys -> Rows.stable_at sys 0) todo.
 Proof.

@@ -21,6 +21,7 @@ Open Scope Q_scope.
 
 (* ---- rest-share ---- *)
 
+(* A friction force of this contact, across its normal. *)
 Definition good_force (b : cbox) (f : vector) : bool :=
   has_friction b && Nat.eqb (List.length f) (List.length (box_weights b)) &&
   (box_signed b || is_zero (inner f (box_normal b))).
@@ -32,6 +33,7 @@ Definition taken {A} (none : A) (i : Z) (them : list (Z * A)) : A * list (Z * A)
   | [] => (none, [])
   end.
 
+(* The lists, put beside the contacts; None if rest-share does not hold. *)
 Fixpoint resting_contacts (n : nat) (rows : list row) (i : Z) (forces : list (Z * vector))
     (all_answers : list (Z * matrix)) (before : list resting) : option (list resting) :=
   match rows with
@@ -48,14 +50,15 @@ Fixpoint resting_contacts (n : nat) (rows : list row) (i : Z) (forces : list (Z 
 
 (* ---- Intervals ---- *)
 
+(* The least interval with these numbers in it. *)
 Definition range_of (qs : vector) : interval :=
   match qs with
   | [] => exactly 0
   | q :: qs' => fold_left (fun i q => Interval (Qmin (low i) q) (Qmax (high i) q)) qs' (exactly q)
   end.
 
-Definition plus_interval (a b : interval) : interval := Interval (reduced (low a + low b)) (reduced (high a + high b)).
-Definition times_interval (c : Q) (a : interval) : interval := Interval (reduced (c * low a)) (reduced (c * high a)).   (* c >= 0 *)
+Definition plus_interval (a b : interval) : interval :=
+  Interval (reduced (low a + low b)) (reduced (high a + high b)).
 Definition shifted (a : interval) (c : Q) : interval := Interval (reduced (low a + c)) (reduced (high a + c)).
 
 Fixpoint plus_intervals (a b : list interval) : list interval :=
@@ -75,6 +78,7 @@ Definition ranges (n : nat) (b : cbox) (sums : list vector) : list interval :=
 Definition pressures (b : cbox) (lambda : Q) : list Q :=
   [low (box_preload b) + lambda * low (box_growth b); high (box_preload b) + lambda * high (box_growth b)].
 
+(* w + lambda u *)
 Definition loads_at (s : setting) (lambda : Q) : list interval :=
   map (fun p => shifted (fst p) (lambda * snd p)) (List.combine (load_box (the_load s)) (load_growth (the_load s))).
 
@@ -91,6 +95,7 @@ Definition column (n : nat) (them : list resting) (l : nat) : list interval :=
                           | g => plus_intervals sum (ranges n (resting_box r) [0 :: nth l g []])
                           end) them (repeat (exactly 0) n).
 
+(* rest-reach *)
 Definition reach_holds (n : nat) (left : list interval) (columns : list (list interval)) (reach : vector) : bool :=
   Nat.eqb (List.length reach) n &&
   forallb (fun k =>
@@ -118,6 +123,7 @@ Fixpoint answers_bound (b : cbox) (g : matrix) (reach : vector) : Q :=
   | _, _ => 0
   end.
 
+(* rest-cone, of one contact. *)
 Definition cone_holds (reach : vector) (lambda : Q) (r : resting) : bool :=
   let b := resting_box r in
   match force_at_rest r, answers r with
@@ -134,10 +140,13 @@ Definition resting_sound (lambda : Q) (r : resting) : bool :=
   friction_sound b && forallb (fun w => negb (Qle_bool w 0)) (box_weights b) && Qle_bool 0 (box_square b) &&
   (box_spring b || Qle_bool 0 (least_pressure b lambda)).
 
-Definition rest_fails_at (n : nat) (s : setting) (them : list resting) (columns : list (list interval)) (reach : vector)
+(* Both rules at one multiple. *)
+Definition rest_fails_at (n : nat) (s : setting) (them : list resting) (columns : list (list interval)) (reach
+  : vector)
     (lambda : Q) : option string :=
   if negb (reach_holds n (left_over n s them lambda) columns reach) then Some "rest-reach"%string
-  else if negb (forallb (cone_holds reach lambda) them && forallb (resting_sound lambda) them) then Some "rest-cone"%string
+  else if negb (forallb (cone_holds reach lambda) them && forallb (resting_sound lambda) them) then Some
+    "rest-cone"%string
   else None.
 
 (* From alpha to beta. *)
@@ -198,7 +207,8 @@ Definition all_within (n : nat) (is : list interval) (x : nat -> R) :=
 Lemma plus_intervals_within n a b x y : all_within n a x -> all_within n b y ->
   all_within n (plus_intervals a b) (fun k => x k + y k).
 Proof.
-  intros [La Wa] [Lb Wb]. revert n b x y La Lb Wa Wb. induction a as [|i a IH]; intros n [|j b] x y La Lb Wa Wb; cbn in *;
+  intros [La Wa] [Lb Wb]. revert n b x y La Lb Wa Wb. induction a as [|i a IH]; intros n [|j b] x y La Lb Wa
+    Wb; cbn in *;
     try lia.
   - split; [exact La|]. intros k K. lia.
   - destruct n as [|n]; [discriminate|].
@@ -230,30 +240,35 @@ Proof.
     assert (E : Rows.dot (real c) (times (Rows.N r :: Rows.slips r) (basis_vector n k)) =
       eval (fun fs => Rows.dot (real (of_rows c fs)) (basis_vector n k)) (geometry_tree b) (shares_in b p)).
     { assert (Skip : forall (m : list (list R)) j x cs d,
-        Rows.dot (x :: cs) (times (skipn j m) d) = x * Rows.dot (nth j m []) d + Rows.dot cs (times (skipn (S j) m) d)).
+        Rows.dot (x :: cs) (times (skipn j m) d) = x * Rows.dot (nth j m []) d + Rows.dot cs (times (skipn (S
+          j) m) d)).
       { clear. intros m. induction m as [|a m IH]; intros [|j] x cs d; cbn [skipn times map Rows.dot nth].
         - rewrite dot_nil. ring.
         - rewrite dot_nil. ring.
         - reflexivity.
         - apply IH. }
       assert (G : forall c j, Rows.dot (real c) (times (skipn j (Rows.N r :: Rows.slips r)) (basis_vector n k)) =
-        eval (fun fs => Rows.dot (real c) (times (skipn j (map real fs)) (basis_vector n k))) (geometry_tree b) (shares_in b p)).
+        eval (fun fs => Rows.dot (real c) (times (skipn j (map real fs)) (basis_vector n k))) (geometry_tree b)
+          (shares_in b p)).
       { clear c Hc. induction c as [|q c IH]; intros j.
         - symmetry. exact (eval_constant 0 _ _).
         - change (real (q :: c)) with (Q2R q :: real c). rewrite Skip, IH.
           transitivity (eval (fun fs => Q2R q * qdot (nth j fs []) (basis_vector n k) +
-            Rows.dot (real c) (times (skipn (S j) (map real fs)) (basis_vector n k))) (geometry_tree b) (shares_in b p)).
+            Rows.dot (real c) (times (skipn (S j) (map real fs)) (basis_vector n k))) (geometry_tree b)
+              (shares_in b p)).
           + now rewrite eval_sum, eval_multiple, <- (rational_corners b r p F mu t' I).
           + apply eval_same. intros fs _. rewrite Skip, qdot_is. f_equal. f_equal. f_equal. symmetry.
             exact (map_nth real fs [] j). }
       specialize (G c O). cbn [skipn] in G. rewrite G. apply eval_same. intros fs _. now rewrite dot_of_rows. }
     rewrite E.
     assert (Tip : forall fs, In fs (tips (geometry_tree b)) ->
-      within (range_of (map (fun v => nth k v 0%Q) (flat_map (fun c => map (of_rows c) (tips (geometry_tree b))) sums)))
+      within (range_of (map (fun v => nth k v 0%Q) (flat_map (fun c => map (of_rows c) (tips (geometry_tree
+        b))) sums)))
         (Rows.dot (real (of_rows c fs)) (basis_vector n k))).
     { intros fs Hfs. rewrite dot_unit by exact K.
       replace (nth k (real (of_rows c fs)) 0) with (Q2R (nth k (of_rows c fs) 0%Q)).
-      - apply range_of_within. apply (in_map (fun v => nth k v 0%Q)). apply in_flat_map. exists c. split; [exact Hc|].
+      - apply range_of_within. apply (in_map (fun v => nth k v 0%Q)). apply in_flat_map. exists c. split;
+          [exact Hc|].
         now apply in_map.
       - rewrite <- Q2R_0. symmetry. unfold real. apply map_nth. }
     split.
@@ -294,7 +309,8 @@ Lemma product_answered ws f g z s : Rows.positive ws -> (List.length f <= List.l
 Proof.
   intros P Lf Lg. revert z. induction Lg as [|a g La Lg IH]; intros [|x z]; cbn [answered map Rows.dot];
     try (rewrite product_star by (try exact P; unfold real; now rewrite map_length); try rewrite dot_nil; ring).
-  rewrite Rows.product_plus, Rows.product_scaled, IH, product_star by (try exact P; unfold real; now rewrite map_length).
+  rewrite Rows.product_plus, Rows.product_scaled, IH, product_star by (try exact P; unfold real; now rewrite
+    map_length).
   ring.
 Qed.
 
@@ -307,7 +323,8 @@ Qed.
 Lemma positive_weights ws : forallb (fun w => negb (Qle_bool w 0)) ws = true -> Forall (fun w => 0 < Q2R w) ws.
 Proof.
   intros H. rewrite forallb_forall in H. apply Forall_forall. intros w Hw. specialize (H w Hw).
-  apply negb_true_iff in H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence.
+  apply negb_true_iff in H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in
+    L. congruence.
 Qed.
 
 Lemma square_of_is ws f : Forall (fun w => 0 < Q2R w) ws ->
@@ -368,20 +385,16 @@ Record shaped (r : resting) (rr : Rows.row) : Prop := Shaped {
   shaped_each : Forall (fun a => List.length a <= List.length (box_weights (resting_box r)))%nat (answers r)
 }.
 
-Lemma taken_in {A} (none : A) i them a others : taken none i them = (a, others) -> a = none \/ In (i, a) them.
-Proof.
-  unfold taken. destruct them as [|[j b] them]; [intros E; injection E as <- _; now left|].
-  destruct (Z.eqb_spec j i) as [->|]; intros E; injection E as <- _; [right; now left|now left].
-Qed.
-
 Lemma resting_shaped rows rs i forces all before them :
   resting_contacts n rows i forces all before = Some them -> Forall2 fits rows rs -> Forall (proper n) rs ->
   exists rest, them = rev before ++ rest /\ Forall2 shaped rest rs.
 Proof.
-  intros H F. revert i forces all before H. induction F as [|row rr rows rs [_ I] F IH]; intros i forces all before H P.
+  intros H F. revert i forces all before H. induction F as [|row rr rows rs [_ I] F IH]; intros i forces all
+    before H P.
   - cbn in H. destruct forces, all; try discriminate. injection H as <-. rewrite rev_append_rev. exists [].
     split; [reflexivity|constructor].
-  - cbn [resting_contacts] in H. destruct (taken [] i forces) as [f forces'] eqn:Tf. destruct (taken [] i all) as [g all'] eqn:Tg.
+  - cbn [resting_contacts] in H. destruct (taken [] i forces) as [f forces'] eqn:Tf. destruct (taken [] i all)
+      as [g all'] eqn:Tg.
     destruct (_ && _) eqn:C in H; [|discriminate]. apply andb_true_iff in C as [Cf Cg].
     assert (Good : forall f, good_force (box row) f = true -> List.length f = List.length (box_weights (box row))).
     { intros a Ha. unfold good_force in Ha. rewrite !andb_true_iff in Ha. now apply Nat.eqb_eq. }
@@ -420,7 +433,8 @@ Fixpoint answer (l : nat) (ts : list resting) (rs : list Rows.row) (y : list R) 
   end.
 
 Definition forces_at (lambda : R) (z : vec) (ts : list resting) (rs : list Rows.row) : list Rows.force :=
-  map (fun p => (pressure lambda (snd p), answered (Rows.weights (snd p)) (force_at_rest (fst p)) (answers (fst p)) (listed n z)))
+  map (fun p => (pressure lambda (snd p), answered (Rows.weights (snd p)) (force_at_rest (fst p)) (answers (fst
+    p)) (listed n z)))
     (List.combine ts rs).
 
 Lemma weights_real r rr : shaped r rr -> Rows.weights rr = real (box_weights (resting_box r)).
@@ -433,13 +447,16 @@ Proof.
   - rewrite sum_zero by (intros; cbn; ring). ring.
   - unfold forces_at in IH. rewrite IH. unfold Rows.work. cbn [fst snd].
     pose proof (weights_real _ _ S) as Wr. pose proof (RowLimits.weights_positive _ _ (shaped_proper _ _ S)) as P.
-    assert (Lw : List.length (Rows.weights rr) = List.length (box_weights (resting_box r))) by (rewrite Wr; apply map_length).
+    assert (Lw : List.length (Rows.weights rr) = List.length (box_weights (resting_box r))) by (rewrite Wr;
+      apply map_length).
     rewrite product_answered; [|exact P|rewrite Lw; apply S|rewrite Lw; apply S].
     assert (E : Rows.dot (listed n z) (map (fun a => Rows.dot (real a) (Rows.slip rr y)) (answers r)) =
       sum_to n (fun l => z l * Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y))).
-    { destruct (shaped_answers _ _ S) as [E|L]; [|now apply (dot_listed_map n z (fun a => Rows.dot (real a) (Rows.slip rr y)))].
+    { destruct (shaped_answers _ _ S) as [E|L]; [|now apply (dot_listed_map n z (fun a => Rows.dot (real a)
+        (Rows.slip rr y)))].
       rewrite E. cbn. rewrite dot_nil, sum_zero; [reflexivity|]. intros [|l] _; cbn; ring. }
-    assert (E2 : sum_to n (fun l => z l * (Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y) + answer l ts rs y)) =
+    assert (E2 : sum_to n (fun l => z l * (Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y) + answer l
+      ts rs y)) =
       sum_to n (fun l => z l * Rows.dot (real (nth l (answers r) [])) (Rows.slip rr y)) +
       sum_to n (fun l => z l * answer l ts rs y)) by (rewrite <- sum_plus; apply sum_same; intros; ring).
     rewrite E, E2. ring.
@@ -467,7 +484,8 @@ Proof. unfold pressure, mix. ring. Qed.
 
 Lemma still_mix t a b ts rs y : still (mix t a b) ts rs y = mix t (still a ts rs y) (still b ts rs y).
 Proof.
-  revert rs. induction ts as [|r ts IH]; intros [|rr rs]; cbn; try (unfold mix; ring). rewrite IH, pressure_mix. unfold mix. ring.
+  revert rs. induction ts as [|r ts IH]; intros [|rr rs]; cbn; try (unfold mix; ring). rewrite IH,
+    pressure_mix. unfold mix. ring.
 Qed.
 
 Lemma rests_between t a b : 0 <= t <= 1 -> rests a -> rests b -> rests (mix t a b).
@@ -480,7 +498,8 @@ Proof.
     pose proof (Rabs_triang ((1 - t) * Wr a k) (t * Wr b k)) as Tr. rewrite !Rabs_mult in Tr.
     rewrite (Rabs_right (1 - t)), (Rabs_right t) in Tr by lra. nra.
   - clear A1 B1 fit them_shaped. revert B2. induction A2 as [|r rr ts rs [H1 H2] A2 IH]; intros B2; [constructor|].
-    inversion B2 as [|? ? ? ? [G1 G2] B3]; subst. constructor; [|now apply IH]. unfold held. rewrite pressure_mix. split.
+    inversion B2 as [|? ? ? ? [G1 G2] B3]; subst. constructor; [|now apply IH]. unfold held. rewrite
+      pressure_mix. split.
     + destruct H1 as [H1|H1]; [now left|]. destruct G1 as [G1|G1]; [now left|]. right. unfold mix. nra.
     + intros Sp. specialize (H2 Sp). specialize (G2 Sp). unfold mix. nra.
 Qed.
@@ -525,10 +544,12 @@ Hypothesis all_sound : Forall (fun r => friction_sound (resting_box r) = true /\
 Theorem stable_where_it_rests lambda : rests lambda -> Rows.stable_at sys lambda.
 Proof.
   intros [Re He]. destruct fit as [_ Fd Fp [Fl1 Fl2] _ _]. rewrite n_is in *.
-  set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k))).
+  set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys)
+    (basis_vector n k))).
   destruct (fixed_point n (fun k => Q2R (nth k reach 0%Q)) (fun z k => z k - total z k)) as [z In_box Fix].
   - intros k K. now apply Re.
-  - intros k K u x U. unfold total. apply CV_minus; [now apply U|]. apply (CV_plus (fun _ => Wr lambda k)); [apply cv_constant|].
+  - intros k K u x U. unfold total. apply CV_minus; [now apply U|]. apply (CV_plus (fun _ => Wr lambda k));
+      [apply cv_constant|].
     assert (G : forall m (c : nat -> R) off, (off + m <= n)%nat ->
       Un_cv (fun i => sum_to m (fun l => u i (off + l)%nat * c l)) (sum_to m (fun l => x (off + l)%nat * c l))).
     { induction m as [|m IHm]; intros c o Le; cbn; [apply cv_constant|].
@@ -548,21 +569,29 @@ Proof.
         - rewrite sum_zero; [ring|]. intros; cbn; ring.
         - rewrite (IHm k ltac:(lia) (fun i => z (S i))). ring. }
       rewrite <- D at 1.
-      rewrite (sum_same n (fun l => (answer l them (Rows.rows sys) (basis_vector n k) - (if Nat.eqb k l then 1 else 0)) * z l)
-        (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k) + -1 * ((if Nat.eqb k l then 1 else 0) * z l)))
+      rewrite (sum_same n (fun l => (answer l them (Rows.rows sys) (basis_vector n k) - (if Nat.eqb k l then 1
+        else 0)) * z l)
+        (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k) + -1 * ((if Nat.eqb k l then 1 else 0)
+          * z l)))
         by (intros; ring). rewrite sum_plus, sum_multiple. ring. }
     rewrite E.
-    assert (Ab : Rabs (sum_to n (fun l => off k l * z l)) <= sum_to n (fun l => Rabs (off k l) * Q2R (nth l reach 0%Q))).
-    { clear - In_box. assert (G : forall m a b, (forall i, (i < m)%nat -> Rabs (a i) <= b i) -> Rabs (sum_to m a) <= sum_to m b).
+    assert (Ab : Rabs (sum_to n (fun l => off k l * z l)) <= sum_to n (fun l => Rabs (off k l) * Q2R (nth l
+      reach 0%Q))).
+    { clear - In_box. assert (G : forall m a b, (forall i, (i < m)%nat -> Rabs (a i) <= b i) -> Rabs (sum_to m
+        a) <= sum_to m b).
       { induction m as [|m IHm]; intros a b H; cbn; [rewrite Rabs_R0; lra|].
-        eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [apply H; lia|]. apply IHm. intros; apply H; lia. }
-      apply G. intros l Hl. rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rabs_le. now apply In_box. }
+        eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [apply H; lia|]. apply IHm. intros;
+          apply H; lia. }
+      apply G. intros l Hl. rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rabs_le. now
+        apply In_box. }
     set (o := sum_to n (fun l => off k l * z l)) in *. clear - B Ab.
     unfold Rabs in B, Ab. destruct (Rcase_abs (Wr lambda k)), (Rcase_abs o); lra.
   - assert (Zero : forall k, (k < n)%nat -> total z k = 0) by (intros k K; specialize (Fix k K); cbn in Fix; lra).
-    exists (listed n (fun _ => 0)), (forces_at lambda z them (Rows.rows sys)). split; [now rewrite length_listed|]. split.
+    exists (listed n (fun _ => 0)), (forces_at lambda z them (Rows.rows sys)). split; [now rewrite
+      length_listed|]. split.
     + assert (Zr : Forall2 (fun x m => Rabs x <= Q2R m) (listed n z) reach).
-      { clear - In_box reach_length. revert z reach reach_length In_box. induction n as [|m IHm]; intros z [|q reach] L In_box;
+      { clear - In_box reach_length. revert z reach reach_length In_box. induction n as [|m IHm]; intros z [|q
+          reach] L In_box;
           try discriminate; cbn; constructor.
         - apply Rabs_le. apply (In_box O). lia.
         - apply IHm; [now injection L|]. intros k K. apply (In_box (S k)). lia. }
@@ -571,10 +600,13 @@ Proof.
       * destruct (Forall_inv A) as [A1 A2]. inversion He; subst. apply held_obeys; try assumption.
         destruct (shaped_answers _ _ S) as [E|E]; [rewrite E; cbn; lia|]. rewrite E, reach_length. lia.
       * inversion He; subst. apply IH; [exact F|exact (Forall_inv_tail A)|assumption].
-    + assert (Known : known_by_units n (fun y => Rows.load sys 1 lambda y + Rows.works (Rows.rows sys) (forces_at lambda z them (Rows.rows sys)) y)).
+    + assert (Known : known_by_units n (fun y => Rows.load sys 1 lambda y + Rows.works (Rows.rows sys)
+        (forces_at lambda z them (Rows.rows sys)) y)).
       { apply known_plus; [unfold Rows.load; apply known_plus; now apply known_multiple, dot_known|].
-        clear - Fp. generalize (forces_at lambda z them (Rows.rows sys)). induction Fp as [|r rs Pr Fp IH]; intros fs; [apply known_zero|].
-        destruct fs as [|f fs]; [apply known_zero|]. cbn. apply (known_plus n (Rows.work r f)); [now apply work_known|apply IH]. }
+        clear - Fp. generalize (forces_at lambda z them (Rows.rows sys)). induction Fp as [|r rs Pr Fp IH];
+          intros fs; [apply known_zero|].
+        destruct fs as [|f fs]; [apply known_zero|]. cbn. apply (known_plus n (Rows.work r f)); [now apply
+          work_known|apply IH]. }
       intros y. rewrite (Known y). apply sum_zero. intros k K. rewrite works_at by exact them_shaped.
       specialize (Zero k K). unfold total, Wr in Zero. rewrite <- Rplus_assoc, Zero. ring.
 Qed.
@@ -590,7 +622,8 @@ Lemma pressure_between q r rr : shaped r rr -> exists t, 0 <= t <= 1 /\
   pressure (Q2R q) rr = mix t (Q2R (low (box_preload (resting_box r)) + q * low (box_growth (resting_box r))))
                               (Q2R (high (box_preload (resting_box r)) + q * high (box_growth (resting_box r)))).
 Proof.
-  intros S. destruct (shaped_inside _ _ S) as (p & G & mu & t & I). exists t. split; [apply (in_step _ _ _ _ _ _ I)|].
+  intros S. destruct (shaped_inside _ _ S) as (p & G & mu & t & I). exists t. split; [apply (in_step _ _ _ _ _
+    _ I)|].
   unfold pressure, mix. rewrite (in_preload _ _ _ _ _ _ I), (in_growth _ _ _ _ _ _ I), !Q2R_plus, !Q2R_mult. ring.
 Qed.
 
@@ -641,7 +674,8 @@ Proof.
   set (box := load_box (the_load s)) in *. set (u := load_growth (the_load s)) in *.
   apply (all_within_same n _ (fun k => nth k (Rows.wrench sys) 0 + Q2R q * nth k (Rows.direction sys) 0)).
   { intros k K. rewrite !dot_unit by exact K. ring. }
-  clearbody box u. revert Fw Fg L1 L2. generalize (Rows.wrench sys) (Rows.direction sys). clear. intros w d Fw. revert n u d.
+  clearbody box u. revert Fw Fg L1 L2. generalize (Rows.wrench sys) (Rows.direction sys). clear. intros w d Fw.
+    revert n u d.
   induction Fw as [|i x box w Wx Fw IH]; intros n u d Fg L1 L2; cbn in L1; subst n.
   - split; [reflexivity|]. intros k K. lia.
   - destruct u as [|g u]; [subst d; discriminate|]. destruct d as [|y d]; [discriminate|].
@@ -652,7 +686,8 @@ Qed.
 
 Lemma nth_exactly k : nth k (repeat (exactly 0) n) (exactly 0) = exactly 0.
 Proof.
-  destruct (nth_in_or_default k (repeat (exactly 0) n) (exactly 0)) as [H|H]; [|exact H]. now apply repeat_spec in H.
+  destruct (nth_in_or_default k (repeat (exactly 0) n) (exactly 0)) as [H|H]; [|exact H]. now apply repeat_spec
+    in H.
 Qed.
 
 Lemma column_within l : all_within n (column n them l) (fun k => answer l them (Rows.rows sys) (basis_vector n k)).
@@ -677,7 +712,8 @@ Proof.
   apply andb_true_iff in H as [H _]. apply Qle_bool_R in H. now rewrite Q2R_0 in H.
 Qed.
 
-Lemma held_by_rules q r rr : shaped r rr -> cone_holds reach q r = true -> resting_sound q r = true -> held (Q2R q) r rr.
+Lemma held_by_rules q r rr : shaped r rr -> cone_holds reach q r = true -> resting_sound q r = true -> held
+  (Q2R q) r rr.
 Proof.
   intros S C Sd. unfold resting_sound in Sd. rewrite !andb_true_iff in Sd. destruct Sd as [[[Fs _] Sq] Pn].
   destruct (pressure_between q r rr S) as (t & T & E). destruct (shaped_inside _ _ S) as (p & G & mu & t' & I).
@@ -686,13 +722,15 @@ Proof.
   assert (Least : Q2R (least_pressure (resting_box r) q) <= pressure (Q2R q) rr).
   { rewrite E. unfold least_pressure, pressures. fold a b. destruct (min_R a b). unfold mix. nra. }
   split.
-  - unfold cone_holds in C. destruct (force_at_rest r) as [|x f] eqn:Ef; [destruct (answers r) as [|y g] eqn:Eg; [now left|]|];
+  - unfold cone_holds in C. destruct (force_at_rest r) as [|x f] eqn:Ef; [destruct (answers r) as [|y g]
+      eqn:Eg; [now left|]|];
       right; rewrite <- ?Ef, <- ?Eg in *; apply Qle_bool_R in C; rewrite Q2R_plus, !Q2R_mult in C;
       (eapply Rle_trans; [exact C|]); rewrite (is_rho _ _ _ _ _ _ I);
       pose proof (in_friction _ _ _ _ _ _ I) as [M1 M2]; pose proof (friction_nonneg _ _ _ _ _ _ I) as M0;
       pose proof (root_below_nonneg (box_square (resting_box r))) as R0;
       pose proof (root_below_is _ (square_nonneg _ _ _ _ _ _ I)) as R1;
-      unfold friction_sound in Fs; apply andb_true_iff in Fs as [F0 Fs]; apply Qle_bool_R in F0; rewrite Q2R_0 in F0;
+      unfold friction_sound in Fs; apply andb_true_iff in Fs as [F0 Fs]; apply Qle_bool_R in F0; rewrite Q2R_0
+        in F0;
       set (m := Q2R (low (box_friction (resting_box r)))) in *; set (l := Q2R (root_below _)) in *;
       set (v := Q2R (least_pressure _ _)) in *;
       (destruct (box_spring (resting_box r)) eqn:Sp;
@@ -715,7 +753,8 @@ Proof.
   split.
   - intros k K. unfold reach_holds in H. apply andb_true_iff in H as [_ H]. rewrite forallb_forall in H.
     specialize (H k). rewrite in_seq in H. specialize (H ltac:(lia)). apply andb_true_iff in H as [H0 H].
-    apply Qle_bool_R in H0, H. rewrite Q2R_0 in H0. split; [exact H0|]. rewrite sum_by_fold in H. cbn [Nat.add] in H.
+    apply Qle_bool_R in H0, H. rewrite Q2R_0 in H0. split; [exact H0|]. rewrite sum_by_fold in H. cbn [Nat.add]
+      in H.
     eapply Rle_trans; [|exact H]. apply Rplus_le_compat.
     + apply most_of_bound. destruct (still_within q them (Rows.rows sys) _ _ them_shaped (loads_within q)) as [_ W].
       exact (W k K).
@@ -750,7 +789,8 @@ Proof.
   { intros q F. unfold fails, rest_fails_at in F. destruct (reach_holds _ _ _ _); [|discriminate]. cbn [negb] in F.
     destruct (forallb (cone_holds _ q) them && _) eqn:C; [|discriminate]. apply andb_true_iff in C. tauto. }
   assert (Rests : forall q, fails q = None -> rests n sys them (rest_reach p) (Q2R q)).
-  { intros q F. destruct (Rules q F) as (A & B & C). apply (rests_by_rules n s sys Fit eq_refl them S); try assumption.
+  { intros q F. destruct (Rules q F) as (A & B & C). apply (rests_by_rules n s sys Fit eq_refl them S); try
+      assumption.
     unfold reach_holds in A. apply andb_true_iff in A as [A _]. now apply Nat.eqb_eq. }
   destruct (fails alpha) eqn:Fa; [discriminate|]. destruct (Rules alpha Fa) as (A & _ & C).
   apply (stable_where_it_rests n s sys Fit eq_refl them S (rest_reach p)).

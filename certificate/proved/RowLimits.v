@@ -108,6 +108,7 @@ Inductive cv_lists : (nat -> list (list R)) -> list (list R) -> Prop :=
   | cv_lists_nil : cv_lists (fun _ => []) []
   | cv_lists_cons u x us xs : cv_list u x -> cv_lists us xs -> cv_lists (fun k => u k :: us k) (x :: xs).
 
+(* Rows of one shape, the numbers of which converge. *)
 Record cv_row (rs : nat -> row) (r : row) : Prop := CvRow {
   cv_N : cv_list (fun k => N (rs k)) (N r);
   cv_slips : cv_lists (fun k => slips (rs k)) (slips r);
@@ -140,12 +141,6 @@ Proof.
   - now apply (cv_onward phi (fun k => stiffness (rs k))).
 Qed.
 
-Lemma cv_rows_onward phi us xs : onward phi -> cv_rows us xs -> cv_rows (fun k => us (phi k)) xs.
-Proof.
-  intros P C. induction C as [|u x us xs U C IH]; [constructor|].
-  apply (cv_rows_cons (fun k => u (phi k))); [now apply cv_row_onward|exact IH].
-Qed.
-
 Lemma cv_slip rs r ds d : cv_row rs r -> cv_list ds d -> cv_list (fun k => slip (rs k) (ds k)) (slip r d).
 Proof.
   intros [_ C _ _ _ _ _ _] D. unfold slip.
@@ -173,6 +168,7 @@ Definition pressed (r : row) (d : list R) (h l : R) : R :=
 Definition way (eps : R) (r : row) (d : list R) : list R :=
   scaled (/ Rmax (size (weights r) (slip r d)) eps) (slip r d).
 
+(* Friction of the size rho a against the slip, and less where the slip is shorter than eps. *)
 Definition smooth_force (eps : R) (d : list R) (h l : R) (r : row) : force :=
   (pressed r d h l, scaled (- (rho r * pressed r d h l)) (way eps r d)).
 
@@ -186,6 +182,7 @@ Proof.
   destruct (spring r); [exact V|]. apply cv_max; [apply cv_constant|exact V].
 Qed.
 
+(* What the cone allows is never below 0. *)
 Lemma pressed_nonneg D r d h l : proper D r -> 0 <= rho r * pressed r d h l.
 Proof.
   intros P. unfold pressed. destruct (spring r) eqn:S.
@@ -205,12 +202,14 @@ Proof.
     apply cv_product; [exact G|]. apply (cv_slip _ _ (fun _ => y)); [exact C|apply cv_list_constant].
 Qed.
 
+(* The work of all such forces on y. *)
 Fixpoint smooth_works (eps : R) (d : list R) (h l : R) (rs : list row) (y : list R) : R :=
   match rs with
   | [] => 0
   | r :: rs' => work r (smooth_force eps d h l r) y + smooth_works eps d h l rs' y
   end.
 
+(* At a given eps this work is continuous. *)
 Theorem works_continuous eps D us rs ds d hs h ls l y : 0 < eps -> cv_rows us rs -> Forall (proper D) rs ->
   cv_list ds d -> Un_cv hs h -> Un_cv ls l ->
   Un_cv (fun k => smooth_works eps (ds k) (hs k) (ls k) (us k) y) (smooth_works eps d h l rs y).
@@ -228,7 +227,8 @@ Proof.
     apply (cv_inverse (fun k => Rmax (size (weights (u k)) (slip (u k) (ds k))) eps)).
     + pose proof (Rmax_r (size (weights r) (slip r d)) eps). lra.
     + apply cv_max; [|apply cv_constant].
-      replace (fun k => size (weights (u k)) (slip (u k) (ds k))) with (fun k => size (weights r) (slip (u k) (ds k)))
+      replace (fun k => size (weights (u k)) (slip (u k) (ds k))) with (fun k => size (weights r) (slip (u k)
+        (ds k)))
         by (apply functional_extensionality; intros k; now rewrite (same_weights _ _ U)).
       apply cv_size; [apply (weights_positive _ _ Pr)|exact S].
 Qed.
@@ -257,7 +257,8 @@ Lemma way_short eps r d : positive (weights r) -> 0 < eps -> product (weights r)
 Proof.
   intros P E. unfold way. set (s := slip r d). set (m := Rmax (size (weights r) s) eps).
   rewrite product_scaled, product_sym, product_scaled. rewrite <- (size_square _ _ P). fold s.
-  pose proof (Rmax_l (size (weights r) s) eps) as M1. pose proof (Rmax_r (size (weights r) s) eps) as M2. fold m in M1, M2.
+  pose proof (Rmax_l (size (weights r) s) eps) as M1. pose proof (Rmax_r (size (weights r) s) eps) as M2. fold
+    m in M1, M2.
   pose proof (size_nonneg (weights r) s) as Z.
   assert (I : / m * m = 1) by (apply Rinv_l; lra). pose proof (Rinv_0_lt_compat m ltac:(lra)) as Ip.
   set (z := size (weights r) s) in *. set (i := / m) in *.
@@ -270,6 +271,7 @@ Proof.
   transitivity (map (fun x => x) (slip r d)); [|apply map_id]. apply map_ext. intros x. field. lra.
 Qed.
 
+(* As eps goes to 0, forces of a contact have a limit, perhaps of a subsequence, that obeys the law. *)
 Lemma row_limit D eps rs r ds d hs h ls l : (forall k, 0 < eps k) -> Un_cv eps 0 ->
   cv_row rs r -> proper D r -> cv_list ds d -> Un_cv hs h -> Un_cv ls l ->
   exists phi f, onward phi /\ obeys Model.unilateral d h l r f /\
@@ -292,7 +294,8 @@ Proof.
   pose proof (pressed_nonneg D r d h l P) as Rn. fold a in Rn.
   assert (Short : product (weights r) w w <= 1).
   { apply (cv_at_most (fun k => product (weights r) (ways (phi k)) (ways (phi k)))); [|now apply cv_product].
-    intros k. rewrite <- (same_weights _ _ C (phi k)). apply way_short; [|apply E]. now rewrite (same_weights _ _ C). }
+    intros k. rewrite <- (same_weights _ _ C (phi k)). apply way_short; [|apply E]. now rewrite (same_weights _
+      _ C). }
   assert (Sw : size (weights r) w <= 1).
   { rewrite <- sqrt_1. now apply sqrt_le_1_alt. }
   (* In the limit |s| w = s. *)
@@ -305,7 +308,8 @@ Proof.
       replace z with (Rmax z 0) by (apply Rmax_left, size_nonneg).
       apply cv_max; [now apply cv_size|now apply cv_onward]. }
     eapply cv_unique; [exact G|].
-    replace (fun k => _) with (fun k => product (weights r) (slip (rs (phi k)) (ds (phi k))) (slip (rs (phi k)) (ds (phi k)))).
+    replace (fun k => _) with (fun k => product (weights r) (slip (rs (phi k)) (ds (phi k))) (slip (rs (phi k))
+      (ds (phi k)))).
     - pose proof (cv_list_onward phi _ _ O S) as So. now apply cv_product.
     - apply functional_extensionality. intros k. rewrite <- product_scaled. f_equal.
       rewrite <- (same_weights _ _ C (phi k)). symmetry. apply way_along, E. }
@@ -321,17 +325,20 @@ Proof.
       destruct (Req_dec z 0) as [Z|Z]; [rewrite Z; rewrite product_sym; now apply size_zero|].
       now apply Rmult_eq_reg_l with z.
   - intros y. apply (cv_work (fun k => rs (phi k)) r
-      (fun k => scaled (- (rho (rs (phi k)) * pressed (rs (phi k)) (ds (phi k)) (hs (phi k)) (ls (phi k)))) (ways (phi k)))
+      (fun k => scaled (- (rho (rs (phi k)) * pressed (rs (phi k)) (ds (phi k)) (hs (phi k)) (ls (phi k))))
+        (ways (phi k)))
       _ (fun k => pressed (rs (phi k)) (ds (phi k)) (hs (phi k)) (ls (phi k)))).
     + now apply cv_row_onward.
     + now apply (cv_onward phi (fun k => pressed (rs k) (ds k) (hs k) (ls k))).
     + apply cv_scaled; [|exact Cw].
-      apply (cv_lipschitz Ropp (fun k => rho (rs (phi k)) * pressed (rs (phi k)) (ds (phi k)) (hs (phi k)) (ls (phi k)))).
+      apply (cv_lipschitz Ropp (fun k => rho (rs (phi k)) * pressed (rs (phi k)) (ds (phi k)) (hs (phi k)) (ls
+        (phi k)))).
       * intros p q. right. rewrite <- Rabs_Ropp. f_equal. ring.
       * apply (cv_onward phi (fun k => rho (rs k) * pressed (rs k) (ds k) (hs k) (ls k))); [exact O|].
         apply CV_mult; [apply (cv_rho _ _ C)|exact A].
 Qed.
 
+(* So have those of all contacts together. *)
 Theorem works_limit D eps us rs ds d hs h ls l : (forall k, 0 < eps k) -> Un_cv eps 0 ->
   cv_rows us rs -> Forall (proper D) rs -> cv_list ds d -> Un_cv hs h -> Un_cv ls l ->
   exists phi fs, onward phi /\ Forall2 (obeys Model.unilateral d h l) rs fs /\
@@ -354,6 +361,7 @@ Proof.
       { intros k. specialize (Q (phi k)). specialize (O k). cbn. lia. }
       split; [now constructor|]. intros y. cbn [smooth_works works].
       apply (CV_plus (fun k => work (u (psi (phi k))) _ y)); [apply Wr|].
-      apply (cv_onward phi (fun k => smooth_works (eps (psi k)) (ds (psi k)) (hs (psi k)) (ls (psi k)) (us (psi k)) y));
+      apply (cv_onward phi (fun k => smooth_works (eps (psi k)) (ds (psi k)) (hs (psi k)) (ls (psi k)) (us (psi
+        k)) y));
         [exact O|apply Wf].
 Qed.

@@ -56,7 +56,7 @@ def certificate(m, wrench, preload=None, law="unilateral", direction=None, prelo
         question["uncertain"] = uncertain
     verdict = ("margin" if "resisted" in evidence or "intervals" in evidence else
                "unstable" if "tree" in evidence else "stable")
-    if verdict == "stable":
+    if verdict == "stable" and "parts" not in evidence:
         evidence = {"twist": evidence["twist"], "shares": evidence.get("shares", [])}
     return {"format": "stickslip-certificate/2", "question": question, "verdict": verdict, **evidence}
 

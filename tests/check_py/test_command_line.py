@@ -141,6 +141,16 @@ class CommandLineTest(Case):
                 accepts(many, options, certificate(count, load, law=law, tree=[["separation", count - 1], leaf, leaf]))
                 nodes = [["plane", 0, 1] + still[1:]] * 250
                 accepts(many, options, certificate(count, load, law=law, tree=nodes + [leaf] * 251))
+            # At rest, and by degree: along y the jaws push back, and all other motions are free.
+            along_y = [[int(j == k == 1) for k in range(len(still))] for j in range(len(still))]
+            rest = {"rest": [[i, share] for i in range(count)],
+                    "answers": [[i, [share] * len(still)] for i in range(count)], "reach": still}
+            degree = {"twist": still, "walls": [[0, 2] + still[2:]], "direction": along_y,
+                      "tree": [["leaf", 0, 1] + still[2:], ["leaf", 0, -1] + still[2:]]}
+            for part in (rest, degree):
+                accepts(many, [], certificate(count, still, parts=[part]))
+            accepts(many, ["--normal-law", "bilateral"],
+                    certificate(count, still, law="bilateral", parts=[degree]))
         few, still = jaws(2, 1), [0, 0, 0]
         ends = [[k, still, []] for k in range(count)] + [[None, still, []]]
         accepts(few, ["--preload-direction", "scale"],

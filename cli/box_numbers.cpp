@@ -16,11 +16,32 @@ std::string load_text(const WrenchBox& load, NumberText& text) {
   return result + ")";
 }
 
-std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text) {
+std::string ball_text(const LoadBall& ball, NumberText& text) {
+  const auto in_brackets = [](const std::string& number) {
+    return number.find('/') == std::string::npos ? number : "(" + number + ")";
+  };
+  std::string result = "|force|^2 + " +
+                       (ball.length == 1 ? "|torque|^2"
+                                         : "|torque/" + in_brackets(text(ball.length)) + "|^2") +
+                       " <= " + in_brackets(text(ball.radius)) + "^2";
+  if (!ball.about.empty()) {
+    WrenchBox point;
+    for (const Rational& x : ball.about) point.push_back(point_interval(x));
+    result += ", the torque about " + load_text(point, text);
+  }
+  return ball.body.empty() ? result : result + ", on " + ball.body;
+}
+
+std::string uncertain_text(const GraspBox& box, const std::vector<UncertainNumber>& numbers,
+                           NumberText& text) {
   if (numbers.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
   for (const UncertainNumber& number : numbers) {
     rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
+  }
+  if (box.ball) {
+    return short_table(rows) + "  of the load what differs from w by a force and a torque with\n  " +
+           ball_text(*box.ball, text) + "\n\n";
   }
   return short_table(rows) + "\n";
 }

@@ -77,6 +77,7 @@ std::string Report::tolerances_table() const {
   };
   add("factor", {1, false});
   for (const auto& [kind, tolerance] : given(asked_.question.uncertain)) add(kind, tolerance);
+  if (asked_.box.ball) add("ball of loads", {asked_.box.ball->radius, false});
   return short_table(rows);
 }
 
@@ -134,6 +135,7 @@ void print_json(const RadiusQuestion& asked, const Radius& radius, bool floats) 
   json["normal_law"] = to_string(asked.question.law);
   json["wrench"] = wrench_json(asked.centre.wrench);
   json["uncertain"] = uncertain_json(uncertain_numbers(asked.box));
+  if (asked.box.ball) json["ball"] = ball_json(*asked.box.ball);
   json["proved"] = number_json(radius.proved);
   json["refuted"] = radius.refuted ? number_json(*radius.refuted) : Json();
   json["limit"] = number_json(radius.limit);

@@ -92,10 +92,9 @@ auto* interval_of(Box& box, const ParameterId& id) {
 Examples::Examples(const GraspBox& box, NormalLaw law) : box_(box), law_(law) {
   for (const ParameterId& id : parameters_of(box)) {
     const Interval* interval = interval_of(box, id);
-    const bool is_certain = interval != nullptr
-                                ? interval->is_point()
-                                : turn_index(id.parameter).has_value() &&
-                                      box.contacts[id.index].slope.is_zero();
+    const bool is_certain = interval != nullptr ? interval->is_point()
+                                                : turn_index(id.parameter).has_value() &&
+                                                      box.contacts[id.index].slope.is_zero();
     if (!is_certain) numbers_.push_back(id);
   }
 }

@@ -339,8 +339,8 @@ void check_ball(const GraspBox& box) {
   if (!ball.about.empty() && ball.about.size() != coordinates) {
     fail("the point of the ball of loads has " + std::to_string(ball.about.size()) +
              " coordinates",
-         "give " + std::to_string(coordinates) + ", as in about=" +
-             (coordinates == 3 ? "1:0:0" : "1:0"));
+         "give " + std::to_string(coordinates) +
+             ", as in about=" + (coordinates == 3 ? "1:0:0" : "1:0"));
   }
   for (const Interval& component : box.wrench) {
     if (component.is_point()) continue;

@@ -7,8 +7,8 @@
 namespace stickslip {
 
 BallPart BallPart::all_of(const GraspBox& box) {
-  BallPart part{box.ball->radius, box.ball->length, box.in_space() ? 3U : 2U, box.ball_motion(),
-                {}};
+  BallPart part{
+      box.ball->radius, box.ball->length, box.in_space() ? 3U : 2U, box.ball_motion(), {}};
   for (const Rational& most : box.ball_reach()) part.parts.push_back({-most, most});
   return part;
 }

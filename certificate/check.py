@@ -789,9 +789,9 @@ def read_place(source: Source, value: Any, place: str,
 
 
 def show_dimension(source: Source, top: Dict[str, Any]) -> None:
-    """§1: which grasps are in space."""
-    contacts, wrench = top["contacts"], top.get("wrench")
-    shown, length = wrench, SPACE
+    """§1, §14: which grasps are in space."""
+    contacts = top["contacts"]
+    shown, length = top.get("wrench") if top["format"] == GRASP.formats[1] else None, SPACE
     if contacts:
         first = contacts[0] if type(contacts) is list else None
         length = 3

@@ -742,7 +742,7 @@ function read_head(file, version) {
     return Array.isArray(list) ? list.length : 0;
   };
   const space = version >= 2 &&
-      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : length_in(file, 'wrench') === 6);
+      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : version === 2 && length_in(file, 'wrench') === 6);
 
   if (file.has('units')) {
     known_members(file.get('units'), 'units', ['length', 'force'], ['length', 'force']);

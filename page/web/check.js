@@ -2691,7 +2691,7 @@ function check(grasp, certificate, options = {}) {
 scope.StickslipCheck = {check};
 if (typeof module !== 'undefined') {
   module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, slip_metric, Contact, pressures,
-    plane_bound}};
+    plane_bound, Loads}};
 }
 
 })(typeof globalThis !== 'undefined' ? globalThis : this);

@@ -455,10 +455,10 @@ class Ball(NamedTuple):
 
 class Loads(NamedTuple):
     """§6, the work of loads: all w = w⁰ + B z with each z_j within its bounds and, of a ball, z in it."""
-    base: Vector            # w⁰
+    base: Vector             # w⁰
     moves: Optional[Matrix]  # B, by columns; None where it is 1
-    bounds: Wrench          # of z
-    radii: Vector = ()      # of a ball: how far each z_j goes in it
+    bounds: Wrench           # of z
+    radii: Vector = ()       # of a ball: how far each z_j goes in it
 
     def most_work(self, y: Sequence[Fraction]) -> Fraction:
         """Λ(y)."""

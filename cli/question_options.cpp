@@ -97,8 +97,7 @@ void QuestionArguments::add_to(CLI::App& command) {
 }
 
 void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
-  add_to(command);
-  takes_boxes_ = true;
+  add_with_enclosures_to(command);
   command
       .add_option(
           "--uncertain", text_.uncertain,
@@ -106,6 +105,11 @@ void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
           "or wrench, by a number or of all but normals by a percentage; a normal turns "
           "by a slope. Asks about all grasps in the box (docs/uncertainty.md)")
       ->type_name("KIND=T,...");
+}
+
+void QuestionArguments::add_with_enclosures_to(CLI::App& command) {
+  add_to(command);
+  takes_boxes_ = true;
 }
 
 void QuestionArguments::add_options_to(CLI::App& command) {

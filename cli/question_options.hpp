@@ -28,6 +28,9 @@ class QuestionArguments {
   /// As add_to, and --uncertain, for a command that answers questions that are boxes: of
   /// others, question() and questions() refuse them.
   void add_with_uncertain_to(CLI::App& command);
+  /// As add_to, for a command that answers about one grasp also where lengths of normals are
+  /// enclosed.
+  void add_with_enclosures_to(CLI::App& command);
   /// As add_to, and --direction and --preload-direction, for a command that asks about a
   /// margin.
   void add_with_directions_to(CLI::App& command);

@@ -4,9 +4,9 @@ whether the load that is not resisted, and loads of the proved ball, have the ve
 
     bench/quality/quality_bench.py [--count N] [--samples S] [--only M] [FAMILY ...]
 
-Families: plane (3 to 10 fingers about an ellipse, preloaded, unequal), stands (feet on the ground and one wall, by their weight
-alone), space (4 to 6 fingers about an ellipsoid, preloaded), table (4 to 6 feet and one wall, in space, by weight alone), grip
-(a disc between two fingers of two links each). S loads of each proved ball are decided one by one."""
+Families: plane (3 to 10 contacts of two pads that press, unequal), stands (two feet on the ground and one on a wall, by weight
+alone), space (4 to 6 contacts of two pads), table (3 to 5 feet and one on a wall, in space, by weight alone), grip (a disc in a
+hand of two fingers of two links each). S loads of each proved ball are decided one by one."""
 
 import argparse
 import json
@@ -19,6 +19,9 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bodies"))
+import bodies_bench
+
 BIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "bin")
 
 
@@ -27,26 +30,23 @@ def unit(v):
     return [x / size for x in v]
 
 
-def fingers(count, dimension, rng):
-    axes = [rng.uniform(.6, 1.4) for _ in range(dimension)]
+def pads(count, dimension, rng):
+    """Two pads that press from both sides, as those of a parallel gripper do: less even than they would be."""
     contacts = []
     for k in range(count):
-        if dimension == 2:
-            angle = 2 * math.pi * (k + rng.uniform(-.3, .3)) / count
-            way = [math.cos(angle), math.sin(angle)]
-        else:
-            way = unit([rng.gauss(0, 1) for _ in range(3)])
-        contacts.append({"position": [a * x for a, x in zip(axes, way)], "normal": unit([-x / a for a, x in zip(axes, way)]),
-                         "friction": rng.uniform(.3, .9), "stiffness": rng.uniform(.5, 2), "preload": rng.uniform(.5, 2)})
+        side = 1 if k % 2 else -1
+        contacts.append({"position": [side * rng.uniform(.9, 1.1), *(rng.uniform(-1, 1) for _ in range(dimension - 1))],
+                         "normal": unit([-side, *(rng.uniform(-.1, .1) for _ in range(dimension - 1))]),
+                         "friction": rng.uniform(.3, .9), "stiffness": rng.uniform(.5, 2), "preload": rng.uniform(.8, 1.2)})
     return contacts
 
 
 def plane(rng):
-    return {"format": "stickslip-grasp/2", "contacts": fingers(rng.randint(3, 10), 2, rng), "wrench": [0, 0, 0]}, 1
+    return {"format": "stickslip-grasp/2", "contacts": pads(rng.randint(3, 10), 2, rng), "wrench": [0, 0, 0]}, 1
 
 
 def space(rng):
-    return {"format": "stickslip-grasp/2", "contacts": fingers(rng.randint(4, 6), 3, rng), "wrench": [0] * 6}, 1
+    return {"format": "stickslip-grasp/2", "contacts": pads(rng.randint(4, 6), 3, rng), "wrench": [0] * 6}, 1
 
 
 def foot(position, normal, rng):
@@ -72,19 +72,7 @@ def table(rng):
 
 
 def grip(rng):
-    """Two fingers of two links, whose tendons press a disc."""
-    bodies = [{"name": "disc"}]
-    joints, contacts, tendons = [], [], []
-    for side, name in ((-1, "left"), (1, "right")):
-        base, knee = [2 * side, -1], [1.6 * side + rng.uniform(-.1, .1), .2]
-        bodies += [{"name": f"{name}1", "hinge": base}, {"name": f"{name}2", "hinge": knee, "on": f"{name}1"}]
-        joints += [{"name": f"j{name}{k}", "turns": {f"{name}{k}": 1}, "stiffness": rng.uniform(2, 4)} for k in (1, 2)]
-        angle = rng.uniform(-.2, .2)
-        contacts.append({"of": "disc", "by": f"{name}2", "position": [side * math.cos(angle), math.sin(angle)],
-                         "normal": [-side * math.cos(angle), -math.sin(angle)], "friction": rng.uniform(.5, .9),
-                         "stiffness": rng.uniform(20, 40)})
-        tendons.append({"over": {f"{name}1": side * .3, f"{name}2": side * .2}, "tension": -rng.uniform(2, 4)})
-    return {"format": "stickslip-grasp/3", "bodies": bodies, "joints": joints, "tendons": tendons, "contacts": contacts}, "disc"
+    return bodies_bench.gripper(4, rng)(.1), "disc"
 
 
 FAMILIES = {"plane": plane, "stands": stands, "space": space, "table": table, "grip": grip}

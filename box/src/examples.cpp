@@ -134,6 +134,51 @@ void Examples::load(GraspBox& chosen, RationalRow z) const {
   }
 }
 
+std::vector<Place> Examples::ball_directions() const {
+  std::vector<std::size_t> axes;
+  std::size_t count = 1;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kWrench) continue;
+    axes.push_back(n);
+    count *= 3;
+  }
+  const bool in_plane = axes.size() == 3;
+  std::vector<Place> places;
+  for (std::size_t code = 1; code < count; ++code) {  // in base 3
+    Place place = middle();
+    std::size_t moved = 0;
+    std::size_t rest = code;
+    for (const std::size_t n : axes) {
+      constexpr int kAt[3] = {0, 1, -1};
+      place[n] = kAt[rest % 3];
+      if (rest % 3 != 0) ++moved;
+      rest /= 3;
+    }
+    if (in_plane || moved == 1 || moved == axes.size()) places.push_back(std::move(place));
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return dot(a, a) < dot(b, b); });
+  return places;
+}
+
+std::vector<Place> Examples::turned(const Place& place, const Rational& step) const {
+  Rational square = 0;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter == Parameter::kWrench) square += place[n] * place[n];
+  }
+  constexpr unsigned kBits = 16;
+  const Rational size = square > 1 ? short_sqrt(square, kBits).upper : Rational(1);
+  std::vector<Place> places;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kWrench) continue;
+    for (const int sign : {1, -1}) {
+      places.push_back(place);
+      places.back()[n] += sign * step * size;
+    }
+  }
+  return places;
+}
+
 Place Examples::loaded_along(const RationalRow& twist, Place place) const {
   const BallPart ball = BallPart::all_of(box_);
   const RationalRow reach = box_.ball_reach();

@@ -40,6 +40,11 @@ class Examples {
   /// O(numbers) margins.
   std::vector<Place> suspects(bool middle_is_stable) const;
   Place middle() const { return Place(numbers_.size()); }
+  /// Of a ball the loads along each axis of forces and torques, and in the plane between them
+  /// as well, in space in the midst of six.
+  std::vector<Place> ball_directions() const;
+  /// Loads of the ball beside that of a place, along each axis by so much of the ball.
+  std::vector<Place> turned(const Place& place, const Rational& step) const;
   /// The same with that load of a ball that does most work on a virtual twist.
   Place loaded_along(const RationalRow& twist, Place place) const;
 

@@ -155,8 +155,7 @@ class RadiusSearch {
   void refute() {
     if (*result_.stable) follow();
     if (box_.ball) {
-      try_all_corners();
-      turn_to_normals();
+      if (*result_.stable) refute_ball();
       return;
     }
     if (result_.refuted) return;
@@ -214,11 +213,51 @@ class RadiusSearch {
     }
   }
 
+  /// Seeks a load of a ball that is too much, as near as may be: along axes and between them;
+  /// then it turns to where the border is nearer.
+  void refute_ball() {
+    const std::vector<Place> starts = Examples(box_, law_).ball_directions();
+    Rational farthest = bound();
+    constexpr int kMostSizes = 6;
+    for (int size = 0; size < kMostSizes; ++size) {
+      for (const Place& place : starts) {
+        const Rational near = std::min(farthest, bound()) * (1 - options_.accuracy / 4);
+        if (differs(place, near)) close_in(place, 0, near);
+      }
+      if (result_.refuted) break;
+      farthest /= 4;
+    }
+    turn_to_normals();
+    if (turn_nearby()) turn_to_normals();
+  }
+
+  /// Whether some way near that of the nearest load that is too much leads to one that is
+  /// nearer.
+  bool turn_nearby() {
+    bool is_nearer = false;
+    for (int steps = 2; result_.example && steps <= 32; steps *= 2) {
+      constexpr int kMostRounds = 6;
+      bool found = true;
+      for (int round = 0; found && round < kMostRounds; ++round) {
+        found = false;
+        for (const Place& place :
+             Examples(box_, law_).turned(example_place_, Rational(1, steps))) {
+          const Rational near = bound() * (1 - options_.accuracy / 4);
+          if (!differs(place, near)) continue;
+          close_in(place, 0, near);
+          found = is_nearer = true;
+          break;
+        }
+      }
+    }
+    return is_nearer;
+  }
+
   /// Of a ball of loads: along the normals of the border at the nearest load that is known to
   /// be too much, which are the virtual twists that refute it.
   void turn_to_normals() {
     constexpr int kMostRounds = 12;
-    for (int round = 0; round < kMostRounds && result_.example && *result_.stable; ++round) {
+    for (int round = 0; round < kMostRounds && result_.example; ++round) {
       const Rational before = *result_.refuted;
       for (const Place& place : along_normals()) {
         const Rational near = bound() * (1 - options_.accuracy / 4);

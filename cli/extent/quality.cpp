@@ -104,9 +104,15 @@ int quality(const QualityArguments& arguments) {
   }
   const LoadBall shape = ball_shape(arguments.length, arguments.about, arguments.body);
   const Question question = arguments.question.any_question();
+  const GraspBox grasp = box_of(question.grasp);
+  if (!grasp.is_point()) {
+    throw InputError(arguments.question.name_of_file(), "", "some numbers are uncertain",
+                     "a quality is that of one grasp: give one number for each, or ask "
+                     "radius --uncertain wrench=ball:R");
+  }
   Progress progress;
   const Quality found = find_quality(
-      box_of(question.grasp), question.law, shape, options, [&](const Quality& so_far) {
+      grasp, question.law, shape, options, [&](const Quality& so_far) {
         progress.show(
             "proved up to " + to_readable_string(so_far.proved) +
             (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
@@ -131,7 +137,7 @@ void add_quality_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<QualityArguments>();
   CLI::App* command = app.add_subcommand(
       "quality", "How large a ball of loads does the grasp resist? With proofs");
-  arguments->question.add_to(*command);
+  arguments->question.add_with_enclosures_to(*command);
   command
       ->add_option("--length", arguments->length,
                    "Characteristic length of the object, by which torques are divided; else 1")

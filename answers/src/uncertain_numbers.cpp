@@ -4,9 +4,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "stickslip/search/ball_part.hpp"
+
 namespace stickslip {
 
 namespace {
+
+/// Of a component of the load; of a ball those of a box around it.
+Interval load_ends(const GraspBox& box, std::size_t component) {
+  Interval ends = box.wrench[component];
+  if (!box.ball) return ends;
+  Row along(box.wrench.size());
+  along[component] = 1;
+  const BallPart ball = BallPart::all_of(box);
+  ends.low -= ball.most_work(negated(along));
+  ends.high += ball.most_work(along);
+  return ends;
+}
 
 /// Of all numbers of a box, certain ones too.
 std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
@@ -36,7 +50,7 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
     all.push_back({spring.place + "." + force_name(spring), spring.force});
   }
   for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    all.push_back({"wrench[" + std::to_string(j) + "]", box.wrench[j]});
+    all.push_back({"wrench[" + std::to_string(j) + "]", load_ends(box, j)});
   }
   return all;
 }
@@ -113,6 +127,16 @@ Json interval_json(const Interval& interval) {
 Json wrench_json(const WrenchBox& wrench) {
   Json json = Json::array();
   for (const Interval& w : wrench) json.push_back(interval_json(w));
+  return json;
+}
+
+Json ball_json(const LoadBall& ball) {
+  Json json{{"radius", number_json(ball.radius)}, {"length", number_json(ball.length)}};
+  if (!ball.about.empty()) {
+    Json& about = json["about"] = Json::array();
+    for (const Rational& x : ball.about) about.push_back(number_json(x));
+  }
+  if (!ball.body.empty()) json["body"] = ball.body;
   return json;
 }
 

@@ -154,6 +154,11 @@ class RadiusSearch {
   /// Suspects near the centre, and then those at the edge of the box that these give.
   void refute() {
     if (*result_.stable) follow();
+    if (box_.ball) {
+      try_all_corners();
+      turn_to_normals();
+      return;
+    }
     if (result_.refuted) return;
     suspect(std::min(Rational(1, 8), result_.limit));
     if (result_.refuted) {
@@ -207,6 +212,52 @@ class RadiusSearch {
       const Rational middle = short_middle(low, high);
       (differs(place, middle) ? high : low) = middle;
     }
+  }
+
+  /// Of a ball of loads: along the normals of the border at the nearest load that is known to
+  /// be too much, which are the virtual twists that refute it.
+  void turn_to_normals() {
+    constexpr int kMostRounds = 12;
+    for (int round = 0; round < kMostRounds && result_.example && *result_.stable; ++round) {
+      const Rational before = *result_.refuted;
+      for (const Place& place : along_normals()) {
+        const Rational near = bound() * (1 - options_.accuracy / 4);
+        if (differs(place, near)) close_in(place, 0, near);
+      }
+      if (*result_.refuted == before) return;
+    }
+  }
+
+  /// Those first along which the border is nearest, if it is flat.
+  std::vector<Place> along_normals() const {
+    const Verdict verdict = decide_box(*result_.example, law_, options_.box).verdict;
+    const auto* unstable = std::get_if<Unstable>(&verdict);
+    if (unstable == nullptr) return {};
+    const BallPart ball = BallPart::all_of(box_);
+    std::vector<std::pair<double, Row>> ways;
+    for (const TreeNode& node : unstable->tree) {
+      const auto* leaf = std::get_if<TwistLeaf>(&node);
+      if (leaf == nullptr || is_zero(leaf->twist)) continue;
+      Row way = negated(leaf->twist);
+      Rational work = 0;
+      for (std::size_t j = 0; j < way.size(); ++j) {
+        work += Rational(way[j]) * (result_.example->wrench[j].low - box_.wrench[j].low);
+      }
+      const Rational most = ball.most_work(way);
+      if (most.sign() > 0 && work.sign() > 0) {
+        ways.emplace_back(to_double(work / most), std::move(way));
+      }
+    }
+    std::sort(ways.begin(), ways.end());
+    ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+    constexpr std::size_t kMostTried = 8;
+    if (ways.size() > kMostTried) ways.resize(kMostTried);
+    std::vector<Place> places;
+    const Examples examples(box_, law_);
+    for (const auto& [near, way] : ways) {
+      places.push_back(examples.loaded_along({way.begin(), way.end()}, example_place_));
+    }
+    return places;
   }
 
   void suspect(const Rational& size) {

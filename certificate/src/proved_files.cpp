@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/certificate/proved_files.hpp"
 
+#include <utility>
+
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
@@ -9,10 +11,12 @@
 namespace stickslip {
 namespace {
 
-Question about(const GraspBox& box, NormalLaw law) {
+/// A file has no ball of loads: that is an option of the question.
+Question about(GraspBox box, NormalLaw law) {
   QuestionOptions options;
   options.law = law;
-  return ask({box}, options);
+  options.uncertain.ball = std::exchange(box.ball, {});
+  return ask({std::move(box)}, options);
 }
 
 void require_verdict(bool stable, const std::string& found) {

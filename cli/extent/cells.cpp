@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cells.hpp"
 
+#include "question_options.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/file.hpp"
 #include "terminal.hpp"

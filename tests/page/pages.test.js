@@ -105,6 +105,25 @@ test("an unstable grasp in the plane", () => {
   isWhole(openWith(made), made.answer, "unstable");
 });
 
+test("a ball of loads", () => {
+  const made = pageOf(FIG1, "--wrench", "0,11/10,0");
+  const proof = JSON.parse(made.answer.certificate);
+  proof.question.uncertain = { wrench: { ball: "1/100", length: 2, about: [1, 0] } };
+  proof.tree = [["part", "wrench", 2, "1/200"], ...proof.tree, ...proof.tree];
+  const opened = openWith(made, {
+    question: { ...made.answer.question, uncertain: "friction=0,wrench=ball:1/100:length=2:about=1:0" },
+    certificate: JSON.stringify(proof),
+  });
+  const { answer } = opened.page;
+  isWhole(opened, answer, "unstable");
+  assert.strictEqual(opened.page.checkProof().rule, "question-uncertain");
+  answer.question.uncertain = answer.question.uncertain.replace("friction=0,", "");
+  assert.strictEqual(opened.page.checkProof().answer, "accepted");
+  const { leaves } = opened.page.refutation();
+  assert.match(leaves[0].conditions[0], /the ball's z\[2\] at most/);
+  assert.strictEqual(opened.page.drift(leaves[0]).work, null);
+});
+
 test("an unstable grasp in space", () => {
   const made = pageOf(example("space-book"), "--case", "too heavy");
   const opened = openWith(made);

@@ -107,8 +107,11 @@ class QualityPlot {
                   : direction_text(vector);
     }
     const LoadBall& ball = *quality_.ball.ball;
-    if (!is_force && ball.length != 1) text += ", over " + short_text(ball.length);
-    const std::string unit = force_unit(drawn_.description().units);
+    const std::optional<Units>& units = drawn_.description().units;
+    if (!is_force && (units || ball.length != 1)) {
+      text += ", over " + short_text(ball.length) + length_unit(units);
+    }
+    const std::string unit = force_unit(units);
     return fit(unit.empty() ? text : text + " /" + unit, "small", kSide);
   }
 

@@ -104,6 +104,54 @@
     );
   }
 
+  /** The region around the present load, as near as balls of loads need: beside all that is resisted they may be small. */
+  function drawNearLoad() {
+    const { region } = page.answer;
+    const load = region && region.areas && loadInPlane(region);
+    const half = 2 * Math.max(0, ...ballsShown().map(({ radius }) => page.Fraction.of(radius).toNumber()));
+    if (!load || !load.inside || half === 0) return void page.put("quality-picture");
+    const width = page.canvasWidth("quality-picture", 320);
+    const [left, right, top, bottom] = [58, 12, 12, 46];
+    const side = width - left - right;
+    const scale = side / 2 / half;
+    const middle = [left + side / 2, top + side / 2];
+    const place = ([s, t]) => [middle[0] + scale * (s - load.s), middle[1] - scale * (t - load.t)];
+    const window_ = { x: left, y: top, width: side, height: side };
+    const far = 8 * (half + Math.hypot(load.s, load.t));
+    const most = Math.max(far, ...region.areas.flatMap((area) => area.outlines.flatMap((o) => o.vertices_float.flat().map(Math.abs))));
+    const ticks = (at) => page.ticks(at - half, at + half, Math.max(4, Math.floor(side / 62)));
+    page.put(
+      "quality-picture",
+      page.picture(
+        width,
+        side + top + bottom,
+        { role: "img", "aria-label": "Balls of loads around the present one, and which loads near it are resisted" },
+        svg("clipPath", { id: "near-window" }, svg("rect", window_)),
+        svg("rect", { class: region.whole_plane ? "hue0" : "paper", ...window_ }),
+        svg(
+          "g",
+          { "clip-path": "url(#near-window)" },
+          region.areas.map((area) =>
+            svg("path", { class: "area hue0", "fill-rule": "evenodd", d: areaPath(area.outlines, place, most) }),
+          ),
+        ),
+        ticks(load.s).map((value) => [
+          svg("path", { class: "grid-line", d: "M" + path.at([place([value, 0])[0], top]) + "v" + side }),
+          svg("text", { class: "small middle", x: place([value, 0])[0], y: top + side + 16 }, page.near(value, 3)),
+        ]),
+        ticks(load.t).map((value) => [
+          svg("path", { class: "grid-line", d: "M" + path.at([left, place([0, value])[1]]) + "h" + side }),
+          svg("text", { class: "small end", x: left - 6, y: place([0, value])[1] + 4 }, page.near(value, 3)),
+        ]),
+        svg("rect", { class: "frame", ...window_ }),
+        drawBalls(region, load, place, "near-window"),
+        svg("circle", { class: "full", cx: middle[0], cy: middle[1], r: 2.5 }, svg("title", {}, "the present load")),
+        svg("text", { class: "middle", x: middle[0], y: side + top + bottom - 10 }, axisName(region.plane.u, "s")),
+        svg("text", { class: "middle", transform: "translate(14 " + middle[1] + ") rotate(-90)" }, axisName(region.plane.v, "t")),
+      ),
+    );
+  }
+
   const ballLegend = (load) =>
     load && load.inside
       ? ballsShown().map(({ name, text, radius }) => ({
@@ -662,5 +710,5 @@
     );
   }
 
-  page.views.push(drawRegion, drawMargin, drawMap);
+  page.views.push(drawRegion, drawNearLoad, drawMargin, drawMap);
 })(StickslipPage);

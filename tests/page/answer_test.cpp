@@ -294,5 +294,40 @@ TEST(PageHtml, FilesDoNotEndTheElementThatTheyStandIn) {
   }
 }
 
+TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
+  QuestionText asked;
+  asked.uncertain = "wrench=ball:1/10:length=2:about=1:0";
+  const Json plain = answer_about(kPinch);
+  const Json ball = answer_about(kPinch, {}, {}, asked);
+  EXPECT_EQ(ball["decide"]["box"], true);
+  EXPECT_EQ(ball["decide"]["ball"]["radius"], "1/10");
+  for (const char* part : {"region", "margin", "map"}) {
+    ASSERT_FALSE(plain[part].is_null()) << part;
+    EXPECT_EQ(ball[part], plain[part]) << part;
+  }
+  EXPECT_EQ(ball["quality"]["ball"]["length"], "2");
+  EXPECT_EQ(plain["quality"]["ball"]["length"], "1");
+  // With more than a ball there is more than one grasp in its centre.
+  asked.uncertain += ",friction=1%";
+  const Json more = answer_about(kPinch, {}, {}, asked);
+  for (const char* part : {"region", "margin", "map", "quality", "lost"}) {
+    EXPECT_TRUE(more[part].is_null()) << part;
+  }
+}
+
+// Forces up to 1 across the line of the pads are resisted, and the load is 1/2: so another 1/2
+// is all that there can be.
+TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
+  const Json answer = answer_about(kPinch);
+  const Json& quality = answer["quality"];
+  EXPECT_GT(quality["proved_float"], 0.1);
+  EXPECT_LT(quality["proved_float"], quality["refuted_float"]);
+  EXPECT_LE(quality["proved_float"], 0.5);
+  EXPECT_EQ(answer["lost"]["decide"]["verdict"], "unstable");
+  EXPECT_EQ(answer["lost"]["decide"]["wrench"], quality["not_resisted"]);
+  EXPECT_TRUE(answer["lost"]["certificate"].is_string());
+  EXPECT_FALSE(answer["lost"].contains("quality"));
+}
+
 }  // namespace
 }  // namespace stickslip

@@ -256,7 +256,7 @@ def stability_map(
     law = result["normal_law"]
     result["cells"] = tuple(
         MapCell(along_x, along_y, verdict,
-                None if texts is None else Proof(*texts[:2], law, texts[2]))
+                None if texts is None else Proof(texts[0], texts[1], law, texts[2]))
         for along_x, along_y, verdict, texts in result["cells"])
     result["picture"] = Picture(result["picture"])
     return StabilityMap(grasp=about, x=str(x), y=str(y), uncertain=tolerances, **result)

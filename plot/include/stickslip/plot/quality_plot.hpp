@@ -16,8 +16,8 @@ namespace stickslip {
 
 /// What is resisted of a section: exactly, or in its window cell by cell.
 struct ResistedSection {
-  LoadSection section;
-  std::variant<PlaneUnion, std::vector<MapCell>> resisted;
+  LoadSection section;                                      ///< with its window
+  std::variant<PlaneUnion, std::vector<MapCell>> resisted;  ///< in s and t
 };
 
 /// SVG of the grasp under a load, as plot_grasp() draws it, and below it of sections through

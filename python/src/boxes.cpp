@@ -100,8 +100,8 @@ py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof)
 }
 
 py::dict map(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
-             const py::object& wrench, const py::object& preload, bool bilateral,
-             unsigned depth, std::size_t node_limit, bool proofs) {
+             const std::string& uncertain, const py::object& wrench, const py::object& preload,
+             bool bilateral, unsigned depth, std::size_t node_limit, bool proofs) {
   // In the plane with rational lengths.
   const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
   const GraspBox centre = box_of(asked.grasp);
@@ -110,14 +110,15 @@ py::dict map(const GraspFile& grasp, const std::string& x_text, const std::strin
   MapOptions options;
   options.depth = depth;
   options.box.node_limit = node_limit;
+  if (!uncertain.empty()) options.uncertain = parse_tolerances(uncertain);
   std::vector<MapCell> cells;
   std::vector<std::optional<ProvedFiles>> proved;
   const std::string picture = without_gil([&] {
     map_verdicts(centre, asked.law, x, y, options, [&](MapCell cell) {
       proved.emplace_back();
       if (proofs && !std::holds_alternative<Undecided>(cell.decision.verdict)) {
-        proved.back() = proved_box(box_of_cell(centre, x, y, cell.x, cell.y), asked.law,
-                                   cell.decision, producer_of(box_engine(asked)));
+        proved.back() = proved_box(box_of_cell(centre, x, y, cell.x, cell.y, options.uncertain),
+                                   asked.law, cell.decision, producer_of(box_engine(asked)));
       }
       cells.push_back(std::move(cell));
     });

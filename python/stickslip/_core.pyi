@@ -125,6 +125,7 @@ def stability_map(
     grasp: Union[GraspData, SpatialGraspData],
     x: str,
     y: str,
+    uncertain: str,
     wrench: Optional[List[Any]],
     preload: Any,
     bilateral: bool,
@@ -238,6 +239,7 @@ def check(
     preload_direction: Union[str, List[Any], None],
     plane: Optional[List[List[Any]]],
     inertia: Optional[List[Any]],
+    uncertain: str,
     grasp_name: bytes,
     certificate_name: bytes,
 ) -> Dict[str, Any]: ...

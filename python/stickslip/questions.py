@@ -227,6 +227,7 @@ def stability_map(
     y: str,
     wrench: Any = None,
     *,
+    uncertain: Union[str, Mapping[str, Number]] = "",
     friction: Optional[Number] = None,
     preload: Optional[Number] = None,
     normal_law: str = "unilateral",
@@ -240,22 +241,25 @@ def stability_map(
         grasp, wrench, friction, preload, normal_law: as of ``decide``.
         x, y: "NAME=FROM:TO", as in "friction=0:1"; the names are those of ``stickslip map``.
             Of two wrenches, "1,0,0,0,0,0=-2:2", it is the region of a plane of loads in space.
+        uncertain: how far numbers of every grasp of the map may be off, as of ``decide``: a cell's
+            verdict is then one about all grasps that are so near to one in it.
         depth: the finest cells are a 2**depth-th of an axis.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
         proofs: keep the proof of each cell.
     """
     about = _with_friction(grasp, friction)
+    tolerances = as_uncertain(uncertain)
     result = _core.stability_map(
-        about._data, str(x), str(y), about._load(wrench),
+        about._data, str(x), str(y), tolerances, about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
     law = result["normal_law"]
     result["cells"] = tuple(
         MapCell(along_x, along_y, verdict,
-                None if texts is None else Proof(texts[0], texts[1], law))
+                None if texts is None else Proof(texts[0], texts[1], law, texts[2]))
         for along_x, along_y, verdict, texts in result["cells"])
     result["picture"] = Picture(result["picture"])
-    return StabilityMap(grasp=about, x=str(x), y=str(y), **result)
+    return StabilityMap(grasp=about, x=str(x), y=str(y), uncertain=tolerances, **result)
 
 
 def slip_states(
@@ -560,6 +564,7 @@ def check(
     preload_direction: Any = None,
     plane: Any = None,
     inertia: Any = None,
+    uncertain: Union[str, Mapping[str, Number]] = "",
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -574,6 +579,7 @@ def check(
         plane: u and v of a region, whose certificate this then is; the wrench is its origin, and
             0 unless given.
         inertia: as of ``compare``: of the class of a load, whose certificate this then is.
+        uncertain: as of ``decide``, of a box.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -605,6 +611,7 @@ def check(
         as_preload_direction_or_none(preload_direction),
         as_plane_or_none(plane),
         None if inertia is None else as_inertia(inertia, n),
+        as_uncertain(uncertain),
         grasp_name,
         name,
     ))
@@ -715,10 +722,10 @@ def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
 
 
 def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
-    """The pairs of texts, or pairs of these, become proofs."""
-    def proof(texts: Tuple[str, str]) -> Proof:
-        grasp, certificate = texts
-        return Proof(grasp, certificate, fields["normal_law"])
+    """The texts of proofs, or pairs of these, become proofs."""
+    def proof(texts: Tuple[str, str, str]) -> Proof:
+        grasp, certificate, uncertain = texts
+        return Proof(grasp, certificate, fields["normal_law"], uncertain)
 
     for name in names:
         if name in fields:

@@ -86,9 +86,11 @@ void print(const Question& question, const Quality& quality,
   if (!arguments.certificates.empty() && quality.stable) {
     std::cout << "Proofs: in " << arguments.certificates;
     if (!quality.proved.is_zero()) {
+      LoadBall ball = *quality.ball.ball;
+      ball.radius = quality.proved;
       std::cout << ". That of the ball is checked by\n  stickslip-check "
                 << arguments.certificates << "/proved.json " << arguments.certificates
-                << "/proved.certificate.json --uncertain " << quality_option(quality);
+                << "/proved.certificate.json --uncertain wrench=" << to_string(ball);
     }
     std::cout << '\n';
   }

@@ -112,6 +112,18 @@ def decide_box(
     bilateral: bool,
     node_limit: int,
 ) -> Dict[str, Any]: ...
+def quality(
+    grasp: Union[GraspData, SpatialGraspData],
+    length: Any,
+    about: Optional[List[Any]],
+    body: str,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    at_most: Any,
+    accuracy: Any,
+    node_limit: int,
+) -> Dict[str, Any]: ...
 def radius(
     grasp: Union[GraspData, SpatialGraspData],
     uncertain: str,

@@ -56,6 +56,7 @@ from .results import (
     Outline,
     Piece,
     Proof,
+    Quality,
     Radius,
     Region,
     Residual,
@@ -219,6 +220,43 @@ def radius(
         as_count("node_limit", node_limit))
     return Radius(grasp=about, uncertain=tolerances,
                   **_with_proofs(result, "proof", "counterexample"))
+
+
+def quality(
+    grasp: Grasp,
+    wrench: Any = None,
+    *,
+    length: Number = 1,
+    about: Any = None,
+    body: str = "",
+    friction: Optional[Number] = None,
+    preload: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    at_most: Optional[Number] = None,
+    accuracy: Number = "1/100",
+    node_limit: int = 0,
+) -> Quality:
+    """How large a ball of loads around its own does the grasp resist? With proofs.
+
+    A load that differs by a force f and a torque t is in the ball of radius R if
+    |f|^2 + |t / length|^2 <= R^2.
+
+    Args:
+        grasp, wrench, friction, preload, normal_law: as of ``decide``.
+        length: characteristic length of the object, by which torques are divided.
+        about: the point that torques are about; the origin if it is left out.
+        body: of several bodies the name of the one that the loads are on.
+        at_most: no larger ball is of interest.
+        accuracy: stop when what is proved and what is refuted differ by this part of it.
+        node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+    """
+    about_grasp = _with_friction(grasp, friction)
+    result = _core.quality(
+        about_grasp._data, as_number(length, "length"), as_row_or_none(about, "about", None), str(body),
+        about_grasp._load(wrench), as_number_or_none(preload, "preload"), is_bilateral(normal_law),
+        as_number_or_none(at_most, "at_most"), as_number(accuracy, "accuracy"),
+        as_count("node_limit", node_limit))
+    return Quality(grasp=about_grasp, **_with_proofs(result, "proof", "counterexample"))
 
 
 def stability_map(

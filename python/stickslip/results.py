@@ -237,6 +237,37 @@ class Radius(Answer):
     wrench_float = FloatView[FloatArray]("wrench", 3)
 
 
+@dataclass(frozen=True, repr=False)
+class Quality(Answer):
+    """How large a ball of loads around its own a grasp resists."""
+
+    verdict: str
+    """Of the load in the centre: "stable", "unstable", or "undecided"."""
+    proved: Fraction
+    """The radius of the largest ball that is proved to be resisted; 0 if none is."""
+    limit: Fraction
+    """No larger ball was tried."""
+    length: Fraction
+    """By which torques are divided."""
+    scales: bool
+    """Without load and preload a proof about one ball is about all: what is resisted has no end, or
+    what is not is not resisted however small."""
+    normal_law: str
+    wrench: Vector
+    """In the centre."""
+    grasp: Grasp = field(repr=False)
+    refuted: Optional[Fraction] = None
+    """The radius of the smallest ball that is known to hold a load that is not resisted."""
+    not_resisted: Optional[Vector] = None
+    """That load."""
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+    proof: Optional[Proof] = None
+    """Of the ball of radius ``proved``."""
+    counterexample: Optional[Proof] = None
+    """That ``not_resisted`` is not; or the load in the centre."""
+
+
 class MapCell(NamedTuple):
     """A rectangle of a map, with one verdict for all grasps in it."""
 

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include "examples.hpp"
+#include "one_grasp.hpp"
+#include "preload_boxes.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+
+using namespace box_detail;
+
+namespace {
+
+/// What is looked at next: boxes by the least sum in them, and those alike as they came.
+using OpenBoxes = std::multimap<Rational, PreloadBox>;
+
+/// What a box turned out to be.
+struct Looked {
+  std::optional<ProvedPreloads> refused{};
+  bool middle_may_hold = false;  ///< no load that is known says otherwise
+};
+
+class LeastSearch {
+ public:
+  LeastSearch(const std::vector<GraspBox>& loads, NormalLaw law, const PreloadOptions& options,
+              const std::function<void(const LeastPreload&)>& progress)
+      : asked_(loads), law_(law), options_(options), progress_(progress) {
+    for (const GraspBox& load : asked_) {
+      load.check();
+      Rational size = size_of(load.wrench);
+      if (load.ball) size = std::max<Rational>(size, load.ball->radius);
+      size_ = std::max(size_, size);
+    }
+    for (const GraspBox& load : asked_) know(load);
+  }
+
+  LeastPreload run() {
+    const std::size_t contacts = asked_.front().contacts.size();
+    const RationalRow given = preloads_of(asked_.front());
+    result_.limit = std::max<Rational>(kMostSizes * size_, 2 * sum_of(given));
+    if (!take(RationalRow(contacts))) {
+      take(given);
+      for (Rational all = size_ / 64; !found() && all <= result_.limit; all *= 2) {
+        take(RationalRow(contacts, all / contacts));
+      }
+      if (found()) improve();
+      bound();
+    }
+    if (found()) {
+      std::vector<GraspBox> held;
+      for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
+      result_.range = range_of(held, law_, options_.box);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr int kMostSizes = 256;
+
+  bool found() const { return result_.preloads.has_value(); }
+  Rational sum() const { return sum_of(*result_.preloads); }
+
+  /// Loads that are asked about: of a ball some of them, which say soonest that it is not held.
+  void know(const GraspBox& load) {
+    GraspBox centre = load;
+    centre.ball.reset();
+    known_.push_back(std::move(centre));
+    if (!load.ball) return;
+    const Examples examples(load, law_);
+    for (const Place& place : examples.ball_directions()) {
+      known_.push_back(examples.at(place));
+    }
+  }
+
+  bool may_hold(const RationalRow& preloads) const {
+    return std::all_of(known_.begin(), known_.end(), [&](const GraspBox& load) {
+      return is_stable(with_preloads(load, preloads), law_, options_.box) == true;
+    });
+  }
+
+  /// With proofs for balls, of which a load that is not resisted is remembered.
+  std::optional<std::vector<ProvedPreloads>> hold(const RationalRow& preloads) {
+    if (!may_hold(preloads)) return std::nullopt;
+    std::vector<ProvedPreloads> held;
+    for (const GraspBox& load : asked_) {
+      held.push_back({with_preloads(load, preloads)});
+      if (!load.ball) continue;
+      const GraspBox& box = held.back().box;
+      BoxDecision decision = prove_box(box, law_, options_.box, 0);
+      if (stickslip::is_stable(decision.verdict) != true) {
+        RadiusOptions whole{options_.box, Rational(1, 2), 1};
+        Radius radius = find_radius(box.middle(), box, law_, whole);
+        if (radius.example && radius.stable == true) {
+          known_.push_back(std::move(*radius.example));
+        }
+        if (radius.proved != 1) return std::nullopt;
+        decision = std::move(*radius.proof);
+      }
+      held.back().proof = std::move(decision);
+    }
+    return held;
+  }
+
+  /// Whether these are better than what is known, which they become.
+  bool take(const RationalRow& preloads) {
+    if (found() && sum_of(preloads) >= sum()) return false;
+    auto held = hold(preloads);
+    if (!held) return false;
+    result_.preloads = preloads;
+    result_.held = std::move(*held);
+    report();
+    return true;
+  }
+
+  /// Less of all, less of one, or less of one and half of that more of another, in ever smaller
+  /// steps.
+  void improve() {
+    const bool is_dear = asked_.front().ball || !asked_.front().is_one_planar_body();
+    std::size_t tries = is_dear ? 100 : 1000;
+    Rational step = 1;
+    while (step > sum()) step /= 2;
+    while (2 * step <= sum()) step *= 2;
+    const Rational grain = step / (1 << 14);
+    for (Rational part(1, 2); 8 * part > options_.accuracy; part /= 2) {
+      step /= 2;
+      while (take_nearby(part, step, grain, tries)) {
+      }
+    }
+    shrink();
+  }
+
+  bool take_nearby(const Rational& part, const Rational& step, const Rational& grain,
+                   std::size_t& tries) {
+    const RationalRow now = *result_.preloads;
+    const auto take_one = [&](const RationalRow& preloads) {
+      if (tries == 0) return false;
+      --tries;
+      return take(preloads);
+    };
+    RationalRow less = now;
+    for (Rational& preload : less) {
+      const Rational grains = preload * (1 - part) / grain;
+      preload = Rational(numerator(grains) / denominator(grains)) * grain;
+    }
+    if (take_one(less)) return true;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (now[i].is_zero()) continue;
+      less = now;
+      less[i] = std::max<Rational>(0, now[i] - step);
+      if (take_one(less)) return true;
+      for (std::size_t j = 0; j < now.size(); ++j) {
+        if (j == i) continue;
+        RationalRow other = less;
+        other[j] += (now[i] - less[i]) / 2;
+        if (take_one(other)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// To the least multiple in the plane, where it is known exactly.
+  void shrink() {
+    if (!asked_.front().is_one_planar_body()) return;
+    std::vector<GraspBox> held;
+    for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
+    for (const auto& [low, high] : range_of(held, law_, options_.box).multiples) {
+      if (low >= 1 || (high && *high < 1)) continue;
+      RationalRow least = *result_.preloads;
+      for (Rational& preload : least) preload *= low;
+      constexpr std::size_t kShort = 128;
+      const bool is_short = std::all_of(least.begin(), least.end(), [](const Rational& x) {
+        return msb(denominator(x)) < kShort;
+      });
+      if (!is_short) {
+        const Rational steps = low * (1 << 16);
+        const Rational above = Rational(numerator(steps) / denominator(steps) + 1) / (1 << 16);
+        least = *result_.preloads;
+        for (Rational& preload : least) preload *= above;
+      }
+      take(least);
+      return;
+    }
+  }
+
+  /// Nothing of a larger sum is of interest: a little more than the sum that is known, in few
+  /// digits.
+  Rational ceiling() const {
+    if (!found()) return result_.limit;
+    const Rational unit = size_of({point_interval(sum())}) / 256;
+    const Rational units = sum() / unit;
+    return Rational(numerator(units) / denominator(units) + 1) * unit;
+  }
+
+  Looked look(const PreloadBox& box) const {
+    constexpr int kMostTries = 3;
+    Looked looked;
+    looked.middle_may_hold = true;
+    int tries = 0;
+    for (const GraspBox& load : known_) {
+      if (is_stable(with_preloads(load, middle_of(box)), law_, options_.box) == true) continue;
+      looked.middle_may_hold = false;
+      if (!may_refuse(load, box, law_, options_.box)) continue;
+      looked.refused = refuse(load, box, law_, options_.box);
+      if (looked.refused || ++tries == kMostTries) break;
+    }
+    return looked;
+  }
+
+  void bound() {
+    OpenBoxes open;
+    open.emplace(0, PreloadBox(asked_.front().contacts.size(), Interval{0, ceiling()}));
+    std::size_t count = 0;
+    const auto is_of_interest = [&](const Rational& least) {
+      return !found() || least < (1 - options_.accuracy) * sum();
+    };
+    while (!open.empty() && count < options_.most_boxes && is_of_interest(open.begin()->first)) {
+      constexpr std::size_t kAtOnce = 8;  // whatever the machine
+      std::vector<PreloadBox> boxes;
+      while (!open.empty() && boxes.size() < kAtOnce && is_of_interest(open.begin()->first)) {
+        boxes.push_back(below_sum(std::move(open.begin()->second), ceiling()));
+        open.erase(open.begin());
+      }
+      count += boxes.size();
+      std::vector<Looked> looked(boxes.size());
+      oneapi::tbb::parallel_for(std::size_t{0}, boxes.size(),
+                                [&](std::size_t k) { looked[k] = look(boxes[k]); });
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        if (looked[k].refused) {
+          result_.refused.push_back(std::move(*looked[k].refused));
+          continue;
+        }
+        if (looked[k].middle_may_hold && take(middle_of(boxes[k]))) improve();
+        auto [low, high] = halves(boxes[k]);
+        for (PreloadBox* half : {&low, &high}) {
+          Rational least = sum_of(low_corner(*half));
+          if (least < ceiling()) open.emplace(std::move(least), std::move(*half));
+        }
+      }
+      result_.bound = open.empty() ? ceiling() : std::min(open.begin()->first, ceiling());
+      report();
+    }
+    auto& refused = result_.refused;
+    refused.erase(std::remove_if(refused.begin(), refused.end(),
+                                 [&](const ProvedPreloads& part) {
+                                   Rational least = 0;
+                                   for (const UncertainContact& c : part.box.contacts) {
+                                     least += c.preload.low;
+                                   }
+                                   return least >= result_.bound;
+                                 }),
+                  refused.end());
+  }
+
+  void report() const {
+    if (progress_) progress_(result_);
+  }
+
+  const std::vector<GraspBox>& asked_;
+  NormalLaw law_;
+  const PreloadOptions& options_;
+  const std::function<void(const LeastPreload&)>& progress_;
+  std::vector<GraspBox> known_;  ///< loads that are asked about, one each
+  Rational size_ = 0;            ///< of the largest
+  LeastPreload result_;
+};
+
+}  // namespace
+
+LeastPreload find_least_preload(const std::vector<GraspBox>& loads, NormalLaw law,
+                                const PreloadOptions& options,
+                                const std::function<void(const LeastPreload&)>& progress) {
+  require(!loads.empty(), "preloads that hold some load");
+  return LeastSearch(loads, law, options, progress).run();
+}
+
+}  // namespace stickslip

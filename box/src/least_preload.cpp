@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include "examples.hpp"
 #include "one_grasp.hpp"
@@ -214,11 +214,12 @@ class LeastSearch {
   void bound() {
     OpenBoxes open;
     open.emplace(0, PreloadBox(asked_.front().contacts.size(), Interval{0, ceiling()}));
+    const std::size_t most_boxes = options_.most_boxes == 0 ? 1000 : options_.most_boxes;
     std::size_t count = 0;
     const auto is_of_interest = [&](const Rational& least) {
       return !found() || least < (1 - options_.accuracy) * sum();
     };
-    while (!open.empty() && count < options_.most_boxes && is_of_interest(open.begin()->first)) {
+    while (!open.empty() && count < most_boxes && is_of_interest(open.begin()->first)) {
       constexpr std::size_t kAtOnce = 8;  // whatever the machine
       std::vector<PreloadBox> boxes;
       while (!open.empty() && boxes.size() < kAtOnce && is_of_interest(open.begin()->first)) {

@@ -71,10 +71,9 @@ PreloadBox below_sum(PreloadBox box, const Rational& most) {
 }
 
 std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box) {
-  const auto widest =
-      std::max_element(box.begin(), box.end(), [](const Interval& a, const Interval& b) {
-        return a.high - a.low < b.high - b.low;
-      });
+  const auto widest = std::max_element(
+      box.begin(), box.end(),
+      [](const Interval& a, const Interval& b) { return a.high - a.low < b.high - b.low; });
   const auto side = static_cast<std::size_t>(widest - box.begin());
   std::pair<PreloadBox, PreloadBox> parts{box, box};
   parts.first[side].high = parts.second[side].low = widest->middle();

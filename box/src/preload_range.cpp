@@ -55,8 +55,8 @@ std::vector<MarginInterval> resisted(const PreloadMargin& of) {
 PreloadRange boxes_above(const std::vector<GraspBox>& held, NormalLaw law,
                          const SearchOptions& options) {
   PreloadRange range;
-  for (const Rational& most :
-       {Rational(4), Rational(2), Rational(3, 2), Rational(5, 4), Rational(9, 8), Rational(17, 16)}) {
+  for (const Rational& most : {Rational(4), Rational(2), Rational(3, 2), Rational(5, 4),
+                               Rational(9, 8), Rational(17, 16)}) {
     for (const GraspBox& load : held) {
       ProvedPreloads wide{load};
       for (UncertainContact& c : wide.box.contacts) c.preload.high *= most;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The best preloads P_i >= 0 of the contacts of a grasp: those of the least sum that hold given
-/// loads, and those of a given sum that resist the largest ball of loads.
+/// The best preloads P_i >= 0 of the contacts of a grasp: those of the least sum that hold
+/// given loads, and those of a given sum that resist the largest ball of loads.
 ///
-/// What is resisted is not monotone in preloads, and not convex: a local search finds good ones,
-/// and a branch and bound over boxes of preloads proves how much better others might be. A box
-/// is done with when one load is refused throughout it (certificate/FORMAT.md, section 6); those
-/// boxes cover all preloads of a smaller sum. In M contacts it takes about (M/a)^(M-1)/(M-1)!
-/// boxes to come to a part a of the sum: of many contacts the bound is weak, but a bound.
+/// What is resisted is not monotone in preloads, and not convex: a local search finds good
+/// ones, and a branch and bound over boxes of preloads proves how much better others might be.
+/// A box is done with when one load is refused throughout it (certificate/FORMAT.md, section
+/// 6); those boxes cover all preloads of a smaller sum. In M contacts it takes about
+/// (M/a)^(M-1)/(M-1)! boxes to come to a part a of the sum: of many contacts the bound is weak,
+/// but a bound.
 #pragma once
 
 #include <functional>
@@ -23,9 +24,10 @@ namespace stickslip {
 
 /// How far a search for preloads goes.
 struct PreloadOptions {
-  SearchOptions box{};            ///< of each proof
-  Rational accuracy{1, 20};       ///< stops when found and bound differ by this part
-  std::size_t most_boxes = 1000;  ///< of preloads, that the bound may take
+  SearchOptions box{};         ///< of each proof
+  Rational accuracy{1, 20};    ///< stops when found and bound differ by this part
+  std::size_t most_boxes = 0;  ///< of preloads that are looked at for the bound; 0: 1000 for
+                               ///< a sum and 200 for a ball
 };
 
 /// A box of preloads with a load, and what proves its verdict; nothing for one grasp, which is
@@ -59,19 +61,19 @@ struct LeastPreload {
   Rational limit{0};                      ///< no preloads of a larger sum were sought
 };
 
-/// The least sum. `loads` are one grasp, with a load or a ball of loads each; their preloads are
-/// tried, too. Throws InputError as GraspBox::check() does. Deterministic. `progress` is called
-/// with what is known so far.
+/// The least sum. `loads` are one grasp, with a load or a ball of loads each; their preloads
+/// are tried, too. Throws InputError as GraspBox::check() does. Deterministic. `progress` is
+/// called with what is known so far.
 LeastPreload find_least_preload(const std::vector<GraspBox>& loads, NormalLaw law,
                                 const PreloadOptions& options = {},
                                 const std::function<void(const LeastPreload&)>& progress = {});
 
 /// Preloads of at most a given sum, and the ball that they resist.
 struct BallPreload {
-  RationalRow preloads{};            ///< by contact
-  Quality quality{};                 ///< of the grasp with these
-  PreloadRange range{};              ///< of the ball that is proved, if one is
-  std::optional<Rational> bound{};   ///< no preloads of such a sum resist a larger ball
+  RationalRow preloads{};                 ///< by contact
+  Quality quality{};                      ///< of the grasp with these
+  PreloadRange range{};                   ///< of the ball that is proved, if one is
+  std::optional<Rational> bound{};        ///< no preloads of such a sum resist a larger ball
   std::vector<ProvedPreloads> refused{};  ///< which cover these, a load of each
 };
 

@@ -194,34 +194,30 @@ class BallSearch {
       distance = at;
       return true;
     };
-    at_middle = 0;
-    if (!resists(middle, directions_.front(), 0)) {
-      refuse_at(directions_.front(), 0);
-      return;
-    }
+    at_middle = resists(middle, directions_.front(), 0) ? most_ : Rational(0);
+    if (at_middle.is_zero() && refuse_at(directions_.front(), 0)) return;
+    // A load that all refuse is one that these refuse.
+    const RationalRow high_one = high_corner(box);
+    const RationalRow low_one = low_corner(box);
     std::vector<std::pair<Rational, const RationalRow*>> ways;
     for (const RationalRow& z : directions_) {
       const Rational most = std::min(most_, distance);
-      const Rational at = distance_along(middle, z, most);
+      Rational at = distance_along(middle, z, most);
+      at_middle = std::min(at_middle, at);
+      for (const RationalRow* preloads : {&high_one, &low_one}) {
+        if (at < most) at = std::max(at, distance_along(*preloads, z, most));
+      }
       if (at < most) ways.emplace_back(at, &z);
     }
     std::stable_sort(ways.begin(), ways.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    at_middle = ways.empty() ? most_ : ways.front().first;
     constexpr std::size_t kMostWays = 3;
     if (ways.size() > kMostWays) ways.resize(kMostWays);
     for (const auto& [at, z] : ways) {
-      Rational low = at * Rational(33, 32);
-      Rational high = distance > most_ ? Rational(4 * at) : distance;
-      constexpr int kMostTries = 4;
-      for (int tries = 0; tries < kMostTries && low < distance; ++tries) {
-        if (refuse_at(*z, low)) {
-          if (tries == 0) break;
-          high = low;
-          low = (at * Rational(33, 32) + high) / 2;
-        } else {
-          low = (low + high) / 2;
-        }
+      // From just above upwards, as far as that is of use.
+      Rational above = std::max<Rational>(at, most_ / 1024) / 32;
+      while (at + above < distance && at + above < most_ && !refuse_at(*z, at + above)) {
+        above *= 4;
       }
     }
   }

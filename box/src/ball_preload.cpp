@@ -96,7 +96,7 @@ class BallSearch {
 
   bool resists(const RationalRow& preloads, const RationalRow& z,
                const Rational& distance) const {
-    return is_stable(with_preloads(loaded(z, distance), preloads), law_, options_.box) == true;
+    return seems_held(with_preloads(loaded(z, distance), preloads), law_, options_.box);
   }
 
   /// A distance in this direction at which the load is not resisted, nearly the least; or

@@ -2,6 +2,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -77,20 +78,21 @@ class LeastSearch {
     }
   }
 
-  bool may_hold(const RationalRow& preloads) const {
+  bool seems_to_hold(const RationalRow& preloads) const {
     return std::all_of(known_.begin(), known_.end(), [&](const GraspBox& load) {
-      return is_stable(with_preloads(load, preloads), law_, options_.box) == true;
+      return seems_held(with_preloads(load, preloads), law_, options_.box);
     });
   }
 
   /// With proofs for balls, of which a load that is not resisted is remembered.
   std::optional<std::vector<ProvedPreloads>> hold(const RationalRow& preloads) {
-    if (!may_hold(preloads)) return std::nullopt;
+    if (!seems_to_hold(preloads)) return std::nullopt;
     std::vector<ProvedPreloads> held;
     for (const GraspBox& load : asked_) {
       held.push_back({with_preloads(load, preloads)});
-      if (!load.ball) continue;
       const GraspBox& box = held.back().box;
+      if (!load.ball && is_stable(box, law_, options_.box) == true) continue;
+      if (!load.ball) return std::nullopt;
       BoxDecision decision = prove_box(box, law_, options_.box, 0);
       if (stickslip::is_stable(decision.verdict) != true) {
         RadiusOptions whole{options_.box, Rational(1, 2), 1};
@@ -117,16 +119,16 @@ class LeastSearch {
     return true;
   }
 
-  /// Less of all, less of one, or less of one and half of that more of another, in ever smaller
-  /// steps.
+  /// Less of all or of one, and perhaps a part of that more of another, in ever smaller steps.
   void improve() {
     const bool is_dear = asked_.front().ball || !asked_.front().is_one_planar_body();
-    std::size_t tries = is_dear ? 100 : 1000;
+    std::size_t tries = is_dear ? 400 : 3000;
     Rational step = 1;
     while (step > sum()) step /= 2;
     while (2 * step <= sum()) step *= 2;
     const Rational grain = step / (1 << 14);
-    for (Rational part(1, 2); 8 * part > options_.accuracy; part /= 2) {
+    shrink();
+    for (Rational part(1, 2); 32 * part > options_.accuracy; part /= 2) {
       step /= 2;
       while (take_nearby(part, step, grain, tries)) {
       }
@@ -142,30 +144,40 @@ class LeastSearch {
       --tries;
       return take(preloads);
     };
-    RationalRow less = now;
-    for (Rational& preload : less) {
-      const Rational grains = preload * (1 - part) / grain;
-      preload = Rational(numerator(grains) / denominator(grains)) * grain;
-    }
-    if (take_one(less)) return true;
+    const auto in_grains = [&](const Rational& preload) -> Rational {
+      const Rational grains = preload / grain;
+      return Rational(numerator(grains) / denominator(grains)) * grain;
+    };
+    RationalRow less_of_all = now;
+    for (Rational& preload : less_of_all) preload = in_grains(preload * (1 - part));
+    if (take_one(less_of_all)) return true;
+    const std::array<Rational, 3> kept{Rational(1, 2), Rational(7, 8), Rational(31, 32)};
+    const Rational taken = sum() - sum_of(less_of_all);
     for (std::size_t i = 0; i < now.size(); ++i) {
+      for (const Rational& how_much : kept) {
+        RationalRow more_of_one = less_of_all;
+        more_of_one[i] += in_grains(how_much * taken);
+        if (take_one(more_of_one)) return true;
+      }
       if (now[i].is_zero()) continue;
-      less = now;
-      less[i] = std::max<Rational>(0, now[i] - step);
-      if (take_one(less)) return true;
+      RationalRow less_of_one = now;
+      less_of_one[i] = std::max<Rational>(0, now[i] - step);
+      if (take_one(less_of_one)) return true;
       for (std::size_t j = 0; j < now.size(); ++j) {
-        if (j == i) continue;
-        RationalRow other = less;
-        other[j] += (now[i] - less[i]) / 2;
-        if (take_one(other)) return true;
+        for (const Rational& how_much : kept) {
+          if (j == i) continue;
+          RationalRow other = less_of_one;
+          other[j] += how_much * (now[i] - less_of_one[i]);
+          if (take_one(other)) return true;
+        }
       }
     }
     return false;
   }
 
-  /// To the least multiple in the plane, where it is known exactly.
+  /// To the least multiple: in the plane it is known exactly.
   void shrink() {
-    if (!asked_.front().is_one_planar_body()) return;
+    if (!asked_.front().is_one_planar_body()) return shrink_by_steps();
     std::vector<GraspBox> held;
     for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
     for (const auto& [low, high] : range_of(held, law_, options_.box).multiples) {
@@ -187,6 +199,18 @@ class LeastSearch {
     }
   }
 
+  void shrink_by_steps() {
+    const RationalRow most = *result_.preloads;
+    Rational low = 0;
+    Rational high = 1;
+    while (high - low > options_.accuracy / 8 * high && low < Rational(63, 64)) {
+      const Rational middle = (low + high) / 2;
+      RationalRow less = most;
+      for (Rational& preload : less) preload *= middle;
+      (take(less) ? high : low) = middle;
+    }
+  }
+
   /// Nothing of a larger sum is of interest: a little more than the sum that is known, in few
   /// digits.
   Rational ceiling() const {
@@ -202,7 +226,7 @@ class LeastSearch {
     looked.middle_may_hold = true;
     int tries = 0;
     for (const GraspBox& load : known_) {
-      if (is_stable(with_preloads(load, middle_of(box)), law_, options_.box) == true) continue;
+      if (seems_held(with_preloads(load, middle_of(box)), law_, options_.box)) continue;
       looked.middle_may_hold = false;
       if (!may_refuse(load, box, law_, options_.box)) continue;
       looked.refused = refuse(load, box, law_, options_.box);

@@ -90,10 +90,15 @@ Rational size_of(const WrenchBox& wrench) {
   return power;
 }
 
+bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options) {
+  if (point.is_one_planar_body()) return is_stable(point, law, options) == true;
+  return !near_equilibria(GraspLaw(point, law).middle(), needs_enclosure(point)).empty();
+}
+
 bool may_refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
                 const SearchOptions& options) {
   for (const RationalRow& preloads : {middle_of(box), high_corner(box), low_corner(box)}) {
-    if (is_stable(with_preloads(load, preloads), law, options) != false) return false;
+    if (seems_held(with_preloads(load, preloads), law, options)) return false;
   }
   return true;
 }

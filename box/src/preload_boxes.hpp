@@ -34,7 +34,11 @@ std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box);
 /// The least power of two that is as large as the largest number of a load; 1 if it is 0.
 Rational size_of(const WrenchBox& wrench);
 
-/// Whether a load may be refused throughout a box of preloads: it is by a few grasps in it.
+/// Whether it seems that one grasp resists its load: a proposal. In the plane that is decided;
+/// else Newton's method finds an equilibrium or does not, which takes much less time.
+bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options);
+
+/// Whether a load may be refused throughout a box of preloads: it seems to be by a few grasps in it.
 bool may_refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
                 const SearchOptions& options);
 /// A proof of it, if one is found.

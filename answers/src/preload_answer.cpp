@@ -39,12 +39,6 @@ void add_range(NamedFiles& files, NormalLaw law, const PreloadRange& range) {
   add_boxes(files, "range", law, range.boxes);
 }
 
-Json preloads_json(const GraspBox& box) {
-  Json json = Json::array();
-  for (const UncertainContact& c : box.contacts) json.push_back(interval_json(c.preload));
-  return json;
-}
-
 /// What all answers begin with.
 Json question_json(const Question& question) {
   Json json;
@@ -66,12 +60,8 @@ void add_range(Json& json, const PreloadRange& range) {
   json["each_for_itself"] = !range.boxes.empty();
 }
 
-void add_refused(Json& json, const std::vector<ProvedPreloads>& refused) {
-  Json& boxes = json["refused"] = Json::array();
-  for (const ProvedPreloads& part : refused) {
-    boxes.push_back(
-        {{"preloads", preloads_json(part.box)}, {"wrench", wrench_json(part.box.wrench)}});
-  }
+void add_unbalanced(Json& json, const std::vector<ModelWarning>& warnings) {
+  json["warnings"] = warnings_json(warnings);
 }
 
 Rational sum_of(const RationalRow& preloads) {
@@ -101,8 +91,21 @@ std::vector<GraspBox> loads_of(const std::vector<Question>& questions) {
   return loads;
 }
 
+std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law) {
+  held.ball.reset();
+  QuestionOptions options;
+  options.law = law;
+  std::vector<ModelWarning> warnings;
+  const Answer answer = answer_to(ask({std::move(held)}, options), {});
+  for (const ModelWarning& warning : answer.warnings.value_or(std::vector<ModelWarning>())) {
+    if (warning.trap == ModelTrap::kUnbalancedPreload) warnings.push_back(warning);
+  }
+  return warnings;
+}
+
 Json preload_json(const std::vector<Question>& questions, const LeastPreload& least) {
   Json json = question_json(questions.front());
+  const NormalLaw law = questions.front().law;
   Json& loads = json["loads"] = Json::array();
   for (const Question& question : questions) {
     const GraspBox load = box_of(question.grasp);
@@ -116,7 +119,8 @@ Json preload_json(const std::vector<Question>& questions, const LeastPreload& le
   json["bound"] = number_json(least.bound);
   json["limit"] = number_json(least.limit);
   add_range(json, least.range);
-  add_refused(json, least.refused);
+  json["boxes"] = least.refused.size();
+  if (least.preloads) add_unbalanced(json, unbalanced(least.held.front().box, law));
   return json;
 }
 
@@ -135,7 +139,8 @@ Json preload_json(const Question& question, const Rational& budget, const BallPr
   json["not_resisted_at"] = quality.refuted ? number_json(*quality.refuted) : Json();
   json["bound"] = found.bound ? number_json(*found.bound) : Json();
   add_range(json, found.range);
-  add_refused(json, found.refused);
+  json["boxes"] = found.refused.size();
+  if (holds) add_unbalanced(json, unbalanced(quality.ball, question.law));
   return json;
 }
 

@@ -39,6 +39,7 @@ class BallSearch {
         budget_(budget),
         options_(options),
         progress_(progress) {
+    options_.box = of_many(options.box, grasp);
     shape_.radius = 1;
     GraspBox unit = grasp_;
     unit.ball = shape_;
@@ -288,7 +289,7 @@ class BallSearch {
   NormalLaw law_;
   LoadBall shape_;
   const Rational& budget_;
-  const PreloadOptions& options_;
+  PreloadOptions options_;
   const std::function<void(const BallPreload&)>& progress_;
   std::vector<RationalRow> directions_;  ///< loads of the ball of radius 1
   Rational most_;                        ///< no larger distance is sought

@@ -23,7 +23,7 @@ using OpenBoxes = std::multimap<Rational, PreloadBox>;
 /// What a box turned out to be.
 struct Looked {
   std::optional<ProvedPreloads> refused{};
-  bool middle_may_hold = false;  ///< no load that is known says otherwise
+  bool middle_may_hold = true;  ///< no load that is known says otherwise
 };
 
 class LeastSearch {
@@ -31,6 +31,7 @@ class LeastSearch {
   LeastSearch(const std::vector<GraspBox>& loads, NormalLaw law, const PreloadOptions& options,
               const std::function<void(const LeastPreload&)>& progress)
       : asked_(loads), law_(law), options_(options), progress_(progress) {
+    options_.box = of_many(options.box, loads.front());
     for (const GraspBox& load : asked_) {
       load.check();
       Rational size = size_of(load.wrench);
@@ -66,33 +67,33 @@ class LeastSearch {
   bool found() const { return result_.preloads.has_value(); }
   Rational sum() const { return sum_of(*result_.preloads); }
 
-  /// Loads that are asked about: of a ball some of them, which say soonest that it is not held.
+  /// Loads that are asked about: of a ball in the plane some of them, which say soonest that it
+  /// is not held.
   void know(const GraspBox& load) {
     GraspBox centre = load;
     centre.ball.reset();
     known_.push_back(std::move(centre));
-    if (!load.ball) return;
+    if (!load.ball || !load.is_one_planar_body()) return;
     const Examples examples(load, law_);
     for (const Place& place : examples.ball_directions()) {
       known_.push_back(examples.at(place));
     }
   }
 
-  bool seems_to_hold(const RationalRow& preloads) const {
+  bool may_hold(const RationalRow& preloads) const {
     return std::all_of(known_.begin(), known_.end(), [&](const GraspBox& load) {
-      return seems_held(with_preloads(load, preloads), law_, options_.box);
+      return is_stable(with_preloads(load, preloads), law_, options_.box) == true;
     });
   }
 
   /// With proofs for balls, of which a load that is not resisted is remembered.
   std::optional<std::vector<ProvedPreloads>> hold(const RationalRow& preloads) {
-    if (!seems_to_hold(preloads)) return std::nullopt;
+    if (!may_hold(preloads)) return std::nullopt;
     std::vector<ProvedPreloads> held;
     for (const GraspBox& load : asked_) {
       held.push_back({with_preloads(load, preloads)});
+      if (!load.ball) continue;
       const GraspBox& box = held.back().box;
-      if (!load.ball && is_stable(box, law_, options_.box) == true) continue;
-      if (!load.ball) return std::nullopt;
       BoxDecision decision = prove_box(box, law_, options_.box, 0);
       if (stickslip::is_stable(decision.verdict) != true) {
         RadiusOptions whole{options_.box, Rational(1, 2), 1};
@@ -122,13 +123,13 @@ class LeastSearch {
   /// Less of all or of one, and perhaps a part of that more of another, in ever smaller steps.
   void improve() {
     const bool is_dear = asked_.front().ball || !asked_.front().is_one_planar_body();
-    std::size_t tries = is_dear ? 400 : 3000;
+    std::size_t tries = is_dear ? 200 : 3000;
     Rational step = 1;
     while (step > sum()) step /= 2;
     while (2 * step <= sum()) step *= 2;
     const Rational grain = step / (1 << 14);
     shrink();
-    for (Rational part(1, 2); 32 * part > options_.accuracy; part /= 2) {
+    for (Rational part(1, 2); (is_dear ? 8 : 32) * part > options_.accuracy; part /= 2) {
       step /= 2;
       while (take_nearby(part, step, grain, tries)) {
       }
@@ -175,12 +176,15 @@ class LeastSearch {
     return false;
   }
 
-  /// To the least multiple: in the plane it is known exactly.
+  /// To the least multiple, which of certain loads in the plane is known exactly.
   void shrink() {
-    if (!asked_.front().is_one_planar_body()) return shrink_by_steps();
     std::vector<GraspBox> held;
     for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
-    for (const auto& [low, high] : range_of(held, law_, options_.box).multiples) {
+    const bool may_be_exact = held.front().is_one_planar_body() && !held.front().ball;
+    const PreloadRange range =
+        may_be_exact ? range_of(held, law_, options_.box) : PreloadRange();
+    if (range.margins.empty()) return shrink_by_steps();
+    for (const auto& [low, high] : range.multiples) {
       if (low >= 1 || (high && *high < 1)) continue;
       RationalRow least = *result_.preloads;
       for (Rational& preload : least) preload *= low;
@@ -223,11 +227,10 @@ class LeastSearch {
   Looked look(const PreloadBox& box) const {
     constexpr int kMostTries = 3;
     Looked looked;
-    looked.middle_may_hold = true;
     int tries = 0;
     for (const GraspBox& load : known_) {
       if (seems_held(with_preloads(load, middle_of(box)), law_, options_.box)) continue;
-      looked.middle_may_hold = false;
+      if (load.is_one_planar_body()) looked.middle_may_hold = false;
       if (!may_refuse(load, box, law_, options_.box)) continue;
       looked.refused = refuse(load, box, law_, options_.box);
       if (looked.refused || ++tries == kMostTries) break;
@@ -287,7 +290,7 @@ class LeastSearch {
 
   const std::vector<GraspBox>& asked_;
   NormalLaw law_;
-  const PreloadOptions& options_;
+  PreloadOptions options_;
   const std::function<void(const LeastPreload&)>& progress_;
   std::vector<GraspBox> known_;  ///< loads that are asked about, one each
   Rational size_ = 0;            ///< of the largest

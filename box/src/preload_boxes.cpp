@@ -95,6 +95,12 @@ bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& optio
   return !near_equilibria(GraspLaw(point, law).middle(), needs_enclosure(point)).empty();
 }
 
+SearchOptions of_many(SearchOptions options, const GraspBox& grasp) {
+  constexpr std::size_t kInSpace = 1000;
+  if (options.node_limit == 0 && !grasp.is_one_planar_body()) options.node_limit = kInSpace;
+  return options;
+}
+
 bool may_refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
                 const SearchOptions& options) {
   for (const RationalRow& preloads : {middle_of(box), high_corner(box), low_corner(box)}) {

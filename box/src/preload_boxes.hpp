@@ -35,10 +35,14 @@ std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box);
 Rational size_of(const WrenchBox& wrench);
 
 /// Whether it seems that one grasp resists its load: a proposal. In the plane that is decided;
-/// else Newton's method finds an equilibrium or does not, which takes much less time.
+/// else Newton's method finds an equilibrium, or misses it, which takes much less time.
 bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options);
 
-/// Whether a load may be refused throughout a box of preloads: it seems to be by a few grasps in it.
+/// What one of many proofs may take: less than one that was asked for alone.
+SearchOptions of_many(SearchOptions options, const GraspBox& grasp);
+
+/// Whether a load may be refused throughout a box of preloads: it seems to be by a few grasps
+/// in it.
 bool may_refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
                 const SearchOptions& options);
 /// A proof of it, if one is found.

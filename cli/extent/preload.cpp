@@ -13,6 +13,7 @@
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "terminal.hpp"
+#include "warnings.hpp"
 
 namespace stickslip {
 namespace {
@@ -116,6 +117,7 @@ class LeastText {
     }
     if (arguments_.certificates.empty()) std::cout << text_.note();
     std::cout << units_text(question) << engine_text(box_engine(question), question.law);
+    if (least_.preloads) stickslip::print(unbalanced(least_.held.front().box, question.law));
   }
 
  private:
@@ -142,7 +144,9 @@ class LeastText {
 
   std::string meaning() {
     std::string words;
-    if (least_.bound.is_zero()) {
+    if (least_.preloads && sum_of(*least_.preloads).is_zero()) {
+      words = "No preload is needed.\n";
+    } else if (least_.bound.is_zero()) {
       words = "No bound of the sum is proved.\n";
     } else {
       words = "No preloads whose sum is below the bound hold " + loads_ + ": proved for\n" +
@@ -223,6 +227,7 @@ void print_ball(const Question& question, const Rational& budget, const BallPrel
   }
   if (!holds || arguments.certificates.empty()) std::cout << text.note();
   std::cout << units_text(question) << engine_text(box_engine(question), question.law);
+  if (holds) print(unbalanced(quality.ball, question.law));
 }
 
 int ball(const PreloadArguments& arguments) {

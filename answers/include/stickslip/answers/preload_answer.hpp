@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stickslip/answers/quality_answer.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/box/preload.hpp"
 
 namespace stickslip {
@@ -15,6 +16,10 @@ namespace stickslip {
 /// The loads of questions that differ in their loads alone, as find_least_preload() takes them.
 /// Throws InputError if more is uncertain than loads in a ball.
 std::vector<GraspBox> loads_of(const std::vector<Question>& questions);
+
+/// The warning that preloads which were found do not balance each other, if they do not: it is
+/// no condition of the model (docs/model.md).
+std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law);
 
 /// The preloads of least sum, the bound, and which multiples hold.
 Json preload_json(const std::vector<Question>& questions, const LeastPreload& least);

@@ -72,19 +72,20 @@ Rational sum_of(const RationalRow& preloads) {
 
 }  // namespace
 
-std::vector<GraspBox> loads_of(const std::vector<Question>& questions) {
+std::vector<GraspBox> loads_of(const std::vector<Question>& questions,
+                               const std::string& file) {
   std::vector<GraspBox> loads;
   for (const Question& question : questions) {
     loads.push_back(box_of(question.grasp));
     GraspBox centre = loads.back();
     centre.ball.reset();
     if (!centre.is_point()) {
-      throw InputError("", "", "some numbers are uncertain",
+      throw InputError(file, "", "some numbers are uncertain",
                        "the best preloads are those of one grasp: give one number for each; "
                        "loads may be in a ball, as in --uncertain wrench=ball:1/2");
     }
     if (centre.contacts.empty()) {
-      throw InputError("", "contacts", "there are none",
+      throw InputError(file, "contacts", "there are none",
                        "the best preloads are those of contacts: give one or more");
     }
   }

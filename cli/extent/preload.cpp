@@ -167,8 +167,8 @@ int hold(const PreloadArguments& arguments) {
   const std::vector<Question> questions = arguments.question.any_questions();
   Progress progress;
   const LeastPreload least = find_least_preload(
-      loads_of(questions), questions.front().law, arguments.options(),
-      [&](const LeastPreload& so_far) {
+      loads_of(questions, arguments.question.name_of_file()), questions.front().law,
+      arguments.options(), [&](const LeastPreload& so_far) {
         progress.show("bound " + to_readable_string(so_far.bound) + ", " +
                       std::to_string(so_far.refused.size()) + " boxes of preloads refused");
       });
@@ -242,7 +242,7 @@ int ball(const PreloadArguments& arguments) {
     throw InputError("", "--uncertain", "the ball is what is sought with --budget",
                      "leave it out, or ask --hold");
   }
-  const GraspBox grasp = loads_of({question}).front();
+  const GraspBox grasp = loads_of({question}, arguments.question.name_of_file()).front();
   Progress progress;
   const BallPreload found = find_ball_preload(
       grasp, question.law, shape, budget, arguments.options(), [&](const BallPreload& so_far) {

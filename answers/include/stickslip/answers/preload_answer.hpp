@@ -14,8 +14,9 @@
 namespace stickslip {
 
 /// The loads of questions that differ in their loads alone, as find_least_preload() takes them.
-/// Throws InputError if more is uncertain than loads in a ball.
-std::vector<GraspBox> loads_of(const std::vector<Question>& questions);
+/// Throws InputError about the file if more is uncertain than loads in a ball,
+/// and if there are no contacts.
+std::vector<GraspBox> loads_of(const std::vector<Question>& questions, const std::string& file);
 
 /// The warning that preloads which were found do not balance each other, if they do not: it is
 /// no condition of the model (docs/model.md).

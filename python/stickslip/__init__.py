@@ -18,6 +18,7 @@ from .errors import ContractError, InputError, LimitReached
 from .grasp import Assembly, Body, Grasp, MeshGrasp, PlacedGrasp, SnappedNormal, SnapResult
 from .loads import wrench_of
 from .questions import (
+    best_preload,
     check,
     class_margin,
     compare,
@@ -35,6 +36,7 @@ from .questions import (
     stability_map,
 )
 from .results import (
+    BestPreload,
     BoxDecision,
     Cell,
     CheckResult,
@@ -63,6 +65,7 @@ __version__: str = _core.version
 
 __all__ = [
     "Assembly",
+    "BestPreload",
     "Body",
     "BoxDecision",
     "Cell",
@@ -95,6 +98,7 @@ __all__ = [
     "SnapResult",
     "SnappedNormal",
     "StabilityMap",
+    "best_preload",
     "check",
     "class_margin",
     "compare",

@@ -41,20 +41,21 @@ def preloads_of(grasp):
             for contact in grasp["contacts"]]
 
 
-def uncovered(region, boxes, is_empty):
-    """Some part of a box that is in none of `boxes`, unless all such parts are empty; exactly."""
-    if is_empty(region):
+def uncovered(region, boxes, most, with_most):
+    """Some box in `region` of which nothing is in `boxes`, but preloads of a sum below `most`, or of it; exactly."""
+    left = most - sum(low for low, _ in region)
+    if left < 0 or (left == 0 and not with_most):
         return None
-    for box in boxes:
-        if all(b[0] <= r[0] and r[1] <= b[1] for b, r in zip(box, region)):
-            return None
+    region = [(low, min(high, low + left)) for low, high in region]
+    if any(all(b[0] <= r[0] and r[1] <= b[1] for b, r in zip(box, region)) for box in boxes):
+        return None
     for box in boxes:
         if all(b[0] < r[1] and r[0] < b[1] for b, r in zip(box, region)):
             side, at = next((k, end) for k, (b, r) in enumerate(zip(box, region))
                             for end in b if r[0] < end < r[1])
             low, high = list(region), list(region)
             low[side], high[side] = (region[side][0], at), (at, region[side][1])
-            return uncovered(low, boxes, is_empty) or uncovered(high, boxes, is_empty)
+            return uncovered(low, boxes, most, with_most) or uncovered(high, boxes, most, with_most)
     return region
 
 
@@ -93,7 +94,7 @@ class Preload(Case):
                 self.assertEqual(preloads_of(grasp), [(0, 0)] * len(preloads))
         self.assertEqual(len(self.names(folder, "range")), len(held) if multiples else 0)
 
-    def bound_is_proved(self, folder, answer, most, is_empty):
+    def bound_is_proved(self, folder, answer, most, with_most):
         boxes = []
         names = self.names(folder, "bound")
         self.assertEqual(len(names), answer["boxes"])
@@ -102,8 +103,9 @@ class Preload(Case):
             grasp = self.judged(folder, name, r"verdict +unstable\b")
             boxes.append(preloads_of(grasp))
             wrenches[name] = grasp["wrench"]
-        region = [(F(0), most)] * len(boxes[0])
-        self.assertIsNone(uncovered(region, boxes, is_empty))
+        self.assertIsNone(uncovered([(F(0), most)] * len(boxes[0]), boxes, most, with_most))
+        # It is no more than a box that makes the difference.
+        self.assertIsNotNone(uncovered([(F(0), 2 * most)] * len(boxes[0]), boxes, 2 * most, with_most))
         return wrenches
 
     def hold(self, grasp, *words, ball=(), code=DONE):
@@ -113,8 +115,7 @@ class Preload(Case):
         answer = self.json("preload", path, "--hold", *words, *ball, "--certificates", folder, code=code)
         bound = F(answer["bound"])
         if bound > 0:
-            self.bound_is_proved(folder, answer, bound,
-                                 lambda region: sum(low for low, _ in region) >= bound)
+            self.bound_is_proved(folder, answer, bound, False)
         if answer["sum"] is not None:
             self.assertLessEqual(bound, F(answer["sum"]))
             if F(answer["sum"]) > 0:
@@ -249,7 +250,7 @@ class Preload(Case):
         self.assertLessEqual(F(answer["sum"]), 8)
         self.checked(folder, answer, ["proved"], "--uncertain", f"wrench=ball:{proved}:length=1/1000")
         self.judged(folder, "refuted", r"verdict +unstable\b")
-        wrenches = self.bound_is_proved(folder, answer, F(8), lambda region: sum(low for low, _ in region) > 8)
+        wrenches = self.bound_is_proved(folder, answer, F(8), True)
         for wrench in wrenches.values():  # no farther than the bound
             x, y, torque = map(F, wrench)
             self.assertLessEqual(x ** 2 + (y + 2) ** 2 + (1000 * torque) ** 2, bound ** 2)

@@ -317,9 +317,9 @@ void add_preload_command(CLI::App& app, int& exit_code) {
       "others might be, and is proved, too (docs/preload.md). More preload can break a grasp:\n"
       "the answer says which multiples hold. Of many contacts the bound is far away.\n",
       kExitCodesWithLimit + ";\n20 if no preloads up to a limit hold",
-      "stickslip preload jaw.json --hold\n"
-      "  $ stickslip preload jaw.json --hold --uncertain wrench=ball:1/2\n"
-      "  $ stickslip preload jaw.json --budget 20 --length 2"));
+      "stickslip preload fig1.json --wrench 0,1/2,0 --hold\n"
+      "  $ stickslip preload fig1.json --wrench 0,1/2,0 --hold --uncertain wrench=ball:1/8\n"
+      "  $ stickslip preload fig1.json --wrench 0,1/2,0 --budget 3 --length 2"));
   command->callback([arguments, &exit_code] {
     if (!arguments->hold && arguments->budget.empty()) {
       throw InputError(

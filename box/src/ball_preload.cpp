@@ -10,6 +10,7 @@
 #include "examples.hpp"
 #include "one_grasp.hpp"
 #include "preload_boxes.hpp"
+#include "preload_patterns.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -38,7 +39,8 @@ class BallSearch {
         shape_(shape),
         budget_(budget),
         options_(options),
-        progress_(progress) {
+        progress_(progress),
+        patterns_(grasp, options.balanced) {
     options_.box = of_many(options.box, grasp);
     shape_.radius = 1;
     GraspBox unit = grasp_;
@@ -52,22 +54,24 @@ class BallSearch {
   }
 
   BallPreload run() {
-    const std::size_t contacts = grasp_.contacts.size();
-    std::vector<RationalRow> starts{RationalRow(contacts, budget_ / contacts)};
+    std::vector<RationalRow> starts;
+    if (patterns_.size() > 0) {
+      starts.emplace_back(patterns_.size(), budget_ / patterns_.size());
+    }
     const RationalRow given = preloads_of(grasp_);
-    if (const Rational sum = sum_of(given); !sum.is_zero()) {
+    if (const Rational sum = sum_of(given); !sum.is_zero() && patterns_.are_contacts()) {
       starts.push_back(given);
       for (Rational& preload : starts.back()) preload *= budget_ / sum;
     }
     RationalRow best;
     Rational most = 0;
     for (const RationalRow& start : starts) {
-      const Rational distance = distance_at(start);
+      const Rational distance = distance_at(patterns_.preloads(start));
       if (distance <= most && !best.empty()) continue;
       most = distance;
       best = start;
     }
-    climb_and_take(std::move(best));
+    if (!best.empty()) climb_and_take(std::move(best));
     bound();
     if (result_.quality.stable == true && !result_.quality.proved.is_zero()) {
       GraspBox held = result_.quality.ball;
@@ -132,23 +136,23 @@ class BallSearch {
     return least;
   }
 
-  /// Moves a part of one preload to another, or leaves it out, in ever smaller steps.
-  void climb(RationalRow& preloads) const {
-    Rational most = distance_at(preloads);
+  /// Moves a part of one weight to another, or leaves it out, in ever smaller steps.
+  void climb(RationalRow& weights) const {
+    Rational most = distance_at(patterns_.preloads(weights));
     std::size_t tries = grasp_.is_one_planar_body() ? 400 : 60;
     for (Rational step = budget_ / 4; 16 * step > options_.accuracy * budget_;) {
       bool is_better = false;
-      for (std::size_t i = 0; i < preloads.size(); ++i) {
-        for (std::size_t j = 0; j < preloads.size() && !preloads[i].is_zero(); ++j) {
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        for (std::size_t j = 0; j < weights.size() && !weights[i].is_zero(); ++j) {
           if (tries == 0) return;
           --tries;
-          RationalRow other = preloads;
-          other[i] = std::max<Rational>(0, preloads[i] - step);
-          if (j != i) other[j] += preloads[i] - other[i];
-          const Rational distance = distance_at(other, most);
+          RationalRow other = weights;
+          other[i] = std::max<Rational>(0, weights[i] - step);
+          if (j != i) other[j] += weights[i] - other[i];
+          const Rational distance = distance_at(patterns_.preloads(other), most);
           if (distance <= most) continue;
           most = distance;
-          preloads = std::move(other);
+          weights = std::move(other);
           is_better = true;
         }
       }
@@ -157,10 +161,11 @@ class BallSearch {
   }
 
   /// The ball of what is found, whose nearest load that is too much is a direction from now on.
-  void climb_and_take(RationalRow preloads) {
+  void climb_and_take(RationalRow weights) {
     constexpr int kMostRounds = 4;
     for (int round = 0; round < kMostRounds; ++round) {
-      climb(preloads);
+      climb(weights);
+      const RationalRow preloads = patterns_.preloads(weights);
       QualityOptions search;
       search.radius.box = options_.box;
       search.radius.accuracy = options_.accuracy / 4;
@@ -261,8 +266,8 @@ class BallSearch {
       for (std::size_t k = 0; k < boxes.size(); ++k) {
         constexpr int kMostClimbs = 4;
         const Rational enough = (1 + options_.accuracy) * result_.quality.proved;
-        if (climbs < kMostClimbs && sum_of(middles[k]) <= budget_ && at_middles[k] > enough &&
-            distance_at(middles[k]) > enough) {
+        if (patterns_.are_contacts() && climbs < kMostClimbs && sum_of(middles[k]) <= budget_ &&
+            at_middles[k] > enough && distance_at(middles[k]) > enough) {
           ++climbs;
           climb_and_take(middles[k]);
         }
@@ -291,6 +296,7 @@ class BallSearch {
   const Rational& budget_;
   PreloadOptions options_;
   const std::function<void(const BallPreload&)>& progress_;
+  PreloadPatterns patterns_;
   std::vector<RationalRow> directions_;  ///< loads of the ball of radius 1
   Rational most_;                        ///< no larger distance is sought
   BallPreload result_;

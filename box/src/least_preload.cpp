@@ -9,6 +9,7 @@
 #include "examples.hpp"
 #include "one_grasp.hpp"
 #include "preload_boxes.hpp"
+#include "preload_patterns.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -30,7 +31,11 @@ class LeastSearch {
  public:
   LeastSearch(const std::vector<GraspBox>& loads, NormalLaw law, const PreloadOptions& options,
               const std::function<void(const LeastPreload&)>& progress)
-      : asked_(loads), law_(law), options_(options), progress_(progress) {
+      : asked_(loads),
+        law_(law),
+        options_(options),
+        progress_(progress),
+        patterns_(loads.front(), options.balanced) {
     options_.box = of_many(options.box, loads.front());
     for (const GraspBox& load : asked_) {
       load.check();
@@ -42,13 +47,13 @@ class LeastSearch {
   }
 
   LeastPreload run() {
-    const std::size_t contacts = asked_.front().contacts.size();
     const RationalRow given = preloads_of(asked_.front());
+    const std::size_t count = patterns_.size();
     result_.limit = std::max<Rational>(kMostSizes * size_, 2 * sum_of(given));
-    if (!take(RationalRow(contacts))) {
-      take(given);
-      for (Rational all = size_ / 64; !found() && all <= result_.limit; all *= 2) {
-        take(RationalRow(contacts, all / contacts));
+    if (!take(RationalRow(count))) {
+      if (patterns_.are_contacts()) take(given);
+      for (Rational all = size_ / 64; count > 0 && !found() && all <= result_.limit; all *= 2) {
+        take(RationalRow(count, all / count));
       }
       if (found()) improve();
       bound();
@@ -109,11 +114,13 @@ class LeastSearch {
     return held;
   }
 
-  /// Whether these are better than what is known, which they become.
-  bool take(const RationalRow& preloads) {
-    if (found() && sum_of(preloads) >= sum()) return false;
+  /// Whether preloads with these weights are better than what is known, which they become.
+  bool take(const RationalRow& weights) {
+    if (found() && sum_of(weights) >= sum()) return false;
+    const RationalRow preloads = patterns_.preloads(weights);
     auto held = hold(preloads);
     if (!held) return false;
+    weights_ = weights;
     result_.preloads = preloads;
     result_.held = std::move(*held);
     report();
@@ -139,18 +146,18 @@ class LeastSearch {
 
   bool take_nearby(const Rational& part, const Rational& step, const Rational& grain,
                    std::size_t& tries) {
-    const RationalRow now = *result_.preloads;
-    const auto take_one = [&](const RationalRow& preloads) {
+    const RationalRow now = weights_;
+    const auto take_one = [&](const RationalRow& weights) {
       if (tries == 0) return false;
       --tries;
-      return take(preloads);
+      return take(weights);
     };
-    const auto in_grains = [&](const Rational& preload) -> Rational {
-      const Rational grains = preload / grain;
+    const auto in_grains = [&](const Rational& weight) -> Rational {
+      const Rational grains = weight / grain;
       return Rational(numerator(grains) / denominator(grains)) * grain;
     };
     RationalRow less_of_all = now;
-    for (Rational& preload : less_of_all) preload = in_grains(preload * (1 - part));
+    for (Rational& weight : less_of_all) weight = in_grains(weight * (1 - part));
     if (take_one(less_of_all)) return true;
     const std::array<Rational, 3> kept{Rational(1, 2), Rational(7, 8), Rational(31, 32)};
     const Rational taken = sum() - sum_of(less_of_all);
@@ -186,8 +193,8 @@ class LeastSearch {
     if (range.margins.empty()) return shrink_by_steps();
     for (const auto& [low, high] : range.multiples) {
       if (low >= 1 || (high && *high < 1)) continue;
-      RationalRow least = *result_.preloads;
-      for (Rational& preload : least) preload *= low;
+      RationalRow least = weights_;
+      for (Rational& weight : least) weight *= low;
       constexpr std::size_t kShort = 128;
       const bool is_short = std::all_of(least.begin(), least.end(), [](const Rational& x) {
         return msb(denominator(x)) < kShort;
@@ -195,8 +202,8 @@ class LeastSearch {
       if (!is_short) {
         const Rational steps = low * (1 << 16);
         const Rational above = Rational(numerator(steps) / denominator(steps) + 1) / (1 << 16);
-        least = *result_.preloads;
-        for (Rational& preload : least) preload *= above;
+        least = weights_;
+        for (Rational& weight : least) weight *= above;
       }
       take(least);
       return;
@@ -204,13 +211,13 @@ class LeastSearch {
   }
 
   void shrink_by_steps() {
-    const RationalRow most = *result_.preloads;
+    const RationalRow most = weights_;
     Rational low = 0;
     Rational high = 1;
     while (high - low > options_.accuracy / 8 * high && low < Rational(63, 64)) {
       const Rational middle = (low + high) / 2;
       RationalRow less = most;
-      for (Rational& preload : less) preload *= middle;
+      for (Rational& weight : less) weight *= middle;
       (take(less) ? high : low) = middle;
     }
   }
@@ -262,7 +269,10 @@ class LeastSearch {
           result_.refused.push_back(std::move(*looked[k].refused));
           continue;
         }
-        if (looked[k].middle_may_hold && take(middle_of(boxes[k]))) improve();
+        if (looked[k].middle_may_hold && patterns_.are_contacts() &&
+            take(middle_of(boxes[k]))) {
+          improve();
+        }
         auto [low, high] = halves(boxes[k]);
         for (PreloadBox* half : {&low, &high}) {
           Rational least = sum_of(low_corner(*half));
@@ -294,6 +304,8 @@ class LeastSearch {
   const std::function<void(const LeastPreload&)>& progress_;
   std::vector<GraspBox> known_;  ///< loads that are asked about, one each
   Rational size_ = 0;            ///< of the largest
+  PreloadPatterns patterns_;
+  RationalRow weights_{};  ///< of the preloads that are known
   LeastPreload result_;
 };
 

@@ -21,6 +21,7 @@ namespace {
 struct PreloadArguments {
   QuestionArguments question;
   bool hold = false;
+  bool balanced = false;
   std::string budget;
   std::string length;
   std::string about;
@@ -34,6 +35,7 @@ struct PreloadArguments {
   PreloadOptions options() const {
     PreloadOptions options;
     options.box.node_limit = node_limit;
+    options.balanced = balanced;
     options.accuracy = accuracy_option(accuracy);
     options.most_boxes = boxes;
     return options;
@@ -295,6 +297,10 @@ void add_preload_command(CLI::App& app, int& exit_code) {
                    "With --budget: of several bodies the one that the loads are on"}}) {
     command->add_option(option, *value, words)->type_name(type)->needs(budget);
   }
+  command->add_flag(
+      "--balanced", arguments->balanced,
+      "Seek preloads that friction balances before the load comes, of one body in "
+      "the plane; the bound is about all preloads even so");
   command
       ->add_option("--accuracy", arguments->accuracy,
                    "Stop when what is found and the bound differ by this part")
@@ -326,7 +332,12 @@ void add_preload_command(CLI::App& app, int& exit_code) {
           "", "", "it is not said which preloads are best",
           "ask for those of least sum with --hold, or give a sum, as in --budget 20");
     }
-    exit_code = arguments->hold ? hold(*arguments) : ball(*arguments);
+    try {
+      exit_code = arguments->hold ? hold(*arguments) : ball(*arguments);
+    } catch (const InputError& error) {
+      if (error.place() != "balanced") throw;
+      throw in_options(error, arguments->question.name_of_file());
+    }
   });
 }
 

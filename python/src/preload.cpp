@@ -52,11 +52,13 @@ py::object fraction_or_none(const std::optional<Rational>& number) {
 /// With a budget under the first load alone.
 py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::object& budget,
                       const std::string& uncertain, const py::object& length,
-                      const py::list& about, const std::string& body, bool bilateral,
-                      const py::object& accuracy, std::size_t boxes, std::size_t node_limit) {
+                      const py::list& about, const std::string& body, bool balanced,
+                      bool bilateral, const py::object& accuracy, std::size_t boxes,
+                      std::size_t node_limit) {
   PreloadOptions options;
   options.box.node_limit = node_limit;
   options.most_boxes = boxes;
+  options.balanced = balanced;
   options.accuracy = exact(accuracy, "accuracy");
   if (options.accuracy.sign() <= 0 || options.accuracy >= 1) {
     throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),

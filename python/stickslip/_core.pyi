@@ -129,6 +129,7 @@ def best_preload(
     length: Any,
     about: List[Any],
     body: str,
+    balanced: bool,
     bilateral: bool,
     accuracy: Any,
     boxes: int,

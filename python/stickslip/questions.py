@@ -231,6 +231,7 @@ def best_preload(
     length: Number = 1,
     about: Any = (),
     body: str = "",
+    balanced: bool = False,
     friction: Optional[Number] = None,
     normal_law: str = "unilateral",
     accuracy: Number = "1/20",
@@ -246,6 +247,8 @@ def best_preload(
         uncertain: without a budget a ball of loads to be held, "wrench=ball:1/2:length=2".
         length, about, body: with a budget the length by which torques are divided, the point about
             which they are, () for the origin, and of an Assembly the body of the loads.
+        balanced: seek preloads that friction balances before the load comes, of one body in the
+            plane. The bound is about all preloads even so.
         accuracy: stop when what is found and the bound differ by this part.
         boxes: look at so many boxes of preloads for the bound; 0: so many as suit most questions.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
@@ -259,7 +262,8 @@ def best_preload(
         about_grasp._data, [about_grasp._load(row) for row in rows],
         as_number_or_none(budget, "budget"), as_uncertain(uncertain), as_number(length, "length"),
         as_list(about, "about", (len(about),), "a point") if len(about) else [], body,
-        is_bilateral(normal_law), as_number(accuracy, "accuracy"), as_count("boxes", boxes),
+        bool(balanced), is_bilateral(normal_law), as_number(accuracy, "accuracy"),
+        as_count("boxes", boxes),
         as_count("node_limit", node_limit))
     law = result["normal_law"]
     result["proofs"] = {name: Proof(texts[0], texts[1], law)

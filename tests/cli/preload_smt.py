@@ -7,8 +7,17 @@ from math import isqrt
 from space_smt import linear, number
 
 
-def least_sum(contacts, wrenches):
-    """Of contacts (p, n, friction, stiffness), with |n| rational."""
+def rows_of(p, n):
+    """What a unit force along the normal, of rational length, and across it exerts."""
+    square = n[0] * n[0] + n[1] * n[1]
+    length = F(isqrt(square.numerator), isqrt(square.denominator))
+    assert length * length == square
+    n = [x / length for x in n]
+    return [[*u, p[0] * u[1] - p[1] * u[0]] for u in (n, [-n[1], n[0]])]
+
+
+def least_sum(contacts, wrenches, balanced=False):
+    """Of contacts (p, n, friction, stiffness); `balanced` if friction is to balance the preloads without load and motion."""
     preloads = [f"P{i}" for i in range(len(contacts))]
     lines = [f"(declare-const {name} Real)(assert (>= {name} 0))" for name in preloads]
     for c, wrench in enumerate(wrenches):
@@ -16,12 +25,7 @@ def least_sum(contacts, wrenches):
         lines += [f"(declare-const {name} Real)" for name in d]
         sums = [[number(w)] for w in wrench]
         for i, (p, n, mu, stiffness) in enumerate(contacts):
-            square = n[0] * n[0] + n[1] * n[1]
-            length = F(isqrt(square.numerator), isqrt(square.denominator))
-            assert length * length == square
-            n = [x / length for x in n]
-            t = [-n[1], n[0]]
-            rows = [[*u, p[0] * u[1] - p[1] * u[0]] for u in (n, t)]
+            rows = rows_of(p, n)
             a, b = f"a{c}_{i}", f"b{c}_{i}"
             away, slip = linear(rows[0], d), linear(rows[1], d)
             separation = f"(- {preloads[i]} (* {number(stiffness)} {away}))"
@@ -33,6 +37,15 @@ def least_sum(contacts, wrenches):
             for j in range(3):
                 sums[j] += [f"(* {number(rows[0][j])} {a})", f"(* {number(rows[1][j])} {b})"]
         lines += [f"(assert (= 0 (+ {' '.join(parts)})))" for parts in sums]
+    if balanced:
+        sums = [[], [], []]
+        for i, (p, n, mu, _) in enumerate(contacts):
+            rows = rows_of(p, n)
+            lines.append(f"""(declare-const t{i} Real)
+(assert (and (<= t{i} (* {number(mu)} {preloads[i]})) (>= t{i} (* {number(-mu)} {preloads[i]}))))""")
+            for j in range(3):
+                sums[j] += [f"(* {number(rows[0][j])} {preloads[i]})", f"(* {number(rows[1][j])} t{i})"]
+        lines += [f"(assert (= 0 (+ 0 {' '.join(parts)})))" for parts in sums]
     return "\n".join([*lines, f"(minimize (+ 0 {' '.join(preloads)}))", "(check-sat)", "(get-objectives)"])
 
 

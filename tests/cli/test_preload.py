@@ -148,31 +148,41 @@ class Preload(Case):
         answer = self.hold(grasp)
         self.assertEqual((F(answer["sum"]), answer["preloads"][2]), (16, "0"))
 
+    def by_z3(self, contacts, loads, balanced=False):
+        """The least sum of all; None if no preloads hold, False if Z3 does not say."""
+        exact = [([F(x) for x in p], [F(x) for x in n], mu, F(k)) for p, n, mu, k in contacts]
+        text = least_sum(exact, [[F(x) for x in w] for w in loads], balanced)
+        out = run(Z3, "-T:20", "-in", stdin=text)[1]
+        if not out.startswith("sat"):
+            return None if out.startswith("unsat") else False
+        return fraction(re.sub(r".*[Pt]\d+\)\s*", "", out, flags=re.S))
+
+    def random_grasp(self, rng):
+        contacts = []
+        for _ in range(rng.randint(2, 4)):
+            n = rng.choice([(1, 0), (0, 1), (-1, 0), (0, -1), (3, 4), (-3, 4), (4, -3), (-4, -3)])
+            p = [-x + rng.choice((0, 0, 1, -1)) for x in n]
+            contacts.append((p, n, F(rng.randint(1, 9), 10), rng.randint(1, 3)))
+        loads = [[rng.randint(-3, 3) for _ in range(3)] for _ in range(rng.randint(1, 2))]
+        grasp = {"format": "stickslip-grasp/2", "contacts": [
+            {"position": p, "normal": n, "friction": str(mu), "stiffness": k} for p, n, mu, k in contacts]}
+        if len(loads) == 1:
+            grasp["wrench"] = loads[0]
+        else:
+            grasp["cases"] = [{"name": f"case {c}", "wrench": w} for c, w in enumerate(loads)]
+        return grasp, contacts, loads
+
     def test_the_least_of_all_by_z3(self):
         rng = random.Random(5)
-        held = 0
+        held = none = 0
         while held < 12:
-            contacts = []
-            for _ in range(rng.randint(2, 4)):
-                n = rng.choice([(1, 0), (0, 1), (-1, 0), (0, -1), (3, 4), (-3, 4), (4, -3), (-4, -3)])
-                p = [-x + rng.choice((0, 0, 1, -1)) for x in n]
-                contacts.append((p, n, F(rng.randint(1, 9), 10), rng.randint(1, 3)))
-            loads = [[rng.randint(-3, 3) for _ in range(3)] for _ in range(rng.randint(1, 2))]
-            grasp = {"format": "stickslip-grasp/2", "contacts": [
-                {"position": p, "normal": n, "friction": str(mu), "stiffness": k} for p, n, mu, k in contacts]}
-            if len(loads) == 1:
-                grasp["wrench"] = loads[0]
-            else:
-                grasp["cases"] = [{"name": f"case {c}", "wrench": w} for c, w in enumerate(loads)]
-            exact = [([F(x) for x in p], [F(x) for x in n], mu, F(k)) for p, n, mu, k in contacts]
-            z3 = run(Z3, "-T:20", "-in", stdin=least_sum(exact, [[F(x) for x in w] for w in loads]))[1]
-            if not z3.startswith("sat"):
-                if z3.startswith("unsat"):
-                    answer = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--json")[1])
-                    self.assertIsNone(answer["sum"], grasp)
-                continue
-            least = fraction(re.sub(r".*P\d+\)\s*", "", z3, flags=re.S))
-            if least == 0 or least > 100:
+            grasp, contacts, loads = self.random_grasp(rng)
+            least = self.by_z3(contacts, loads)
+            if least is None:
+                none += 1
+                found = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--json")[1])
+                self.assertIsNone(found["sum"], grasp)
+            if not least or least > 100:
                 continue
             held += 1
             answer = self.hold(grasp)
@@ -180,6 +190,26 @@ class Preload(Case):
             self.assertGreaterEqual(F(answer["sum"]), least, grasp)
             self.assertLess(F(answer["sum"]), F(106, 100) * least, grasp)
             self.assertGreater(F(answer["bound"]), F(9, 10) * least, grasp)
+        self.assertGreater(none, 3)
+
+    def test_the_least_of_all_that_balance_by_z3(self):
+        rng = random.Random(6)
+        held = dearer = 0
+        while held < 12:
+            grasp, contacts, loads = self.random_grasp(rng)
+            least, of_all = (self.by_z3(contacts, loads, balanced) for balanced in (True, False))
+            found = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--balanced", "--json")[1])
+            if least is None:
+                self.assertIsNone(found["sum"], grasp)
+            if not least or least > 100 or not of_all:
+                continue
+            held += 1
+            dearer += least > of_all
+            self.assertLessEqual(F(found["bound"]), of_all, grasp)
+            self.assertGreaterEqual(F(found["sum"]), least, grasp)
+            self.assertLess(F(found["sum"]), F(106, 100) * least, grasp)
+            self.assertEqual(found["warnings"], [])
+        self.assertGreater(dearer, 3)
 
     def test_more_breaks_it(self):
         answer = self.hold(GAP)
@@ -336,6 +366,11 @@ class Preload(Case):
             self.fails("preload", JAW, "--budget", budget, naming=["--budget"])
         self.fails("preload", JAW, "--budget", "20", "--uncertain", "wrench=ball:1", naming=["--uncertain"])
         self.fails("preload", JAW, "--hold", "--uncertain", "friction=10%", naming=["jaw.json", "uncertain", "wrench=ball"])
+        space = os.path.join(EXAMPLES, "space-pinch.json")
+        self.fails("preload", space, "--hold", "--balanced", naming=[space, "--balanced", "in space"])
+        odd = self.write("odd.json", {"format": "stickslip-grasp/1", "wrench": [0, 0, 0], "contacts": [
+            {"position": [0, 0], "normal": [1, 1], "friction": 1}]})
+        self.fails("preload", odd, "--hold", "--balanced", naming=[odd, "--balanced", "contact 0", "stickslip snap"])
         self.fails("preload", JAW, "--hold", "--accuracy", "0", naming=["--accuracy"])
         taken = self.write("taken", "")
         self.fails("preload", JAW, "--hold", "--certificates", taken, naming=["--certificates", taken])

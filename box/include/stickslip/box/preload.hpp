@@ -24,7 +24,10 @@ namespace stickslip {
 
 /// How far a search for preloads goes.
 struct PreloadOptions {
-  SearchOptions box{};         ///< of each proof
+  SearchOptions box{};  ///< of each proof
+  /// Seek preloads that friction can balance without a load, as those of a hand that closes
+  /// before the load comes; bounds are about all preloads even so.
+  bool balanced = false;
   Rational accuracy{1, 20};    ///< stops when found and bound differ by this part
   std::size_t most_boxes = 0;  ///< of preloads that are looked at for the bound; 0: 1000 for
                                ///< a sum and 200 for a ball

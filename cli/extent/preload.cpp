@@ -151,7 +151,8 @@ class LeastText {
     } else if (least_.bound.is_zero()) {
       words = "No bound of the sum is proved.\n";
     } else {
-      words = "No preloads whose sum is below the bound hold " + loads_ + ": proved for\n" +
+      words = "No preloads whose sum is below the bound hold " + loads_ +
+              (arguments_.balanced ? ", balanced or not" : "") + ": proved for\n" +
               boxes_text(least_.refused) + ".\n";
     }
     if (least_.preloads) return words + range_meaning(least_.range, loads_.c_str());

@@ -175,7 +175,7 @@ class Preload(Case):
     def test_the_least_of_all_by_z3(self):
         rng = random.Random(5)
         held = none = 0
-        while held < 12:
+        while held < 8:
             grasp, contacts, loads = self.random_grasp(rng)
             least = self.by_z3(contacts, loads)
             if least is None:
@@ -195,7 +195,7 @@ class Preload(Case):
     def test_the_least_of_all_that_balance_by_z3(self):
         rng = random.Random(6)
         held = dearer = 0
-        while held < 12:
+        while held < 8:
             grasp, contacts, loads = self.random_grasp(rng)
             least, of_all = (self.by_z3(contacts, loads, balanced) for balanced in (True, False))
             found = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--balanced", "--json")[1])
@@ -209,7 +209,7 @@ class Preload(Case):
             self.assertGreaterEqual(F(found["sum"]), least, grasp)
             self.assertLess(F(found["sum"]), F(106, 100) * least, grasp)
             self.assertEqual(found["warnings"], [])
-        self.assertGreater(dearer, 3)
+        self.assertGreater(dearer, 2)
 
     def test_more_breaks_it(self):
         answer = self.hold(GAP)

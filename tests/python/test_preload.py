@@ -47,6 +47,14 @@ def test_several_loads():
     assert best_preload(jaw, (0, 0, 0)).sum == 0
 
 
+def test_balanced():
+    gripped = Grasp([[-5, 0], [3, -4], [3, 4]], [[1, 0], ["-3/5", "4/5"], ["-3/5", "-4/5"]], "2/5", stiffness=50)
+    one = best_preload(gripped, (3, 0, 60), accuracy="1/5")
+    assert [warning.trap for warning in one.warnings] == ["unbalanced-preload"]
+    all_three = best_preload(gripped, (3, 0, 60), accuracy="1/5", balanced=True)
+    assert all_three.warnings == () and min(all_three.preloads) > 0 and all_three.sum > one.bound
+
+
 def test_balls(tmp_path):
     jaw = Grasp.from_file(JAW)
     answer = best_preload(jaw, (0, -2, 0), uncertain="wrench=ball:1/2:length=1/4", accuracy="1/5")

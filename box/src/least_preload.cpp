@@ -283,15 +283,10 @@ class LeastSearch {
       report();
     }
     auto& refused = result_.refused;
-    refused.erase(std::remove_if(refused.begin(), refused.end(),
-                                 [&](const ProvedPreloads& part) {
-                                   Rational least = 0;
-                                   for (const UncertainContact& c : part.box.contacts) {
-                                     least += c.preload.low;
-                                   }
-                                   return least >= result_.bound;
-                                 }),
-                  refused.end());
+    const auto is_beyond = [&](const ProvedPreloads& part) {
+      return sum_of(preloads_of(part.box)) >= result_.bound;
+    };
+    refused.erase(std::remove_if(refused.begin(), refused.end(), is_beyond), refused.end());
   }
 
   void report() const {

@@ -13,7 +13,7 @@ namespace stickslip::box_detail {
 /// An interval a contact.
 using PreloadBox = std::vector<Interval>;
 
-/// Those of a grasp, by contact.
+/// Those of a grasp, by contact; of a box the least.
 RationalRow preloads_of(const GraspBox& grasp);
 /// \{ The grasp with these preloads.
 GraspBox with_preloads(GraspBox grasp, const RationalRow& preloads);

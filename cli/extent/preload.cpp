@@ -322,7 +322,7 @@ void add_preload_command(CLI::App& app, int& exit_code) {
       "Preloads P_i >= 0 of contacts, in place of the file's, which are tried as well. The\n"
       "search is a local one, and what it finds is proved; the bound says how much better\n"
       "others might be, and is proved, too (docs/preload.md). More preload can break a grasp:\n"
-      "the answer says which multiples hold. Of many contacts the bound is far away.\n",
+      "the answer says which multiples hold. The more contacts, the farther the bound.\n",
       kExitCodesWithLimit + ";\n20 if no preloads up to a limit hold",
       "stickslip preload fig1.json --wrench 0,1/2,0 --hold\n"
       "  $ stickslip preload fig1.json --wrench 0,1/2,0 --hold --uncertain wrench=ball:1/8\n"

@@ -41,6 +41,13 @@ def preloads_of(grasp):
             for contact in grasp["contacts"]]
 
 
+def without_preloads(grasp):
+    """Positions, normals, friction and stiffness, exactly."""
+    return [[[F(x) for x in contact["position"]], [F(x) for x in contact["normal"]],
+             *(F(contact.get(name, grasp.get("defaults", {}).get(name, 1))) for name in ("friction", "stiffness"))]
+            for contact in grasp["contacts"]]
+
+
 def uncovered(region, boxes, most, with_most):
     """Some box in `region` of which nothing is in `boxes`, but preloads of a sum below `most`, or of it; exactly."""
     left = most - sum(low for low, _ in region)
@@ -95,18 +102,17 @@ class Preload(Case):
         self.assertEqual(len(self.names(folder, "range")), len(held) if multiples else 0)
 
     def bound_is_proved(self, folder, answer, most, with_most):
-        boxes = []
+        """Of all sums below `most`, or of it; the loads that are refused."""
         names = self.names(folder, "bound")
         self.assertEqual(len(names), answer["boxes"])
-        wrenches = {}
-        for name in names:
-            grasp = self.judged(folder, name, r"verdict +unstable\b")
-            boxes.append(preloads_of(grasp))
-            wrenches[name] = grasp["wrench"]
+        grasps = [self.judged(folder, name, r"verdict +unstable\b") for name in names]
+        boxes = [preloads_of(grasp) for grasp in grasps]
+        for grasp in grasps:  # alike but for preloads and loads
+            self.assertEqual(without_preloads(grasp), without_preloads(grasps[0]))
         self.assertIsNone(uncovered([(F(0), most)] * len(boxes[0]), boxes, most, with_most))
         # It is no more than a box that makes the difference.
         self.assertIsNotNone(uncovered([(F(0), 2 * most)] * len(boxes[0]), boxes, 2 * most, with_most))
-        return wrenches
+        return [[F(w) for w in grasp["wrench"]] for grasp in grasps], without_preloads(grasps[0])
 
     def hold(self, grasp, *words, ball=(), code=DONE):
         """The answer; what it writes is checked."""
@@ -115,7 +121,9 @@ class Preload(Case):
         answer = self.json("preload", path, "--hold", *words, *ball, "--certificates", folder, code=code)
         bound = F(answer["bound"])
         if bound > 0:
-            self.bound_is_proved(folder, answer, bound, False)
+            refused, contacts = self.bound_is_proved(folder, answer, bound, False)
+            self.assertEqual(contacts, without_preloads(json.loads(read(path))))
+            self.asked_about(refused, answer["loads"])
         if answer["sum"] is not None:
             self.assertLessEqual(bound, F(answer["sum"]))
             if F(answer["sum"]) > 0:
@@ -125,6 +133,15 @@ class Preload(Case):
         for name in os.listdir(folder):
             os.remove(os.path.join(folder, name))
         return answer
+
+    def asked_about(self, wrenches, loads):
+        """Each is one of the loads, or of their balls."""
+        for wrench in wrenches:
+            off = [[w - F(a) for w, a in zip(wrench, load["wrench"])] for load in loads]
+            balls = [load.get("ball", {"radius": "0", "length": "1"}) for load in loads]
+            self.assertTrue(any(
+                x * x + y * y + (t / F(ball["length"])) ** 2 <= F(ball["radius"]) ** 2
+                for (x, y, t), ball in zip(off, balls)) if len(wrench) == 3 else [0] * len(wrench) in off)
 
     def test_pinch(self):
         # A weight W on two fingers: mu P = W/2 each.
@@ -280,9 +297,9 @@ class Preload(Case):
         self.assertLessEqual(F(answer["sum"]), 8)
         self.checked(folder, answer, ["proved"], "--uncertain", f"wrench=ball:{proved}:length=1/1000")
         self.judged(folder, "refuted", r"verdict +unstable\b")
-        wrenches = self.bound_is_proved(folder, answer, F(8), True)
-        for wrench in wrenches.values():  # no farther than the bound
-            x, y, torque = map(F, wrench)
+        refused, contacts = self.bound_is_proved(folder, answer, F(8), True)
+        self.assertEqual(contacts, without_preloads(pinch(2, "1/2", "1/2")))
+        for x, y, torque in refused:  # no farther than the bound
             self.assertLessEqual(x ** 2 + (y + 2) ** 2 + (1000 * torque) ** 2, bound ** 2)
         # No preloads on a grid have a larger ball; those that are found are no worse than any.
         for k in range(9):

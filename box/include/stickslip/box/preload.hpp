@@ -6,9 +6,9 @@
 /// What is resisted is not monotone in preloads, and not convex: a local search finds good
 /// ones, and a branch and bound over boxes of preloads proves how much better others might be.
 /// A box is done with when one load is refused throughout it (certificate/FORMAT.md, section
-/// 6); those boxes cover all preloads of a smaller sum. In M contacts it takes about
-/// (M/a)^(M-1)/(M-1)! boxes to come to a part a of the sum: of many contacts the bound is weak,
-/// but a bound.
+/// 6); those boxes cover all preloads of a smaller sum. In M contacts, if all serve alike, it
+/// takes about (M/a)^(M-1)/(M-1)! boxes to come to a part a of the sum: of many contacts the
+/// bound is weak, but a bound.
 #pragma once
 
 #include <functional>

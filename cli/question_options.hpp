@@ -119,6 +119,10 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
       ->capture_default_str();
 }
 
+/// --uncertain.
+void add_uncertain_option(CLI::App& command, std::string& uncertain,
+                          const std::string& description);
+
 /// --node-limit, of every command that searches by cones.
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
 

@@ -64,10 +64,4 @@ std::vector<std::pair<std::string, ProvedFiles>> proved_quality(const Question& 
   return files;
 }
 
-std::string quality_option(const Quality& quality) {
-  LoadBall ball = *quality.ball.ball;
-  ball.radius = quality.proved;
-  return "wrench=" + to_string(ball);
-}
-
 }  // namespace stickslip

@@ -4,23 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "stickslip/search/ball_part.hpp"
+#include "stickslip/box/box_verdict.hpp"
 
 namespace stickslip {
 
 namespace {
-
-/// Of a component of the load; of a ball those of a box around it.
-Interval load_ends(const GraspBox& box, std::size_t component) {
-  Interval ends = box.wrench[component];
-  if (!box.ball) return ends;
-  Row along(box.wrench.size());
-  along[component] = 1;
-  const BallPart ball = BallPart::all_of(box);
-  ends.low -= ball.most_work(negated(along));
-  ends.high += ball.most_work(along);
-  return ends;
-}
 
 /// Of all numbers of a box, certain ones too.
 std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
@@ -49,8 +37,9 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
     all.push_back({spring.place + ".stiffness", spring.stiffness});
     all.push_back({spring.place + "." + force_name(spring), spring.force});
   }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    all.push_back({"wrench[" + std::to_string(j) + "]", load_ends(box, j)});
+  const WrenchBox loads = loads_of(box);
+  for (std::size_t j = 0; j < loads.size(); ++j) {
+    all.push_back({"wrench[" + std::to_string(j) + "]", loads[j]});
   }
   return all;
 }

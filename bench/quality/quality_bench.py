@@ -49,6 +49,53 @@ def space(rng):
     return {"format": "stickslip-grasp/2", "contacts": pads(rng.randint(4, 6), 3, rng), "wrench": [0] * 6}, 1
 
 
+def around(count, dimension, rng):
+    """Fingers all around a disc or ball of radius 5, as they would be placed by hand."""
+    contacts = []
+    for _ in range(count):
+        normal = unit([rng.gauss(0, 1) for _ in range(dimension)])
+        contacts.append({"position": [-5 * n + rng.uniform(-2, 2) for n in normal], "normal": normal, "friction": rng.uniform(.1, 1),
+                         "stiffness": rng.uniform(.5, 2), "preload": rng.uniform(.1, 2) if rng.random() < .8 else 0})
+    return contacts
+
+
+def loaded(contacts, dimension, rng):
+    """Under a load at 50 to 90 % of its margin, if it has one that is an interval from 0 on."""
+    grasp = {"format": "stickslip-grasp/2", "contacts": contacts, "wrench": [0] * (3 * dimension - 3)}
+    way = ",".join(repr(rng.uniform(-1, 1) * (1 if k < dimension else 2)) for k in range(3 * dimension - 3))
+    low, high = 0, None
+    for _ in range(24):  # bisection proposes; the margin need not be an interval
+        middle = 2 * low + .5 if high is None else (low + high) / 2
+        load = ",".join(repr(middle * float(x)) for x in way.split(","))
+        verdict = json.loads(run("stickslip", "decide", "-", "--json", "--no-warnings", f"--wrench={load}", text=json.dumps(grasp)).stdout)["verdict"]
+        if verdict != "stable":
+            high = middle
+        else:
+            low = middle
+        if low > 50 or (high is not None and (high < .02 or high - low < .02 * high)):
+            break
+    if high is None or low == 0:
+        return None
+    part = rng.uniform(.5, .9) * low
+    grasp["wrench"] = [part * float(x) for x in way.split(",")]
+    return grasp
+
+
+def first_loaded(least, most, dimension, rng):
+    while True:
+        grasp = loaded(around(rng.randint(least, most), dimension, rng), dimension, rng)
+        if grasp:
+            return grasp, 5
+
+
+def fingers(rng):
+    return first_loaded(3, 10, 2, rng)
+
+
+def hand(rng):
+    return first_loaded(4, 6, 3, rng)
+
+
 def foot(position, normal, rng):
     return {"position": position, "normal": normal, "friction": rng.uniform(.3, .8), "stiffness": rng.uniform(.5, 2)}
 
@@ -75,19 +122,20 @@ def grip(rng):
     return bodies_bench.gripper(4, rng)(.1), "disc"
 
 
-FAMILIES = {"plane": plane, "stands": stands, "space": space, "table": table, "grip": grip}
+FAMILIES = {"fingers": fingers, "hand": hand, "plane": plane, "stands": stands, "space": space, "table": table, "grip": grip}
 
 
-def run(*words):
-    return subprocess.run([os.path.join(BIN, words[0]), *words[1:]], capture_output=True, text=True, check=False)
+def run(*words, text=None):
+    return subprocess.run([os.path.join(BIN, words[0]), *words[1:]], input=text, capture_output=True, text=True, check=False)
 
 
-def sample(answer, file, words, rng, count):
+def sample(answer, file, length, rng, count):
     """Verdicts of loads of the proved ball, all of them as far out as it goes."""
     w, radius = [float(eval(str(x))) for x in answer["wrench"]], float(eval(answer["proved"]))
     wrong = 0
     for _ in range(count):
         z = unit([rng.gauss(0, 1) for _ in w])
+        z = [x * (1 if k < (len(w) + 3) // 3 else length) for k, x in enumerate(z)]
         load = ",".join(repr(a + .999999 * radius * x) for a, x in zip(w, z))
         verdict = json.loads(run("stickslip", "decide", file, "--json", "--no-warnings", f"--wrench={load}").stdout)["verdict"]
         wrong += verdict == "unstable"
@@ -97,7 +145,7 @@ def sample(answer, file, words, rng, count):
 def measure(family, index, samples):
     rng = random.Random(f"{family} {index}")
     grasp, body = FAMILIES[family](rng)
-    words = ["--body", body] if isinstance(body, str) else []
+    words = ["--body", body] if isinstance(body, str) else ["--length", str(body)]
     with tempfile.TemporaryDirectory() as folder:
         file, proofs = os.path.join(folder, "g.json"), os.path.join(folder, "proofs")
         with open(file, "w", encoding="utf-8") as out:
@@ -110,7 +158,7 @@ def measure(family, index, samples):
         answer = json.loads(answer.stdout)
         if answer["verdict"] != "stable":
             return None
-        ball = ":".join(["ball", answer["proved"], "length=1", *([f"body={body}"] if words else [])])
+        ball = ":".join(["ball", answer["proved"], *([f"length=1:body={body}"] if isinstance(body, str) else [f"length={body}"])])
         for name, option in (("proved", ["--uncertain", "wrench=" + ball]), ("refuted", [])):
             path = os.path.join(proofs, name)
             if (name == "proved" and answer["proved"] == "0") or not os.path.exists(path + ".json"):
@@ -118,7 +166,7 @@ def measure(family, index, samples):
             check = run("stickslip-check", path + ".json", path + ".certificate.json", *option)
             if check.returncode != 0:
                 sys.exit(f"{family} {index}: {name}: {check.stdout}{check.stderr}")
-        wrong = 0 if words else sample(answer, file, words, rng, samples)
+        wrong = 0 if isinstance(body, str) else sample(answer, file, body, rng, samples)
     proved, refuted = (float(eval(answer[k])) if answer[k] else math.inf for k in ("proved", "refuted"))
     return len(grasp["contacts"]), proved, refuted, seconds, wrong
 

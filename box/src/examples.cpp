@@ -15,6 +15,13 @@ Rational pick(const Interval& interval, const Rational& place) {
   return interval.middle() + place * (interval.high - interval.low) / 2;
 }
 
+/// The nearest multiple of 2^-16 of a number from -1 to 1: no load along what is rounding
+/// alone.
+Rational on_grid(double place) {
+  constexpr long long kSteps = 1 << 16;
+  return {Integer(std::llround(place * kSteps)), Integer(kSteps)};
+}
+
 /// What bounds of turns, which are rounded up, are multiplied by so that no slope is above its
 /// own.
 const Rational kWithin(1048575, 1048576);
@@ -190,8 +197,7 @@ Place Examples::loaded_along(const RationalRow& twist, Place place) const {
       const Rational along = dot(ball.motion[i], twist) * reach[i];
       largest = std::max<Rational>(largest, abs(along));
       // Beyond the ball, so that it is pulled to its border.
-      constexpr int kBits = 16;
-      if (is_known) place[n] = 2 * rational_in_bits(to_double(along / largest), kBits);
+      if (is_known) place[n] = 2 * on_grid(to_double(along / largest));
     }
     if (largest.is_zero()) return place;
   }
@@ -240,8 +246,7 @@ std::vector<std::pair<Place, double>> Examples::without(
       for (std::size_t k = 0; k < rounded.numbers().size(); ++k) {
         const ParameterId& number = rounded.numbers()[k];
         if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
-          constexpr int kBits = 16;
-          place[n] = rational_in_bits(way.to[static_cast<Eigen::Index>(k)], kBits);
+          place[n] = on_grid(way.to[static_cast<Eigen::Index>(k)]);
         }
       }
     }

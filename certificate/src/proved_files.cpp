@@ -46,7 +46,8 @@ ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& de
     return proved_grasp(box, law, stable, producer);
   }
   return {write_grasp(box),
-          certificate_text(about(box, law), decision.verdict, producer, decision.bits)};
+          certificate_text(about(box, law), decision.verdict, producer, decision.bits),
+          box.ball ? "wrench=" + to_string(*box.ball) : ""};
 }
 
 std::vector<ProvedFiles> proved_decision(const GraspBox& box, NormalLaw law,

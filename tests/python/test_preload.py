@@ -61,6 +61,7 @@ def test_balls(tmp_path):
     assert answer.each_for_itself and answer.bound < answer.sum < 6
     assert "verdict     stable" in judged(
         tmp_path, answer.proofs["held0"], "--uncertain", "wrench=ball:1/2:length=1/4")
+    assert answer.proofs["held0"].check().verdict == answer.proofs["range0"].check().verdict == "stable"
     answer = best_preload(jaw, budget=20, length=2, accuracy="1/5", boxes=50)
     found = program("preload", JAW, "--budget", "20", "--length", "2", "--accuracy", "20%", "--boxes", "50")
     assert (answer.radius, answer.refuted) == (Fraction(found["proved"]), Fraction(found["not_resisted_at"]))

@@ -23,11 +23,8 @@ LoadBall ball_shape(const std::string& length, const std::string& about,
 Json quality_json(const Question& question, const Quality& quality);
 
 /// "proved", the ball that is resisted, and "refuted", the load that is not, those that there
-/// are: grasp files with certificates. That of the ball is for the option quality_option().
+/// are: grasp files with certificates.
 std::vector<std::pair<std::string, ProvedFiles>> proved_quality(const Question& question,
                                                                 const Quality& quality);
-
-/// What --uncertain is to be for the proof of the ball: "wrench=ball:1/2:length=1".
-std::string quality_option(const Quality& quality);
 
 }  // namespace stickslip

@@ -37,6 +37,7 @@ void add_states_command(CLI::App& app, int& exit_code);
 void add_margin_command(CLI::App& app, int& exit_code);
 void add_radius_command(CLI::App& app, int& exit_code);
 void add_quality_command(CLI::App& app, int& exit_code);
+void add_preload_command(CLI::App& app, int& exit_code);
 void add_map_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);

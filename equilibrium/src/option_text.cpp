@@ -45,7 +45,7 @@ InputError in_options(const InputError& error, const std::string& name) {
     std::replace(place.begin(), place.end(), '-', '_');
     if (error.place() == place) return {"", option, error.problem(), error.remedy()};
   }
-  if (error.place() == "case" || error.place() == "uncertain") {
+  if (error.place() == "case" || error.place() == "uncertain" || error.place() == "balanced") {
     return {name, "--" + error.place(), error.problem(), error.remedy()};
   }
   return error.in_file(name);

@@ -37,6 +37,7 @@ void bind_compare(pybind11::module_& module);     ///< compare.cpp
 void bind_pictures(pybind11::module_& module);    ///< pictures.cpp
 void bind_space(pybind11::module_& module);       ///< space.cpp
 void bind_boxes(pybind11::module_& module);       ///< boxes.cpp
+void bind_preload(pybind11::module_& module);     ///< preload.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
 /// preload direction is a list, or any other object to scale. `which` of several follows the

@@ -50,4 +50,5 @@ PYBIND11_MODULE(_core, module) {
   stickslip::python::bind_pictures(module);
   stickslip::python::bind_space(module);
   stickslip::python::bind_boxes(module);
+  stickslip::python::bind_preload(module);
 }

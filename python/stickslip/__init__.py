@@ -18,6 +18,7 @@ from .errors import ContractError, InputError, LimitReached
 from .grasp import Assembly, Body, Grasp, MeshGrasp, PlacedGrasp, SnappedNormal, SnapResult
 from .loads import wrench_of
 from .questions import (
+    best_preload,
     check,
     class_margin,
     compare,
@@ -36,6 +37,7 @@ from .questions import (
     stability_map,
 )
 from .results import (
+    BestPreload,
     BoxDecision,
     Cell,
     CheckResult,
@@ -65,6 +67,7 @@ __version__: str = _core.version
 
 __all__ = [
     "Assembly",
+    "BestPreload",
     "Body",
     "BoxDecision",
     "Cell",
@@ -98,6 +101,7 @@ __all__ = [
     "SnapResult",
     "SnappedNormal",
     "StabilityMap",
+    "best_preload",
     "check",
     "class_margin",
     "compare",

@@ -133,6 +133,20 @@ def radius(
     accuracy: Any,
     node_limit: int,
 ) -> Dict[str, Any]: ...
+def best_preload(
+    grasp: Union[GraspData, SpatialGraspData],
+    loads: List[Optional[List[Any]]],
+    budget: Any,
+    uncertain: str,
+    length: Any,
+    about: List[Any],
+    body: str,
+    balanced: bool,
+    bilateral: bool,
+    accuracy: Any,
+    boxes: int,
+    node_limit: int,
+) -> Dict[str, Any]: ...
 def stability_map(
     grasp: Union[GraspData, SpatialGraspData],
     x: str,

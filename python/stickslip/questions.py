@@ -40,6 +40,7 @@ from .arguments import (
 from .errors import InputError, LimitReached
 from .grasp import Assembly, Grasp, SnappedNormal, Vector
 from .results import (
+    BestPreload,
     BoxDecision,
     Cell,
     CheckResult,
@@ -257,6 +258,56 @@ def quality(
         as_number_or_none(at_most, "at_most"), as_number(accuracy, "accuracy"),
         as_count("node_limit", node_limit))
     return Quality(grasp=about_grasp, **_with_proofs(result, "proof", "counterexample"))
+
+
+def best_preload(
+    grasp: Grasp,
+    wrench: Any = None,
+    *,
+    budget: Optional[Number] = None,
+    uncertain: Union[str, Mapping[str, Number]] = "",
+    length: Number = 1,
+    about: Any = (),
+    body: str = "",
+    balanced: bool = False,
+    friction: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    accuracy: Number = "1/20",
+    boxes: int = 0,
+    node_limit: int = 0,
+) -> BestPreload:
+    """Preloads of the least sum that hold a load, or that with a budget resist the largest ball.
+
+    Args:
+        grasp, friction, normal_law: as of ``decide``. The grasp's own preloads are tried, too.
+        wrench: one load, or without a budget (n, 3), in space (n, 6): all of them are to be held.
+        budget: the sum of preloads; then the ball around the load is sought.
+        uncertain: without a budget a ball of loads to be held, "wrench=ball:1/2:length=2".
+        length, about, body: with a budget the length by which torques are divided, the point about
+            which they are, () for the origin, and of an Assembly the body of the loads.
+        balanced: seek preloads that friction balances before the load comes, of one body in the
+            plane. The bound is about all preloads even so.
+        accuracy: stop when what is found and the bound differ by this part.
+        boxes: look at so many boxes of preloads for the bound; 0: so many as suit most questions.
+        node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+    """
+    about_grasp, _ = _asked(_with_friction(grasp, friction), 1)
+    rows = [wrench] if wrench is None or np.ndim(wrench) < 2 else list(wrench)
+    if not rows or (budget is not None and len(rows) > 1):
+        raise InputError("", "wrench", f"there are {len(rows)} loads",
+                         "give one, or without a budget one or more")
+    result = _core.best_preload(
+        about_grasp._data, [about_grasp._load(row) for row in rows],
+        as_number_or_none(budget, "budget"), as_uncertain(uncertain), as_number(length, "length"),
+        as_list(about, "about", (len(about),), "a point") if len(about) else [], body,
+        bool(balanced), is_bilateral(normal_law), as_number(accuracy, "accuracy"),
+        as_count("boxes", boxes),
+        as_count("node_limit", node_limit))
+    law = result["normal_law"]
+    result["proofs"] = {name: Proof(texts[0], texts[1], law, texts[2])
+                        for name, texts in result["proofs"].items()}
+    result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
+    return BestPreload(grasp=about_grasp, **result)
 
 
 def stability_map(

@@ -268,6 +268,37 @@ class Quality(Answer):
     """That ``not_resisted`` is not; or the load in the centre."""
 
 
+@dataclass(frozen=True, repr=False)
+class BestPreload(Answer):
+    """Preloads of the least sum that hold loads; or those of a sum that resist the largest ball."""
+
+    preloads: Optional[Vector]
+    """One for each contact. None if none were found."""
+    bound: Optional[Fraction]
+    """No preloads of a smaller sum hold the loads; or with a budget, none resist a larger ball. 0, or
+    None with a budget, if nothing is proved."""
+    multiples: Tuple[Tuple[Fraction, Optional[Fraction]], ...]
+    """Which multiples of the preloads hold; (low, high), high is None for one without end."""
+    each_for_itself: bool
+    """Whether preloads may differ in what multiple they are, between the first and the last."""
+    normal_law: str
+    grasp: Grasp = field(repr=False)
+    """What was asked about."""
+    radius: Optional[Fraction] = None
+    """With a budget: of the ball of loads that is proved to be resisted."""
+    refuted: Optional[Fraction] = None
+    """With a budget: of one with a load that is not."""
+    warnings: Tuple[ModelWarning, ...] = ()
+    """That the preloads do not balance, if they do not."""
+    proofs: Dict[str, Proof] = field(default_factory=dict, repr=False)
+    """All proofs, by the names that ``stickslip preload --certificates`` gives them (docs/preload.md)."""
+
+    @property
+    def sum(self) -> Optional[Fraction]:
+        """Of the preloads."""
+        return None if self.preloads is None else sum(self.preloads, Fraction())
+
+
 class MapCell(NamedTuple):
     """A rectangle of a map, with one verdict for all grasps in it."""
 

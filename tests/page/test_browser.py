@@ -540,7 +540,7 @@ class Reading(PageTest):
         reached = []
         for _ in range(40):
             self.press(Keys.TAB)
-            name = self.js("return document.activeElement.id")
+            name = self.js("return document.activeElement.id || document.activeElement.dataset.choice || ''")
             if name in reached:
                 break
             reached.append(name)
@@ -560,7 +560,7 @@ class Reading(PageTest):
                 self.press(Keys.ENTER)
                 self.assertNotEqual(self.js("return StickslipPage.isPaused()"), paused)
                 self.assertEqual(self.js("return document.activeElement.id"), "pause", "the focus stays")
-        for name in ("exact-numbers", "theme", "check", "save-proof", "save-grasp", "sphere", "cell-list"):
+        for name in ("exact-numbers", "theme", "grasp-lost", "show-lost", "check", "save-proof", "save-grasp", "sphere", "cell-list"):
             self.assertIn(name, reached)
 
     def test_names_for_those_who_do_not_see(self):

@@ -824,3 +824,214 @@ Proof.
 Qed.
 
 End Children.
+
+(* ---- Proofs: trees ---- *)
+
+Section Walk.
+Open Scope R_scope.
+
+Notation "u .* v" := (Rows.dot u v) (at level 40).
+
+Variable mass : matrix.
+Variable w : vector.
+Hypothesis mass_symmetric : forall u v, u .* times (map real mass) v = v .* times (map real mass) u.
+
+(* A row with its force. *)
+Definition pressed := (Rows.row * Rows.force)%type.
+
+Definition true_of (a : list R) (p : rigid * knowledge) (q : pressed) : Prop :=
+  is_rigid (fst p) (fst q) /\ rigid_obeys a (fst q) (snd q) /\ known a (snd p) (fst q) (snd q).
+
+Definition works_of (qs : list pressed) (y : list R) : R := Rows.works (map fst qs) (map snd qs) y.
+
+(* No acceleration along which the load does work is at home in a cell. *)
+Definition holds_in (c : cell) : Prop := forall a qs, Forall2 (true_of a) c qs ->
+  (forall y, y .* times (map real mass) a = real w .* y + works_of qs y) -> 0 < real w .* a -> False.
+
+Lemma factor_is u v c : factor u v = Some c -> Q2R c <> 0 /\ real v = Rows.scaled (Q2R c) (real u).
+Proof.
+  unfold factor. set (q := (inner u v / inner u u)%Q). destruct (negb (is_zero q) && _) eqn:H; [|discriminate].
+  intros E. injection E as <-. apply andb_true_iff in H as [Z S]. apply negb_true_iff in Z. split.
+  - intros E. rewrite <- Q2R_0 in E. apply eqR_Qeq, Qeq_eq_bool in E. unfold is_zero in Z. congruence.
+  - apply same_vectors_real in S. rewrite S. unfold real, Rows.scaled. rewrite !map_map. apply map_ext. intros x. apply Q2R_mult.
+Qed.
+
+Lemma positive_multiple_is u v : is_positive_multiple u v = true ->
+  exists c, 0 < c /\ forall t, real v .* t = c * (real u .* t).
+Proof.
+  unfold is_positive_multiple. destruct (factor u v) as [c|] eqn:F; [|discriminate]. intros P.
+  apply factor_is in F as [Z E]. apply Qle_bool_R in P. rewrite Q2R_0 in P. exists (Q2R c). split; [lra|].
+  intros t. now rewrite E, Rows.dot_scaled.
+Qed.
+
+Lemma touch_true a x it p q : true_of a p q ->
+  (forall c, 0 < c -> (forall t, real (r_N (fst p)) .* t = c * (real (r_N x) .* t)) ->
+     if (it : bool) then Rows.N (fst q) .* a = 0 else fst (snd q) = 0) ->
+  true_of a (with_touch x it p) q.
+Proof.
+  intros Tr H. assert (Tr' := Tr). destruct Tr' as (X & O & T & A & S). unfold with_touch.
+  destruct (is_positive_multiple _ _) eqn:M; [|exact Tr].
+  apply positive_multiple_is in M as (c & C & E). specialize (H c C E). split; [exact X|]. split; [exact O|].
+  cbn [fst snd]. unfold known. cbn [touches sides]. split; [|split; [|exact S]]; intros Eq; injection Eq as ->; exact H.
+Qed.
+
+Lemma slip_factor_is x y r r' c a : is_rigid x r -> is_rigid y r' -> slip_factor x y = Some c ->
+  Q2R c <> 0 /\ Rows.slip r' a = Rows.scaled (Q2R c) (Rows.slip r a).
+Proof.
+  intros X Y H. unfold slip_factor in H. rewrite (is_r_slips _ _ X), (is_r_slips _ _ Y).
+  assert (Same : (if same_matrices (r_slips x) (r_slips y) && is_positive_multiple (r_normal x) (r_normal y) then Some 1%Q
+    else None) = Some c -> Q2R c <> 0 /\ map (fun f => real f .* a) (r_slips y) =
+      Rows.scaled (Q2R c) (map (fun f => real f .* a) (r_slips x))).
+  { clear H. destruct (_ && _) eqn:S; [|discriminate]. intros H. injection H as <-. apply andb_true_iff in S as [S _].
+    apply same_matrices_real in S. split; [rewrite Q2R_1; lra|].
+    transitivity (map (fun f => f .* a) (map real (r_slips y))); [now rewrite map_map|]. rewrite <- S, map_map.
+    unfold Rows.scaled. rewrite map_map. apply map_ext. intros f. rewrite Q2R_1. ring. }
+  destruct (r_slips x) as [|s [|? ?]]; try (now apply Same). destruct (r_slips y) as [|t [|? ?]]; try (now apply Same).
+  apply factor_is in H as [Z E]. split; [exact Z|]. cbn. now rewrite E, Rows.dot_scaled.
+Qed.
+
+Lemma sides_turned x y r r' c ss a : is_rigid x r -> is_rigid y r' -> slip_factor x y = Some c ->
+  sides_true ss r a -> sides_true (turned c ss) r' a.
+Proof.
+  intros X Y F S. destruct (slip_factor_is x y r r' c a X Y F) as [Z E].
+  assert (Sz : Rows.size (Rows.weights r') (Rows.slip r' a) = Rabs (Q2R c) * Rows.size (Rows.weights r) (Rows.slip r a)).
+  { rewrite (size_is y r' Y), (size_is x r X), E. rewrite Rows.dot_scaled, dot_sym, Rows.dot_scaled, <- Rmult_assoc.
+    rewrite sqrt_mult_alt by apply Rle_0_sqr. f_equal. apply sqrt_Rsqr_abs. }
+  unfold sides_true in *. destruct ss as [|s ss].
+  - replace (turned c []) with (@nil vector) by (unfold turned; now destruct (Qle_bool 0 c)). rewrite Sz, S. ring.
+  - destruct S as [P Co].
+    assert (G : 0 < Rows.size (Rows.weights r') (Rows.slip r' a) /\ cone_of (turned c (s :: ss)) (Rows.slip r' a)).
+    { split; [rewrite Sz; apply Rmult_lt_0_compat; [now apply Rabs_pos_lt|exact P]|]. rewrite E. now apply cone_turned. }
+    unfold turned in *. destruct (Qle_bool 0 c); exact G.
+Qed.
+
+Lemma sides_known a x r ss p q : is_rigid x r -> sides_true ss r a -> true_of a p q -> true_of a (with_sides x ss p) q.
+Proof.
+  intros X S Tr. assert (Tr' := Tr). destruct Tr' as (Y & O & T & A & K). unfold with_sides.
+  destruct (slip_factor x (fst p)) as [c|] eqn:F; [|exact Tr].
+  split; [exact Y|]. split; [exact O|]. cbn [fst snd]. unfold known. cbn [touches sides]. split; [exact T|]. split; [exact A|].
+  pose proof (sides_turned x (fst p) r (fst q) c ss a X Y F S) as G. unfold sides_true in G.
+  destruct (turned c ss); exact G.
+Qed.
+
+Lemma true_everywhere a c qs (f : rigid * knowledge -> rigid * knowledge) : Forall2 (true_of a) c qs ->
+  (forall p q, true_of a p q -> true_of a (f p) q) -> Forall2 (true_of a) (map_all f c) qs.
+Proof. intros F H. rewrite map_all_is. induction F; cbn; constructor; auto. Qed.
+
+Lemma found_in {A} (l : list A) i x : numbered l i = Some x -> exists k, nth_error l k = Some x.
+Proof. intros H. apply numbered_is in H as (k & _ & H). now exists k. Qed.
+
+Lemma truth_at a c qs i p : Forall2 (true_of a) c qs -> numbered c i = Some p -> exists q, true_of a p q.
+Proof. intros F H. apply found_in in H as (k & H). destruct (fits_at _ _ _ _ _ F H) as (q & _ & T). now exists q. Qed.
+
+Lemma normal_sum_is a c qs gs : Forall2 (true_of a) c qs -> forallb (normal_right c) gs = true ->
+  forall before, 0 <= real before .* a -> 0 <= real (fold_left (fun sum ig => match numbered c (fst ig) with
+    | Some (x, _) => plus_times sum (snd ig) (r_N x) | None => sum end) gs before) .* a.
+Proof.
+  intros F. induction gs as [|[i g] gs IH]; intros H before B; [exact B|]. cbn in H. apply andb_true_iff in H as [H1 H2].
+  cbn [fold_left]. apply IH; [exact H2|]. unfold normal_right in H1. cbn [fst snd] in *.
+  destruct (numbered c i) as [[x k]|] eqn:N; [|exact B]. rewrite dot_plus_times.
+  destruct (truth_at a c qs i _ F N) as (q & X & O & T & _). cbn [fst snd] in *. rewrite <- (is_r_N _ _ X).
+  destruct q as [r [n f]]. destruct O as ((_ & Na & _) & _). cbn [fst snd] in *.
+  assert (G : 0 <= Q2R g * (Rows.N r .* a)).
+  { destruct k as [[[|]|] ss]; cbn [touches] in *; try (apply Qle_bool_R in H1; rewrite Q2R_0 in H1; now apply Rmult_le_pos).
+    rewrite (T eq_refl). lra. }
+  lra.
+Qed.
+
+Lemma slip_sum_is a c qs hs : Forall2 (true_of a) c qs -> forallb (slip_right c) hs = true ->
+  forall before, 0 <= real before .* a -> 0 <= real (fold_left (fun sum ih => match numbered c (fst ih) with
+    | Some (x, _) => plus_times sum 1 (of_rows (snd ih) (r_slips x)) | None => sum end) hs before) .* a.
+Proof.
+  intros F. induction hs as [|[i h] hs IH]; intros H before B; [exact B|]. cbn in H. apply andb_true_iff in H as [H1 H2].
+  cbn [fold_left]. apply IH; [exact H2|]. unfold slip_right in H1. cbn [fst snd] in *.
+  destruct (numbered c i) as [[x k]|] eqn:N; [|exact B]. rewrite dot_plus_times, Q2R_1, dot_of_rows.
+  destruct (truth_at a c qs i _ F N) as (q & X & _ & _ & _ & K). cbn [fst snd] in *.
+  assert (Sl : times (map real (r_slips x)) a = Rows.slip (fst q) a).
+  { rewrite (is_r_slips _ _ X). unfold times. now rewrite map_map. }
+  rewrite Sl. destruct k as [t [ss|]]; [|discriminate]. apply andb_true_iff in H1 as [_ H1]. cbn [sides] in K.
+  assert (G : 0 <= real h .* Rows.slip (fst q) a); [|lra]. rewrite dot_sym.
+  destruct ss as [|s0 ss0].
+  - rewrite (size_is x _ X) in K. rewrite dot_self_zero; [lra|].
+    apply sqrt_eq_0; [apply dot_nonneg|exact K].
+  - set (ss := s0 :: ss0) in *. destruct K as [_ (cs & L & P & E)]. rewrite E. clear E N. clearbody ss. rewrite forallb_forall in H1.
+    revert cs L P. induction ss as [|s ss IHs]; intros [|z cs] L P; try discriminate; cbn; [lra|].
+    assert (0 <= z * (real s .* real h)).
+    { apply Rmult_le_pos; [exact (Forall_inv P)|]. specialize (H1 s (or_introl eq_refl)). apply Qle_bool_R in H1.
+      rewrite Q2R_0, inner_is, dot_sym in H1. exact H1. }
+    specialize (IHs (fun x0 Hx => H1 x0 (or_intror Hx)) cs ltac:(now injection L) (Forall_inv_tail P)). lra.
+Qed.
+
+Lemma works_nonneg a c qs y : Forall2 (true_of a) c qs ->
+  forallb (fun p => match touches (snd p) with Some false => true | _ => resists_against (fst p) y (sides (snd p)) end) c = true ->
+  0 <= works_of qs (real y).
+Proof.
+  intros F. unfold works_of. induction F as [|p [r [n g]] c qs (X & O & K) F IH]; intros H; cbn; [lra|].
+  cbn in H. apply andb_true_iff in H as [H1 H2]. specialize (IH H2). cbn [fst snd] in *.
+  assert (0 <= Rows.work r (n, g) (real y)); [|lra].
+  apply (known_does_work (fst p) r X a n g O (snd p)); [exact K|].
+  destruct (touches (snd p)) as [[|]|]; auto.
+Qed.
+
+Lemma leaf_holds c t y gs hs : rigid_leaf mass w c t y gs hs = true -> holds_in c.
+Proof.
+  unfold rigid_leaf. rewrite !andb_true_iff. intros [[[[[[[[T Yw] NZ] _] _] Gr] Hr] Re] Sum] a qs F Newton W.
+  apply Qle_bool_R in T, Yw. rewrite Q2R_0 in T, Yw.
+  pose proof (works_nonneg a c qs y F Re) as Wo.
+  assert (Zero : forall v, forallb is_zero v = true -> forall s, real v .* s = 0).
+  { clear. induction v as [|q v IH]; intros H [|t1 s]; cbn in *; try reflexivity. apply andb_true_iff in H as [H1 H2].
+    apply is_zero_real in H1. unfold real in IH. rewrite H1, IH by exact H2. ring. }
+  pose proof (Zero _ Sum a) as Z. rewrite !dot_plus_times, Q2R_1 in Z. cbn [real map Rows.dot] in Z.
+  assert (My : real (map (fun r => inner r y) mass) .* a = real w .* real y + works_of qs (real y)).
+  { rewrite <- Newton, mass_symmetric, dot_sym. f_equal. unfold times, real. rewrite !map_map. apply map_ext.
+    intros r. apply inner_is. }
+  unfold real in Z, My at 1. unfold real in My at 1. 
+  pose proof (normal_sum_is a c qs gs F Gr [] (Rle_refl 0)) as Ng. pose proof (slip_sum_is a c qs hs F Hr [] (Rle_refl 0)) as Nh.
+  fold (normal_sum c gs) in Ng. fold (slip_sum c hs) in Nh.
+  rewrite inner_is, dot_sym in Yw. unfold real in *.
+  assert (TW : 0 <= Q2R t * (map Q2R w .* a)) by (apply Rmult_le_pos; lra).
+  apply negb_true_iff, andb_false_iff in NZ as [NZ|NZ].
+  - assert (Q2R t <> 0).
+    { intros E. rewrite <- Q2R_0 in E. apply eqR_Qeq, Qeq_eq_bool in E. unfold is_zero in NZ. congruence. }
+    assert (0 < Q2R t * (map Q2R w .* a)) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (map Q2R w .* map Q2R y <> 0).
+    { intros E. pose proof (inner_is y w) as I. unfold real in I. rewrite dot_sym, E, <- Q2R_0 in I.
+      apply eqR_Qeq, Qeq_eq_bool in I. unfold is_zero in NZ. congruence. }
+    lra.
+Qed.
+
+Lemma split_holds c n children : rigid_split mass w c n = inl children -> Forall holds_in children -> holds_in c.
+Proof.
+  intros H All a qs F Newton W. rewrite Forall_forall in All. destruct n as [i|i d|t y gs hs]; cbn [rigid_split] in H.
+  - destruct (numbered c i) as [[x k]|] eqn:N; [|discriminate]. injection H as <-.
+    destruct (truth_at a c qs i _ F N) as ([r [n f]] & X & ((N0 & Na & NN) & _) & _). cbn [fst snd] in *.
+    destruct (Req_dec (Rows.N r .* a) 0) as [Z|Z].
+    + refine (All _ (or_introl eq_refl) a qs _ Newton W). apply true_everywhere; [exact F|]. intros p q T.
+      apply touch_true; [exact T|]. intros c0 C E. destruct T as (Y & _).
+      rewrite (is_r_N _ _ Y), E, <- (is_r_N _ _ X), Z. ring.
+    + refine (All _ (or_intror (or_introl eq_refl)) a qs _ Newton W). apply true_everywhere; [exact F|]. intros p q T.
+      apply touch_true; [exact T|]. intros c0 C E. destruct T as (Y & O & _).
+      destruct q as [r' [n' f']]. destruct O as ((_ & _ & NN') & _). cbn [fst snd] in *.
+      rewrite (is_r_N _ _ Y), E, <- (is_r_N _ _ X) in NN'.
+      assert (c0 * (Rows.N r .* a) <> 0) by (apply Rmult_integral_contrapositive_currified; lra).
+      apply Rmult_integral in NN' as [NN'|NN']; [exact NN'|contradiction].
+  - destruct (numbered c i) as [[x k]|] eqn:N; [|discriminate].
+    destruct (slip_children x (sides k) d) as [them|] eqn:Sc; [|discriminate]. injection H as <-.
+    destruct (truth_at a c qs i _ F N) as (q & X & _ & K). cbn [fst snd] in *.
+    destruct (children_cover x (fst q) a k (snd q) d them X K Sc) as (ss & Hs & S).
+    refine (All _ (in_map _ _ _ Hs) a qs _ Newton W). apply true_everywhere; [exact F|]. intros p q' T.
+    now apply sides_known with (fst q).
+  - destruct (rigid_leaf mass w c t y gs hs) eqn:L; [|discriminate]. now apply (leaf_holds c t y gs hs L a qs).
+Qed.
+
+Theorem tree_holds most nodes todo number : rigid_walk most mass w nodes todo number = None ->
+  Forall (fun cd => holds_in (fst cd)) todo.
+Proof.
+  revert todo number. induction nodes as [|n nodes IH]; intros [|[c depth] todo] number H; cbn [rigid_walk] in H;
+    try discriminate; [constructor|].
+  destruct (Z.ltb most depth); [discriminate|]. destruct (rigid_split mass w c n) as [children|] eqn:S; [|discriminate].
+  apply IH, Forall_app in H as [H1 H2]. constructor; [|exact H2]. cbn.
+  apply (split_holds c n children S). now rewrite Forall_map in H1.
+Qed.
+
+End Walk.

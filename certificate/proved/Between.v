@@ -136,7 +136,7 @@ Definition only_middle (i : interval) : interval := exactly (middle i).
 Definition middle_box (b : cbox) : cbox :=
   CBox (box_names b) (map only_middle (box_geometry b)) (box_forms b) (only_middle (box_friction b))
     (only_middle (box_preload b)) (only_middle (box_growth b)) (only_middle (box_stiffness b)) (box_square b)
-    (box_normal b) (box_weights b) (box_signed b) (box_spring b).
+    (box_normal b) (box_weights b) (box_signed b) (box_spring b) (box_turns b) (box_slack b).
 
 Lemma middle_is i : Q2R (middle i) = (Q2R (low i) + Q2R (high i)) / 2.
 Proof. unfold middle. rewrite Q2R_mult, Q2R_plus. unfold Q2R at 3. cbn. field. Qed.

@@ -23,7 +23,9 @@ Record cbox := CBox {
   box_normal : list Q;                    (* friction is across it *)
   box_weights : list Q;                   (* of the product of slips *)
   box_signed : bool;                      (* slips have one component, or none, and so a sign *)
-  box_spring : bool
+  box_spring : bool;
+  box_turns : bool;                       (* the normal is uncertain, in space *)
+  box_slack : list interval -> Q          (* the largest |n|^2 / |n0|^2 - 1 of a geometry *)
 }.
 
 Section Inside.
@@ -53,6 +55,8 @@ Record inside_at (b : cbox) (r : Rows.row) (p : list R) (F : list R -> list (lis
   spring_smooth : box_spring b = true -> mu = 0;
   spring_alone : box_spring b = true -> Rows.slips r = [];
   spring_signed : box_signed b = false -> box_spring b = false;
+  slack_nonneg : forall is, 0 <= Q2R (box_slack b is);
+  signed_straight : box_signed b = true -> box_turns b = false;
   is_signed : box_signed b = true ->
     (Rows.slips r = [] \/ exists T, Rows.slips r = [T]) /\ Rows.weights r = map (fun _ => 1) (Rows.slips r) /\
     Q2R (box_square b) = 1
@@ -83,6 +87,7 @@ Record row := Row {
   pulls : list (multi form);
   pull_scale : scaling;
   separates : option form;          (* v up to a positive factor, if it is certain *)
+  slack : Q;
   parameters : nat;                 (* how many of the geometry are uncertain *)
   weight : Z; over_weight : Z       (* edge times pull times 2^parameters times this quotient is exact *)
 }.
@@ -165,12 +170,12 @@ Definition make_row (b : cbox) : row :=
   let g := content [numerator; denominator] in
   Row b (if box_signed b then Tip [] else mmap (map (map (to_integer fs))) (geometry_tree b)) fs
     (map (to_integer ms) (box_weights b)) ms
-    (if box_signed b then same_forms (map primitive (tips tau)) else Nat.eqb n 0)
+    (if box_signed b then same_forms (map primitive (tips tau)) else Nat.eqb n 0 && negb (box_turns b))
     tau (mmap negative tau)
     (edges (minus_ends (box_friction b))) (edges (ends (box_friction b))) (edges (full_range (box_friction b)))
     pulls ps
     (match vs with f :: _ => if same_forms vs then Some f else None | [] => None end)
-    n (numerator / g) (denominator / g).
+    (box_slack b (box_geometry b)) n (numerator / g) (denominator / g).
 
 Section RowMeaning.
 Open Scope R_scope.

@@ -553,6 +553,9 @@ Section Laws.
 Open Scope R_scope.
 
 (* Where no contact but a spring pulls, the bilateral law asks no more than the unilateral one. *)
+Lemma all_suit rows rs : Forall2 fits rows rs -> Forall2 suits rows rs.
+Proof. induction 1; constructor; [now apply fits_suits|assumption]. Qed.
+
 Lemma both_laws d h l rows rs fs : Forall2 fits rows rs -> Forall2 (Rows.obeys Model.unilateral d h l) rs fs ->
   (forall row r, In row rows -> fits row r -> box_spring (box row) = false -> 0 <= Rows.v r d h l) ->
   Forall2 (Rows.obeys Model.bilateral d h l) rs fs.
@@ -741,7 +744,7 @@ Proof.
       (l_at g (part q)), fs, c.
     split; [reflexivity|]. split; [exact C|]. split; [|intros k r Hk; discriminate].
     constructor; cbn [middle_setting make_setting rows the_load make_load load_box load_growth]; try assumption.
-    - rewrite map_all_is. destruct Q as [Q|Q].
+    - rewrite map_all_is. apply all_suit. destruct Q as [Q|Q].
       + cbn [system_at Rows.rows]. rewrite Q. now apply rows_in_middle with D.
       + unfold is_point in Q. apply andb_true_iff in Q as [Q _]. apply point_fits; [exact Q|].
         apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
@@ -799,7 +802,7 @@ Proof.
         (l_at g (part q)), fs, 0.
       split; [reflexivity|]. split; [lra|]. split; [|intros k r Hk; rewrite Fs in Hk; discriminate].
       constructor; try assumption.
-      * apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+      * apply all_suit, rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
       * apply Ww.
       * intros y. rewrite Fn, not_pushed. apply Bal.
   - (* an equilibrium *)

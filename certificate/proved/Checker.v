@@ -22,6 +22,9 @@ Definition setting_of (bits : Z) (q : question) : option setting :=
 Definition is_one_grasp (s : setting) : bool :=
   exact_rows (rows s) && forallb certain (load_box (the_load s)).
 
+(* No normal in space is uncertain. *)
+Definition straight (s : setting) : bool := forallb (fun r => negb (box_turns (box r))) (rows s).
+
 Section Check.
 Variable memory : Type.
 Variable advisor : oracle memory.
@@ -47,6 +50,7 @@ Definition check_tree (q : question) (s : setting) (nodes : list node) : answer 
   end.
 
 Definition check_parts (q : question) (s : setting) (parts : list part) : answer :=
+  if negb (straight s) then NotProvedHere "stability where normals in space are uncertain" else
   match parts_fail memory advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
   | None => Stable
   | Some (rule, found_at) => Rejected rule found_at
@@ -89,6 +93,7 @@ Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (h
   let low := match hi with None => 1%Q | Some _ => lo end in
   let high := match hi with None => 1%Q | Some h => h end in
   let failing rule second := Some (Rejected rule (AtPointOf number second)) in
+  if negb (straight s) then Some (NotProvedHere "stability where normals in space are uncertain") else
   match evidence with
   | inl p =>
       match part_fails memory advisor (bilateral q) (most_depth (rows s)) low high s p with
@@ -150,7 +155,7 @@ Fixpoint check_claims (q : question) (s : setting) (claims : list claim) (before
 
 Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
-  | None => NotProvedHere "normals that are uncertain, or numbers of the question"
+  | None => NotProvedHere "numbers of the question"
   | Some s =>
       match body c, is_margin q with
       | StableByWitness w, false => check_witness q s w

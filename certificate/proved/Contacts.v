@@ -2,7 +2,7 @@
 (* The contacts of a question as boxes (FORMAT.md sections 1 and 6), in the plane and in space.
    `enlarge_plane`, `enlarge_space`: every choice of the question has its row in the box. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Root Box RowsOfModels.
+From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Turned.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 
@@ -34,15 +34,48 @@ Definition plane_forms (nx ny : Q) (geometry : list Q) : list (list Q) :=
 Definition at_point (x y z fx fy fz : Q) : list Q :=
   [fx; fy; fz; (y * fz - z * fy)%Q; (z * fx - x * fz)%Q; (x * fy - y * fx)%Q].
 
-(* N, and the directions e - (e.n / n.n) n across n. *)
-Definition space_forms (nx ny nz square : Q) (geometry : list Q) : list (list Q) :=
-  match geometry with
-  | [x; y; z; _; _] =>
+(* The turns of a normal n0 in space (FORMAT.md section 6): U, across it and the coordinate in which it is least, and
+   V = n0 x U. *)
+Definition first_turn (nx ny nz : Q) : Q * Q * Q :=
+  let x2 := (nx * nx)%Q in
+  let y2 := (ny * ny)%Q in
+  let z2 := (nz * nz)%Q in
+  if Qle_bool x2 y2 && Qle_bool x2 z2 then (0, nz, - ny)%Q
+  else if Qle_bool y2 z2 then (- nz, 0, nx)%Q else (ny, - nx, 0)%Q.
+
+Definition cross_q (a b : Q * Q * Q) : Q * Q * Q :=
+  let '(a1, a2, a3) := a in
+  let '(b1, b2, b3) := b in
+  (a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1)%Q.
+
+Definition square_of (a : Q * Q * Q) : Q := let '(a1, a2, a3) := a in (a1 * a1 + a2 * a2 + a3 * a3)%Q.
+
+(* N of n = n0 + e U + f V, and the directions e_j - (n_j / n0.n0) n0. *)
+Definition space_forms (n0 turn_u turn_v : Q * Q * Q) (square : Q) (geometry : list Q) : list (list Q) :=
+  match geometry, n0, turn_u, turn_v with
+  | [x; y; z; e; f], (nx, ny, nz), (ux, uy, uz), (vx, vy, vz) =>
+      let tx := (nx + e * ux + f * vx)%Q in
+      let ty := (ny + e * uy + f * vy)%Q in
+      let tz := (nz + e * uz + f * vz)%Q in
       let across nj ex ey ez :=
         at_point x y z (ex - nj * nx / square)%Q (ey - nj * ny / square)%Q (ez - nj * nz / square)%Q in
-      [at_point x y z nx ny nz; across nx 1 0 0; across ny 0 1 0; across nz 0 0 1]%Q
-  | _ => []
+      [at_point x y z tx ty tz; across tx 1 0 0; across ty 0 1 0; across tz 0 0 1]%Q
+  | _, _, _, _ => []
   end.
+
+Definition greatest_square (i : interval) : Q :=
+  let a := (low i * low i)%Q in
+  let b := (high i * high i)%Q in
+  if Qle_bool a b then b else a.
+
+(* |n|^2 / |n0|^2 - 1 at the worst corner. *)
+Definition turned_slack (u_square square : Q) (geometry : list interval) : Q :=
+  match geometry with
+  | [_; _; _; e; f] => (u_square * (greatest_square e + square * greatest_square f) / square)%Q
+  | _ => 0%Q
+  end.
+
+Definition turn_within (q : Q) : interval := let b := root_above q in Interval (- b)%Q b.
 
 Definition is_nonnegative (q : contact) : bool :=
   Qle_bool 0 (low (friction q)) && Qle_bool 0 (low (preload q)) && Qle_bool 0 (low (stiffness q)) &&
@@ -71,16 +104,28 @@ Definition enlarge (bits : Z) (q : contact) : option cbox :=
       match numbers bits q (nx * nx + ny * ny)%Q with
       | Some (p, u, k) =>
           Some (CBox [PX; PY; PTurn] [x; y; Interval (- slope q)%Q (slope q)] (plane_forms nx ny)
-                  (friction q) p u k 1 [nx; ny] [1%Q] true false)
+                  (friction q) p u k 1 [nx; ny] [1%Q] true false false (fun _ => 0%Q))
       | None => None
       end
   | [x; y; z], [nx; ny; nz] =>
-      let square := (nx * nx + ny * ny + nz * nz)%Q in
-      match numbers bits q square, Qeq_bool (slope q) 0 with
-      | Some (p, u, k), true =>
-          Some (CBox [PX; PY; PZ; PTurn; PTurnV] [x; y; z; exactly 0; exactly 0] (space_forms nx ny nz square)
-                  (friction q) p u k square [nx; ny; nz] [1%Q; 1%Q; 1%Q] false false)
-      | _, _ => None
+      let n0 := (nx, ny, nz) in
+      let square := square_of n0 in
+      let turn_u := first_turn nx ny nz in
+      let turn_v := cross_q n0 turn_u in
+      let u_square := square_of turn_u in
+      let e2 := (slope q * slope q)%Q in
+      let turns := negb (Qeq_bool (slope q) 0) in
+      match numbers bits q square with
+      | Some (p, u, k) =>
+          if turns && Qle_bool u_square 0 then None
+          else
+            Some (CBox [PX; PY; PZ; PTurn; PTurnV]
+                    [x; y; z; (if turns then turn_within (e2 * square / u_square) else exactly 0);
+                     (if turns then turn_within (e2 / u_square) else exactly 0)]
+                    (space_forms n0 turn_u turn_v square) (friction q) p u k square [nx; ny; nz]
+                    [1%Q; 1%Q; 1%Q] false false turns
+                    (if turns then turned_slack u_square square else fun _ => 0%Q))
+      | None => None
       end
   | _, _ => None
   end.
@@ -293,108 +338,286 @@ Proof.
   - repeat constructor. lra.
   - now rewrite G.
   - reflexivity.
+  - intros is. cbn. rewrite Q2R_0. lra.
+  - intros _. reflexivity.
   - intros _. split; [right; now exists (motion_list (Model.T c))|]. split; [reflexivity|apply Q2R_1].
 Qed.
+
+Definition triple := (R * R * R)%type.
 
 Definition at_point_reals (x y z fx fy fz : R) : list R :=
   [fx; fy; fz; y * fz - z * fy; z * fx - x * fz; x * fy - y * fx].
 
-Definition space_reals (nx ny nz square : R) (p : list R) : list (list R) :=
-  match p with
-  | [x; y; z; _; _] =>
+Definition space_reals (n0 turn_u turn_v : triple) (square : R) (p : list R) : list (list R) :=
+  match p, n0, turn_u, turn_v with
+  | [x; y; z; e; f], (nx, ny, nz), (ux, uy, uz), (vx, vy, vz) =>
+      let tx := nx + e * ux + f * vx in
+      let ty := ny + e * uy + f * vy in
+      let tz := nz + e * uz + f * vz in
       let across nj ex ey ez :=
         at_point_reals x y z (ex - nj * nx / square) (ey - nj * ny / square) (ez - nj * nz / square) in
-      [at_point_reals x y z nx ny nz; across nx 1 0 0; across ny 0 1 0; across nz 0 0 1]
-  | _ => []
+      [at_point_reals x y z tx ty tz; across tx 1 0 0; across ty 0 1 0; across tz 0 0 1]
+  | _, _, _, _ => []
   end.
 
-Lemma at_point_affine fx fy fz d :
-  (forall y z, affine (fun x => Rows.dot (at_point_reals x y z fx fy fz) d)) /\
-  (forall x z, affine (fun y => Rows.dot (at_point_reals x y z fx fy fz) d)) /\
-  (forall x y, affine (fun z => Rows.dot (at_point_reals x y z fx fy fz) d)).
+Lemma space_affine n0 tu tv square j d :
+  multiaffine 5 (fun p => Rows.dot (nth j (space_reals n0 tu tv square p) []) d).
 Proof.
-  repeat split; intros; apply affine_dot with 6%nat; try reflexivity;
-    intros [|[|[|[|[|[|k]]]]]]; cbn; find_affine; try ring; destruct k; ring.
+  destruct n0 as [[nx ny] nz], tu as [[ux uy] uz], tv as [[vx vy] vz].
+  set (F := space_reals (nx, ny, nz) (ux, uy, uz) (vx, vy, vz) square).
+  assert (One : forall f : R -> list (list R), (forall x, exists a b c e, f x = [a; b; c; e] /\
+      List.length a = 6%nat /\ List.length b = 6%nat /\ List.length c = 6%nat /\ List.length e = 6%nat) ->
+    (forall j k, affine (fun x => nth k (nth j (f x) []) 0)) -> affine (fun x => Rows.dot (nth j (f x) []) d)).
+  { intros f L A. destruct j as [|[|[|[|j]]]].
+    1, 2, 3, 4: apply affine_dot with 6%nat; [intros x; destruct (L x) as (a & b & c & e & -> & La & Lb & Lc & Le); assumption|].
+    - apply (A 0%nat). - apply (A 1%nat). - apply (A 2%nat). - apply (A 3%nat).
+    - exists 0, 0. intros x. destruct (L x) as (a & b & c & e & -> & _). cbn. destruct j; cbn; ring. }
+  assert (Go : forall x y z e f, affine (fun x => Rows.dot (nth j (F [x; y; z; e; f]) []) d) /\
+    affine (fun y => Rows.dot (nth j (F [x; y; z; e; f]) []) d) /\
+    affine (fun z => Rows.dot (nth j (F [x; y; z; e; f]) []) d) /\
+    affine (fun e => Rows.dot (nth j (F [x; y; z; e; f]) []) d) /\
+    affine (fun f => Rows.dot (nth j (F [x; y; z; e; f]) []) d)).
+  { intros x y z e f. repeat split; (apply One; [intros; do 4 eexists; repeat split|]);
+      intros [|[|[|[|j']]]] [|[|[|[|[|[|k]]]]]]; cbn; find_affine; unfold Rdiv; try ring; destruct k; ring. }
+  split; [intros p L|intros x; split; [intros p L|intros y; split; [intros p L|intros z; split;
+    [intros p L|intros e; split; [intros p L|intros f; exact Logic.I]]]]].
+  - destruct p as [|y [|z [|e [|f [|? ?]]]]]; try discriminate. apply (Go 0 y z e f).
+  - destruct p as [|z [|e [|f [|? ?]]]]; try discriminate. apply (Go x 0 z e f).
+  - destruct p as [|e [|f [|? ?]]]; try discriminate. apply (Go x y 0 e f).
+  - destruct p as [|f [|? ?]]; try discriminate. apply (Go x y z 0 f).
+  - destruct p as [|? ?]; [|discriminate]. apply (Go x y z e 0).
 Qed.
 
-Lemma space_affine nx ny nz square j d : multiaffine 5 (fun p => Rows.dot (nth j (space_reals nx ny nz square p) []) d).
+Definition real_triple (q : Q * Q * Q) : triple := let '(a, b, c) := q in (Q2R a, Q2R b, Q2R c).
+
+Lemma space_rational n0 tu tv square : ~ (square == 0)%Q -> forall qs,
+  space_reals (real_triple n0) (real_triple tu) (real_triple tv) (Q2R square) (map Q2R qs) =
+  map (map Q2R) (space_forms n0 tu tv square qs).
 Proof.
-  assert (Nil : forall f : R -> list R, (forall x, f x = []) -> affine (fun x => Rows.dot (f x) d))
-    by (intros f E; exists 0, 0; intros x; rewrite E; cbn; ring).
-  assert (Const : forall a, affine (fun _ => a)) by (intros a; exists a, 0; intros; ring).
-  assert (Go : forall x y z u v, affine (fun x => Rows.dot (nth j (space_reals nx ny nz square [x; y; z; u; v]) []) d) /\
-    affine (fun y => Rows.dot (nth j (space_reals nx ny nz square [x; y; z; u; v]) []) d) /\
-    affine (fun z => Rows.dot (nth j (space_reals nx ny nz square [x; y; z; u; v]) []) d)).
-  { intros x y z u v. cbn [space_reals].
-    destruct j as [|[|[|[|j]]]]; cbn [nth]; try (repeat split; apply at_point_affine).
-    repeat split; apply Nil; intros; destruct j; reflexivity. }
-  split; [intros p L|intros x; split; [intros p L|intros y; split; [intros p L|intros z; split;
-    [intros p L|intros u; split; [intros p L|intros v; exact Logic.I]]]]].
-  - destruct p as [|y [|z [|u [|v [|? ?]]]]]; try discriminate. apply (Go 0 y z u v).
-  - destruct p as [|z [|u [|v [|? ?]]]]; try discriminate. apply (Go x 0 z u v).
-  - destruct p as [|u [|v [|? ?]]]; try discriminate. apply (Go x y 0 u v).
-  - destruct p as [|v [|? ?]]; try discriminate. apply (Const (Rows.dot (nth j (space_reals nx ny nz square [x; y; z; 0; v]) []) d)).
-  - destruct p as [|? ?]; [|discriminate].
-    apply (Const (Rows.dot (nth j (space_reals nx ny nz square [x; y; z; u; 0]) []) d)).
+  intros NZ qs. destruct n0 as [[nx ny] nz], tu as [[ux uy] uz], tv as [[vx vy] vz].
+  destruct qs as [|x' [|y' [|z' [|e' [|f' [|? ?]]]]]]; try reflexivity.
+  cbn [real_triple space_reals space_forms map]. unfold at_point, at_point_reals. cbn [map].
+  rationals. rewrite !Q2R_div by exact NZ. rationals. rewrite Q2R_1, Q2R_0. reflexivity.
+Qed.
+
+Lemma space_shape n0 tu tv square p p' : List.length p = 5%nat -> List.length p' = 5%nat ->
+  map (@List.length R) (space_reals n0 tu tv square p) = map (@List.length R) (space_reals n0 tu tv square p').
+Proof.
+  intros P P'. destruct n0 as [[nx ny] nz], tu as [[ux uy] uz], tv as [[vx vy] vz].
+  destruct p as [|? [|? [|? [|? [|? [|? ?]]]]]]; try discriminate P.
+  destruct p' as [|? [|? [|? [|? [|? [|? ?]]]]]]; try discriminate P'. reflexivity.
+Qed.
+
+Lemma first_turn_is nx ny nz : first_turn nx ny nz = (0, nz, - ny)%Q \/
+  first_turn nx ny nz = (- nz, 0, nx)%Q \/ first_turn nx ny nz = (ny, - nx, 0)%Q.
+Proof. unfold first_turn. destruct (_ && _); [auto|]. destruct (Qle_bool _ _); auto. Qed.
+
+(* A vector across n0, by U and V. *)
+Lemma turn_parts a1 a2 a3 u1 u2 u3 m1 m2 m3 :
+  (u1, u2, u3) = (0, a3, - a2) \/ (u1, u2, u3) = (- a3, 0, a1) \/ (u1, u2, u3) = (a2, - a1, 0) ->
+  let aa := a1 * a1 + a2 * a2 + a3 * a3 in
+  let uu := u1 * u1 + u2 * u2 + u3 * u3 in
+  let v1 := a2 * u3 - a3 * u2 in
+  let v2 := a3 * u1 - a1 * u3 in
+  let v3 := a1 * u2 - a2 * u1 in
+  0 < aa -> 0 < uu -> a1 * m1 + a2 * m2 + a3 * m3 = 0 ->
+  let e := (m1 * u1 + m2 * u2 + m3 * u3) / uu in
+  let f := (m1 * v1 + m2 * v2 + m3 * v3) / (aa * uu) in
+  m1 = e * u1 + f * v1 /\ m2 = e * u2 + f * v2 /\ m3 = e * u3 + f * v3 /\
+  m1 * m1 + m2 * m2 + m3 * m3 = uu * (e * e + aa * (f * f)).
+Proof.
+  intros U aa uu v1 v2 v3 A UU Flat e f.
+  assert (P : 0 < aa * uu) by now apply Rmult_lt_0_compat.
+  assert (E : forall m v u a, aa * uu * m = uu * (a1 * m1 + a2 * m2 + a3 * m3) * a +
+      aa * (m1 * u1 + m2 * u2 + m3 * u3) * u + (m1 * v1 + m2 * v2 + m3 * v3) * v -> m = e * u + f * v).
+  { intros m v u a H. rewrite Flat in H. apply Rmult_eq_reg_l with (aa * uu); [|lra]. rewrite H.
+    unfold e, f. field. lra. }
+  assert (M1 : m1 = e * u1 + f * v1).
+  { apply E with a1. destruct U as [U|[U|U]]; injection U as -> -> ->; unfold aa, uu, v1, v2, v3; ring. }
+  assert (M2 : m2 = e * u2 + f * v2).
+  { apply E with a2. destruct U as [U|[U|U]]; injection U as -> -> ->; unfold aa, uu, v1, v2, v3; ring. }
+  assert (M3 : m3 = e * u3 + f * v3).
+  { apply E with a3. destruct U as [U|[U|U]]; injection U as -> -> ->; unfold aa, uu, v1, v2, v3; ring. }
+  repeat split; try assumption. clearbody e f. rewrite M1, M2, M3.
+  destruct U as [U|[U|U]]; injection U as -> -> ->; unfold aa, uu, v1, v2, v3; ring.
+Qed.
+
+Lemma within_turn q e : 0 <= Q2R q -> e * e <= Q2R q -> within (turn_within q) e.
+Proof.
+  intros Q0 E. pose proof (root_above_is q Q0) as R. unfold within, turn_within. cbn [low high]. rewrite Q2R_opp.
+  assert (A : Rabs e <= sqrt (Q2R q)).
+  { rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. exact E. }
+  pose proof (Rle_abs e). pose proof (Rle_abs (- e)) as N. rewrite Rabs_Ropp in N. lra.
+Qed.
+
+Lemma greatest_square_nonneg i : 0 <= Q2R (greatest_square i).
+Proof.
+  unfold greatest_square. cbv zeta. set (a := low i). set (b := high i). clearbody a b.
+  destruct (Qle_bool (a * a) (b * b)); rewrite Q2R_mult; apply Rle_0_sqr.
+Qed.
+
+Lemma greatest_square_above i e : within i e -> e * e <= Q2R (greatest_square i).
+Proof.
+  intros [L H]. unfold greatest_square. cbv zeta.
+  assert (S : e * e <= Q2R (low i) * Q2R (low i) \/ e * e <= Q2R (high i) * Q2R (high i)).
+  { destruct (Rle_dec 0 e); [right|left]; nra. }
+  destruct (Qle_bool _ _) eqn:C.
+  - apply Qle_bool_R in C. rewrite !Q2R_mult in *. destruct S; lra.
+  - assert (Q2R (high i * high i) <= Q2R (low i * low i)).
+    { apply Rnot_lt_le. intros Lt. apply Rlt_le, Rle_Qle, Qle_bool_iff in Lt. congruence. }
+    rewrite !Q2R_mult in *. destruct S; lra.
+Qed.
+
+Lemma turned_is_row n0 c : S.normal c = n0 -> turned_row n0 c = space_contact_row c.
+Proof.
+  intros E. unfold turned_row, space_contact_row, seen_rows, slip_rows, across. cbn [map]. rewrite E.
+  assert (D : forall e nj, S.dot e n0 = nj -> nj = S.dot e n0) by (intros; congruence).
+  f_equal.
+  - unfold S.add, S.scale, S.dot, screw_list, S.force_at, S.cross; cbn. each; unfold Rdiv; ring.
+  - unfold S.length. now rewrite E.
 Qed.
 
 Theorem enlarge_space bits q b c : enlarge bits q = Some b -> chosen_contact_in_space q c ->
-  inside b (space_contact_row c).
+  seen_in b (space_contact_row c).
 Proof.
-  unfold enlarge. intros H ((x & y & z & nx & ny & nz & t & EP & EN & Wx & Wy & Wz & _ & TT & NT)
+  unfold enlarge. intros H ((x & y & z & nx & ny & nz & m & EP & EN & Wx & Wy & Wz & Flat & TT & NT)
                             & Wf & Wk & Wp & G).
-  rewrite EP, EN in H. set (square := (nx * nx + ny * ny + nz * nz)%Q) in *.
+  rewrite EP, EN in H. cbv zeta in H. set (n0 := vector_of_three nx ny nz) in *.
+  set (square := square_of (nx, ny, nz)) in *. set (tu := first_turn nx ny nz) in *.
+  set (tv := cross_q (nx, ny, nz) tu) in *. set (uq := square_of tu) in *.
   destruct (numbers bits q square) as [[[p u] k]|] eqn:Nu; [|discriminate].
-  destruct (Qeq_bool (slope q) 0) eqn:SC; [|discriminate]. injection H as <-.
-  apply Qeq_bool_eq, Qeq_eqR in SC. rewrite Q2R_0 in SC.
-  assert (NE : S.normal c = vector_of_three nx ny nz).
-  { rewrite NT. rewrite SC, !Rmult_0_l in TT. assert (Z : S.dot t t = 0).
-    { apply Rle_antisym; [exact TT|]. unfold S.dot. pose proof (Rle_0_sqr (S.x t)) as A.
-      pose proof (Rle_0_sqr (S.y t)) as B. pose proof (Rle_0_sqr (S.z t)) as C. unfold Rsqr in *. lra. }
-    rewrite (no_length t Z). unfold S.add, vector_of_three, S.zero; cbn. now rewrite !Rplus_0_r. }
-  assert (SqE : Q2R square = S.dot (S.normal c) (S.normal c)).
-  { rewrite NE. unfold square, S.dot, vector_of_three; cbn. now rewrite !Q2R_plus, !Q2R_mult. }
-  assert (Sq0 : 0 <= Q2R square).
-  { rewrite SqE. unfold S.dot. pose proof (Rle_0_sqr (S.x (S.normal c))) as A.
-    pose proof (Rle_0_sqr (S.y (S.normal c))) as B. pose proof (Rle_0_sqr (S.z (S.normal c))) as C.
-    unfold Rsqr in *. lra. }
-  assert (e2 : 0 * 0 <= Q2R (slope q) * Q2R (slope q)) by (rewrite SC; lra).
-  destruct (numbers_inside bits q square p u k (sqrt (Q2R square)) 0 _ _ Nu (sqrt_pos _) (sqrt_sqrt _ Sq0) e2 Wp Wk)
-    as (L & K & st & T & EPr & EG).
-  assert (LE : sqrt (Q2R square) * sqrt (1 + 0 * 0) = S.length c).
-  { replace (1 + 0 * 0) with 1 by ring. rewrite sqrt_1, Rmult_1_r, SqE. reflexivity. }
-  rewrite LE in *.
+  set (turns := negb (Qeq_bool (slope q) 0)) in *.
+  destruct (turns && Qle_bool uq 0) eqn:Flatness; [discriminate|]. injection H as <-.
+  assert (SqE : Q2R square = S.dot n0 n0).
+  { unfold square, square_of, n0, S.dot, vector_of_three; cbn. now rewrite !Q2R_plus, !Q2R_mult. }
+  assert (Sq0 : 0 <= Q2R square) by (rewrite SqE; apply dot_nonneg).
+  (* the turn, and its square over that of n0 *)
+  set (delta := S.dot m m / S.dot n0 n0).
   assert (SqP : 0 < Q2R square).
-  { destruct (Rle_lt_or_eq_dec _ _ Sq0) as [P|P]; [exact P|]. rewrite <- P, sqrt_0 in LE. lra. }
+  { unfold numbers in Nu. destruct (inverse_length _ _ _); [|discriminate].
+    destruct (_ && _) eqn:C in Nu; [|discriminate]. rewrite !andb_true_iff, negb_true_iff in C.
+    destruct C as [[C _] _]. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence. }
+  assert (D0 : 0 <= delta).
+  { unfold delta. apply Rmult_le_pos; [apply dot_nonneg|]. left. apply Rinv_0_lt_compat. lra. }
+  assert (D1 : delta <= Q2R (slope q) * Q2R (slope q)).
+  { unfold delta. apply Rmult_le_reg_r with (S.dot n0 n0); [lra|]. field_simplify; [|lra]. lra. }
+  assert (DD : sqrt delta * sqrt delta = delta) by now apply sqrt_sqrt.
+  assert (e2 : sqrt delta * sqrt delta <= Q2R (slope q) * Q2R (slope q)) by lra.
+  destruct (numbers_inside bits q square p u k (sqrt (Q2R square)) (sqrt delta) _ _ Nu (sqrt_pos _) (sqrt_sqrt _ Sq0)
+    e2 Wp Wk) as (L & K & st & T & EPr & EG).
+  assert (LE : sqrt (Q2R square) * sqrt (1 + sqrt delta * sqrt delta) = S.length c).
+  { rewrite <- sqrt_mult by lra. rewrite DD. unfold S.length, S.norm. f_equal. rewrite NT.
+    transitivity (S.dot n0 n0 + 2 * S.dot n0 m + S.dot m m).
+    - rewrite Flat, SqE. unfold delta. field. lra.
+    - unfold S.dot, S.add; cbn. ring. }
+  rewrite LE in *.
   assert (NZ : ~ (square == 0)%Q) by (intros Z; apply Qeq_eqR in Z; rewrite Q2R_0 in Z; lra).
   assert (F0 : 0 <= S.friction c).
   { unfold numbers in Nu. destruct (inverse_length _ _ _); [|discriminate].
     destruct (_ && _) eqn:C in Nu; [|discriminate]. rewrite !andb_true_iff in C.
     unfold is_nonnegative in C. rewrite !andb_true_iff in C. destruct C as [[_ [[[[F0 _] _] _] _]] _].
     apply Qle_bool_R in F0. rewrite Q2R_0 in F0. destruct Wf. lra. }
-  assert (Z0 : within (exactly 0) 0) by (unfold within, exactly; cbn; rewrite Q2R_0; lra).
-  exists [S.x (S.position c); S.y (S.position c); S.z (S.position c); 0; 0],
-    (space_reals (Q2R nx) (Q2R ny) (Q2R nz) (Q2R square)), (S.friction c), st.
-  constructor; cbn [box_geometry box_forms box_friction box_square box_weights box_preload box_growth
-    box_stiffness box_spring box_signed space_contact_row Rows.N Rows.slips Rows.rho Rows.weights Rows.preload
-    Rows.growth Rows.stiffness Rows.spring]; try assumption; try discriminate.
-  - constructor; [exact Wx|]. constructor; [exact Wy|]. constructor; [exact Wz|].
-    constructor; [exact Z0|]. constructor; [exact Z0|constructor].
-  - unfold slip_rows, space_reals, at_point_reals, screw_list, S.N, S.force_at, across, S.cross, S.add, S.scale.
-    cbn [map]. rewrite SqE, NE. unfold S.dot, vector_of_three; cbn [S.x S.y S.z S.linear S.angular].
-    each; unfold Rdiv; ring.
-  - intros qs. destruct qs as [|x' [|y' [|z' [|u' [|v' [|? ?]]]]]]; try reflexivity.
-    cbn [space_reals space_forms map at_point at_point_reals]. unfold at_point, at_point_reals.
-    cbn [map]. rationals. rewrite !Q2R_div by exact NZ. rationals. rewrite Q2R_1, Q2R_0. reflexivity.
-  - intros j d. apply space_affine.
-  - intros [|? [|? [|? [|? [|? [|? ?]]]]]] [|? [|? [|? [|? [|? [|? ?]]]]]] P P'; try discriminate P; try discriminate P';
-      reflexivity.
-  - rewrite <- LE. replace (1 + 0 * 0) with 1 by ring. rewrite sqrt_1. ring.
-  - cbn. now rewrite Q2R_1.
-  - apply three_positive.
-  - now rewrite G.
-  - reflexivity.
-  - intros _. reflexivity.
+  (* m by U and V *)
+  destruct (real_triple tu) as [[u1 u2] u3] eqn:Eu.
+  assert (Cases : (u1, u2, u3) = (0, Q2R nz, - Q2R ny) \/ (u1, u2, u3) = (- Q2R nz, 0, Q2R nx) \/
+                  (u1, u2, u3) = (Q2R ny, - Q2R nx, 0)).
+  { rewrite <- Eu. unfold tu. destruct (first_turn_is nx ny nz) as [E|[E|E]]; rewrite E; cbn [real_triple];
+      rewrite ?Q2R_opp, ?Q2R_0; auto. }
+  assert (Ev : real_triple tv = (Q2R ny * u3 - Q2R nz * u2, Q2R nz * u1 - Q2R nx * u3, Q2R nx * u2 - Q2R ny * u1)).
+  { unfold tv. destruct tu as [[t1 t2] t3]. cbn [real_triple cross_q] in *. injection Eu as <- <- <-.
+    now rewrite !Q2R_minus, !Q2R_mult. }
+  assert (Uq : Q2R uq = u1 * u1 + u2 * u2 + u3 * u3).
+  { unfold uq. destruct tu as [[t1 t2] t3]. cbn [real_triple square_of] in *. injection Eu as <- <- <-.
+    now rewrite !Q2R_plus, !Q2R_mult. }
+  assert (Turn : exists e f,
+    within (if turns then turn_within (slope q * slope q * square / uq) else exactly 0) e /\
+    within (if turns then turn_within (slope q * slope q / uq) else exactly 0) f /\
+    S.x m = e * u1 + f * (Q2R ny * u3 - Q2R nz * u2) /\
+    S.y m = e * u2 + f * (Q2R nz * u1 - Q2R nx * u3) /\
+    S.z m = e * u3 + f * (Q2R nx * u2 - Q2R ny * u1) /\
+    (turns = true -> S.dot m m = Q2R uq * (e * e + Q2R square * (f * f)) /\ 0 < Q2R uq) /\
+    (turns = false -> m = S.zero)).
+  { destruct turns eqn:Tn.
+    - cbn [andb] in Flatness.
+      assert (UP : 0 < Q2R uq).
+      { apply Rnot_le_lt. intros Le. rewrite <- Q2R_0 in Le. apply Rle_Qle, Qle_bool_iff in Le. congruence. }
+      assert (UZ : ~ (uq == 0)%Q) by (intros Z; apply Qeq_eqR in Z; rewrite Q2R_0 in Z; lra).
+      pose proof (turn_parts (Q2R nx) (Q2R ny) (Q2R nz) u1 u2 u3 (S.x m) (S.y m) (S.z m) Cases) as Parts.
+      cbv zeta in Parts. rewrite <- Uq in Parts.
+      assert (AA : Q2R nx * Q2R nx + Q2R ny * Q2R ny + Q2R nz * Q2R nz = Q2R square)
+        by (rewrite SqE; unfold S.dot, n0, vector_of_three; cbn; ring).
+      rewrite AA in Parts. specialize (Parts SqP UP Flat).
+      set (e := (S.x m * u1 + S.y m * u2 + S.z m * u3) / Q2R uq) in *.
+      set (f := (S.x m * (Q2R ny * u3 - Q2R nz * u2) + S.y m * (Q2R nz * u1 - Q2R nx * u3) +
+        S.z m * (Q2R nx * u2 - Q2R ny * u1)) / (Q2R square * Q2R uq)) in *.
+      destruct Parts as (M1 & M2 & M3 & MM).
+      assert (Mm : S.dot m m = Q2R uq * (e * e + Q2R square * (f * f))) by exact MM.
+      assert (Bound : Q2R uq * (e * e + Q2R square * (f * f)) <= Q2R (slope q) * Q2R (slope q) * Q2R square)
+        by (rewrite <- Mm, SqE; exact TT).
+      assert (E0 : 0 <= e * e) by apply Rle_0_sqr. assert (F00 : 0 <= f * f) by apply Rle_0_sqr.
+      assert (SF : 0 <= Q2R square * (f * f)) by (apply Rmult_le_pos; lra).
+      assert (SS0 : 0 <= Q2R (slope q) * Q2R (slope q)) by apply Rle_0_sqr.
+      exists e, f. split; [|split].
+      + apply within_turn; rewrite Q2R_div, !Q2R_mult by exact UZ.
+        * apply Rmult_le_pos; [apply Rmult_le_pos; lra|]. left. now apply Rinv_0_lt_compat.
+        * apply Rmult_le_reg_r with (Q2R uq); [exact UP|]. unfold Rdiv. rewrite (Rmult_assoc _ (/ Q2R uq)), Rinv_l by lra.
+          assert (0 <= Q2R uq * (Q2R square * (f * f))) by (apply Rmult_le_pos; lra). lra.
+      + apply within_turn; rewrite Q2R_div, !Q2R_mult by exact UZ.
+        * apply Rmult_le_pos; [lra|]. left. now apply Rinv_0_lt_compat.
+        * apply Rmult_le_reg_r with (Q2R uq); [exact UP|]. unfold Rdiv. rewrite (Rmult_assoc _ (/ Q2R uq)), Rinv_l by lra.
+          apply Rmult_le_reg_r with (Q2R square); [exact SqP|].
+          assert (0 <= Q2R uq * (e * e)) by (apply Rmult_le_pos; lra). lra.
+      + repeat split; auto. discriminate.
+    - assert (Sl : Q2R (slope q) = 0).
+      { unfold turns in Tn. apply negb_false_iff, Qeq_bool_eq, Qeq_eqR in Tn. now rewrite Q2R_0 in Tn. }
+      assert (M0 : m = S.zero).
+      { apply no_length. apply Rle_antisym; [|apply dot_nonneg]. rewrite Sl in TT. lra. }
+      assert (Z0 : within (exactly 0) 0) by (unfold within, exactly; cbn; rewrite Q2R_0; lra).
+      exists 0, 0. split; [exact Z0|]. split; [exact Z0|]. rewrite M0. unfold S.zero; cbn.
+      repeat split; try ring; discriminate. }
+  destruct Turn as (e & f & We & Wff & M1 & M2 & M3 & MT & MF).
+  exists (turned_row n0 c), (if turns then delta else 0),
+    [S.x (S.position c); S.y (S.position c); S.z (S.position c); e; f],
+    (space_reals (real_triple (nx, ny, nz)) (real_triple tu) (real_triple tv) (Q2R square)), (S.friction c), st.
+  split; [|split; [|split]].
+  - constructor; cbn [box_geometry box_forms box_friction box_square box_weights box_preload box_growth
+      box_stiffness box_spring box_signed box_turns box_slack turned_row Rows.N Rows.slips Rows.rho Rows.weights
+      Rows.preload Rows.growth Rows.stiffness Rows.spring]; try assumption; try discriminate.
+    + constructor; [exact Wx|]. constructor; [exact Wy|]. constructor; [exact Wz|].
+      constructor; [exact We|]. constructor; [exact Wff|constructor].
+    + rewrite Eu, Ev. cbn [real_triple space_reals]. unfold at_point_reals, screw_list, S.N, seen_rows, S.force_at.
+      cbn [map]. rewrite SqE. unfold screw_list, S.force_at, S.cross, S.add, S.scale. rewrite NT. unfold S.add.
+      rewrite M1, M2, M3. unfold n0, vector_of_three; cbn [S.x S.y S.z S.linear S.angular].
+      each; unfold Rdiv; ring.
+    + now apply space_rational.
+    + intros j d. apply space_affine.
+    + intros p1 p2 P1 P2. now apply space_shape.
+    + unfold S.norm. now rewrite SqE.
+    + cbn. now rewrite Q2R_1.
+    + apply three_positive.
+    + now rewrite G.
+    + reflexivity.
+    + intros _. reflexivity.
+    + intros is. destruct turns; [|unfold Q2R; cbn; lra]. destruct (MT eq_refl) as [_ UP].
+      destruct is as [|? [|? [|? [|i1 [|i2 [|? ?]]]]]]; try (cbn [turned_slack]; rewrite Q2R_0; lra).
+      cbn [turned_slack]. rewrite Q2R_div, Q2R_mult, Q2R_plus, Q2R_mult by exact NZ.
+      apply Rmult_le_pos; [|left; now apply Rinv_0_lt_compat]. apply Rmult_le_pos; [lra|].
+      pose proof (greatest_square_nonneg i1). pose proof (greatest_square_nonneg i2). assert (0 <= Q2R square * Q2R (greatest_square i2)) by (apply Rmult_le_pos; lra).
+      lra.
+  - destruct turns eqn:Tn.
+    + apply turned_stands; try assumption. rewrite <- SqE. exact SqP.
+    + rewrite (MF eq_refl) in NT. rewrite turned_is_row.
+      * apply stands_for_itself, three_positive.
+      * rewrite NT. unfold S.add, S.zero, n0, vector_of_three; cbn. now rewrite !Rplus_0_r.
+  - intros is Wis. cbn [box_slack]. destruct turns; [|unfold Q2R; cbn; lra]. destruct (MT eq_refl) as [MM UP].
+    inversion Wis as [|? ? ? ? _ W1]; subst. inversion W1 as [|? ? ? ? _ W2]; subst. inversion W2 as [|? ? ? ? _ W3]; subst.
+    inversion W3 as [|i1 ? ? ? H1 W4]; subst. inversion W4 as [|i2 ? ? ? H2 W5]; subst. inversion W5; subst.
+    cbn [turned_slack]. rewrite Q2R_div, Q2R_mult, Q2R_plus, Q2R_mult by exact NZ.
+    unfold delta. rewrite MM, <- SqE. apply greatest_square_above in H1, H2.
+    unfold Rdiv. apply Rmult_le_compat_r; [left; now apply Rinv_0_lt_compat|]. apply Rmult_le_compat_l; [lra|].
+    apply Rplus_le_compat; [exact H1|]. apply Rmult_le_compat_l; lra.
+  - cbn [box_turns]. intros Tn. specialize (MF Tn). rewrite MF in NT. apply turned_is_row.
+    rewrite NT. unfold S.add, S.zero, n0, vector_of_three; cbn. now rewrite !Rplus_0_r.
 Qed.
 
 End Proofs.

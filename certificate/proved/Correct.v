@@ -12,9 +12,9 @@ Definition choice_of (q : question) (s : Rows.system) : Prop :=
   (exists g, chosen q g /\ s = grasp_rows g) \/
   (exists g, chosen_in_space q g /\ s = space_grasp_rows g).
 
-Lemma enlarge_all_fits bits qs rws rs (chosen_row : contact -> Rows.row -> Prop) :
-  (forall q b r, enlarge bits q = Some b -> chosen_row q r -> inside b r) ->
-  enlarge_all bits qs = Some rws -> Forall2 chosen_row qs rs -> Forall2 fits rws rs.
+Lemma enlarge_all_suits bits qs rws rs (chosen_row : contact -> Rows.row -> Prop) :
+  (forall q b r, enlarge bits q = Some b -> chosen_row q r -> seen_in b r) ->
+  enlarge_all bits qs = Some rws -> Forall2 chosen_row qs rs -> Forall2 suits rws rs.
 Proof.
   intros I H F. apply all_some_is in H. revert rs F.
   induction H as [|q row qs rws E H IH]; intros rs F; inversion F; subst; constructor; [|now apply IH].
@@ -37,7 +37,7 @@ Definition shaped_row (D : nat) (r : Rows.row) : Prop :=
 
 (* All that the proofs need to know of a choice. *)
 Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
-  posed_rows : Forall2 fits (rows st) (Rows.rows s);
+  posed_rows : Forall2 suits (rows st) (Rows.rows s);
   posed_load : the_load st = make_load (wrench q) (direction q);
   posed_slipping : slipping st = [] /\ pushes st = [];
   posed_dimension : dimension_of st = Rows.dimension s /\ dimension q = Rows.dimension s;
@@ -55,10 +55,11 @@ Proof.
     (constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
        Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split);
      try (split; [reflexivity|]; apply Forall_map, Forall_forall; intros c _; now repeat constructor)).
-  - apply (enlarge_all_fits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
-    + intros q0 b r B (c & Ch & ->). eapply enlarge_plane; eassumption.
+  - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
+    + intros q0 b r B (c & Ch & ->).
+      exact (proj2 (fits_suits (make_row b) _ (conj eq_refl (enlarge_plane _ _ _ _ B Ch)))).
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
-  - apply (enlarge_all_fits bits _ _ _ (fun q r => exists c, chosen_contact_in_space q c /\ r = space_contact_row c))
+  - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact_in_space q c /\ r = space_contact_row c))
       with (2 := E).
     + intros q0 b r B (c & Ch & ->). eapply enlarge_space; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
@@ -107,13 +108,22 @@ Proof.
   - constructor; try assumption; try lra; rewrite posed_load0; try assumption; reflexivity.
 Qed.
 
-Lemma posed_in_setting q st s : poses q st s -> in_setting st s.
+Lemma posed_fits q st s : poses q st s -> straight st = true -> Forall2 fits (rows st) (Rows.rows s).
 Proof.
-  intros []. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D1 D2], posed_shapes0 as [Lw Sh].
+  intros [Su _ _ _ _ _ _ _ _] St. unfold straight in St. revert St.
+  induction Su as [|row r rows rs H Su IH]; intros St; constructor; cbn in St; apply andb_true_iff in St as [Sr St].
+  - apply suits_fits; [exact H|]. now apply negb_true_iff.
+  - now apply IH.
+Qed.
+
+Lemma posed_in_setting q st s : poses q st s -> straight st = true -> in_setting st s.
+Proof.
+  intros P St. pose proof (posed_fits q st s P St) as Fi. destruct P.
+  destruct posed_slipping0 as [NS NP], posed_dimension0 as [D1 D2], posed_shapes0 as [Lw Sh].
   constructor; try congruence.
-  - unfold contains. rewrite posed_load0. now repeat split.
-  - rewrite D1. clear - posed_rows0 Sh. revert Sh.
-    induction posed_rows0 as [|row r rows rs [_ (p & F & mu & t & I)] P IH]; intros Sh; constructor.
+  - unfold contains, contains_by. rewrite posed_load0. now repeat split.
+  - rewrite D1. clear - Fi Sh. revert Sh.
+    induction Fi as [|row r rows rs [_ (p & F & mu & t & I)] P IH]; intros Sh; constructor.
     + destruct (Forall_inv Sh) as (A & B & C). constructor; try assumption; try apply I.
       * rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos].
       * intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp.
@@ -123,10 +133,12 @@ Proof.
 Qed.
 
 Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
-  exact_rows (rows st) = true /\ exact_load (the_load st) s.
+  exact_rows (rows st) = true /\ exact_load (the_load st) s /\ straight st = true.
 Proof.
   intros [] X. unfold is_one_grasp in X. apply andb_true_iff in X as [X1 X2].
-  split; [exact X1|]. rewrite posed_load0 in *. now constructor.
+  split; [exact X1|]. split; [rewrite posed_load0 in *; now constructor|].
+  unfold straight, exact_rows in *. rewrite forallb_forall in *. intros r Hr. specialize (X1 r Hr).
+  unfold exact_box in X1. rewrite !andb_true_iff in X1. tauto.
 Qed.
 
 Lemma joined_holds l resisted lo hi : Exists (among l) (joined resisted lo hi) ->
@@ -156,16 +168,18 @@ Proof.
   intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
   set (low := match hi with None => 1%Q | Some _ => lo end) in *.
   set (high := match hi with None => 1%Q | Some h => h end) in *.
+  destruct (straight st) eqn:Straight; [cbn [negb] in H|discriminate].
+  pose proof (posed_fits _ _ _ P Straight) as Fi. pose proof (posed_in_setting _ _ _ P Straight) as In_s.
   (* From low to high, or 1 alone. *)
   assert (Here : (forall l, Q2R low <= l <= Q2R high -> Rows.stable_at s l) -> Rows.stable_at s l).
   { intros St. destruct hi as [h|]; [apply St; unfold low, high; lra|].
     specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ U].
-    apply (unloaded_stable s st l (posed_in_setting _ _ _ P) U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
+    apply (unloaded_stable s st l In_s U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
   destruct evidence as [p|points].
   - destruct (part_fails _ _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
-    exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K (posed_in_setting _ _ _ P) L').
+    exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
   - destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
-    destruct (one_grasp _ _ _ P X) as [E Lo]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
+    destruct (one_grasp _ _ _ P X) as (E & Lo & _). destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
     apply Here. intros l' [L1 L2]. destruct points as [|w more]; [discriminate|].
     destruct (check_at _ _ _ _ (Point (Some low) w)) as [ss|] eqn:K; [|discriminate].
     destruct more as [|w' more].
@@ -173,7 +187,7 @@ Proof.
       replace l' with (Q2R low) by lra. eapply point_resists; try eassumption. reflexivity.
     + destruct (check_at _ _ _ _ (Point (Some high) w')) as [ss'|] eqn:K'; [|discriminate].
       destruct (same_mode ss ss') eqn:M; [|discriminate].
-      exact (segment_resists _ _ _ _ posed_rows0 E Lo posed_law0 _ _ _ _ low l' K K' M eq_refl L1 L2).
+      exact (segment_resists _ _ _ _ Fi E Lo posed_law0 _ _ _ _ low l' K K' M eq_refl L1 L2).
 Qed.
 
 Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
@@ -226,11 +240,12 @@ Proof.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).
-    destruct (one_grasp _ _ _ P X) as [E L]. destruct P. destruct posed_dimension0 as [_ D]. rewrite D in W.
+    destruct (one_grasp _ _ _ P X) as (E & L & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi.
+    destruct P. destruct posed_dimension0 as [_ D]. rewrite D in W.
     replace 0 with (Q2R 0) by apply Q2R_0.
     eapply point_resists; try eassumption. reflexivity.
   - (* parts *)
-    unfold check_parts. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
+    unfold check_parts. destruct (straight st) eqn:Sg; [cbn [negb]|exact I]. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
     intros s C. specialize (P s C).
     pose proof (parts_stable memory advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
     apply (Forall_inv A). cbn. now apply posed_in_setting with q.
@@ -244,10 +259,10 @@ Proof.
     destruct (order_fails _ _ resisted 0); [exact I|].
     destruct (segments_fail _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
     destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
-    intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as [E L]. split.
+    intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as (E & L & Sg). split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
-    + intros A. pose proof (posed_in_setting q st s P) as In_s. destruct P. destruct posed_dimension0 as [_ D].
+    + intros A. pose proof (posed_in_setting q st s P Sg) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
       rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
       { intros a b d1 d2 walls direction tree l Hd Z La Lb.
         eapply (segment_by_degree_resists memory advisor); eassumption. }

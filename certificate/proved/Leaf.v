@@ -94,11 +94,55 @@ Open Scope R_scope.
 
 Definition fits (row : row) (r : Rows.row) := row = make_row (box row) /\ inside (box row) r.
 
+(* A contact whose normal is uncertain in space is not in the box, as its slip is not multilinear in the normal, but
+   a row that stands for it is; k is FORMAT.md's delta of its own normal. *)
+Record stands (k : R) (r r' : Rows.row) : Prop := Stands {
+  same_N : Rows.N r' = Rows.N r;
+  same_preload : Rows.preload r' = Rows.preload r;
+  same_growth : Rows.growth r' = Rows.growth r;
+  same_stiffness : Rows.stiffness r' = Rows.stiffness r;
+  same_spring : Rows.spring r' = Rows.spring r;
+  own_weights : Rows.positive (Rows.weights r);
+  own_slack : 0 <= k;
+  rubs : forall w d h l a g y, Rows.obeys w d h l r (a, g) -> 0 <= a ->
+    work_within r' k a d y (Rows.product (Rows.weights r) g (Rows.slip r y));
+  slides : forall d, 0 < Rows.size (Rows.weights r) (Rows.slip r d) ->
+    0 < Rows.size (Rows.weights r') (Rows.slip r' d)
+}.
+
+Definition seen_in (b : cbox) (r : Rows.row) : Prop :=
+  exists r' k p F mu t, inside_at b r' p F mu t /\ stands k r r' /\
+    (forall is, Forall2 within is p -> k <= Q2R (box_slack b is)) /\ (box_turns b = false -> r' = r).
+
+Definition suits (row : row) (r : Rows.row) := row = make_row (box row) /\ seen_in (box row) r.
+
+Lemma stands_for_itself r : Rows.positive (Rows.weights r) -> stands 0 r r.
+Proof.
+  intros P. constructor; try reflexivity; try assumption; try lra; try (intros; assumption).
+  intros w d h l a g y Ob _. eapply obeys_within; eassumption.
+Qed.
+
+Lemma fits_suits row r : fits row r -> suits row r.
+Proof.
+  intros [E (p & F & mu & t & I)]. split; [exact E|]. exists r, 0, p, F, mu, t. split; [exact I|].
+  split; [apply stands_for_itself, (weights_positive _ _ _ _ _ _ I)|].
+  split; [|reflexivity]. intros is _. apply (slack_nonneg _ _ _ _ _ _ I).
+Qed.
+
+Lemma suits_fits row r : suits row r -> box_turns (box row) = false -> fits row r.
+Proof.
+  intros [E (r' & k & p & F & mu & t & I & _ & _ & Same)] T. split; [exact E|]. rewrite <- (Same T).
+  now exists p, F, mu, t.
+Qed.
+
+Lemma same_pull k r r' d h l : stands k r r' -> Rows.v r' d h l = Rows.v r d h l.
+Proof. intros [N P G K _ _ _ _ _]. unfold Rows.v. now rewrite N, P, G, K. Qed.
+
 (* A point (d, h, l) and forces that obey the law of a system in the box of these rows and this load; what they
    do of work, with the load, is that of `push`: nothing in an equilibrium. *)
 Record solution (rows : list row) (ld : load) (push : list R -> R) (s : Rows.system) (d : list R) (h l : R)
     (fs : list Rows.force) : Prop := Solution {
-  rows_fit : Forall2 fits rows (Rows.rows s);
+  rows_suit : Forall2 suits rows (Rows.rows s);
   load_fits : ld = make_load (load_box ld) (load_growth ld);
   wrench_fits : Forall2 within (load_box ld) (Rows.wrench s);
   growth_fits : map Q2R (load_growth ld) = Rows.direction s;
@@ -197,25 +241,26 @@ Qed.
 
 (* A contact's force does at most the bound of work. *)
 Lemma presser_bound w (slipping may_open : bool) b r a g :
-  inside b r -> Rows.obeys w d h l r (a, g) ->
+  seen_in b r -> Rows.obeys w d h l r (a, g) ->
   (slipping = true -> 0 < Rows.size (Rows.weights r) (Rows.slip r d)) ->
   (if may_open then box_spring b = false else
      box_spring b || forallb (nowhere_negative rays) (pull_tips (make_row b)) = true) ->
   IZR m * Rows.work r (a, g) yv <= bound (term_of m y
     (Presser (make_row b) (way_of strict rays slipping factor y (make_row b)) may_open)).
 Proof.
-  intros (p & F & mu & t & I) Ob HS Closed.
-  set (v := Rows.v r d h l).
+  intros (r' & k & p & F & mu & t & I & St & Sk & Same) Ob HS Closed.
+  pose proof (same_pull k r r' d h l St) as Pull. set (v := Rows.v r d h l) in *.
   assert (Law : (box_spring b = true -> a = v) /\ (box_spring b = false -> a = Rmax 0 v)).
-  { destruct Ob as [Law _]. unfold Rows.normal_law in Law. rewrite (is_spring _ _ _ _ _ _ I) in Law.
+  { destruct Ob as [Law _]. unfold Rows.normal_law in Law.
+    rewrite <- (same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I) in Law.
     split; intros E; rewrite E in Law; [exact Law|]. fold v in Law. destruct w; cbn in Law; [exact Law|].
     rewrite Rmax_right; lra. }
   assert (Shut : may_open = false -> box_spring b = false -> 0 <= v).
-  { intros -> E. rewrite E in Closed. cbn [orb] in Closed.
-    exact (v_nonneg rays d h l ws W spanned b r p F mu t I Closed). }
+  { intros -> E. rewrite E in Closed. cbn [orb] in Closed. rewrite <- Pull.
+    exact (v_nonneg rays d h l ws W spanned b r' p F mu t I Closed). }
   unfold term_of, way_of. cbn [by_ mixed pressing]. change (box (make_row b)) with b.
   destruct (box_signed b) eqn:Sg; cbn [by_ mixed pressing].
-  - destruct may_open.
+  - specialize (Same (signed_straight _ _ _ _ _ _ I Sg)). subst r'. destruct may_open.
     + destruct Law as [_ Law]. rewrite (Law Closed) in *.
       exact (mixed_bound strict rays d h l rays_know strict_at_x ws W spanned y m m_positive b r p F mu t I Sg w g Ob).
     + assert (V : a = v /\ (0 <= v \/ box_spring b = true)).
@@ -229,27 +274,32 @@ Proof.
     assert (A0 : 0 <= a) by (rewrite Law; apply Rmax_l).
     apply IZR_lt in m_positive as MP.
     apply Rle_trans with (IZR m * (a * Q2R (alpha strict rays slipping (make_row b) factor y))).
-    + apply Rmult_le_compat_l; [lra|].
-      exact (force_bound strict rays d h l rays_know strict_at_x ws W spanned y factor factor_positive
-        b r p F mu t I Sg w slipping a g Ob A0 HS).
-    + apply (alpha_term_bound rays d h l ws W spanned b r p F mu t I m m_positive _ _ _ Law).
-      intros M. now apply Shut.
+    + apply Rmult_le_compat_l; [lra|]. unfold Rows.work. cbn [fst snd]. rewrite <- (same_N _ _ _ St).
+      assert (K : 0 <= k <= Q2R (slack (make_row b))).
+      { split; [apply (own_slack _ _ _ St)|]. cbn [slack make_row]. apply Sk, I. }
+      apply (force_bound strict rays d h l rays_know strict_at_x ws W spanned y factor factor_positive
+        b r' p F mu t I Sg slipping k a _ (rubs _ _ _ St w d h l a g yv Ob A0) A0 K).
+      intros S. apply (slides _ _ _ St). now apply HS.
+    + rewrite <- Pull in Law.
+      apply (alpha_term_bound rays d h l ws W spanned b r' p F mu t I m m_positive _ _ _ Law).
+      intros M. rewrite Pull. now apply Shut.
 Qed.
 
-Lemma open_works w b r a g : inside b r -> Rows.obeys w d h l r (a, g) -> box_spring b = false ->
+Lemma open_works w b r a g : seen_in b r -> Rows.obeys w d h l r (a, g) -> box_spring b = false ->
   forallb (nowhere_positive rays) (pull_tips (make_row b)) = true -> Rows.work r (a, g) yv = 0.
 Proof.
-  intros (p & F & mu & t & I) (Law & Cone & _) Sp Open.
-  pose proof (v_nonpos rays d h l ws W spanned b r p F mu t I Open) as V.
-  unfold Rows.normal_law in Law. rewrite (is_spring _ _ _ _ _ _ I), Sp in Law.
+  intros (r' & k & p & F & mu & t & I & St & _ & _) (Law & Cone & _) Sp Open.
+  pose proof (v_nonpos rays d h l ws W spanned b r' p F mu t I Open) as V.
+  rewrite (same_pull k r r' d h l St) in V.
+  unfold Rows.normal_law in Law. rewrite <- (same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I), Sp in Law.
   assert (A : a = 0) by (destruct w; cbn in Law; [rewrite Law; now apply Rmax_left|lra]).
   subst a. rewrite Rmult_0_r in Cone. unfold Rows.work. cbn [fst snd].
-  rewrite (Rows.size_zero _ g _ (weights_positive _ _ _ _ _ _ I)); [ring|].
+  rewrite (Rows.size_zero _ g _ (own_weights _ _ _ St)); [ring|].
   pose proof (Rows.size_nonneg (Rows.weights r) g). lra.
 Qed.
 
 Lemma forces_bound w slipping rows rs fs number before :
-  Forall2 fits rows rs -> Forall2 (Rows.obeys w d h l) rs fs ->
+  Forall2 suits rows rs -> Forall2 (Rows.obeys w d h l) rs fs ->
   (forall k r, existsb (Z.eqb (number + Z.of_nat k)) slipping = true -> nth_error rs k = Some r ->
      0 < Rows.size (Rows.weights r) (Rows.slip r d)) ->
   IZR m * Rows.works rs fs yv + bounds ws (map (term_of m y) before)

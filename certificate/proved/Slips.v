@@ -101,23 +101,33 @@ Open Scope Z_scope.
 
 Definition unit_of (s : scaling) : Q := Qmake (times s) (Z.to_pos (over s)).
 
-(* At a corner; `factor` is that of y. *)
-Definition corner_alpha (row : row) (factor : Q) (y : form) (gens : list form) (moves : bool)
-    (t : list form) : Q :=
-  let z := slip_at t y in
-  let '(below, n, d) := if moves then most_along (metric row) gens z else (false, inner_of (metric row) z z, 1) in
-  let mu := if below then low (box_friction (box row)) else high (box_friction (box row)) in
-  let u := (unit_of (forms_scale row) * factor)%Q in
-  let q := (mu * mu * box_square (box row) * unit_of (metric_scale row) * (u * u) * Qmake n (Z.to_pos d))%Q in
-  reduced (u * inject_Z (dot (nth 0 t []) y) +
-    (if below then if Qle_bool 0 mu then - root_below q else 0 else root_above q))%Q.
-
 Fixpoint largest_q (qs : list Q) : Q :=
   match qs with
   | [] => 0%Q
   | [q] => q
   | q :: qs' => let m := largest_q qs' in if Qle_bool q m then m else q
   end.
+
+(* What friction can do at this mu: mu L times the work along the cone, whose square is a fraction of two numbers, and
+   where the normal is uncertain, as much of |z| more as it can turn.  `scale` is the square of what is left out. *)
+Definition friction_work (row : row) (scale : Q) (along : bool * Z * Z) (zz : Z) (mu : Q) : Q :=
+  let '(below, n, d) := along in
+  let c := (mu * mu * scale)%Q in
+  let q := (c * Qmake n (Z.to_pos d))%Q in
+  let it := if below && Qle_bool 0 mu then (- root_below q)%Q else root_above q in
+  if Qle_bool (slack row) 0 then it
+  else (it + (3 # 2) * slack row * root_above (c * inject_Z zz))%Q.
+
+(* At a corner; `factor` is that of y. *)
+Definition corner_alpha (row : row) (factor : Q) (y : form) (gens : list form) (moves : bool)
+    (t : list form) : Q :=
+  let z := slip_at t y in
+  let zz := inner_of (metric row) z z in
+  let along := if moves then most_along (metric row) gens z else (false, zz, 1) in
+  let u := (unit_of (forms_scale row) * factor)%Q in
+  let scale := (box_square (box row) * unit_of (metric_scale row) * (u * u))%Q in
+  reduced (u * inject_Z (dot (nth 0 t []) y) +
+    largest_q (map (friction_work row scale along zz) (ends (box_friction (box row)))))%Q.
 
 (* Of y in integers: alpha is that of factor * y, over the factor. *)
 Definition alpha (strict : list (list form)) (rays : list ray) (slipping : bool) (row : row)
@@ -359,6 +369,28 @@ End Cones.
 
 (* ---- A contact's force does at most alpha max(0, v) of work ---- *)
 
+(* What is used of friction that does the work phi on y, of a force with the normal coefficient a at d: that of the cone,
+   and against the slip.  k is 0, or what FORMAT.md section 7 calls delta where the normal is not the row's. *)
+Definition work_within (r : Rows.row) (k a : R) (d y : list R) (phi : R) : Prop :=
+  let s := Rows.slip r d in
+  let t := Rows.slip r y in
+  (phi <= Rows.rho r * a * ((1 + 3 / 2 * k) * Rows.size (Rows.weights r) t) /\
+   (0 < Rows.size (Rows.weights r) s ->
+    phi <= Rows.rho r * a * (- Rows.product (Rows.weights r) s t / Rows.size (Rows.weights r) s +
+                             3 / 2 * k * Rows.size (Rows.weights r) t)))%R.
+
+Lemma obeys_within w d h l r a g y : Rows.positive (Rows.weights r) -> Rows.obeys w d h l r (a, g) ->
+  work_within r 0 a d y (Rows.product (Rows.weights r) g (Rows.slip r y)).
+Proof.
+  intros P (_ & Cone & Diss). unfold work_within. set (ws := Rows.weights r) in *.
+  pose proof (Rows.size_nonneg ws (Rows.slip r y)). split.
+  - eapply Rle_trans; [apply (Rows.product_bound _ _ _ P)|].
+    replace (Rows.rho r * a * ((1 + 3 / 2 * 0) * Rows.size ws (Rows.slip r y)))%R
+      with (Rows.rho r * a * Rows.size ws (Rows.slip r y))%R by lra.
+    now apply Rmult_le_compat_r.
+  - intros S. rewrite (Rows.against_slip _ _ _ _ P Cone Diss S). right. field. lra.
+Qed.
+
 Section Contact.
 Open Scope R_scope.
 
@@ -571,106 +603,79 @@ Qed.
 Lemma unit_of_is sc : (0 < over sc)%Z -> Q2R (unit_of sc) = unit sc.
 Proof. intros O. unfold unit_of, Q2R, unit; cbn. rewrite Z2Pos.id by exact O. reflexivity. Qed.
 
-(* What friction can do on y, at a corner. *)
-Lemma corner_bound (moves : bool) a g t0 : 0 <= a ->
-  let s := Rows.slip r d in
-  Rows.size (Rows.weights r) g <= Rows.rho r * a ->
-  Rows.product (Rows.weights r) g s = - (Rows.rho r * a) * Rows.size (Rows.weights r) s ->
-  (moves = true -> 0 < Rows.size (Rows.weights r) s) ->
-  let z := slip_at t0 y in
-  a * (u * Q2R factor * IZR (dot (nth 0 t0 []) y)) +
-  u * Q2R factor * Rows.product (Rows.weights r) g (real z)
-  <= a * Q2R (corner_alpha it factor y gens moves t0).
+Lemma size_integers z : Rows.size (Rows.weights r) (real z) = sqrt mu_unit * sqrt (IZR (inner_of ms z z)).
+Proof. rewrite size_is. unfold Rows.size. now rewrite (inner_is ms). Qed.
+
+(* A length is at most the mean of those at the corners. *)
+Lemma size_corners d' : Rows.size (Rows.weights r) (Rows.slip r d') <=
+  u * eval (fun t0 => Rows.size (Rows.weights r) (slip_of t0 d')) (forms it) ss.
 Proof.
-  intros A0 s Cone Diss Hm z. unfold corner_alpha. fold z. fold ms.
-  set (res := if moves then most_along ms gens z else (false, inner_of ms z z, 1%Z)).
-  destruct res as [[below n] den] eqn:Res.
-  pose proof u_positive as UP. pose proof mu_unit_positive as MU. pose proof metric_positive as MP0.
-  pose proof (friction_nonneg _ _ _ _ _ _ I) as M0. pose proof (in_friction _ _ _ _ _ _ I) as [Wl Wh].
-  set (len := sqrt (Q2R (box_square b))). assert (LP : 0 <= len) by apply sqrt_pos.
-  assert (RE : Rows.rho r = mu * len) by apply (is_rho _ _ _ _ _ _ I).
-  set (um := sqrt mu_unit). assert (UM : 0 <= um) by apply sqrt_pos.
-  assert (UM2 : um * um = mu_unit) by (apply sqrt_sqrt; lra).
-  set (R := Rows.rho r * a). assert (R0 : 0 <= R) by (unfold R; rewrite RE; repeat apply Rmult_le_pos; lra).
-  (* the work of friction, by its sign *)
-  assert (B : (0 <= n)%Z /\ (0 < den)%Z /\
-    Rows.product (Rows.weights r) g (real z) <= (if below then -1 else 1) * sqrt (IZR n / IZR den) * (um * R)).
-  { destruct moves.
-    - specialize (Hm eq_refl).
-      rewrite (Rows.against_slip _ _ _ _ (weights_positive _ _ _ _ _ _ I) Cone Diss Hm).
-      pose proof (most_along_bound ms MP0 gens z _ slip_in_cone) as Mo.
-      unfold res in Res. rewrite Res in Mo. destruct Mo as (N0 & D0 & Mo).
-      split; [exact N0|]. split; [exact D0|]. fold s in Mo. fold R.
-      rewrite size_is in Hm. rewrite product_is, size_is. change (sqrt mu_unit) with um in Hm |- *. set (S := Rows.size G s) in *.
-      assert (SP : 0 < S) by (apply Rnot_le_lt; intros N; assert (0 <= um * - S) by (apply Rmult_le_pos; lra); lra).
-      assert (UP' : 0 < um) by (apply sqrt_lt_R0; lra).
-      rewrite Rows.product_sym. rewrite <- UM2.
-      replace (- (R / (um * S)) * (um * um * product (real z) s)) with (R * um / S * - product (real z) s)
-        by (field; lra).
-      apply Rle_trans with (R * um / S * ((if below then -1 else 1) * sqrt (IZR n / IZR den) * S)).
-      + apply Rmult_le_compat_l; [|exact Mo]. apply Rmult_le_pos; [now apply Rmult_le_pos|].
-        left. now apply Rinv_0_lt_compat.
-      + right. field. lra.
-    - unfold res in Res. injection Res as <- <- <-.
-      assert (ZZ : IZR (inner_of ms z z) = product (real z) (real z)) by apply inner_is.
-      split; [apply le_IZR; rewrite ZZ; now apply Rows.product_nonneg|]. split; [lia|].
-      eapply Rle_trans; [apply Rows.product_bound; apply (weights_positive _ _ _ _ _ _ I)|].
-      rewrite (size_is (real z)). fold um.
-      replace (sqrt (IZR (inner_of ms z z) / IZR 1)) with (Rows.size G (real z))
-        by (unfold Rows.size; f_equal; rewrite ZZ; field).
-      pose proof (Rows.size_nonneg G (real z)) as S0. set (S := Rows.size G (real z)) in *. fold R in Cone.
-      apply Rle_trans with (R * (um * S)); [|right; ring].
-      apply Rmult_le_compat_r; [now apply Rmult_le_pos|exact Cone]. }
-  destruct B as (N0 & D0 & B).
-  set (U := u * Q2R factor). assert (UP' : 0 < U) by (apply Rmult_lt_0_compat; assumption).
-  change (box it) with b.
-  set (mq := if below then low (box_friction b) else high (box_friction b)).
-  set (uq := (unit_of (forms_scale it) * factor)%Q).
-  assert (UQ : Q2R uq = U).
-  { unfold uq, it. cbn [forms_scale make_row]. rewrite unsigned.
-    rewrite Q2R_mult, unit_of_is; [reflexivity|]. apply common_denominator_positive. }
-  assert (MQ : Q2R (unit_of (metric_scale it)) = mu_unit)
-    by (apply unit_of_is; apply common_denominator_positive).
-  set (q := (mq * mq * box_square b * unit_of (metric_scale it) * (uq * uq) * (n # Z.to_pos den))%Q).
-  apply IZR_le in N0 as N0'. apply IZR_lt in D0 as D0'.
-  assert (FR : Q2R (n # Z.to_pos den) = IZR n / IZR den).
-  { unfold Q2R; cbn. now rewrite Z2Pos.id. }
-  assert (SqP : len * len = Q2R (box_square b)).
-  { apply sqrt_sqrt. apply (square_nonneg _ _ _ _ _ _ I). }
-  assert (QE : Q2R q = (Q2R mq * len * um * U) * (Q2R mq * len * um * U) * (IZR n / IZR den)).
-  { unfold q. rewrite !Q2R_mult, UQ, FR, MQ, <- SqP, <- UM2. ring. }
+  pose proof (weights_positive _ _ _ _ _ _ I) as WP. pose proof u_positive as UP.
+  pose proof (shares_valid b r p F mu st I) as SV.
+  set (t := Rows.slip r d'). pose proof (Rows.size_nonneg (Rows.weights r) t) as T0.
+  assert (E0 : 0 <= eval (fun t0 => Rows.size (Rows.weights r) (slip_of t0 d')) (forms it) ss)
+    by (apply eval_least; [exact SV|]; intros; apply Rows.size_nonneg).
+  destruct (Rle_lt_or_eq_dec 0 _ T0) as [P|Z]; [|rewrite <- Z; apply Rmult_le_pos; lra].
+  apply Rmult_le_reg_r with (Rows.size (Rows.weights r) t); [exact P|].
+  rewrite Rows.size_square by exact WP. rewrite product_is. unfold t at 1. rewrite slip_corners. fold t.
+  replace (mu_unit * (u * eval (fun t0 => product (slip_of t0 d') t) (forms it) ss))
+    with (u * eval (fun t0 => mu_unit * product (slip_of t0 d') t) (forms it) ss) by (rewrite eval_multiple; ring).
+  rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. rewrite Rmult_comm, <- eval_multiple.
+  assert (D : 0 <= eval (fun t0 => Rows.size (Rows.weights r) t * Rows.size (Rows.weights r) (slip_of t0 d') +
+    -1 * (mu_unit * product (slip_of t0 d') t)) (forms it) ss).
+  { apply eval_least; [exact SV|]. intros t0 _. rewrite <- product_is.
+    pose proof (Rows.product_bound _ (slip_of t0 d') t WP). lra. }
+  rewrite eval_sum, eval_multiple with (c := -1) in D. lra.
+Qed.
+
+(* What friction can do at a mu, in reals: C is what is left out. *)
+Lemma friction_work_above scale (along : bool * Z * Z) zz C mq : 0 <= C -> C * C = Q2R scale -> (0 <= zz)%Z ->
+  let '(below, n, den) := along in
+  (0 <= n)%Z -> (0 < den)%Z ->
+  Q2R mq * (C * ((if below then -1 else 1) * sqrt (IZR n / IZR den) + 3 / 2 * Q2R (slack it) * sqrt (IZR zz)))
+  <= Q2R (friction_work it scale along zz mq).
+Proof.
+  destruct along as [[below n] den]. intros C0 CE Z0 N0 D0. unfold friction_work.
+  set (c := (mq * mq * scale)%Q). set (q := (c * (n # Z.to_pos den))%Q).
+  apply IZR_le in N0, Z0. apply IZR_lt in D0 as D0'.
+  assert (FR : Q2R (n # Z.to_pos den) = IZR n / IZR den) by (unfold Q2R; cbn; now rewrite Z2Pos.id).
   assert (FN : 0 <= IZR n / IZR den).
-  { apply Rmult_le_pos; [exact N0'|]. left. now apply Rinv_0_lt_compat. }
-  set (root := sqrt (IZR n / IZR den)) in *. assert (Rt0 : 0 <= root) by apply sqrt_pos.
-  rewrite reduced_same, Q2R_plus, Q2R_mult, UQ.
-  replace (Q2R (inject_Z (dot (nth 0 t0 []) y))) with (IZR (dot (nth 0 t0 []) y))
-    by (unfold Q2R; cbn; field).
-  set (Ny := IZR (dot (nth 0 t0 []) y)).
-  rewrite (Rmult_plus_distr_l a). apply Rplus_le_compat_l.
-  apply Rle_trans with (U * ((if below then -1 else 1) * root * (um * R))).
-  { apply Rmult_le_compat_l; lra. }
-  assert (Keep : forall m1 m2, 0 <= m1 <= m2 -> m1 * len * um * U * root <= m2 * len * um * U * root).
-  { intros m1 m2 [H1 H2]. repeat (apply Rmult_le_compat_r; [lra|]). exact H2. }
-  assert (SQ : 0 <= Q2R mq -> sqrt (Q2R q) = Q2R mq * len * um * U * root).
-  { intros MP. rewrite QE, sqrt_mult_alt by apply Rle_0_sqr. rewrite sqrt_square; [reflexivity|].
-    apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; lra. }
-  assert (QP : 0 <= Q2R q) by (rewrite QE; apply Rmult_le_pos; [apply Rle_0_sqr|exact FN]).
-  unfold R. rewrite RE. destruct below.
-  - destruct (Qle_bool 0 mq) eqn:MP.
-    + apply Qle_bool_R in MP. rewrite Q2R_0 in MP. rewrite Q2R_opp.
-      pose proof (root_below_is q QP) as RB. rewrite (SQ MP) in RB.
-      pose proof (Keep (Q2R mq) mu (conj MP Wl)) as K.
-      assert (a * Q2R (root_below q) <= a * (mu * len * um * U * root))
-        by (apply Rmult_le_compat_l; lra). lra.
-    + rewrite Q2R_0, Rmult_0_r.
-      assert (0 <= U * (root * (um * (mu * len * a)))); [|lra].
-      apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [lra|].
-      apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; lra.
-  - assert (MP : 0 <= Q2R mq) by (unfold mq; lra).
-    pose proof (root_above_is q QP) as RA. rewrite (SQ MP) in RA.
-    pose proof (Keep mu (Q2R mq) (conj M0 Wh)) as K.
-    assert (a * (mu * len * um * U * root) <= a * Q2R (root_above q))
-      by (apply Rmult_le_compat_l; lra). lra.
+  { apply Rmult_le_pos; [exact N0|]. left. now apply Rinv_0_lt_compat. }
+  set (root := sqrt (IZR n / IZR den)) in *. assert (R0 : 0 <= root) by apply sqrt_pos.
+  assert (CQ : Q2R c = (Rabs (Q2R mq) * C) * (Rabs (Q2R mq) * C)).
+  { unfold c. rewrite !Q2R_mult, <- CE. transitivity (Rabs (Q2R mq) * Rabs (Q2R mq) * (C * C)); [|ring].
+    rewrite <- Rabs_mult, Rabs_right by (apply Rle_ge, Rle_0_sqr). reflexivity. }
+  assert (MC : 0 <= Rabs (Q2R mq) * C) by (apply Rmult_le_pos; [apply Rabs_pos|exact C0]).
+  assert (Sq : forall e, 0 <= e -> sqrt (Q2R c * e) = Rabs (Q2R mq) * C * sqrt e).
+  { intros e E. rewrite CQ, sqrt_mult_alt by apply Rle_0_sqr. now rewrite sqrt_square. }
+  assert (QE : Q2R q = Q2R c * (IZR n / IZR den)) by (unfold q; now rewrite Q2R_mult, FR).
+  assert (QP : 0 <= Q2R q) by (rewrite QE, CQ; apply Rmult_le_pos; [apply Rle_0_sqr|exact FN]).
+  pose proof (root_above_is q QP) as RA. pose proof (root_below_is q QP) as RB.
+  rewrite QE, Sq in RA, RB by exact FN. fold root in RA, RB.
+  assert (Abs : - (Rabs (Q2R mq) * C * root) <= Q2R mq * (C * root) <= Rabs (Q2R mq) * C * root).
+  { pose proof (Rle_abs (Q2R mq)). pose proof (Rle_abs (- Q2R mq)) as A2. rewrite Rabs_Ropp in A2.
+    assert (0 <= C * root) by (apply Rmult_le_pos; assumption).
+    split; [apply Rle_trans with (- Rabs (Q2R mq) * (C * root)); [lra|]|apply Rle_trans with (Rabs (Q2R mq) * (C * root)); [|lra]];
+      apply Rmult_le_compat_r; lra. }
+  set (along := if below && Qle_bool 0 mq then (- root_below q)%Q else root_above q).
+  assert (A : Q2R mq * (C * ((if below then -1 else 1) * root)) <= Q2R along).
+  { unfold along. destruct below; cbn [andb].
+    - destruct (Qle_bool 0 mq) eqn:MP; [|lra]. apply Qle_bool_R in MP. rewrite Q2R_0 in MP.
+      rewrite Q2R_opp. rewrite (Rabs_right (Q2R mq)) in RB by lra. lra.
+    - lra. }
+  assert (K0 : 0 <= Q2R (slack it)) by apply (slack_nonneg _ _ _ _ _ _ I).
+  destruct (Qle_bool (slack it) 0) eqn:Sk.
+  - apply Qle_bool_R in Sk. rewrite Q2R_0 in Sk. replace (Q2R (slack it)) with 0 by lra. lra.
+  - rewrite Q2R_plus, !Q2R_mult. replace (Q2R (3 # 2)) with (3 / 2) by (unfold Q2R; cbn; lra).
+    assert (J : Q2R (inject_Z zz) = IZR zz) by (unfold Q2R; cbn; field).
+    assert (ZP : 0 <= Q2R (c * inject_Z zz)).
+    { rewrite Q2R_mult, J, CQ. apply Rmult_le_pos; [apply Rle_0_sqr|exact Z0]. }
+    pose proof (root_above_is _ ZP) as RZ. rewrite Q2R_mult, J, Sq in RZ by exact Z0.
+    pose proof (sqrt_pos (IZR zz)) as S0. set (len := sqrt (IZR zz)) in *.
+    assert (M : Q2R mq * (C * len) <= Q2R (root_above (c * inject_Z zz))).
+    { eapply Rle_trans; [|exact RZ]. rewrite Rmult_assoc. apply Rmult_le_compat_r; [now apply Rmult_le_pos|apply Rle_abs]. }
+    apply Rle_trans with (Q2R along + 3 / 2 * Q2R (slack it) * (Q2R mq * (C * len))); [lra|].
+    apply Rplus_le_compat_l. apply Rmult_le_compat_l; lra.
 Qed.
 
 Lemma largest_q_above qs q : In q qs -> Q2R q <= Q2R (largest_q qs).
@@ -687,12 +692,83 @@ Proof.
       destruct H as [<-|H]; [lra|]. specialize (IH H). lra.
 Qed.
 
-Theorem force_bound w (slipping : bool) a g : Rows.obeys w d h l r (a, g) -> 0 <= a ->
-  (slipping = true -> 0 < Rows.size (Rows.weights r) (Rows.slip r d)) ->
-  Rows.work r (a, g) yv <= a * Q2R (alpha strict rays slipping it factor y).
+(* What friction can do on y, at a corner; e is the work over rho a, on slips in reals. *)
+Lemma corner_bound (moves : bool) k t0 (e : R) : 0 <= k <= Q2R (slack it) ->
+  let s := Rows.slip r d in
+  let z := slip_at t0 y in
+  let len := Rows.size (Rows.weights r) (real z) in
+  (moves = true -> 0 < Rows.size (Rows.weights r) s) ->
+  e <= (if moves then - Rows.product (Rows.weights r) s (real z) / Rows.size (Rows.weights r) s else len) + 3 / 2 * k * len ->
+  u * Q2R factor * IZR (dot (nth 0 t0 []) y) + Rows.rho r * (u * Q2R factor * e)
+  <= Q2R (corner_alpha it factor y gens moves t0).
 Proof.
-  intros (_ & Cone & Diss) A0 HS. unfold Rows.work. cbn [fst snd].
-  rewrite (Rows.product_sym _ g), product_is, slip_corners, N_corners.
+  intros K s z len Hm He. unfold corner_alpha. fold z ms.
+  set (zz := inner_of ms z z).
+  set (along := if moves then most_along ms gens z else (false, zz, 1%Z)).
+  pose proof u_positive as UP. pose proof mu_unit_positive as MU. pose proof metric_positive as MP0.
+  set (um := sqrt mu_unit). assert (UM : 0 < um) by now apply sqrt_lt_R0.
+  assert (UM2 : um * um = mu_unit) by (apply sqrt_sqrt; lra).
+  assert (ZZ : IZR zz = product (real z) (real z)) by apply inner_is.
+  assert (Z0 : (0 <= zz)%Z) by (apply le_IZR; rewrite ZZ; now apply Rows.product_nonneg).
+  assert (LE : len = um * sqrt (IZR zz)) by apply size_integers.
+  (* the work along the cone, by its sign *)
+  assert (B : let '(below, n, den) := along in (0 <= n)%Z /\ (0 < den)%Z /\
+    (if moves then - Rows.product (Rows.weights r) s (real z) / Rows.size (Rows.weights r) s else len)
+    <= um * ((if below then -1 else 1) * sqrt (IZR n / IZR den))).
+  { unfold along. destruct moves.
+    - specialize (Hm eq_refl). pose proof (most_along_bound ms MP0 gens z _ slip_in_cone) as Mo.
+      destruct (most_along ms gens z) as [[below n] den]. destruct Mo as (N0 & D0 & Mo).
+      split; [exact N0|]. split; [exact D0|]. fold s in Mo.
+      rewrite size_is in *. rewrite product_is, Rows.product_sym. fold um. change (sqrt mu_unit) with um in Hm.
+      set (S := Rows.size G s) in *.
+      assert (SP : 0 < S) by (apply Rnot_le_lt; intros N; assert (0 <= um * - S) by (apply Rmult_le_pos; lra); lra).
+      rewrite <- UM2. replace (- (um * um * product (real z) s) / (um * S)) with (um / S * - product (real z) s)
+        by (field; lra).
+      apply Rle_trans with (um / S * ((if below then -1 else 1) * sqrt (IZR n / IZR den) * S)).
+      + apply Rmult_le_compat_l; [|exact Mo]. apply Rmult_le_pos; [lra|]. left. now apply Rinv_0_lt_compat.
+      + right. field. lra.
+    - split; [exact Z0|]. split; [lia|]. rewrite LE. right. replace (IZR zz / IZR 1) with (IZR zz) by field. ring. }
+  destruct along as [[below n] den] eqn:Al. destruct B as (N0 & D0 & B).
+  set (U := u * Q2R factor) in *. assert (UP' : 0 < U) by (apply Rmult_lt_0_compat; assumption).
+  change (box it) with b. set (uq := (unit_of (forms_scale it) * factor)%Q).
+  assert (UQ : Q2R uq = U).
+  { unfold uq, it. cbn [forms_scale make_row]. rewrite unsigned.
+    rewrite Q2R_mult, unit_of_is; [reflexivity|]. apply common_denominator_positive. }
+  assert (MQ : Q2R (unit_of (metric_scale it)) = mu_unit)
+    by (apply unit_of_is; apply common_denominator_positive).
+  set (scale := (box_square b * unit_of (metric_scale it) * (uq * uq))%Q).
+  set (lb := sqrt (Q2R (box_square b))). assert (L0 : 0 <= lb) by apply sqrt_pos.
+  assert (LL : lb * lb = Q2R (box_square b)) by (apply sqrt_sqrt; apply (square_nonneg _ _ _ _ _ _ I)).
+  set (C := lb * um * U). assert (C0 : 0 <= C) by (unfold C; apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
+  assert (CE : C * C = Q2R scale).
+  { unfold scale, C. rewrite !Q2R_mult, UQ, MQ, <- LL, <- UM2. ring. }
+  pose proof (in_friction _ _ _ _ _ _ I) as Wf. pose proof (friction_nonneg _ _ _ _ _ _ I) as M0.
+  rewrite reduced_same, Q2R_plus, Q2R_mult, UQ.
+  replace (Q2R (inject_Z (dot (nth 0 t0 []) y))) with (IZR (dot (nth 0 t0 []) y))
+    by (unfold Q2R; cbn; field).
+  apply Rplus_le_compat_l. rewrite (is_rho _ _ _ _ _ _ I). fold lb.
+  set (top := (C * ((if below then -1 else 1) * sqrt (IZR n / IZR den) + 3 / 2 * Q2R (slack it) * sqrt (IZR zz)))).
+  assert (Top : mu * top <= Q2R (largest_q (map (friction_work it scale (below, n, den) zz) (ends (box_friction b))))).
+  { replace (mu * top) with (0 + top * mu) by ring. apply at_ends with (box_friction b); [exact Wf|].
+    intros q Hq. replace (0 + top * Q2R q) with (Q2R q * top) by ring.
+    eapply Rle_trans; [apply (friction_work_above scale (below, n, den) zz C q C0 CE Z0 N0 D0)|].
+    apply largest_q_above. now apply in_map. }
+  eapply Rle_trans; [|exact Top]. replace (mu * lb * (U * e)) with (mu * (lb * U * e)) by ring.
+  apply Rmult_le_compat_l; [exact M0|]. unfold top, C.
+  replace (lb * um * U * ((if below then -1 else 1) * sqrt (IZR n / IZR den) + 3 / 2 * Q2R (slack it) * sqrt (IZR zz)))
+    with (lb * U * (um * ((if below then -1 else 1) * sqrt (IZR n / IZR den)) + 3 / 2 * Q2R (slack it) * (um * sqrt (IZR zz))))
+    by ring.
+  apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. rewrite <- LE.
+  assert (0 <= len) by (rewrite LE; apply Rmult_le_pos; [lra|apply sqrt_pos]).
+  assert (3 / 2 * k * len <= 3 / 2 * Q2R (slack it) * len) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+
+Theorem force_bound (slipping : bool) k a phi : work_within r k a d yv phi -> 0 <= a -> 0 <= k <= Q2R (slack it) ->
+  (slipping = true -> 0 < Rows.size (Rows.weights r) (Rows.slip r d)) ->
+  a * Rows.dot (Rows.N r) yv + phi <= a * Q2R (alpha strict rays slipping it factor y).
+Proof.
+  intros [Cone Against] A0 K HS.
+  set (s := Rows.slip r d) in *. set (t := Rows.slip r yv) in *. set (W' := Rows.weights r) in *.
   set (frictionless := Qeq_bool (high (box_friction (box it))) 0).
   set (moves := negb frictionless && (slipping || must_move ms strict (forms it) gens rays)).
   set (top := largest_q (map (corner_alpha it factor y gens moves) (tips (forms it)))).
@@ -702,25 +778,54 @@ Proof.
       destruct frictionless; reflexivity. }
     rewrite E, reduced_same, Q2R_div; [reflexivity|].
     intros Z. apply Qeq_eqR in Z. rewrite Q2R_0 in Z. lra. }
-  assert (MV : moves = true -> 0 < Rows.size (Rows.weights r) (Rows.slip r d)).
+  assert (MV : moves = true -> 0 < Rows.size W' s).
   { unfold moves. intros M. apply andb_true_iff in M as [_ M]. apply orb_true_iff in M as [M|M].
     - auto.
     - now apply must_move_moves. }
   rewrite AE. apply Rmult_le_reg_l with (Q2R factor); [exact factor_positive|].
   replace (Q2R factor * (a * (Q2R top / Q2R factor))) with (a * Q2R top) by (field; lra).
-  match goal with |- Q2R factor * (a * (u * ?A) + mu_unit * (u * ?B)) <= _ =>
-    replace (Q2R factor * (a * (u * A) + mu_unit * (u * B)))
-      with ((a * (u * Q2R factor)) * A + (u * Q2R factor * mu_unit) * B) by ring end.
-  rewrite <- !eval_multiple, <- eval_sum.
-  apply eval_most; [apply (shares_valid b r p F mu st I)|]. intros t0 Ht.
-  unfold yv. rewrite rdot_integers, slip_of_integers.
-  replace (u * Q2R factor * mu_unit * product (real (slip_at t0 y)) g)
-    with (u * Q2R factor * Rows.product (Rows.weights r) g (real (slip_at t0 y)))
-    by (rewrite product_is, (Rows.product_sym _ g); ring).
-  replace (a * (u * Q2R factor) * IZR (dot (nth 0 t0 []) y))
-    with (a * (u * Q2R factor * IZR (dot (nth 0 t0 []) y))) by ring.
-  eapply Rle_trans; [apply (corner_bound moves a g t0 A0 Cone Diss MV)|].
-  apply Rmult_le_compat_l; [exact A0|]. apply largest_q_above. now apply in_map.
+  pose proof (shares_valid b r p F mu st I) as SV. pose proof u_positive as UP.
+  assert (RP : 0 <= Rows.rho r).
+  { rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos]. }
+  (* over rho a, at a corner *)
+  set (e := fun t0 => let z := real (slip_at t0 y) in
+    (if moves then - Rows.product W' s z / Rows.size W' s else Rows.size W' z) + 3 / 2 * k * Rows.size W' z).
+  assert (LE := size_corners yv). fold W' t in LE.
+  assert (Len : Rows.size W' t <= u * eval (fun t0 => Rows.size W' (real (slip_at t0 y))) (forms it) ss).
+  { eapply Rle_trans; [exact LE|]. right. f_equal. apply eval_same. intros t0 _. unfold yv. now rewrite slip_of_integers. }
+  assert (Phi : phi <= Rows.rho r * a * (u * eval e (forms it) ss)).
+  { assert (Ev : u * eval e (forms it) ss =
+      (if moves then - Rows.product W' s t / Rows.size W' s
+       else u * eval (fun t0 => Rows.size W' (real (slip_at t0 y))) (forms it) ss) +
+      3 / 2 * k * (u * eval (fun t0 => Rows.size W' (real (slip_at t0 y))) (forms it) ss)).
+    { unfold e. cbv zeta. rewrite eval_sum, eval_multiple. destruct moves; [|ring].
+      rewrite (eval_same (fun t0 => - Rows.product W' s (real (slip_at t0 y)) / Rows.size W' s)
+        (fun t0 => - / Rows.size W' s * (mu_unit * product (slip_of t0 yv) s))).
+      - rewrite !eval_multiple. rewrite (Rows.product_sym W' s t). unfold W' at 1, t. rewrite product_is, slip_corners.
+        fold W'. unfold Rdiv. ring.
+      - intros t0 _. unfold yv. rewrite slip_of_integers. unfold W' at 1. rewrite product_is, Rows.product_sym.
+        fold W'. unfold Rdiv. ring. }
+    rewrite Ev. assert (RA : 0 <= Rows.rho r * a) by now apply Rmult_le_pos.
+    set (E := u * eval (fun t0 => Rows.size W' (real (slip_at t0 y))) (forms it) ss) in *.
+    destruct moves.
+    - eapply Rle_trans; [apply Against, MV; reflexivity|]. apply Rmult_le_compat_l; [exact RA|].
+      apply Rplus_le_compat_l. apply Rmult_le_compat_l; [lra|exact Len].
+    - eapply Rle_trans; [exact Cone|]. apply Rmult_le_compat_l; [exact RA|].
+      replace (E + 3 / 2 * k * E) with ((1 + 3 / 2 * k) * E) by ring. apply Rmult_le_compat_l; [lra|exact Len]. }
+  rewrite N_corners.
+  apply Rle_trans with (a * eval (fun t0 => u * Q2R factor * IZR (dot (nth 0 t0 []) y) + Rows.rho r * (u * Q2R factor * e t0))
+    (forms it) ss).
+  - rewrite eval_sum, !eval_multiple.
+    rewrite (eval_same (fun t0 => IZR (dot (nth 0 t0 []) y)) (fun t0 => rdot (nth 0 t0 []) yv))
+      by (intros; unfold yv; now rewrite rdot_integers).
+    apply (Rmult_le_compat_l (Q2R factor)) in Phi; [|lra]. rewrite Rmult_plus_distr_l.
+    match goal with |- Q2R factor * (a * (u * ?A)) + _ <= _ => set (NN := A) in * end.
+    eapply Rle_trans; [apply Rplus_le_compat_l; exact Phi|]. right.
+    match goal with |- _ + _ * (_ * (_ * ?A0)) = _ * (_ + _ * (_ * ?B0)) => change B0 with A0; generalize A0 end.
+    generalize NN (Rows.rho r) u (Q2R factor). intros. ring.
+  - apply Rmult_le_compat_l; [exact A0|]. apply eval_most; [exact SV|]. intros t0 Ht.
+    eapply Rle_trans; [apply (corner_bound moves k t0 (e t0) K MV); apply Rle_refl|].
+    apply largest_q_above. now apply in_map.
 Qed.
 
 (* ---- The term of alpha ---- *)

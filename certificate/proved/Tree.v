@@ -109,13 +109,13 @@ Definition get (b : cbox) (name : parameter) : option interval :=
 
 Definition set (b : cbox) (name : parameter) (i : interval) : cbox :=
   match b with
-  | CBox names g f m p u k sq n w sg sp =>
+  | CBox names g f m p u k sq n w sg sp tu sl =>
       match name with
-      | PFriction => CBox names g f i p u k sq n w sg sp
-      | PPreload => CBox names g f m i u k sq n w sg sp
-      | PStiffness => CBox names g f m p u i sq n w sg sp
+      | PFriction => CBox names g f i p u k sq n w sg sp tu sl
+      | PPreload => CBox names g f m i u k sq n w sg sp tu sl
+      | PStiffness => CBox names g f m p u i sq n w sg sp tu sl
       | PWrench => b
-      | _ => CBox names (set_named name i names g) f m p u k sq n w sg sp
+      | _ => CBox names (set_named name i names g) f m p u k sq n w sg sp tu sl
       end
   end.
 
@@ -300,20 +300,21 @@ Proof.
   destruct (same_parameter n name); cbn; [reflexivity|]. now rewrite IH.
 Qed.
 
-Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i c = true ->
+Lemma set_inside_at b name c i r p F mu t : inside_at b r p F mu t -> get b name = Some i -> is_inside i c = true ->
   negb (same_parameter name PPreload) || certain (box_growth b) = true ->
-  inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
+  (exists t', inside_at (set b name (low_half i c)) r p F mu t') \/
+  (exists t', inside_at (set b name (high_half i c)) r p F mu t').
 Proof.
-  intros (p & F & mu & t & [Ge Fo Ra Af Sh Fr F0 Rh Sq We Wp St Pr Gr K Sp Sm Sa Ss Si]) E C G.
-  destruct b as [names g f m pl u k sq n w sg sp]. cbn in *.
+  intros [Ge Fo Ra Af Sh Fr F0 Rh Sq We Wp St Pr Gr K Sp Sm Sa Ss Sn Sst Si] E C G.
+  destruct b as [names g f m pl u k sq n w sg sp tu sl]. cbn in *.
   assert (Geometry : forall name', get_named name' names g = Some i ->
-    inside (CBox names (set_named name' (low_half i c) names g) f m pl u k sq n w sg sp) r \/
-    inside (CBox names (set_named name' (high_half i c) names g) f m pl u k sq n w sg sp) r).
+    (exists t', inside_at (CBox names (set_named name' (low_half i c) names g) f m pl u k sq n w sg sp tu sl) r p F mu t') \/
+    (exists t', inside_at (CBox names (set_named name' (high_half i c) names g) f m pl u k sq n w sg sp tu sl) r p F mu t')).
   { intros name' E'. destruct (set_named_within name' names g p i c Ge E') as [H|H]; [left|right];
-      exists p, F, mu, t; constructor; cbn; try assumption; intros; rewrite set_named_length in *; auto. }
+      exists t; constructor; cbn; try assumption; intros; rewrite set_named_length in *; auto. }
   destruct name; cbn in *; try discriminate; try (now apply Geometry).
   - destruct (has_friction _); [|discriminate]. injection E as <-.
-    destruct (within_halves _ c _ Fr); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
+    destruct (within_halves _ c _ Fr); [left|right]; exists t; constructor; cbn; assumption.
   - injection E as <-. unfold certain in G. apply Qeq_bool_eq, Qeq_eqR in G.
     apply andb_true_iff in C as [C1 C2]. apply negb_true_iff in C1, C2.
     assert (L : Q2R (low pl) < Q2R c).
@@ -330,7 +331,7 @@ Proof.
         split.
         - apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat. lra.
         - apply Rmult_le_reg_r with (Q2R c - Q2R (low pl)); [lra|]. unfold t'. field_simplify; lra. }
-      exists p, F, mu, t'. constructor; cbn; try assumption. rewrite <- G. lra.
+      exists t'. constructor; cbn; try assumption. rewrite <- G. lra.
     + set (t' := (Rows.preload r - Q2R c) / (Q2R (high pl) - Q2R c)).
       assert (E : Rows.preload r = (1 - t') * Q2R c + t' * Q2R (high pl)) by (unfold t'; field; lra).
       assert (0 <= t' <= 1).
@@ -339,21 +340,50 @@ Proof.
         split.
         - apply Rmult_le_pos; [lra|]. left. apply Rinv_0_lt_compat. lra.
         - apply Rmult_le_reg_r with (Q2R (high pl) - Q2R c); [lra|]. unfold t'. field_simplify; lra. }
-      exists p, F, mu, t'. constructor; cbn; try assumption. rewrite <- G. lra.
+      exists t'. constructor; cbn; try assumption. rewrite <- G. lra.
   - injection E as <-.
-    destruct (within_halves _ c _ K); [left|right]; exists p, F, mu, t; constructor; cbn; assumption.
+    destruct (within_halves _ c _ K); [left|right]; exists t; constructor; cbn; assumption.
 Qed.
 
-(* A system in the box. *)
-Definition contains (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
-  Forall2 fits rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
+Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i c = true ->
+  negb (same_parameter name PPreload) || certain (box_growth b) = true ->
+  inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
+Proof.
+  intros (p & F & mu & t & I) E C G.
+  destruct (set_inside_at b name c i r p F mu t I E C G) as [(t' & H)|(t' & H)]; [left|right]; now exists p, F, mu, t'.
+Qed.
+
+Lemma set_seen b name c i r : seen_in b r -> get b name = Some i -> is_inside i c = true ->
+  negb (same_parameter name PPreload) || certain (box_growth b) = true ->
+  seen_in (set b name (low_half i c)) r \/ seen_in (set b name (high_half i c)) r.
+Proof.
+  intros (r' & k & p & F & mu & t & I & St & Sk & Same) E C G.
+  assert (Keep : forall i', box_slack (set b name i') = box_slack b /\ box_turns (set b name i') = box_turns b)
+    by (intros i'; destruct b, name; split; reflexivity).
+  destruct (set_inside_at b name c i r' p F mu t I E C G) as [(t' & H)|(t' & H)]; [left|right];
+    exists r', k, p, F, mu, t'; (split; [exact H|]); (split; [exact St|]);
+    destruct (Keep (low_half i c)) as [K1 K2], (Keep (high_half i c)) as [K3 K4]; rewrite ?K1, ?K2, ?K3, ?K4; auto.
+Qed.
+
+(* A system in the box; or one for whose rows others stand. *)
+Definition contains_by (P : row -> Rows.row -> Prop) (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
+  Forall2 P rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
   Forall2 within (load_box ld) (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
 
-Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
-  contains (rows s) (the_load s) sys ->
+Definition contains := contains_by fits.
+
+Section Halves.
+Variable inside_box : cbox -> Rows.row -> Prop.
+Hypothesis set_keeps : forall b name c i r, inside_box b r -> get b name = Some i -> is_inside i c = true ->
+  negb (same_parameter name PPreload) || certain (box_growth b) = true ->
+  inside_box (set b name (low_half i c)) r \/ inside_box (set b name (high_half i c)) r.
+Let P (row : row) (r : Rows.row) := row = make_row (box row) /\ inside_box (box row) r.
+
+Lemma halves_contain_by s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
+  contains_by P (rows s) (the_load s) sys ->
   (forall t, t = lo \/ t = hi ->
      dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
-  (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
+  (contains_by P (rows lo) (the_load lo) sys \/ contains_by P (rows hi) (the_load hi) sys).
 Proof.
   intros H (F & LE & LW & LU).
   assert (Row : match numbered (rows s) i with
@@ -369,15 +399,15 @@ Proof.
       end = inl (lo, hi) ->
     (forall t, t = lo \/ t = hi ->
        dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
-    (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys)).
+    (contains_by P (rows lo) (the_load lo) sys \/ contains_by P (rows hi) (the_load hi) sys)).
   { intros R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (get (box row) name) as [iv|] eqn:Ge; [|discriminate].
     destruct (is_inside iv c && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [C G].
     injection R as <- <-. split; [intros t [-> | ->]; auto|].
-    destruct (numbered_replace_either fits (rows s) (Rows.rows sys) i row
+    destruct (numbered_replace_either P (rows s) (Rows.rows sys) i row
       (make_row (set (box row) name (low_half iv c))) (make_row (set (box row) name (high_half iv c))) F N)
       as [F'|F']; [|left; now repeat split|right; now repeat split].
-    intros k [_ Ik]. destruct (set_inside _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
+    intros k [_ Ik]. destruct (set_keeps _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
   destruct name; cbn [halves] in H; try (apply Row; exact H).
   destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
   destruct (is_inside iv c); [|discriminate]. injection H as <- <-. split; [intros t [-> | ->]; auto|].
@@ -385,13 +415,22 @@ Proof.
     (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right]; now repeat split.
 Qed.
 
+End Halves.
+
+Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
+  contains (rows s) (the_load s) sys ->
+  (forall t, t = lo \/ t = hi ->
+     dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+  (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
+Proof. exact (halves_contain_by inside set_inside s name i c lo hi sys). Qed.
+
 Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
   solution (rows s) (the_load s) push sys d h l fs ->
   (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
   (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
 Proof.
   intros H [F LE LW LU H0 L0 E Bal].
-  destruct (halves_contain s name i c lo hi sys H) as [S C]; [now repeat split|].
+  destruct (halves_contain_by seen_in set_seen s name i c lo hi sys H) as [S C]; [now repeat split|].
   destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
   split; [auto|]. destruct C as [(F' & LE' & LW' & LU')|(F' & LE' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
@@ -439,14 +478,22 @@ Definition solves (s : setting) (x : list R) :=
   exists sys d h l fs c, x = h :: l :: d /\ 0 <= c /\
     solution (rows s) (the_load s) (pushed (pushes s) c x) sys d h l fs /\ slips_at (slipping s) (Rows.rows sys) d.
 
+Lemma slip_certain_straight row : slip_certain row = true -> row = make_row (box row) -> box_signed (box row) = false ->
+  count (box_geometry (box row)) = O /\ box_turns (box row) = false.
+Proof.
+  intros C E Sg. rewrite E in C. cbn [slip_certain make_row] in C. rewrite Sg in C. apply andb_true_iff in C as [C T].
+  apply negb_true_iff in T. now apply Nat.eqb_eq in C.
+Qed.
+
 (* Where the geometry is certain, the slip is zero where its forms are. *)
-Lemma slip_forms_zero row r d h l : fits row r -> slip_certain row = true -> box_signed (box row) = false ->
+Lemma slip_forms_zero row r d h l : suits row r -> slip_certain row = true -> box_signed (box row) = false ->
   Forall (fun f => rdot f (h :: l :: d) = 0) (slip_forms row) \/
   (0 < Rows.size (Rows.weights r) (Rows.slip r d) /\ not_zero (h :: l :: d) (slip_forms row)).
 Proof.
-  intros [E (p & F & mu & t & I)] C Sg.
+  intros Su C Sg. destruct (slip_certain_straight row C (proj1 Su) Sg) as [C' Straight].
+  destruct (suits_fits row r Su Straight) as [E (p & F & mu & t & I)].
   assert (SS : shares_in (box row) p = []).
-  { rewrite E in C. cbn [slip_certain make_row] in C. rewrite Sg in C. apply Nat.eqb_eq in C.
+  { clear C. rename C' into C.
     unfold shares_in. apply length_zero_iff_nil. rewrite (shares_count _ _ (in_geometry _ _ _ _ _ _ I)). exact C. }
   set (u := unit (forms_scaling (box row))). assert (U : 0 < u) by apply unit_positive.
   set (T := first_tip (forms row)).
@@ -496,7 +543,7 @@ Proof.
       * exists (above s f). split; [cbn; auto|]. now apply takes_above.
     + destruct S as (sys & d & h & l & fs & t & -> & T0 & S & SL).
       destruct (numbered_is _ _ _ N) as (k & -> & NR).
-      destruct (fits_at _ _ _ _ _ (rows_fit _ _ _ _ _ _ _ _ S) NR) as (r & Nr & Fr).
+      destruct (fits_at _ _ _ _ _ (rows_suit _ _ _ _ _ _ _ _ S) NR) as (r & Nr & Fr).
       destruct (slip_forms_zero row r d h l Fr SC Sg) as [Z|[NZ Z]].
       * eexists. split; [now left|]. constructor; cbn [branch_setting conditions new_strict new_moving];
           [now exists sys, d, h, l, fs, t| |constructor|constructor].
@@ -581,11 +628,12 @@ Proof.
   apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
   intros row f Hr E Sp. destruct S as [F _ _ _ _ _ Ob _]. rewrite Law in Ob.
   apply In_nth_error in Hr as (k & Hr).
-  destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er (p & G & mu & t & I)]).
+  destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er (r' & j & p & G & mu & t & I & St & _)]).
   destruct (fits_at _ _ _ _ _ Ob Nr) as ([a g] & _ & (La & _)).
-  unfold Rows.normal_law in La. rewrite (is_spring _ _ _ _ _ _ I), Sp in La. destruct La as [_ V].
+  unfold Rows.normal_law in La. rewrite <- (same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I), Sp in La.
+  destruct La as [_ V]. rewrite <- (same_pull j r r' d 1 lambda St) in V.
   unfold meets; cbn [snd fst]. rewrite Er in E.
-  exact (separates_nonneg d 1 lambda (box row) r p G mu t I f E V).
+  exact (separates_nonneg d 1 lambda (box row) r' p G mu t I f E V).
 Qed.
 
 End Proofs.

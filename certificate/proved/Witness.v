@@ -11,7 +11,7 @@ Import ListNotations.
 
 (* Every parameter of the contact is one number. *)
 Definition exact_box (b : cbox) : bool :=
-  forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) &&
+  negb (box_turns b) && forallb certain (box_geometry b) && certain (box_friction b) && certain (box_preload b) &&
   certain (box_growth b) && certain (box_stiffness b).
 
 Definition exact_rows (rows : list row) : bool := forallb (fun r => exact_box (box r)) rows.

@@ -1684,15 +1684,17 @@ type cbox = { box_names : parameter list; box_geometry : interval list;
               box_preload : interval; box_growth : interval;
               box_stiffness : interval; box_square : q; box_normal : 
               q list; box_weights : q list; box_signed : bool;
-              box_spring : bool }
+              box_spring : bool; box_turns : bool;
+              box_slack : (interval list -> q) }
 
 type row = { box : cbox; forms : form list multi; forms_scale : scaling;
              metric : Big_int_Z.big_int list; metric_scale : scaling;
              slip_certain : bool; tau : form multi; minus_tau : form multi;
              edges_plus : form multi list; edges_minus : form multi list;
              edges_none : form multi list; pulls : form multi list;
-             pull_scale : scaling; separates : form option; parameters : 
-             nat; weight : Big_int_Z.big_int; over_weight : Big_int_Z.big_int }
+             pull_scale : scaling; separates : form option; slack : q;
+             parameters : nat; weight : Big_int_Z.big_int;
+             over_weight : Big_int_Z.big_int }
 
 (** val geometry_tree : cbox -> q list list multi **)
 
@@ -1855,273 +1857,16 @@ let make_row b =
   slip_certain =
   (if b.box_signed
    then same_forms (map primitive (tips tau0))
-   else Nat.eqb n O); tau = tau0; minus_tau = (mmap negative tau0);
-  edges_plus = (edges0 (minus_ends b.box_friction)); edges_minus =
-  (edges0 (ends b.box_friction)); edges_none =
+   else (&&) (Nat.eqb n O) (negb b.box_turns)); tau = tau0; minus_tau =
+  (mmap negative tau0); edges_plus = (edges0 (minus_ends b.box_friction));
+  edges_minus = (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
   separates =
   (match vs with
    | [] -> None
-   | f :: _ -> if same_forms vs then Some f else None); parameters = n;
-  weight = (Z.div numerator0 g); over_weight = (Z.div denominator g) }
-
-(** val is_enclosure : interval -> q -> bool **)
-
-let is_enclosure i square =
-  (&&)
-    ((&&)
-      ((&&)
-        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } i.low)
-        (qle_bool (qmult (qmult i.low i.low) square) { qnum =
-          Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }))
-      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int } i.high))
-    (qle_bool { qnum = Big_int_Z.unit_big_int; qden =
-      Big_int_Z.unit_big_int } (qmult (qmult i.high i.high) square))
-
-(** val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option **)
-
-let inverse_length bits0 loaded square =
-  let i =
-    if loaded
-    then root_between bits0 (reduced (qinv square))
-    else exactly { qnum = Big_int_Z.unit_big_int; qden =
-           Big_int_Z.unit_big_int }
-  in
-  if (||) (negb loaded) (is_enclosure i square) then Some i else None
-
-(** val is_loaded : contact -> bool **)
-
-let is_loaded q0 =
-  (||)
-    (negb
-      (qeq_bool q0.preload.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
-    (negb
-      (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
-
-(** val plane_forms : q -> q -> q list -> q list list **)
-
-let plane_forms nx ny = function
-| [] -> []
-| x :: l ->
-  (match l with
-   | [] -> []
-   | y :: l0 ->
-     (match l0 with
-      | [] -> []
-      | e :: l1 ->
-        (match l1 with
-         | [] ->
-           let fx = qminus nx (qmult e ny) in
-           let fy = qplus ny (qmult e nx) in
-           (fx :: (fy :: ((qminus (qmult x fy) (qmult y fx)) :: []))) :: ((
-           (qopp fy) :: (fx :: ((qplus (qmult x fx) (qmult y fy)) :: []))) :: [])
-         | _ :: _ -> [])))
-
-(** val at_point : q -> q -> q -> q -> q -> q -> q list **)
-
-let at_point x y z0 fx fy fz =
-  fx :: (fy :: (fz :: ((qminus (qmult y fz) (qmult z0 fy)) :: ((qminus
-                                                                 (qmult z0 fx)
-                                                                 (qmult x fz)) :: (
-    (qminus (qmult x fy) (qmult y fx)) :: [])))))
-
-(** val space_forms : q -> q -> q -> q -> q list -> q list list **)
-
-let space_forms nx ny nz square = function
-| [] -> []
-| x :: l ->
-  (match l with
-   | [] -> []
-   | y :: l0 ->
-     (match l0 with
-      | [] -> []
-      | z0 :: l1 ->
-        (match l1 with
-         | [] -> []
-         | _ :: l2 ->
-           (match l2 with
-            | [] -> []
-            | _ :: l3 ->
-              (match l3 with
-               | [] ->
-                 let across = fun nj ex ey ez ->
-                   at_point x y z0 (qminus ex (qdiv (qmult nj nx) square))
-                     (qminus ey (qdiv (qmult nj ny) square))
-                     (qminus ez (qdiv (qmult nj nz) square))
-                 in
-                 (at_point x y z0 nx ny nz) :: ((across nx { qnum =
-                                                  Big_int_Z.unit_big_int;
-                                                  qden =
-                                                  Big_int_Z.unit_big_int }
-                                                  { qnum =
-                                                  Big_int_Z.zero_big_int;
-                                                  qden =
-                                                  Big_int_Z.unit_big_int }
-                                                  { qnum =
-                                                  Big_int_Z.zero_big_int;
-                                                  qden =
-                                                  Big_int_Z.unit_big_int }) :: (
-                 (across ny { qnum = Big_int_Z.zero_big_int; qden =
-                   Big_int_Z.unit_big_int } { qnum = Big_int_Z.unit_big_int;
-                   qden = Big_int_Z.unit_big_int } { qnum =
-                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: (
-                 (across nz { qnum = Big_int_Z.zero_big_int; qden =
-                   Big_int_Z.unit_big_int } { qnum = Big_int_Z.zero_big_int;
-                   qden = Big_int_Z.unit_big_int } { qnum =
-                   Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }) :: [])))
-               | _ :: _ -> [])))))
-
-(** val is_nonnegative : contact -> bool **)
-
-let is_nonnegative q0 =
-  (&&)
-    ((&&)
-      ((&&)
-        ((&&)
-          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-            Big_int_Z.unit_big_int } q0.friction.low)
-          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-            Big_int_Z.unit_big_int } q0.preload.low))
-        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } q0.stiffness.low))
-      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int } q0.slope))
-    (qle_bool q0.slope { qnum = Big_int_Z.unit_big_int; qden =
-      Big_int_Z.unit_big_int })
-
-(** val numbers :
-    Big_int_Z.big_int -> contact -> q -> ((interval * interval) * interval)
-    option **)
-
-let numbers bits0 q0 square =
-  match inverse_length bits0 (is_loaded q0) square with
-  | Some l ->
-    let grows =
-      negb
-        (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int })
-    in
-    let e2 = qmult q0.slope q0.slope in
-    if (&&)
-         ((&&)
-           (negb
-             (qle_bool square { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) (is_nonnegative q0))
-         ((||) (negb grows)
-           ((&&) (certain q0.preload)
-             (qeq_bool q0.slope { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })))
-    then Some (({ low =
-           (qmult
-             (qmult q0.preload.low
-               (qminus { qnum = Big_int_Z.unit_big_int; qden =
-                 Big_int_Z.unit_big_int }
-                 (qdiv e2 { qnum = (Big_int_Z.mult_int_big_int 2
-                   Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int })))
-             l.low); high = (qmult q0.preload.high l.high) },
-           (if grows
-            then { low = (qmult q0.preload_growth l.low); high =
-                   (qmult q0.preload_growth l.high) }
-            else exactly { qnum = Big_int_Z.zero_big_int; qden =
-                   Big_int_Z.unit_big_int })), { low =
-           (qdiv
-             (qmult q0.stiffness.low
-               (qminus { qnum = Big_int_Z.unit_big_int; qden =
-                 Big_int_Z.unit_big_int } e2)) square); high =
-           (qdiv q0.stiffness.high square) })
-    else None
-  | None -> None
-
-(** val enlarge : Big_int_Z.big_int -> contact -> cbox option **)
-
-let enlarge bits0 q0 =
-  match q0.position with
-  | [] -> None
-  | x :: l ->
-    (match l with
-     | [] -> None
-     | y :: l0 ->
-       (match l0 with
-        | [] ->
-          (match q0.normal with
-           | [] -> None
-           | nx :: l1 ->
-             (match l1 with
-              | [] -> None
-              | ny :: l2 ->
-                (match l2 with
-                 | [] ->
-                   (match numbers bits0 q0 (qplus (qmult nx nx) (qmult ny ny)) with
-                    | Some p0 ->
-                      let (p1, k) = p0 in
-                      let (p, u) = p1 in
-                      Some { box_names = (PX :: (PY :: (PTurn :: [])));
-                      box_geometry = (x :: (y :: ({ low = (qopp q0.slope);
-                      high = q0.slope } :: []))); box_forms =
-                      (plane_forms nx ny); box_friction = q0.friction;
-                      box_preload = p; box_growth = u; box_stiffness = k;
-                      box_square = { qnum = Big_int_Z.unit_big_int; qden =
-                      Big_int_Z.unit_big_int }; box_normal =
-                      (nx :: (ny :: [])); box_weights = ({ qnum =
-                      Big_int_Z.unit_big_int; qden =
-                      Big_int_Z.unit_big_int } :: []); box_signed = true;
-                      box_spring = false }
-                    | None -> None)
-                 | _ :: _ -> None)))
-        | z0 :: l1 ->
-          (match l1 with
-           | [] ->
-             (match q0.normal with
-              | [] -> None
-              | nx :: l2 ->
-                (match l2 with
-                 | [] -> None
-                 | ny :: l3 ->
-                   (match l3 with
-                    | [] -> None
-                    | nz :: l4 ->
-                      (match l4 with
-                       | [] ->
-                         let square =
-                           qplus (qplus (qmult nx nx) (qmult ny ny))
-                             (qmult nz nz)
-                         in
-                         (match numbers bits0 q0 square with
-                          | Some p0 ->
-                            let (p1, k) = p0 in
-                            let (p, u) = p1 in
-                            if qeq_bool q0.slope { qnum =
-                                 Big_int_Z.zero_big_int; qden =
-                                 Big_int_Z.unit_big_int }
-                            then Some { box_names =
-                                   (PX :: (PY :: (PZ :: (PTurn :: (PTurnV :: [])))));
-                                   box_geometry =
-                                   (x :: (y :: (z0 :: ((exactly { qnum =
-                                                         Big_int_Z.zero_big_int;
-                                                         qden =
-                                                         Big_int_Z.unit_big_int }) :: (
-                                   (exactly { qnum = Big_int_Z.zero_big_int;
-                                     qden = Big_int_Z.unit_big_int }) :: [])))));
-                                   box_forms = (space_forms nx ny nz square);
-                                   box_friction = q0.friction; box_preload =
-                                   p; box_growth = u; box_stiffness = k;
-                                   box_square = square; box_normal =
-                                   (nx :: (ny :: (nz :: []))); box_weights =
-                                   ({ qnum = Big_int_Z.unit_big_int; qden =
-                                   Big_int_Z.unit_big_int } :: ({ qnum =
-                                   Big_int_Z.unit_big_int; qden =
-                                   Big_int_Z.unit_big_int } :: ({ qnum =
-                                   Big_int_Z.unit_big_int; qden =
-                                   Big_int_Z.unit_big_int } :: [])));
-                                   box_signed = false; box_spring = false }
-                            else None
-                          | None -> None)
-                       | _ :: _ -> None))))
-           | _ :: _ -> None)))
+   | f :: _ -> if same_forms vs then Some f else None); slack =
+  (b.box_slack b.box_geometry); parameters = n; weight =
+  (Z.div numerator0 g); over_weight = (Z.div denominator g) }
 
 (** val nowhere_negative : ray list -> form -> bool **)
 
@@ -2202,101 +1947,6 @@ let rec collect term_of_row rows0 linear bends =
      | Bend (numerator0, denominator, forms0, mixed0) ->
        collect term_of_row rows' linear ((Bend (numerator0, denominator,
          forms0, mixed0)) :: bends))
-
-(** val edges : form list list -> ray list -> row -> form multi list **)
-
-let edges strict0 rays0 row0 =
-  match row0.edges_none with
-  | [] ->
-    if has_sign strict0 rays0 row0.tau
-    then row0.edges_plus
-    else if has_sign strict0 rays0 row0.minus_tau
-         then row0.edges_minus
-         else row0.edges_none
-  | _ :: l ->
-    (match l with
-     | [] -> row0.edges_none
-     | _ :: _ ->
-       if has_sign strict0 rays0 row0.tau
-       then row0.edges_plus
-       else if has_sign strict0 rays0 row0.minus_tau
-            then row0.edges_minus
-            else row0.edges_none)
-
-(** val work_tree : form -> form multi -> Big_int_Z.big_int multi **)
-
-let work_tree y edge0 =
-  mmap (fun f -> dot f y) edge0
-
-(** val products_with : row -> Big_int_Z.big_int multi -> form list **)
-
-let products_with row0 a =
-  flat_map (fun p -> bernstein row0.parameters ((a, p) :: [])) row0.pulls
-
-(** val mixed_forms : row -> Big_int_Z.big_int multi -> form list **)
-
-let mixed_forms row0 a =
-  if forallb (fun z0 -> Z.leb z0 Big_int_Z.zero_big_int) (tips a)
-  then []
-  else if forallb (fun z0 -> Z.leb Big_int_Z.zero_big_int z0) (tips a)
-       then products_with row0 a
-       else map
-              (map (Z.mul (Z.mul (power row0.parameters) (largest (tips a)))))
-              (pull_tips row0)
-
-(** val bent : Big_int_Z.big_int -> row -> form list -> bool -> term **)
-
-let bent m row0 forms0 mixed0 =
-  match forms0 with
-  | [] -> Nothing
-  | _ :: _ -> Bend ((Z.mul m row0.weight), row0.over_weight, forms0, mixed0)
-
-(** val edges_term :
-    Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term **)
-
-let edges_term m y es mixed0 row0 =
-  match row0.parameters with
-  | O ->
-    (match row0.pulls with
-     | [] ->
-       bent m row0
-         (flat_map (fun e ->
-           if mixed0
-           then mixed_forms row0 (work_tree y e)
-           else products_with row0 (work_tree y e)) es) mixed0
-     | p :: l ->
-       (match l with
-        | [] ->
-          if row0.box.box_spring
-          then bent m row0
-                 (flat_map (fun e ->
-                   if mixed0
-                   then mixed_forms row0 (work_tree y e)
-                   else products_with row0 (work_tree y e)) es) mixed0
-          else let c =
-                 largest
-                   (map (fun e ->
-                     up (Z.mul (Z.mul m row0.weight) (dot (first_tip e) y))
-                       row0.over_weight) es)
-               in
-               let v = first_tip p in
-               if mixed0
-               then if Z.leb c Big_int_Z.zero_big_int
-                    then Nothing
-                    else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
-               else Line (c, v)
-        | _ :: _ ->
-          bent m row0
-            (flat_map (fun e ->
-              if mixed0
-              then mixed_forms row0 (work_tree y e)
-              else products_with row0 (work_tree y e)) es) mixed0))
-  | S _ ->
-    bent m row0
-      (flat_map (fun e ->
-        if mixed0
-        then mixed_forms row0 (work_tree y e)
-        else products_with row0 (work_tree y e)) es) mixed0
 
 (** val inner_of : form -> form -> form -> Big_int_Z.big_int **)
 
@@ -2436,38 +2086,6 @@ let most_along ms gens z0 =
 let unit_of s =
   { qnum = s.times; qden = (Z.to_pos s.over) }
 
-(** val corner_alpha :
-    row -> q -> form -> form list -> bool -> form list -> q **)
-
-let corner_alpha row0 factor y gens moves t =
-  let z0 = slip_at t y in
-  let (p, d) =
-    if moves
-    then most_along row0.metric gens z0
-    else ((false, (inner_of row0.metric z0 z0)), Big_int_Z.unit_big_int)
-  in
-  let (below, n) = p in
-  let mu =
-    if below then row0.box.box_friction.low else row0.box.box_friction.high
-  in
-  let u = qmult (unit_of row0.forms_scale) factor in
-  let q0 =
-    qmult
-      (qmult
-        (qmult (qmult (qmult mu mu) row0.box.box_square)
-          (unit_of row0.metric_scale)) (qmult u u)) { qnum = n; qden =
-      (Z.to_pos d) }
-  in
-  reduced
-    (qplus (qmult u (inject_Z (dot (nth O t []) y)))
-      (if below
-       then if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int } mu
-            then qopp (root_below q0)
-            else { qnum = Big_int_Z.zero_big_int; qden =
-                   Big_int_Z.unit_big_int }
-       else root_above q0))
-
 (** val largest_q : q list -> q **)
 
 let rec largest_q = function
@@ -2476,6 +2094,53 @@ let rec largest_q = function
   (match qs' with
    | [] -> q0
    | _ :: _ -> let m = largest_q qs' in if qle_bool q0 m then m else q0)
+
+(** val friction_work :
+    row -> q -> ((bool * Big_int_Z.big_int) * Big_int_Z.big_int) ->
+    Big_int_Z.big_int -> q -> q **)
+
+let friction_work row0 scale along zz mu =
+  let (p, d) = along in
+  let (below, n) = p in
+  let c = qmult (qmult mu mu) scale in
+  let q0 = qmult c { qnum = n; qden = (Z.to_pos d) } in
+  let it =
+    if (&&) below
+         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } mu)
+    then qopp (root_below q0)
+    else root_above q0
+  in
+  if qle_bool row0.slack { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int }
+  then it
+  else qplus it
+         (qmult
+           (qmult { qnum =
+             ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+             Big_int_Z.unit_big_int); qden = (Big_int_Z.mult_int_big_int 2
+             Big_int_Z.unit_big_int) } row0.slack)
+           (root_above (qmult c (inject_Z zz))))
+
+(** val corner_alpha :
+    row -> q -> form -> form list -> bool -> form list -> q **)
+
+let corner_alpha row0 factor y gens moves t =
+  let z0 = slip_at t y in
+  let zz = inner_of row0.metric z0 z0 in
+  let along =
+    if moves
+    then most_along row0.metric gens z0
+    else ((false, zz), Big_int_Z.unit_big_int)
+  in
+  let u = qmult (unit_of row0.forms_scale) factor in
+  let scale =
+    qmult (qmult row0.box.box_square (unit_of row0.metric_scale)) (qmult u u)
+  in
+  reduced
+    (qplus (qmult u (inject_Z (dot (nth O t []) y)))
+      (largest_q
+        (map (friction_work row0 scale along zz) (ends row0.box.box_friction))))
 
 (** val alpha :
     form list list -> ray list -> bool -> row -> q -> form -> q **)
@@ -2526,6 +2191,101 @@ let alpha_term m a mixed0 row0 =
 
 let alpha_over a row0 =
   Z.mul a.qden row0.pull_scale.over
+
+(** val edges : form list list -> ray list -> row -> form multi list **)
+
+let edges strict0 rays0 row0 =
+  match row0.edges_none with
+  | [] ->
+    if has_sign strict0 rays0 row0.tau
+    then row0.edges_plus
+    else if has_sign strict0 rays0 row0.minus_tau
+         then row0.edges_minus
+         else row0.edges_none
+  | _ :: l ->
+    (match l with
+     | [] -> row0.edges_none
+     | _ :: _ ->
+       if has_sign strict0 rays0 row0.tau
+       then row0.edges_plus
+       else if has_sign strict0 rays0 row0.minus_tau
+            then row0.edges_minus
+            else row0.edges_none)
+
+(** val work_tree : form -> form multi -> Big_int_Z.big_int multi **)
+
+let work_tree y edge0 =
+  mmap (fun f -> dot f y) edge0
+
+(** val products_with : row -> Big_int_Z.big_int multi -> form list **)
+
+let products_with row0 a =
+  flat_map (fun p -> bernstein row0.parameters ((a, p) :: [])) row0.pulls
+
+(** val mixed_forms : row -> Big_int_Z.big_int multi -> form list **)
+
+let mixed_forms row0 a =
+  if forallb (fun z0 -> Z.leb z0 Big_int_Z.zero_big_int) (tips a)
+  then []
+  else if forallb (fun z0 -> Z.leb Big_int_Z.zero_big_int z0) (tips a)
+       then products_with row0 a
+       else map
+              (map (Z.mul (Z.mul (power row0.parameters) (largest (tips a)))))
+              (pull_tips row0)
+
+(** val bent : Big_int_Z.big_int -> row -> form list -> bool -> term **)
+
+let bent m row0 forms0 mixed0 =
+  match forms0 with
+  | [] -> Nothing
+  | _ :: _ -> Bend ((Z.mul m row0.weight), row0.over_weight, forms0, mixed0)
+
+(** val edges_term :
+    Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term **)
+
+let edges_term m y es mixed0 row0 =
+  match row0.parameters with
+  | O ->
+    (match row0.pulls with
+     | [] ->
+       bent m row0
+         (flat_map (fun e ->
+           if mixed0
+           then mixed_forms row0 (work_tree y e)
+           else products_with row0 (work_tree y e)) es) mixed0
+     | p :: l ->
+       (match l with
+        | [] ->
+          if row0.box.box_spring
+          then bent m row0
+                 (flat_map (fun e ->
+                   if mixed0
+                   then mixed_forms row0 (work_tree y e)
+                   else products_with row0 (work_tree y e)) es) mixed0
+          else let c =
+                 largest
+                   (map (fun e ->
+                     up (Z.mul (Z.mul m row0.weight) (dot (first_tip e) y))
+                       row0.over_weight) es)
+               in
+               let v = first_tip p in
+               if mixed0
+               then if Z.leb c Big_int_Z.zero_big_int
+                    then Nothing
+                    else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
+               else Line (c, v)
+        | _ :: _ ->
+          bent m row0
+            (flat_map (fun e ->
+              if mixed0
+              then mixed_forms row0 (work_tree y e)
+              else products_with row0 (work_tree y e)) es) mixed0))
+  | S _ ->
+    bent m row0
+      (flat_map (fun e ->
+        if mixed0
+        then mixed_forms row0 (work_tree y e)
+        else products_with row0 (work_tree y e)) es) mixed0
 
 type load = { load_box : interval list; load_growth : q list;
               lows_of_w : form; highs_of_w : form; form_of_u : form;
@@ -2627,6 +2387,373 @@ let leaf_holds_by m them ld strict0 rays0 y =
     (let (linear, bends) = collect (term_of m y) them (load_term m y ld) [] in
      positive_at_home strict0 rays0 (fun x ->
        Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
+
+(** val is_enclosure : interval -> q -> bool **)
+
+let is_enclosure i square =
+  (&&)
+    ((&&)
+      ((&&)
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } i.low)
+        (qle_bool (qmult (qmult i.low i.low) square) { qnum =
+          Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } i.high))
+    (qle_bool { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } (qmult (qmult i.high i.high) square))
+
+(** val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option **)
+
+let inverse_length bits0 loaded square =
+  let i =
+    if loaded
+    then root_between bits0 (reduced (qinv square))
+    else exactly { qnum = Big_int_Z.unit_big_int; qden =
+           Big_int_Z.unit_big_int }
+  in
+  if (||) (negb loaded) (is_enclosure i square) then Some i else None
+
+(** val is_loaded : contact -> bool **)
+
+let is_loaded q0 =
+  (||)
+    (negb
+      (qeq_bool q0.preload.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+    (negb
+      (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+(** val plane_forms : q -> q -> q list -> q list list **)
+
+let plane_forms nx ny = function
+| [] -> []
+| x :: l ->
+  (match l with
+   | [] -> []
+   | y :: l0 ->
+     (match l0 with
+      | [] -> []
+      | e :: l1 ->
+        (match l1 with
+         | [] ->
+           let fx = qminus nx (qmult e ny) in
+           let fy = qplus ny (qmult e nx) in
+           (fx :: (fy :: ((qminus (qmult x fy) (qmult y fx)) :: []))) :: ((
+           (qopp fy) :: (fx :: ((qplus (qmult x fx) (qmult y fy)) :: []))) :: [])
+         | _ :: _ -> [])))
+
+(** val at_point : q -> q -> q -> q -> q -> q -> q list **)
+
+let at_point x y z0 fx fy fz =
+  fx :: (fy :: (fz :: ((qminus (qmult y fz) (qmult z0 fy)) :: ((qminus
+                                                                 (qmult z0 fx)
+                                                                 (qmult x fz)) :: (
+    (qminus (qmult x fy) (qmult y fx)) :: [])))))
+
+(** val first_turn : q -> q -> q -> (q * q) * q **)
+
+let first_turn nx ny nz =
+  let x2 = qmult nx nx in
+  let y2 = qmult ny ny in
+  let z2 = qmult nz nz in
+  if (&&) (qle_bool x2 y2) (qle_bool x2 z2)
+  then (({ qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int },
+         nz), (qopp ny))
+  else if qle_bool y2 z2
+       then (((qopp nz), { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int }), nx)
+       else ((ny, (qopp nx)), { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int })
+
+(** val cross_q : ((q * q) * q) -> ((q * q) * q) -> (q * q) * q **)
+
+let cross_q a b =
+  let (p, a3) = a in
+  let (a1, a2) = p in
+  let (p0, b3) = b in
+  let (b1, b2) = p0 in
+  (((qminus (qmult a2 b3) (qmult a3 b2)),
+  (qminus (qmult a3 b1) (qmult a1 b3))), (qminus (qmult a1 b2) (qmult a2 b1)))
+
+(** val square_of : ((q * q) * q) -> q **)
+
+let square_of = function
+| (p, a3) ->
+  let (a1, a2) = p in qplus (qplus (qmult a1 a1) (qmult a2 a2)) (qmult a3 a3)
+
+(** val space_forms :
+    ((q * q) * q) -> ((q * q) * q) -> ((q * q) * q) -> q -> q list -> q list
+    list **)
+
+let space_forms n0 turn_u turn_v square = function
+| [] -> []
+| x :: l ->
+  (match l with
+   | [] -> []
+   | y :: l0 ->
+     (match l0 with
+      | [] -> []
+      | z0 :: l1 ->
+        (match l1 with
+         | [] -> []
+         | e :: l2 ->
+           (match l2 with
+            | [] -> []
+            | f :: l3 ->
+              (match l3 with
+               | [] ->
+                 let (p, nz) = n0 in
+                 let (nx, ny) = p in
+                 let (p0, uz) = turn_u in
+                 let (ux, uy) = p0 in
+                 let (p1, vz) = turn_v in
+                 let (vx, vy) = p1 in
+                 let tx = qplus (qplus nx (qmult e ux)) (qmult f vx) in
+                 let ty = qplus (qplus ny (qmult e uy)) (qmult f vy) in
+                 let tz = qplus (qplus nz (qmult e uz)) (qmult f vz) in
+                 let across = fun nj ex ey ez ->
+                   at_point x y z0 (qminus ex (qdiv (qmult nj nx) square))
+                     (qminus ey (qdiv (qmult nj ny) square))
+                     (qminus ez (qdiv (qmult nj nz) square))
+                 in
+                 (at_point x y z0 tx ty tz) :: ((across tx { qnum =
+                                                  Big_int_Z.unit_big_int;
+                                                  qden =
+                                                  Big_int_Z.unit_big_int }
+                                                  { qnum =
+                                                  Big_int_Z.zero_big_int;
+                                                  qden =
+                                                  Big_int_Z.unit_big_int }
+                                                  { qnum =
+                                                  Big_int_Z.zero_big_int;
+                                                  qden =
+                                                  Big_int_Z.unit_big_int }) :: (
+                 (across ty { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int } { qnum = Big_int_Z.unit_big_int;
+                   qden = Big_int_Z.unit_big_int } { qnum =
+                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: (
+                 (across tz { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int } { qnum = Big_int_Z.zero_big_int;
+                   qden = Big_int_Z.unit_big_int } { qnum =
+                   Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }) :: [])))
+               | _ :: _ -> [])))))
+
+(** val greatest_square : interval -> q **)
+
+let greatest_square i =
+  let a = qmult i.low i.low in
+  let b = qmult i.high i.high in if qle_bool a b then b else a
+
+(** val turned_slack : q -> q -> interval list -> q **)
+
+let turned_slack u_square square = function
+| [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+| _ :: l ->
+  (match l with
+   | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+   | _ :: l0 ->
+     (match l0 with
+      | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+      | _ :: l1 ->
+        (match l1 with
+         | [] ->
+           { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+         | e :: l2 ->
+           (match l2 with
+            | [] ->
+              { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+            | f :: l3 ->
+              (match l3 with
+               | [] ->
+                 qdiv
+                   (qmult u_square
+                     (qplus (greatest_square e)
+                       (qmult square (greatest_square f)))) square
+               | _ :: _ ->
+                 { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int })))))
+
+(** val turn_within : q -> interval **)
+
+let turn_within q0 =
+  let b = root_above q0 in { low = (qopp b); high = b }
+
+(** val is_nonnegative : contact -> bool **)
+
+let is_nonnegative q0 =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0.friction.low)
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0.preload.low))
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } q0.stiffness.low))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } q0.slope))
+    (qle_bool q0.slope { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int })
+
+(** val numbers :
+    Big_int_Z.big_int -> contact -> q -> ((interval * interval) * interval)
+    option **)
+
+let numbers bits0 q0 square =
+  match inverse_length bits0 (is_loaded q0) square with
+  | Some l ->
+    let grows =
+      negb
+        (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int })
+    in
+    let e2 = qmult q0.slope q0.slope in
+    if (&&)
+         ((&&)
+           (negb
+             (qle_bool square { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) (is_nonnegative q0))
+         ((||) (negb grows)
+           ((&&) (certain q0.preload)
+             (qeq_bool q0.slope { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })))
+    then Some (({ low =
+           (qmult
+             (qmult q0.preload.low
+               (qminus { qnum = Big_int_Z.unit_big_int; qden =
+                 Big_int_Z.unit_big_int }
+                 (qdiv e2 { qnum = (Big_int_Z.mult_int_big_int 2
+                   Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int })))
+             l.low); high = (qmult q0.preload.high l.high) },
+           (if grows
+            then { low = (qmult q0.preload_growth l.low); high =
+                   (qmult q0.preload_growth l.high) }
+            else exactly { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int })), { low =
+           (qdiv
+             (qmult q0.stiffness.low
+               (qminus { qnum = Big_int_Z.unit_big_int; qden =
+                 Big_int_Z.unit_big_int } e2)) square); high =
+           (qdiv q0.stiffness.high square) })
+    else None
+  | None -> None
+
+(** val enlarge : Big_int_Z.big_int -> contact -> cbox option **)
+
+let enlarge bits0 q0 =
+  match q0.position with
+  | [] -> None
+  | x :: l ->
+    (match l with
+     | [] -> None
+     | y :: l0 ->
+       (match l0 with
+        | [] ->
+          (match q0.normal with
+           | [] -> None
+           | nx :: l1 ->
+             (match l1 with
+              | [] -> None
+              | ny :: l2 ->
+                (match l2 with
+                 | [] ->
+                   (match numbers bits0 q0 (qplus (qmult nx nx) (qmult ny ny)) with
+                    | Some p0 ->
+                      let (p1, k) = p0 in
+                      let (p, u) = p1 in
+                      Some { box_names = (PX :: (PY :: (PTurn :: [])));
+                      box_geometry = (x :: (y :: ({ low = (qopp q0.slope);
+                      high = q0.slope } :: []))); box_forms =
+                      (plane_forms nx ny); box_friction = q0.friction;
+                      box_preload = p; box_growth = u; box_stiffness = k;
+                      box_square = { qnum = Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int }; box_normal =
+                      (nx :: (ny :: [])); box_weights = ({ qnum =
+                      Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int } :: []); box_signed = true;
+                      box_spring = false; box_turns = false; box_slack =
+                      (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int }) }
+                    | None -> None)
+                 | _ :: _ -> None)))
+        | z0 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match q0.normal with
+              | [] -> None
+              | nx :: l2 ->
+                (match l2 with
+                 | [] -> None
+                 | ny :: l3 ->
+                   (match l3 with
+                    | [] -> None
+                    | nz :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         let n0 = ((nx, ny), nz) in
+                         let square = square_of n0 in
+                         let turn_u = first_turn nx ny nz in
+                         let turn_v = cross_q n0 turn_u in
+                         let u_square = square_of turn_u in
+                         let e2 = qmult q0.slope q0.slope in
+                         let turns =
+                           negb
+                             (qeq_bool q0.slope { qnum =
+                               Big_int_Z.zero_big_int; qden =
+                               Big_int_Z.unit_big_int })
+                         in
+                         (match numbers bits0 q0 square with
+                          | Some p0 ->
+                            let (p1, k) = p0 in
+                            let (p, u) = p1 in
+                            if (&&) turns
+                                 (qle_bool u_square { qnum =
+                                   Big_int_Z.zero_big_int; qden =
+                                   Big_int_Z.unit_big_int })
+                            then None
+                            else Some { box_names =
+                                   (PX :: (PY :: (PZ :: (PTurn :: (PTurnV :: [])))));
+                                   box_geometry =
+                                   (x :: (y :: (z0 :: ((if turns
+                                                        then turn_within
+                                                               (qdiv
+                                                                 (qmult e2
+                                                                   square)
+                                                                 u_square)
+                                                        else exactly { qnum =
+                                                               Big_int_Z.zero_big_int;
+                                                               qden =
+                                                               Big_int_Z.unit_big_int }) :: ((
+                                   if turns
+                                   then turn_within (qdiv e2 u_square)
+                                   else exactly { qnum =
+                                          Big_int_Z.zero_big_int; qden =
+                                          Big_int_Z.unit_big_int }) :: [])))));
+                                   box_forms =
+                                   (space_forms n0 turn_u turn_v square);
+                                   box_friction = q0.friction; box_preload =
+                                   p; box_growth = u; box_stiffness = k;
+                                   box_square = square; box_normal =
+                                   (nx :: (ny :: (nz :: []))); box_weights =
+                                   ({ qnum = Big_int_Z.unit_big_int; qden =
+                                   Big_int_Z.unit_big_int } :: ({ qnum =
+                                   Big_int_Z.unit_big_int; qden =
+                                   Big_int_Z.unit_big_int } :: ({ qnum =
+                                   Big_int_Z.unit_big_int; qden =
+                                   Big_int_Z.unit_big_int } :: [])));
+                                   box_signed = false; box_spring = false;
+                                   box_turns = turns; box_slack =
+                                   (if turns
+                                    then turned_slack u_square square
+                                    else (fun _ -> { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int })) }
+                          | None -> None)
+                       | _ :: _ -> None))))
+           | _ :: _ -> None)))
 
 type ('memory, 'setting) region = { rays : ray list; strict : form list list;
                                     moving : form list list;
@@ -3075,27 +3202,31 @@ let get b name = match name with
 let set b name i =
   let { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
     box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
-    box_normal = n; box_weights = w; box_signed = sg; box_spring = sp } = b
+    box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+    box_turns = tu; box_slack = sl } = b
   in
   (match name with
    | PFriction ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = i;
        box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp }
+       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_turns = tu; box_slack = sl }
    | PPreload ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
        box_preload = i; box_growth = u; box_stiffness = k; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp }
+       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_turns = tu; box_slack = sl }
    | PStiffness ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
        box_preload = p; box_growth = u; box_stiffness = i; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp }
+       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_turns = tu; box_slack = sl }
    | PWrench -> b
    | _ ->
      { box_names = names; box_geometry = (set_named name i names g);
        box_forms = f; box_friction = m; box_preload = p; box_growth = u;
        box_stiffness = k; box_square = sq; box_normal = n; box_weights = w;
-       box_signed = sg; box_spring = sp })
+       box_signed = sg; box_spring = sp; box_turns = tu; box_slack = sl })
 
 (** val set_row : setting -> Big_int_Z.big_int -> cbox -> setting **)
 
@@ -3278,9 +3409,10 @@ let walk_ranges advisor most_depth0 two_sided s ranges0 nodes =
 let exact_box b =
   (&&)
     ((&&)
-      ((&&) ((&&) (forallb certain b.box_geometry) (certain b.box_friction))
-        (certain b.box_preload)) (certain b.box_growth))
-    (certain b.box_stiffness)
+      ((&&)
+        ((&&) ((&&) (negb b.box_turns) (forallb certain b.box_geometry))
+          (certain b.box_friction)) (certain b.box_preload))
+      (certain b.box_growth)) (certain b.box_stiffness)
 
 (** val exact_rows : row list -> bool **)
 
@@ -3867,7 +3999,8 @@ let middle_box b =
     (only_middle b.box_growth); box_stiffness =
     (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
     b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
-    box_spring = b.box_spring }
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
 
 (** val friction_sound : cbox -> bool **)
 
@@ -4277,20 +4410,20 @@ let reach_holds n left columns reach =
                 (exactly { qnum = Big_int_Z.zero_big_int; qden =
                   Big_int_Z.unit_big_int })))) z0)) (seq O n))
 
-(** val square_of : vector -> vector -> q **)
+(** val square_of0 : vector -> vector -> q **)
 
-let rec square_of weights f =
+let rec square_of0 weights f =
   match weights with
   | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
   | w :: ws ->
     (match f with
      | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-     | x :: f' -> reduced (qplus (qdiv (qmult x x) w) (square_of ws f')))
+     | x :: f' -> reduced (qplus (qdiv (qmult x x) w) (square_of0 ws f')))
 
 (** val length_bound : cbox -> vector -> q **)
 
 let length_bound b f =
-  root_above (square_of b.box_weights f)
+  root_above (square_of0 b.box_weights f)
 
 (** val least_pressure : cbox -> q -> q **)
 
@@ -4499,6 +4632,11 @@ let setting_of bits0 q0 =
 let is_one_grasp s =
   (&&) (exact_rows s.rows) (forallb certain s.the_load.load_box)
 
+(** val straight : setting -> bool **)
+
+let straight s =
+  forallb (fun r -> negb r.box.box_turns) s.rows
+
 (** val refute :
     'a1 oracle -> question -> setting -> range list -> node list ->
     (string * nat) option **)
@@ -4537,10 +4675,12 @@ let check_tree advisor q0 s nodes =
     'a1 oracle -> question -> setting -> part list -> answer **)
 
 let check_parts advisor q0 s parts =
-  match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
-          Big_int_Z.zero_big_int) :: []) O with
-  | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
-  | None -> Stable
+  if negb (straight s)
+  then NotProvedHere "stability where normals in space are uncertain"
+  else (match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
+                Big_int_Z.zero_big_int) :: []) O with
+        | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
+        | None -> Stable)
 
 (** val check_margin :
     'a1 oracle -> question -> setting -> (q * q option) list -> segment list
@@ -4597,35 +4737,38 @@ let holding_fails advisor q0 s number lo hi evidence =
   let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
     second))))
   in
-  (match evidence with
-   | Inl p ->
-     (match part_fails advisor q0.bilateral (most_depth s.rows) low0 high0 s p with
-      | Some p0 ->
-        let (rule, node0) = p0 in
-        Some (Rejected (rule, (AtProofOf (number, node0))))
-      | None -> None)
-   | Inr points ->
-     if negb (is_one_grasp s)
-     then failing "witness-box" false
-     else (match points with
-           | [] -> Some (NotProvedHere "no points")
-           | w :: more ->
-             (match at_ low0 w with
-              | Inl ss ->
-                (match more with
-                 | [] ->
-                   if qeq_bool low0 high0
-                   then None
-                   else Some (NotProvedHere "one point of two")
-                 | w' :: _ ->
-                   (match at_ high0 w' with
-                    | Inl ss' ->
-                      if same_mode ss ss'
-                      then None
-                      else Some (Rejected ("segment-mode", (AtInterval
-                             number)))
-                    | Inr rule -> failing rule true))
-              | Inr rule -> failing rule false)))
+  if negb (straight s)
+  then Some (NotProvedHere "stability where normals in space are uncertain")
+  else (match evidence with
+        | Inl p ->
+          (match part_fails advisor q0.bilateral (most_depth s.rows) low0
+                   high0 s p with
+           | Some p0 ->
+             let (rule, node0) = p0 in
+             Some (Rejected (rule, (AtProofOf (number, node0))))
+           | None -> None)
+        | Inr points ->
+          if negb (is_one_grasp s)
+          then failing "witness-box" false
+          else (match points with
+                | [] -> Some (NotProvedHere "no points")
+                | w :: more ->
+                  (match at_ low0 w with
+                   | Inl ss ->
+                     (match more with
+                      | [] ->
+                        if qeq_bool low0 high0
+                        then None
+                        else Some (NotProvedHere "one point of two")
+                      | w' :: _ ->
+                        (match at_ high0 w' with
+                         | Inl ss' ->
+                           if same_mode ss ss'
+                           then None
+                           else Some (Rejected ("segment-mode", (AtInterval
+                                  number)))
+                         | Inr rule -> failing rule true))
+                   | Inr rule -> failing rule false)))
 
 (** val joined :
     (q * q option) list -> q -> q option -> (q * q option) list **)
@@ -4713,8 +4856,7 @@ let check advisor q0 c =
        then check_claims advisor q0 s claims (Some { qnum =
               Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
        else NotProvedHere "a proof of something else than was asked")
-  | None ->
-    NotProvedHere "normals that are uncertain, or numbers of the question"
+  | None -> NotProvedHere "numbers of the question"
 
 (** val digit : char -> Big_int_Z.big_int option **)
 

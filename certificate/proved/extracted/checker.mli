@@ -504,15 +504,17 @@ type cbox = { box_names : parameter list; box_geometry : interval list;
               box_preload : interval; box_growth : interval;
               box_stiffness : interval; box_square : q; box_normal : 
               q list; box_weights : q list; box_signed : bool;
-              box_spring : bool }
+              box_spring : bool; box_turns : bool;
+              box_slack : (interval list -> q) }
 
 type row = { box : cbox; forms : form list multi; forms_scale : scaling;
              metric : Big_int_Z.big_int list; metric_scale : scaling;
              slip_certain : bool; tau : form multi; minus_tau : form multi;
              edges_plus : form multi list; edges_minus : form multi list;
              edges_none : form multi list; pulls : form multi list;
-             pull_scale : scaling; separates : form option; parameters : 
-             nat; weight : Big_int_Z.big_int; over_weight : Big_int_Z.big_int }
+             pull_scale : scaling; separates : form option; slack : q;
+             parameters : nat; weight : Big_int_Z.big_int;
+             over_weight : Big_int_Z.big_int }
 
 val geometry_tree : cbox -> q list list multi
 
@@ -554,26 +556,6 @@ val edge_scaling : cbox -> scaling
 
 val make_row : cbox -> row
 
-val is_enclosure : interval -> q -> bool
-
-val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
-
-val is_loaded : contact -> bool
-
-val plane_forms : q -> q -> q list -> q list list
-
-val at_point : q -> q -> q -> q -> q -> q -> q list
-
-val space_forms : q -> q -> q -> q -> q list -> q list list
-
-val is_nonnegative : contact -> bool
-
-val numbers :
-  Big_int_Z.big_int -> contact -> q -> ((interval * interval) * interval)
-  option
-
-val enlarge : Big_int_Z.big_int -> contact -> cbox option
-
 val nowhere_negative : ray list -> form -> bool
 
 val nowhere_positive : ray list -> form -> bool
@@ -599,19 +581,6 @@ val pull_tips : row -> form list
 
 val collect :
   ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list
-
-val edges : form list list -> ray list -> row -> form multi list
-
-val work_tree : form -> form multi -> Big_int_Z.big_int multi
-
-val products_with : row -> Big_int_Z.big_int multi -> form list
-
-val mixed_forms : row -> Big_int_Z.big_int multi -> form list
-
-val bent : Big_int_Z.big_int -> row -> form list -> bool -> term
-
-val edges_term :
-  Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
 
 val inner_of : form -> form -> form -> Big_int_Z.big_int
 
@@ -645,15 +614,32 @@ val most_along :
 
 val unit_of : scaling -> q
 
-val corner_alpha : row -> q -> form -> form list -> bool -> form list -> q
-
 val largest_q : q list -> q
+
+val friction_work :
+  row -> q -> ((bool * Big_int_Z.big_int) * Big_int_Z.big_int) ->
+  Big_int_Z.big_int -> q -> q
+
+val corner_alpha : row -> q -> form -> form list -> bool -> form list -> q
 
 val alpha : form list list -> ray list -> bool -> row -> q -> form -> q
 
 val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term
 
 val alpha_over : q -> row -> Big_int_Z.big_int
+
+val edges : form list list -> ray list -> row -> form multi list
+
+val work_tree : form -> form multi -> Big_int_Z.big_int multi
+
+val products_with : row -> Big_int_Z.big_int multi -> form list
+
+val mixed_forms : row -> Big_int_Z.big_int multi -> form list
+
+val bent : Big_int_Z.big_int -> row -> form list -> bool -> term
+
+val edges_term :
+  Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
 
 type load = { load_box : interval list; load_growth : q list;
               lows_of_w : form; highs_of_w : form; form_of_u : form;
@@ -684,6 +670,40 @@ val with_alphas : Big_int_Z.big_int -> presser list -> Big_int_Z.big_int
 val leaf_holds_by :
   Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
   form -> bool
+
+val is_enclosure : interval -> q -> bool
+
+val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
+
+val is_loaded : contact -> bool
+
+val plane_forms : q -> q -> q list -> q list list
+
+val at_point : q -> q -> q -> q -> q -> q -> q list
+
+val first_turn : q -> q -> q -> (q * q) * q
+
+val cross_q : ((q * q) * q) -> ((q * q) * q) -> (q * q) * q
+
+val square_of : ((q * q) * q) -> q
+
+val space_forms :
+  ((q * q) * q) -> ((q * q) * q) -> ((q * q) * q) -> q -> q list -> q list
+  list
+
+val greatest_square : interval -> q
+
+val turned_slack : q -> q -> interval list -> q
+
+val turn_within : q -> interval
+
+val is_nonnegative : contact -> bool
+
+val numbers :
+  Big_int_Z.big_int -> contact -> q -> ((interval * interval) * interval)
+  option
+
+val enlarge : Big_int_Z.big_int -> contact -> cbox option
 
 type ('memory, 'setting) region = { rays : ray list; strict : form list list;
                                     moving : form list list;
@@ -1042,7 +1062,7 @@ val column : nat -> resting list -> nat -> interval list
 
 val reach_holds : nat -> interval list -> interval list list -> vector -> bool
 
-val square_of : vector -> vector -> q
+val square_of0 : vector -> vector -> q
 
 val length_bound : cbox -> vector -> q
 
@@ -1082,6 +1102,8 @@ val most_depth : 'a1 list -> Big_int_Z.big_int
 val setting_of : Big_int_Z.big_int -> question -> setting option
 
 val is_one_grasp : setting -> bool
+
+val straight : setting -> bool
 
 val refute :
   'a1 oracle -> question -> setting -> range list -> node list ->

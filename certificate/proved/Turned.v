@@ -1,0 +1,276 @@
+(* SPDX-License-Identifier: MIT *)
+(* A contact in space whose normal n is not the n0 of the file (FORMAT.md section 7, "Why, where n is not n0").  Its
+   motion seen along n is multilinear in n, where the motion across n is not.  `turned_stands`: a row of the motion seen
+   along n stands for the contact. *)
+From Coq Require Import Reals List Lra Lia.
+From Proved Require Import RowsOfModels Slips Leaf.
+From Proved Require Rows SpaceModel.
+Import ListNotations.
+Open Scope R_scope.
+
+Module S := SpaceModel.
+Import SpaceModel.
+
+(* The motion u of a point, seen along n: u - (n0.u / n0.n0) n. *)
+Definition seen (n0 n u : vector) : vector := add u (scale (- (dot n0 u / dot n0 n0)) n).
+
+Definition seen_rows (n0 : vector) (c : contact) : list (list R) :=
+  let direction nj e := add e (scale (- (nj / dot n0 n0)) n0) in
+  map (fun d => screw_list (force_at (position c) d))
+    [direction (x (normal c)) (Vector 1 0 0); direction (y (normal c)) (Vector 0 1 0);
+     direction (z (normal c)) (Vector 0 0 1)].
+
+Definition turned_row (n0 : vector) (c : contact) : Rows.row :=
+  Rows.Row (screw_list (N c)) (seen_rows n0 c) [1; 1; 1] (friction c * norm n0)
+    (preload c / length c) (growth c / length c) (stiffness c / (length c * length c)) false.
+
+Lemma seen_slip n0 c d : Rows.slip (turned_row n0 c) d = vector_list (seen n0 (normal c) (moved c (screw_of d))).
+Proof.
+  unfold Rows.slip. cbn [Rows.slips turned_row seen_rows map]. rewrite !dot_screw. unfold vector_list.
+  f_equal; [|f_equal; [|f_equal]];
+    unfold work, force_at, seen, moved, add, scale, dot, cross; cbn; unfold Rdiv; ring.
+Qed.
+
+Lemma dot_square a b : dot a b * dot a b <= dot a a * dot b b.
+Proof.
+  assert (E : dot a a * dot b b - dot a b * dot a b = dot (cross a b) (cross a b))
+    by (unfold dot, cross; cbn; ring).
+  assert (0 <= dot (cross a b) (cross a b)); [|lra]. unfold dot.
+  pose proof (Rle_0_sqr (x (cross a b))) as A. pose proof (Rle_0_sqr (y (cross a b))) as B.
+  pose proof (Rle_0_sqr (z (cross a b))) as C. unfold Rsqr in *. lra.
+Qed.
+
+Lemma dot_nonneg a : 0 <= dot a a.
+Proof.
+  unfold dot. pose proof (Rle_0_sqr (x a)) as A. pose proof (Rle_0_sqr (y a)) as B. pose proof (Rle_0_sqr (z a)) as C.
+  unfold Rsqr in *. lra.
+Qed.
+
+Lemma norm_square a : norm a * norm a = dot a a.
+Proof. apply sqrt_sqrt, dot_nonneg. Qed.
+
+Lemma norm_nonneg a : 0 <= norm a.
+Proof. apply sqrt_pos. Qed.
+
+Lemma dot_norms a b : - (norm a * norm b) <= dot a b <= norm a * norm b.
+Proof.
+  pose proof (norm_nonneg a) as A. pose proof (norm_nonneg b) as B.
+  assert (P : 0 <= norm a * norm b) by now apply Rmult_le_pos.
+  assert (Q : dot a b * dot a b <= (norm a * norm b) * (norm a * norm b)).
+  { replace ((norm a * norm b) * (norm a * norm b)) with ((norm a * norm a) * (norm b * norm b)) by ring.
+    rewrite !norm_square. apply dot_square. }
+  split; apply Rnot_lt_le; intros L.
+  - assert ((norm a * norm b) * (norm a * norm b) < (- dot a b) * (- dot a b))
+      by (apply Rmult_le_0_lt_compat; lra). lra.
+  - assert ((norm a * norm b) * (norm a * norm b) < dot a b * dot a b)
+      by (apply Rmult_le_0_lt_compat; lra). lra.
+Qed.
+
+(* -A / D, where A is nearly L^2 s.z and D nearly L |s|. *)
+Lemma nearly_along L s zl k sz B D : 0 < L -> 0 < s -> 0 <= zl -> 0 <= k -> - (s * zl) <= sz -> - (L * L * k * s * zl) <= B ->
+  sz <= s * zl -> L * s <= D <= L * s * (1 + k / 2) ->
+  - ((L * L * sz + B) / D) <= L * (- sz / s + 3 / 2 * k * zl).
+Proof.
+  intros L0 S0 Z0 K0 Lo HB Hi [D1 D2]. assert (LS : 0 < L * s) by now apply Rmult_lt_0_compat.
+  assert (D0 : 0 < D) by lra.
+  apply Rmult_le_reg_l with (D * s); [now apply Rmult_lt_0_compat|].
+  replace (D * s * - ((L * L * sz + B) / D)) with (- s * (L * L * sz + B)) by (field; lra).
+  replace (D * s * (L * (- sz / s + 3 / 2 * k * zl))) with (L * (- D * sz + 3 / 2 * k * zl * D * s)) by (field; lra).
+  (* sz (D - L s) <= s zl L s k / 2, and -B <= L^2 k s zl *)
+  assert (E1 : (D - L * s) * sz <= L * s * (k / 2) * (s * zl)).
+  { apply Rle_trans with ((D - L * s) * (s * zl)); [apply Rmult_le_compat_l; lra|].
+    apply Rmult_le_compat_r; [apply Rmult_le_pos; lra|]. lra. }
+  assert (E2 : - s * B <= s * (L * L * k * s * zl)).
+  { replace (- s * B) with (s * - B) by ring. apply Rmult_le_compat_l; lra. }
+  assert (E3 : L * (k * zl) * (L * s) * s <= L * (k * zl) * D * s).
+  { assert (0 <= L * (k * zl)) by (apply Rmult_le_pos; [lra|now apply Rmult_le_pos]).
+    apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; lra. }
+  assert (E1' : L * ((D - L * s) * sz) <= L * (L * s * (k / 2) * (s * zl))) by (apply Rmult_le_compat_l; lra).
+  lra.
+Qed.
+
+Section Turned.
+
+Variable c : contact.
+Variables n0 m : vector.
+Let n := normal c.
+Hypothesis n_is : n = add n0 m.
+Hypothesis flat : dot n0 m = 0.
+Hypothesis long : 0 < dot n0 n0.
+Hypothesis friction_nonneg : 0 <= friction c.
+
+Let L := norm n0.
+Let k := dot m m / dot n0 n0.
+
+Lemma L_positive : 0 < L.
+Proof. now apply sqrt_lt_R0. Qed.
+
+Lemma LL : L * L = dot n0 n0.
+Proof. apply norm_square. Qed.
+
+Lemma k_nonneg : 0 <= k.
+Proof. apply Rmult_le_pos; [apply dot_nonneg|]. left. now apply Rinv_0_lt_compat. Qed.
+
+Lemma mm : dot m m = L * L * k.
+Proof. rewrite LL. unfold k. field. lra. Qed.
+
+Lemma nn : dot n n = L * L * (1 + k).
+Proof.
+  transitivity (dot n0 n0 + 2 * dot n0 m + dot m m).
+  - rewrite n_is. unfold dot, add; cbn. ring.
+  - rewrite flat, mm, LL. ring.
+Qed.
+
+Lemma nn_positive : 0 < dot n n.
+Proof.
+  rewrite nn. pose proof L_positive. pose proof k_nonneg. apply Rmult_lt_0_compat; [|lra].
+  now apply Rmult_lt_0_compat.
+Qed.
+
+Lemma seen_flat u : dot n0 (seen n0 n u) = 0.
+Proof.
+  assert (E : dot n0 n = dot n0 n0).
+  { rewrite n_is. transitivity (dot n0 n0 + dot n0 m); [unfold dot, add; cbn; ring|]. rewrite flat. ring. }
+  transitivity (dot n0 u - dot n0 u / dot n0 n0 * dot n0 n); [unfold seen, dot, add, scale; cbn; ring|].
+  rewrite E. field. lra.
+Qed.
+
+Lemma across_seen u : across n (seen n0 n u) = across n u.
+Proof.
+  pose proof nn_positive as P. unfold across, seen. set (q := - (dot n0 u / dot n0 n0)).
+  assert (E : dot (add u (scale q n)) n / dot n n = dot u n / dot n n + q).
+  { replace (dot (add u (scale q n)) n) with (dot u n + q * dot n n) by (unfold dot, add, scale; cbn; ring). field. lra. }
+  rewrite E. unfold add, scale; cbn. f_equal; ring.
+Qed.
+
+(* The products of motions across n, of what is seen of them. *)
+Lemma across_products s t : dot n0 s = 0 -> dot n0 t = 0 ->
+  dot n n * dot (across n s) (across n t) = L * L * (1 + k) * dot s t - dot s m * dot t m.
+Proof.
+  intros Fs Ft. pose proof nn_positive as P.
+  assert (Sn : dot s n = dot s m).
+  { rewrite n_is. transitivity (dot n0 s + dot s m); [unfold dot, add; cbn; ring|]. rewrite Fs. ring. }
+  assert (Tn : dot t n = dot t m).
+  { rewrite n_is. transitivity (dot n0 t + dot t m); [unfold dot, add; cbn; ring|]. rewrite Ft. ring. }
+  assert (E : dot (across n s) (across n t) = dot s t - dot s n * dot t n / dot n n).
+  { unfold across. set (p := dot s n / dot n n). set (q := dot t n / dot n n).
+    transitivity (dot s t - q * dot s n - p * dot t n + p * q * dot n n); [unfold dot, add, scale; cbn; ring|].
+    unfold p, q. field. lra. }
+  rewrite E, Sn, Tn. replace (dot n n * (dot s t - dot s m * dot t m / dot n n))
+    with (dot n n * dot s t - dot s m * dot t m) by (field; lra). now rewrite nn.
+Qed.
+
+(* |n| times the length of a motion across n. *)
+Lemma across_length s : dot n0 s = 0 -> L * norm s <= norm n * norm (across n s) <= L * norm s * (1 + k / 2).
+Proof.
+  intros Fs. pose proof (across_products s s Fs Fs) as E. pose proof L_positive as LP. pose proof k_nonneg as K.
+  pose proof (norm_nonneg s) as S0. pose proof (norm_nonneg n) as N0. pose proof (norm_nonneg (across n s)) as A0.
+  pose proof (dot_square s m) as Q. rewrite mm in Q.
+  pose proof (Rle_0_sqr (dot s m)) as Q0. unfold Rsqr in Q0.
+  assert (Sq : (norm n * norm (across n s)) * (norm n * norm (across n s)) = L * L * (1 + k) * dot s s - dot s m * dot s m).
+  { rewrite <- E, <- !norm_square. ring. }
+  assert (P : 0 <= norm n * norm (across n s)) by now apply Rmult_le_pos.
+  assert (LS : 0 <= L * norm s) by (apply Rmult_le_pos; lra).
+  pose proof (norm_square s) as SS.
+  split; apply Rnot_lt_le; intros Lt.
+  - assert ((norm n * norm (across n s)) * (norm n * norm (across n s)) < (L * norm s) * (L * norm s))
+      by (apply Rmult_le_0_lt_compat; lra).
+    replace ((L * norm s) * (L * norm s)) with (L * L * dot s s) in H by (rewrite <- SS; ring). lra.
+  - assert (U : 0 <= L * norm s * (1 + k / 2)) by (apply Rmult_le_pos; lra).
+    assert ((L * norm s * (1 + k / 2)) * (L * norm s * (1 + k / 2)) <
+      (norm n * norm (across n s)) * (norm n * norm (across n s))) by (apply Rmult_le_0_lt_compat; lra).
+    replace ((L * norm s * (1 + k / 2)) * (L * norm s * (1 + k / 2)))
+      with (L * L * dot s s * (1 + k + k * k / 4)) in H by (rewrite <- SS; field).
+    assert (0 <= L * L * dot s s * (k * k / 4)).
+    { apply Rmult_le_pos; [|apply Rmult_le_pos; [apply Rle_0_sqr|lra]].
+      apply Rmult_le_pos; [apply Rle_0_sqr|apply dot_nonneg]. }
+    lra.
+Qed.
+
+Lemma size_three s : Rows.size [1; 1; 1] (vector_list s) = norm s.
+Proof. apply RowsOfModels.size_is. Qed.
+
+Lemma product_vectors s t : Rows.product [1; 1; 1] (vector_list s) (vector_list t) = dot s t.
+Proof. rewrite product_three. reflexivity. Qed.
+
+Theorem turned_stands : stands k (space_contact_row c) (turned_row n0 c).
+Proof.
+  pose proof L_positive as LP. pose proof k_nonneg as K.
+  assert (Slip : forall d, Rows.slip (space_contact_row c) d =
+    vector_list (across n (seen n0 n (moved c (screw_of d))))).
+  { intros d. rewrite space_slip_is, slip_across. fold n. now rewrite across_seen. }
+  constructor; try reflexivity; [apply three_positive|exact K| |].
+  - intros w d h l a g y (_ & Cone & Diss) A0. unfold work_within.
+    rewrite !seen_slip, !Slip in *. cbn [Rows.weights Rows.rho turned_row space_contact_row] in *.
+    rewrite !size_three in *. rewrite product_vectors, !product_three in *. fold n in Cone, Diss |- *.
+    set (s := seen n0 n (moved c (screw_of d))) in *. set (t := seen n0 n (moved c (screw_of y))) in *.
+    assert (Fs : dot n0 s = 0) by apply seen_flat. assert (Ftt : dot n0 t = 0) by apply seen_flat.
+    change (length c) with (norm n) in *. fold L.
+    assert (MA : 0 <= friction c * a) by now apply Rmult_le_pos.
+    pose proof (norm_nonneg t) as T0.
+    set (tau := across n t).
+    split.
+    + assert (G : dot (vector_of g) tau <= friction c * norm n * a * norm tau).
+      { eapply Rle_trans; [apply dot_norms|]. rewrite size_of_list. apply Rmult_le_compat_r; [apply norm_nonneg|exact Cone]. }
+      destruct (across_length t Ftt) as [_ Hi]. fold tau in Hi.
+      eapply Rle_trans; [exact G|].
+      replace (friction c * norm n * a * norm tau) with (friction c * a * (norm n * norm tau)) by ring.
+      replace (friction c * L * a * ((1 + 3 / 2 * k) * norm t)) with (friction c * a * (L * norm t * (1 + 3 / 2 * k))) by ring.
+      apply Rmult_le_compat_l; [exact MA|]. eapply Rle_trans; [exact Hi|].
+      apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. lra.
+    + intros S0. set (sigma := across n s) in *.
+      destruct (across_length s Fs) as [Lo Hi]. fold sigma in Lo, Hi.
+      assert (N0 : 0 < norm n) by (apply sqrt_lt_R0; apply nn_positive).
+      assert (Sg : 0 < norm sigma).
+      { assert (0 < L * norm s) by now apply Rmult_lt_0_compat.
+        apply Rnot_le_lt. intros N. assert (0 <= norm n * - norm sigma) by (apply Rmult_le_pos; lra). lra. }
+      assert (Ag : dot (vector_of g) tau = - (friction c * norm n * a / norm sigma) * dot sigma tau).
+      { assert (D' : Rows.product [1; 1; 1] g (vector_list sigma) =
+          - (friction c * norm n * a) * Rows.size [1; 1; 1] (vector_list sigma))
+          by (rewrite product_three, size_three; exact Diss).
+        assert (S' : 0 < Rows.size [1; 1; 1] (vector_list sigma)) by now rewrite size_three.
+        pose proof (Rows.against_slip _ _ _ _ three_positive Cone D' S' (vector_list tau)) as H.
+        now rewrite size_three, product_vectors, product_three in H. }
+      rewrite Ag. pose proof (across_products s t Fs Ftt) as A. fold sigma tau in A.
+      set (B := L * L * k * dot s t - dot s m * dot t m).
+      assert (AE : norm n * norm n * dot sigma tau = L * L * dot s t + B).
+      { rewrite norm_square, A. unfold B. ring. }
+      replace (- (friction c * norm n * a / norm sigma) * dot sigma tau)
+        with (friction c * a * - ((norm n * norm n * dot sigma tau) / (norm n * norm sigma))) by (field; lra).
+      rewrite AE.
+      replace (friction c * L * a * (- dot s t / norm s + 3 / 2 * k * norm t))
+        with (friction c * a * (L * (- dot s t / norm s + 3 / 2 * k * norm t))) by ring.
+      apply Rmult_le_compat_l; [exact MA|].
+      destruct (dot_norms s t) as [D1 D2].
+      apply nearly_along; try assumption; try lra.
+      (* B = (m x s).(m x t) *)
+      assert (BE : B = dot (cross m s) (cross m t)).
+      { transitivity (dot m m * dot s t - dot s m * dot t m); [unfold B; rewrite mm; ring|].
+        unfold dot, cross; cbn. ring. }
+      destruct (dot_norms (cross m s) (cross m t)) as [D3 _]. rewrite BE.
+      assert (Cr : forall v, norm (cross m v) <= norm m * norm v).
+      { intros v. pose proof (norm_nonneg m) as M0. pose proof (norm_nonneg v) as V0.
+        apply Rnot_lt_le. intros Lt.
+        assert ((norm m * norm v) * (norm m * norm v) < norm (cross m v) * norm (cross m v))
+          by (apply Rmult_le_0_lt_compat; try lra; now apply Rmult_le_pos).
+        rewrite norm_square in H.
+        assert (E : dot (cross m v) (cross m v) = dot m m * dot v v - dot m v * dot m v)
+          by (unfold dot, cross; cbn; ring).
+        pose proof (Rle_0_sqr (dot m v)) as Q. unfold Rsqr in Q.
+        replace ((norm m * norm v) * (norm m * norm v)) with (dot m m * dot v v) in H
+          by (rewrite <- !norm_square; ring). lra. }
+      pose proof (Cr s) as C1. pose proof (Cr t) as C2.
+      assert (norm (cross m s) * norm (cross m t) <= (norm m * norm s) * (norm m * norm t))
+        by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
+      replace ((norm m * norm s) * (norm m * norm t)) with (L * L * k * norm s * norm t) in H
+        by (rewrite <- mm, <- norm_square; ring). lra.
+  - intros d S0. rewrite seen_slip. rewrite Slip in S0. cbn [Rows.weights turned_row space_contact_row] in *.
+    rewrite size_three in *. fold n. set (s := seen n0 n (moved c (screw_of d))) in *.
+    pose proof (seen_flat (moved c (screw_of d))) as Fs. fold s in Fs.
+    destruct (across_length s Fs) as [_ Hi]. pose proof (norm_nonneg s) as N0.
+    destruct (Rle_lt_or_eq_dec _ _ N0) as [P|Z]; [exact P|]. rewrite <- Z in Hi. exfalso.
+    assert (0 < norm n) by (apply sqrt_lt_R0; apply nn_positive).
+    assert (0 < norm n * norm (across n s)) by now apply Rmult_lt_0_compat. lra.
+Qed.
+
+End Turned.

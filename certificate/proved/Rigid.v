@@ -37,11 +37,6 @@ Record rigid := Rigid {
    and not 0. *)
 Record knowledge := Knowledge { touches : option bool; sides : option matrix }.
 
-Inductive rigid_node :=
-  | RTouch (contact : Z)
-  | RSlip (contact : Z) (side : vector)                    (* in the plane without a side *)
-  | RLeaf (t : Q) (y : vector) (along_N : list (Z * Q)) (along_slips : list (Z * vector)).
-
 Section Rules.
 Open Scope Q_scope.
 

@@ -7,17 +7,6 @@ From Proved Require Import ByDegree RigidModel Rigid RigidRows.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 
-(* [i, a_i, f_i] *)
-Definition stated_forces := list (Z * (Q * vector)).
-
-Inductive class_proof :=
-  | ByTwist (y : vector)                                                        (* must move *)
-  | ByTree (rest : stated_forces) (tree : list rigid_node)                      (* must hold *)
-  | ByMotion (rest : stated_forces) (acceleration : vector) (forces : stated_forces).  (* open *)
-
-Definition class_of (p : class_proof) : class :=
-  match p with ByTwist _ => MustMove | ByTree _ _ => MustHold | ByMotion _ _ _ => Open end.
-
 Section Rules.
 Open Scope Q_scope.
 
@@ -332,14 +321,9 @@ Proof.
 Qed.
 
 Theorem class_holds most p : class_fails most mass w xs p = None ->
-  match p with ByMotion _ a _ => List.length a = Rows.dimension sys -> True | _ => True end ->
-  match class_of p with
-  | MustMove => ~ can_rows (repeat 0 (Rows.dimension sys))
-  | MustHold => can_rows (repeat 0 (Rows.dimension sys)) /\ forall a, can_rows a -> a = repeat 0 (Rows.dimension sys)
-  | Open => can_rows (repeat 0 (Rows.dimension sys)) /\ exists a, a <> repeat 0 (Rows.dimension sys) /\ can_rows a
-  end.
+  is_of_class (class_of p) (repeat 0 (Rows.dimension sys)) can_rows.
 Proof.
-  intros H _. unfold class_fails in H. destruct p as [y|rest nodes|rest a forces]; cbn [class_of].
+  intros H. unfold class_fails in H. destruct p as [y|rest nodes|rest a forces]; cbn [class_of is_of_class]; unfold must_move, must_hold, is_open.
   - destruct (is_positive (inner y w) && _) eqn:C in H; [|discriminate]. apply andb_true_iff in C as [P A].
     unfold is_positive in P. apply negb_true_iff, positive_real in P. rewrite inner_is, dot_sym in P.
     intros (fs & _ & O & B). specialize (B (real y)).

@@ -7,13 +7,13 @@ Import ListNotations.
 Open Scope R_scope.
 
 (* In the plane: the centre of mass, and the square of the radius of gyration about it. *)
-Record inertia := Inertia { center_x : R; center_y : R; gyration_squared : R }.
+Record inertia_in_plane := InertiaInPlane { center_x : R; center_y : R; gyration_squared : R }.
 
 Section Plane.
 Import Model.
 
 (* The wrench of the force at the centre that is its acceleration, and of the torque. *)
-Definition accelerates (m : inertia) (a : vector) : vector :=
+Definition accelerates (m : inertia_in_plane) (a : vector) : vector :=
   add (force_at (center_x m) (center_y m) (along_x a - about_z a * center_y m) (along_y a + about_z a * center_x m))
       (Vector 0 0 (gyration_squared m * about_z a)).
 
@@ -23,11 +23,11 @@ Definition rigid_obeys (a : vector) (c : contact) (force : R * R) :=
   0 <= n /\ 0 <= work (N c) a /\ n * work (N c) a = 0 /\
   Rabs b <= friction c * n /\ b * work (T c) a = - (friction c * n * Rabs (work (T c) a)).
 
-Definition rigid_solution (g : grasp) (m : inertia) (a : vector) (forces : list (R * R)) :=
+Definition rigid_solution (g : grasp) (m : inertia_in_plane) (a : vector) (forces : list (R * R)) :=
   Forall2 (rigid_obeys a) (contacts g) forces /\
   accelerates m a = add (wrench g) (sum (contact_wrenches (contacts g) forces)).
 
-Definition can (g : grasp) (m : inertia) (a : vector) := exists forces, rigid_solution g m a forces.
+Definition can (g : grasp) (m : inertia_in_plane) (a : vector) := exists forces, rigid_solution g m a forces.
 
 End Plane.
 
@@ -61,12 +61,9 @@ Definition can_in_space (g : grasp) (m : inertia_in_space) (a : screw) :=
 
 End Space.
 
-(* What can happen: the accelerations that can. *)
-Inductive class := MustMove | MustHold | Open.
-
-Definition is_of_class {A : Type} (c : class) (at_rest : A) (can : A -> Prop) : Prop :=
-  match c with
-  | MustMove => ~ can at_rest
-  | MustHold => can at_rest /\ forall a, can a -> a = at_rest
-  | Open => can at_rest /\ exists a, a <> at_rest /\ can a
-  end.
+(* Which accelerations can be: not rest, rest alone, or rest and others. *)
+Definition must_move {A : Type} (at_rest : A) (can : A -> Prop) : Prop := ~ can at_rest.
+Definition must_hold {A : Type} (at_rest : A) (can : A -> Prop) : Prop :=
+  can at_rest /\ forall a, can a -> a = at_rest.
+Definition is_open {A : Type} (at_rest : A) (can : A -> Prop) : Prop :=
+  can at_rest /\ exists a, a <> at_rest /\ can a.

@@ -8,7 +8,7 @@ Open Scope R_scope.
 
 (* ---- The plane ---- *)
 
-Definition mass_rows (m : inertia) : list (list R) :=
+Definition mass_rows (m : inertia_in_plane) : list (list R) :=
   let x := center_x m in let y := center_y m in
   [[1; 0; - y]; [0; 1; x]; [- y; x; x * x + y * y + gyration_squared m]].
 

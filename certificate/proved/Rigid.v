@@ -127,10 +127,10 @@ Definition slip_children (x : rigid) (known : option matrix) (d : vector) : list
   end.
 
 (* In a list of [i, ...]: i increases, and is of a contact. *)
-Fixpoint in_order {A} (count : Z) (last : Z) (them : list (Z * A)) : bool :=
+Fixpoint ascending {A} (count : Z) (last : Z) (them : list (Z * A)) : bool :=
   match them with
   | [] => true
-  | (i, _) :: rest => Z.ltb last i && Z.ltb i count && in_order count i rest
+  | (i, _) :: rest => Z.ltb last i && Z.ltb i count && ascending count i rest
   end.
 
 Definition count_of {A} (l : list A) : Z := fold_left (fun n _ => n + 1)%Z l 0%Z.
@@ -167,7 +167,7 @@ Definition rigid_leaf (mass : matrix) (w : vector) (c : cell) (t : Q) (y : vecto
     (hs : list (Z * vector)) : bool :=
   let yw := inner y w in
   Qle_bool 0 t && Qle_bool 0 yw && negb (is_zero t && is_zero yw) &&
-  in_order (count_of c) (-1) gs && in_order (count_of c) (-1) hs &&
+  ascending (count_of c) (-1) gs && ascending (count_of c) (-1) hs &&
   forallb (normal_right c) gs && forallb (slip_right c) hs &&
   forallb (fun p => match touches (snd p) with Some false => true | _ => resists_against (fst p) y (sides (snd p)) end) c &&
   forallb is_zero

@@ -47,13 +47,13 @@ Numbers are exact: 1, -0.25, 1e-3, 3/5.
 
 Answers and exit codes:
   accepted    0   the certificate proves the verdict about the question that is printed; of a
-                  margin, that exactly the factors printed as "resisted" are
+                  margin in the plane, that exactly the factors printed as "resisted" are, in
+                  space, that those are, those printed as "refuted" are not, and nothing of others
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability by degree or at rest, of uncertain normals and margins in space,
-                  of regions and of several bodies; or it takes more work than the files'
-                  length allows
+                  stability where normals in space are uncertain, of regions and of several
+                  bodies; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json

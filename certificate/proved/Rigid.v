@@ -3,7 +3,8 @@
    prove that nothing moves.  `tree_holds`: where a tree is accepted, no solution has an acceleration along which
    the load does work. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree RowLimits Degree Matrix Frame ByDegree.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree RowLimits Degree Matrix
+  Frame ByDegree.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -12,7 +13,8 @@ Import ListNotations.
 Section Law.
 Open Scope R_scope.
 
-(* At the acceleration a: no contact pulls or is penetrated, one that parts does not press, and friction is Coulomb's. *)
+(* At the acceleration a: no contact pulls or is penetrated, one that parts does not press, and friction is
+  Coulomb's. *)
 Definition rigid_obeys (a : list R) (r : Rows.row) (f : Rows.force) : Prop :=
   let (n, g) := f in
   (0 <= n /\ 0 <= Rows.dot (Rows.N r) a /\ n * Rows.dot (Rows.N r) a = 0) /\
@@ -91,7 +93,8 @@ Definition is_positive_multiple (u v : vector) : bool :=
 Definition slip_factor (x y : rigid) : option Q :=
   match r_slips x, r_slips y with
   | [s], [t] => factor s t
-  | _, _ => if same_matrices (r_slips x) (r_slips y) && is_positive_multiple (r_normal x) (r_normal y) then Some 1 else None
+  | _, _ => if same_matrices (r_slips x) (r_slips y) && is_positive_multiple (r_normal x) (r_normal y) then
+    Some 1 else None
   end.
 
 Definition turned (c : Q) (ss : matrix) : matrix := if Qle_bool 0 c then ss else map opposite ss.
@@ -113,7 +116,8 @@ Definition slip_children (x : rigid) (known : option matrix) (d : vector) : list
   | [_] => inl [[[1]]; []; [[-(1)]]]
   | _ =>
       let n := r_normal x in
-      if forallb is_zero d || negb (is_zero (inner n d)) || negb (good_sides x d (cross n d)) then inr "class-slip"%string
+      if forallb is_zero d || negb (is_zero (inner n d)) || negb (good_sides x d (cross n d)) then inr
+        "class-slip"%string
       else
         match known with
         | Some [u; v] =>
@@ -169,9 +173,11 @@ Definition rigid_leaf (mass : matrix) (w : vector) (c : cell) (t : Q) (y : vecto
   Qle_bool 0 t && Qle_bool 0 yw && negb (is_zero t && is_zero yw) &&
   ascending (count_of c) (-1) gs && ascending (count_of c) (-1) hs &&
   forallb (normal_right c) gs && forallb (slip_right c) hs &&
-  forallb (fun p => match touches (snd p) with Some false => true | _ => resists_against (fst p) y (sides (snd p)) end) c &&
+  forallb (fun p => match touches (snd p) with Some false => true | _ => resists_against (fst p) y (sides (snd
+    p)) end) c &&
   forallb is_zero
-    (plus_times (plus_times (plus_times (plus_times [] t w) 1 (map (fun r => inner r y) mass)) 1 (normal_sum c gs)) 1
+    (plus_times (plus_times (plus_times (plus_times [] t w) 1 (map (fun r => inner r y) mass)) 1 (normal_sum c
+      gs)) 1
        (slip_sum c hs)).
 
 (* The children of a node, or the rule that fails. *)
@@ -204,7 +210,8 @@ Fixpoint rigid_walk (most_depth : Z) (mass : matrix) (w : vector) (nodes : list 
       if Z.ltb most_depth depth then Some ("node-depth"%string, number)
       else
         match rigid_split mass w c n with
-        | inl children => rigid_walk most_depth mass w nodes' (map (fun c => (c, depth + 1)%Z) children ++ todo') (S number)
+        | inl children => rigid_walk most_depth mass w nodes' (map (fun c => (c, depth + 1)%Z) children ++
+          todo') (S number)
         | inr rule => Some (rule, number)
         end
   end.
@@ -278,8 +285,9 @@ Proof.
     exists (Rows.scaled (- Q2R c) cs). split; [unfold Rows.scaled; now rewrite !map_length|]. split.
     + apply Forall_map. eapply Forall_impl; [|exact P]. cbn. intros; nra.
     + intros t. rewrite !Rows.dot_scaled, E, map_map.
-      assert (G : forall cs ss, cs .* map (fun x => real (opposite x) .* t) ss = - (cs .* map (fun side => real side .* t) ss)).
-      { clear. induction cs as [|x cs IH]; intros [|s ss]; cbn; try ring. rewrite IH. 
+      assert (G : forall cs ss, cs .* map (fun x => real (opposite x) .* t) ss = - (cs .* map (fun side => real
+        side .* t) ss)).
+      { clear. induction cs as [|x cs IH]; intros [|s ss]; cbn; try ring. rewrite IH.
         fold (real (opposite s)). rewrite dot_opposite. ring. }
       rewrite G. ring.
 Qed.
@@ -288,7 +296,8 @@ Qed.
 Lemma along_one_side rho A side s z : cone_of [side] s -> 0 < s .* s ->
   rho * (real side .* z) <= A * sqrt (real side .* real side) -> rho * (s .* z) <= A * sqrt (s .* s).
 Proof.
-  intros (cs & L & P & E) S H. destruct cs as [|c [|? ?]]; try discriminate. pose proof (Forall_inv P) as C. cbn in C, E.
+  intros (cs & L & P & E) S H. destruct cs as [|c [|? ?]]; try discriminate. pose proof (Forall_inv P) as C.
+    cbn in C, E.
   assert (Sz : s .* z = c * (real side .* z)) by (rewrite E; ring).
   assert (Ss : s .* s = c * c * (real side .* real side)).
   { rewrite (E s), dot_sym, (E (real side)). ring. }
@@ -296,14 +305,16 @@ Proof.
 Qed.
 
 (* Between two sides at most a right angle apart, what both allow all allow, if z is not between them. *)
-Lemma between_sides rho A (u v s z : list R) al be : 0 <= rho -> 0 <= al -> 0 <= be -> (forall t, s .* t = al * (u .* t) + be * (v .* t)) ->
+Lemma between_sides rho A (u v s z : list R) al be : 0 <= rho -> 0 <= al -> 0 <= be -> (forall t, s .* t = al *
+  (u .* t) + be * (v .* t)) ->
   0 <= u .* v -> 0 < u .* u ->
   (s .* z) * (u .* u) <= (s .* u) * (u .* z) ->
   rho * (u .* z) <= A * sqrt (u .* u) -> 0 <= A -> rho * (s .* z) <= A * sqrt (s .* s).
 Proof.
   intros R0 Al Be E UV UU K H A0.
   assert (Su : 0 <= s .* u) by (rewrite E, (dot_sym v u); nra).
-  pose proof (sqrt_pos (s .* s)) as Ss. pose proof (sqrt_lt_R0 _ UU) as Pu. pose proof (sqrt_sqrt (u .* u) (Rlt_le _ _ UU)) as Qu.
+  pose proof (sqrt_pos (s .* s)) as Ss. pose proof (sqrt_lt_R0 _ UU) as Pu. pose proof (sqrt_sqrt (u .* u)
+    (Rlt_le _ _ UU)) as Qu.
   destruct (Rle_dec (u .* z) 0) as [N|N].
   - assert (s .* z <= 0).
     { apply Rnot_lt_le. intros Lt. pose proof (Rmult_lt_0_compat _ _ Lt UU).
@@ -404,7 +415,8 @@ Proof. unfold Rows.size. now rewrite product_is. Qed.
 
 Lemma slip_of_is y : Rows.slip r (real y) = real (slip_of x y).
 Proof.
-  rewrite (is_r_slips _ _ X). unfold slip_of, real. rewrite map_map. apply map_ext. intros f. symmetry. apply inner_is.
+  rewrite (is_r_slips _ _ X). unfold slip_of, real. rewrite map_map. apply map_ext. intros f. symmetry. apply
+    inner_is.
 Qed.
 
 Lemma N_is y : Rows.N r .* real y = Q2R (inner (r_N x) y).
@@ -464,10 +476,12 @@ Proof.
 Qed.
 
 Lemma positive_real q : Qle_bool q 0 = false -> 0 < Q2R q.
-Proof. intros H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence. Qed.
+Proof. intros H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L.
+  congruence. Qed.
 
 Lemma negative_real q : Qle_bool 0 q = false -> Q2R q < 0.
-Proof. intros H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence. Qed.
+Proof. intros H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L.
+  congruence. Qed.
 
 Lemma cross_3 p u v : inner p (cross u v) = 0%Q \/ exists p1 p' u1 u2 u3 v1 v2 v3,
   p = p1 :: p' /\ u = [u1; u2; u3] /\ v = [v1; v2; v3].
@@ -506,21 +520,26 @@ Proof.
   set (b := N1 * (U2 * Z3 - U3 * Z2) + N2 * (U3 * Z1 - U1 * Z3) + N3 * (U1 * Z2 - U2 * Z1)) in *.
   set (m := (U1 * U1 + U2 * U2 + U3 * U3) * (V1 * Z1 + V2 * Z2 + V3 * Z3) -
      (U1 * V1 + U2 * V2 + U3 * V3) * (U1 * Z1 + U2 * Z2 + U3 * Z3)) in *.
-  pose proof (Rle_0_sqr N1) as Q1. pose proof (Rle_0_sqr N2) as Q2. pose proof (Rle_0_sqr N3) as Q3. unfold Rsqr in *.
+  pose proof (Rle_0_sqr N1) as Q1. pose proof (Rle_0_sqr N2) as Q2. pose proof (Rle_0_sqr N3) as Q3. unfold
+    Rsqr in *.
   assert (M : m <= 0).
-  { apply Rnot_lt_le. intros Lt. assert (0 <= (N1 * N1 + N2 * N2 + N3 * N3) * m) by (apply Rmult_le_pos; lra). lra. }
+  { apply Rnot_lt_le. intros Lt. assert (0 <= (N1 * N1 + N2 * N2 + N3 * N3) * m) by (apply Rmult_le_pos; lra).
+      lra. }
   split.
   - assert (0 <= be * - m) by (apply Rmult_le_pos; lra). unfold m in H. lra.
-  - pose proof (Rle_0_sqr U1) as P1. pose proof (Rle_0_sqr U2) as P2. pose proof (Rle_0_sqr U3) as P3. unfold Rsqr in *.
+  - pose proof (Rle_0_sqr U1) as P1. pose proof (Rle_0_sqr U2) as P2. pose proof (Rle_0_sqr U3) as P3. unfold
+      Rsqr in *.
     destruct (Req_dec (U1 * U1 + U2 * U2 + U3 * U3) 0) as [Z|Z]; [|lra]. exfalso.
-    assert (U1 = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra). assert (U2 = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
+    assert (U1 = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra). assert (U2 = 0) by (apply Rsqr_0_uniq; unfold
+      Rsqr; lra).
     assert (U3 = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra). unfold c in BC. rewrite H, H0, H1 in BC. lra.
 Qed.
 
 Lemma cross_opposite p u v : List.length p = 3%nat -> Q2R (inner p (cross v u)) = - Q2R (inner p (cross u v)).
 Proof.
   intros L. destruct p as [|p1 [|p2 [|p3 [|? ?]]]]; try discriminate.
-  destruct u as [|u1 [|u2 [|u3 [|? ?]]]], v as [|v1 [|v2 [|v3 [|? ?]]]]; try (cbn [cross inner]; rewrite Q2R_0; ring).
+  destruct u as [|u1 [|u2 [|u3 [|? ?]]]], v as [|v1 [|v2 [|v3 [|? ?]]]]; try (cbn [cross inner]; rewrite Q2R_0;
+    ring).
   rewrite !crossed. ring.
 Qed.
 
@@ -541,7 +560,8 @@ Proof.
     + pose proof (dot_nonneg (Rows.slip r a)). lra.
   - destruct S as [P (cs & L & Pos & E)]. destruct cs as [|al [|be [|? ?]]]; try discriminate.
     pose proof (Forall_inv Pos) as Al. pose proof (Forall_inv (Forall_inv_tail Pos)) as Be. cbn in Al, Be, E.
-    assert (E' : forall t, Rows.slip r a .* t = al * (real u .* t) + be * (real v .* t)) by (intros t; rewrite E; ring).
+    assert (E' : forall t, Rows.slip r a .* t = al * (real u .* t) + be * (real v .* t)) by (intros t; rewrite
+      E; ring).
     destruct (Qle_bool 0 _ && Qle_bool 0 _) eqn:B; [now apply All|].
     rewrite !andb_true_iff in H. destruct H as [[G Ru] Rv]. apply resists_is in Ru, Rv.
     apply (against_does_work y (Rows.slip r a) P eq_refl).
@@ -554,7 +574,8 @@ Proof.
     apply andb_false_iff in B as [B|B]; apply negative_real in B.
     + destruct (beyond_a_side u v (slip_of x y) (Rows.slip r a) al be L3 Nu Nv ltac:(nra) Al Be E') as [K UU].
       exact (between_sides _ _ (real u) (real v) _ _ al be R0 Al Be E' UV UU K Ru A0).
-    + assert (E2 : forall t, Rows.slip r a .* t = be * (real v .* t) + al * (real u .* t)) by (intros t; rewrite E'; ring).
+    + assert (E2 : forall t, Rows.slip r a .* t = be * (real v .* t) + al * (real u .* t)) by (intros t;
+        rewrite E'; ring).
       rewrite (cross_opposite _ v (slip_of x y) L3) in B.
       assert (BC : Q2R (inner (r_normal x) (cross v u)) * Q2R (inner (r_normal x) (cross v (slip_of x y))) < 0).
       { rewrite (cross_opposite _ u v L3). nra. }
@@ -576,7 +597,8 @@ Lemma in_basis n1 n2 n3 d1 d2 d3 s1 s2 s3 :
   let e1 := n2 * d3 - n3 * d2 in let e2 := n3 * d1 - n1 * d3 in let e3 := n1 * d2 - n2 * d1 in
   let nn := n1 * n1 + n2 * n2 + n3 * n3 in let dd := d1 * d1 + d2 * d2 + d3 * d3 in
   let sd := s1 * d1 + s2 * d2 + s3 * d3 in let se := s1 * e1 + s2 * e2 + s3 * e3 in
-  nn * dd * s1 = nn * sd * d1 + se * e1 /\ nn * dd * s2 = nn * sd * d2 + se * e2 /\ nn * dd * s3 = nn * sd * d3 + se * e3.
+  nn * dd * s1 = nn * sd * d1 + se * e1 /\ nn * dd * s2 = nn * sd * d2 + se * e2 /\ nn * dd * s3 = nn * sd * d3
+    + se * e3.
 Proof.
   intros D S e1 e2 e3 nn dd sd se.
   set (nd := n1 * d1 + n2 * d2 + n3 * d3) in D. set (ns := n1 * s1 + n2 * s2 + n3 * s3) in S.
@@ -584,11 +606,14 @@ Proof.
     nn * dd * si = nn * sd * di + se * ei) by (intros ni di si ei E; rewrite E, S; ring).
   assert (C : forall x, nd * x = 0) by (intros; rewrite D; ring).
   repeat split.
-  - apply (G n1). transitivity (nn * dd * s1 - dd * ns * n1 - nn * sd * d1 + nd * (sd * n1 + ns * d1 - nd * s1)); [|rewrite C; ring].
+  - apply (G n1). transitivity (nn * dd * s1 - dd * ns * n1 - nn * sd * d1 + nd * (sd * n1 + ns * d1 - nd *
+      s1)); [|rewrite C; ring].
     unfold se, e1, e2, e3, nn, dd, sd, ns, nd. ring.
-  - apply (G n2). transitivity (nn * dd * s2 - dd * ns * n2 - nn * sd * d2 + nd * (sd * n2 + ns * d2 - nd * s2)); [|rewrite C; ring].
+  - apply (G n2). transitivity (nn * dd * s2 - dd * ns * n2 - nn * sd * d2 + nd * (sd * n2 + ns * d2 - nd *
+      s2)); [|rewrite C; ring].
     unfold se, e1, e2, e3, nn, dd, sd, ns, nd. ring.
-  - apply (G n3). transitivity (nn * dd * s3 - dd * ns * n3 - nn * sd * d3 + nd * (sd * n3 + ns * d3 - nd * s3)); [|rewrite C; ring].
+  - apply (G n3). transitivity (nn * dd * s3 - dd * ns * n3 - nn * sd * d3 + nd * (sd * n3 + ns * d3 - nd *
+      s3)); [|rewrite C; ring].
     unfold se, e1, e2, e3, nn, dd, sd, ns, nd. ring.
 Qed.
 
@@ -612,9 +637,12 @@ Proof.
        (v3 * nd - d3 * nv) * (n1 * u2 - n2 * u1))); [unfold t, nu, nv, nd; ring|]. rewrite U, V, D. ring. }
   assert (G : forall x, t * x = 0) by (intros; rewrite T; ring).
   repeat split.
-  - transitivity (c d1 d2 d3 v1 v2 v3 * u1 + c u1 u2 u3 d1 d2 d3 * v1 + t * n1); [unfold c, t; ring|rewrite G; ring].
-  - transitivity (c d1 d2 d3 v1 v2 v3 * u2 + c u1 u2 u3 d1 d2 d3 * v2 + t * n2); [unfold c, t; ring|rewrite G; ring].
-  - transitivity (c d1 d2 d3 v1 v2 v3 * u3 + c u1 u2 u3 d1 d2 d3 * v3 + t * n3); [unfold c, t; ring|rewrite G; ring].
+  - transitivity (c d1 d2 d3 v1 v2 v3 * u1 + c u1 u2 u3 d1 d2 d3 * v1 + t * n1); [unfold c, t; ring|rewrite G;
+      ring].
+  - transitivity (c d1 d2 d3 v1 v2 v3 * u2 + c u1 u2 u3 d1 d2 d3 * v2 + t * n2); [unfold c, t; ring|rewrite G;
+      ring].
+  - transitivity (c d1 d2 d3 v1 v2 v3 * u3 + c u1 u2 u3 d1 d2 d3 * v3 + t * n3); [unfold c, t; ring|rewrite G;
+      ring].
 Qed.
 
 Notation "u .* v" := (Rows.dot u v) (at level 40).
@@ -628,7 +656,8 @@ Proof. intros -> -> -> -> -> [|t1 [|t2 [|t3 t]]]; cbn; ring. Qed.
 Lemma two_sides al be u v s : 0 <= al -> 0 <= be -> (forall t, s .* t = al * (real u .* t) + be * (real v .* t)) ->
   cone_of [u; v] s.
 Proof.
-  intros A B E. exists [al; be]. split; [reflexivity|]. split; [constructor; [exact A|constructor; [exact B|constructor]]|].
+  intros A B E. exists [al; be]. split; [reflexivity|]. split; [constructor; [exact A|constructor; [exact
+    B|constructor]]|].
   intros t. rewrite E. cbn. ring.
 Qed.
 
@@ -687,25 +716,29 @@ Proof.
   destruct (r_normal x) as [|n1 [|n2 [|n3 [|? ?]]]] eqn:En; try discriminate. rewrite crossed in C.
   exists n1, n2, n3, u1, u2, u3, v1, v2, v3. unfold real in Nu, Nv. cbn [map Rows.dot] in Nu, Nv.
   repeat split; try reflexivity; try lra. intros a. pose proof (slip_length x r X a) as L. rewrite S3 in L.
-  destruct (Rows.slip r a) as [|s1 [|s2 [|s3 [|? ?]]]] eqn:Es; try discriminate. exists s1, s2, s3. split; [reflexivity|].
+  destruct (Rows.slip r a) as [|s1 [|s2 [|s3 [|? ?]]]] eqn:Es; try discriminate. exists s1, s2, s3. split;
+    [reflexivity|].
   pose proof (dot_of_rows [n1; n2; n3] (r_slips x) a) as D. unfold times in D. rewrite map_map in D.
   pose proof (is_r_slips _ _ X a) as E. unfold real in D at 3. rewrite Es in E. unfold real in E. rewrite <- E in D.
   assert (Z : forall v, forallb is_zero v = true -> forall t, real v .* t = 0).
-  { clear. induction v as [|q v IH]; intros H [|t1 t]; cbn in *; try reflexivity. apply andb_true_iff in H as [H1 H2].
+  { clear. induction v as [|q v IH]; intros H [|t1 t]; cbn in *; try reflexivity. apply andb_true_iff in H as
+      [H1 H2].
     apply is_zero_real in H1. unfold real in IH. rewrite H1, IH by exact H2. ring. }
   rewrite (Z _ Sl) in D. unfold real in D. cbn [map Rows.dot] in D. lra.
 Qed.
 
-Lemma size_zero_or x r a : is_rigid x r ->
+Lemma size_zero_or r a :
   Rows.size (Rows.weights r) (Rows.slip r a) = 0 \/ 0 < Rows.size (Rows.weights r) (Rows.slip r a).
-Proof. intros _. pose proof (Rows.size_nonneg (Rows.weights r) (Rows.slip r a)) as [P|P]; auto. Qed.
+Proof. pose proof (Rows.size_nonneg (Rows.weights r) (Rows.slip r a)) as [P|P]; auto. Qed.
 
+(* A slip in space of which nothing is known is 0 or in a quarter of the plane across the normal; *)
 Lemma first_children x r a d : is_rigid x r -> good_sides x d (cross (r_normal x) d) = true ->
   let e := cross (r_normal x) d in
   exists ss, In ss [[]; [d; e]; [e; opposite d]; [opposite d; opposite e]; [opposite e; d]] /\ sides_true ss r a.
 Proof.
-  intros X G e. destruct (size_zero_or x r a X) as [Z|P]; [exists []; split; [now left|exact Z]|].
-  destruct (good_sides_are x r d _ X G) as (n1 & n2 & n3 & d1 & d2 & d3 & e1 & e2 & e3 & En & Ed & Ee & Nd & _ & C & Sl).
+  intros X G e. destruct (size_zero_or r a) as [Z|P]; [exists []; split; [now left|exact Z]|].
+  destruct (good_sides_are x r d _ X G) as (n1 & n2 & n3 & d1 & d2 & d3 & e1 & e2 & e3 & En & Ed & Ee & Nd & _
+    & C & Sl).
   destruct (Sl a) as (s1 & s2 & s3 & Es & Ns). unfold e. rewrite Ee.
   assert (Ce : real (cross (r_normal x) d) = [Q2R n2 * Q2R d3 - Q2R n3 * Q2R d2; Q2R n3 * Q2R d1 - Q2R n1 * Q2R d3;
     Q2R n1 * Q2R d2 - Q2R n2 * Q2R d1]).
@@ -718,11 +751,13 @@ Proof.
   set (nn := N1 * N1 + N2 * N2 + N3 * N3) in *. set (dd := D1 * D1 + D2 * D2 + D3 * D3) in *.
   assert (ND : 0 < nn * dd).
   { replace (nn * dd) with (N1 * (D2 * (N1 * D2 - N2 * D1) - D3 * (N3 * D1 - N1 * D3)) +
-      N2 * (D3 * (N2 * D3 - N3 * D2) - D1 * (N1 * D2 - N2 * D1)) + N3 * (D1 * (N3 * D1 - N1 * D3) - D2 * (N2 * D3 - N3 * D2)) +
+      N2 * (D3 * (N2 * D3 - N3 * D2) - D1 * (N1 * D2 - N2 * D1)) + N3 * (D1 * (N3 * D1 - N1 * D3) - D2 * (N2 *
+        D3 - N3 * D2)) +
       (N1 * D1 + N2 * D2 + N3 * D3) * (N1 * D1 + N2 * D2 + N3 * D3)) by (unfold nn, dd; ring).
     rewrite Nd. lra. }
   assert (NN : 0 <= nn).
-  { unfold nn. pose proof (Rle_0_sqr N1). pose proof (Rle_0_sqr N2). pose proof (Rle_0_sqr N3). unfold Rsqr in *. lra. }
+  { unfold nn. pose proof (Rle_0_sqr N1). pose proof (Rle_0_sqr N2). pose proof (Rle_0_sqr N3). unfold Rsqr in
+      *. lra. }
   assert (NN' : 0 < nn) by (destruct NN as [NN|NN]; [exact NN|rewrite <- NN in ND; lra]).
   assert (DD : 0 < dd) by (apply Rmult_lt_reg_l with nn; lra).
   rewrite <- E1, <- E2, <- E3 in B.
@@ -744,6 +779,7 @@ Proof.
     apply (two_sides (- al) (- be)); [lra|lra|]. intros t. rewrite E, !Op. ring.
 Qed.
 
+(* one between two sides is on one side of a vector between them. *)
 Lemma next_children x r a u v d : is_rigid x r -> good_sides x u v = true -> sides_true [u; v] r a ->
   is_zero (inner (r_normal x) d) = true -> Qle_bool (inner (r_normal x) (cross u d)) 0 = false ->
   Qle_bool (inner (r_normal x) (cross d v)) 0 = false ->
@@ -751,13 +787,15 @@ Lemma next_children x r a u v d : is_rigid x r -> good_sides x u v = true -> sid
 Proof.
   intros X G [P (cs & L & Pos & E)] Nd Cu Cv. destruct cs as [|al [|be [|? ?]]]; try discriminate.
   pose proof (Forall_inv Pos) as Al. pose proof (Forall_inv (Forall_inv_tail Pos)) as Be. cbn in Al, Be, E.
-  destruct (good_sides_are x r u v X G) as (n1 & n2 & n3 & u1 & u2 & u3 & v1 & v2 & v3 & En & -> & -> & Nu & Nv & C & _).
+  destruct (good_sides_are x r u v X G) as (n1 & n2 & n3 & u1 & u2 & u3 & v1 & v2 & v3 & En & -> & -> & Nu & Nv
+    & C & _).
   apply positive_real in Cu, Cv. apply is_zero_real in Nd. rewrite inner_is in Nd.
   destruct (cross_3 (r_normal x) [u1; u2; u3] d) as [Z|(_ & _ & _ & _ & _ & d1 & d2 & d3 & _ & _ & ->)];
     [rewrite Z, Q2R_0 in Cu; lra|].
   rewrite En in *. rewrite crossed in Cu, Cv. unfold real in Nd. cbn [map Rows.dot] in Nd.
   assert (NN : 0 < Q2R n1 * Q2R n1 + Q2R n2 * Q2R n2 + Q2R n3 * Q2R n3).
-  { pose proof (Rle_0_sqr (Q2R n1)) as Q1. pose proof (Rle_0_sqr (Q2R n2)) as Q2. pose proof (Rle_0_sqr (Q2R n3)) as Q3.
+  { pose proof (Rle_0_sqr (Q2R n1)) as Q1. pose proof (Rle_0_sqr (Q2R n2)) as Q2. pose proof (Rle_0_sqr (Q2R
+      n3)) as Q3.
     unfold Rsqr in *. destruct (Req_dec (Q2R n1 * Q2R n1 + Q2R n2 * Q2R n2 + Q2R n3 * Q2R n3) 0) as [Z|Z]; [|lra].
     assert (Z1 : Q2R n1 = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
     assert (Z2 : Q2R n2 = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
@@ -767,7 +805,8 @@ Proof.
   set (cu := Q2R n1 * (Q2R u2 * Q2R d3 - Q2R u3 * Q2R d2) + _ + _) in B, Cu.
   set (cv := Q2R n1 * (Q2R d2 * Q2R v3 - Q2R d3 * Q2R v2) + _ + _) in B, Cv. destruct B as (B1 & B2 & B3).
   (* c d = cv u + cu v *)
-  assert (D : forall t, c * (real [d1; d2; d3] .* t) = cv * (real [u1; u2; u3] .* t) + cu * (real [v1; v2; v3] .* t)).
+  assert (D : forall t, c * (real [d1; d2; d3] .* t) = cv * (real [u1; u2; u3] .* t) + cu * (real [v1; v2; v3]
+    .* t)).
   { unfold real. intros [|t1 [|t2 [|t3 t]]]; cbn [map Rows.dot]; rewrite ?Rmult_0_r.
     - ring.
     - transitivity (c * Q2R d1 * t1); [ring|]. rewrite B1. ring.
@@ -779,14 +818,16 @@ Proof.
     + apply Rmult_le_pos; [nra|]. left. now apply Rinv_0_lt_compat.
     + apply Rmult_le_reg_r with cv; [exact Cv|]. field_simplify; lra.
     + intros t. rewrite E. apply Rmult_eq_reg_r with cv; [|lra]. field_simplify; [|lra].
-      specialize (D t). replace (al * c * (real [d1; d2; d3] .* t)) with (al * (c * (real [d1; d2; d3] .* t))) by ring.
+      specialize (D t). replace (al * c * (real [d1; d2; d3] .* t)) with (al * (c * (real [d1; d2; d3] .* t)))
+        by ring.
       rewrite D. ring.
   - exists [[u1; u2; u3]; [d1; d2; d3]]. split; [cbn; auto|]. split; [exact P|].
     apply (two_sides (al - be * cv / cu) (be * c / cu)).
     + apply Rmult_le_reg_r with cu; [exact Cu|]. field_simplify; lra.
     + apply Rmult_le_pos; [nra|]. left. now apply Rinv_0_lt_compat.
     + intros t. rewrite E. apply Rmult_eq_reg_r with cu; [|lra]. field_simplify; [|lra].
-      specialize (D t). replace (be * c * (real [d1; d2; d3] .* t)) with (be * (c * (real [d1; d2; d3] .* t))) by ring.
+      specialize (D t). replace (be * c * (real [d1; d2; d3] .* t)) with (be * (c * (real [d1; d2; d3] .* t)))
+        by ring.
       rewrite D. ring.
 Qed.
 
@@ -795,11 +836,13 @@ Lemma children_cover x r a k f d them : is_rigid x r -> known a k r f -> slip_ch
   exists ss, In ss them /\ sides_true ss r a.
 Proof.
   intros X (_ & _ & K) H. unfold slip_children in H.
-  assert (Space : (if forallb is_zero d || negb (is_zero (inner (r_normal x) d)) || negb (good_sides x d (cross (r_normal x) d))
+  assert (Space : (if forallb is_zero d || negb (is_zero (inner (r_normal x) d)) || negb (good_sides x d (cross
+    (r_normal x) d))
       then inr "class-slip"%string
       else match sides k with
         | Some [u; v] =>
-            if negb (Qle_bool (inner (r_normal x) (cross u d)) 0) && negb (Qle_bool (inner (r_normal x) (cross d v)) 0) &&
+            if negb (Qle_bool (inner (r_normal x) (cross u d)) 0) && negb (Qle_bool (inner (r_normal x) (cross
+              d v)) 0) &&
                good_sides x u v
             then inl [[u; d]; [d; v]] else inr "class-slip"%string
         | _ =>
@@ -812,7 +855,8 @@ Proof.
         [opposite d; opposite (cross (r_normal x) d)]; [opposite (cross (r_normal x) d); d]] = @inl _ string them ->
       exists ss, In ss them /\ sides_true ss r a) by (intros E; injection E as <-; now apply (first_children x)).
     destruct (sides k) as [[|u [|v [|? ?]]]|]; try (now apply First).
-    destruct (_ && _ && _) eqn:C in H; [|discriminate]. injection H as <-. rewrite !andb_true_iff, !negb_true_iff in C.
+    destruct (_ && _ && _) eqn:C in H; [|discriminate]. injection H as <-. rewrite !andb_true_iff,
+      !negb_true_iff in C.
     destruct C as [[Cu Cv] G]. now apply (next_children x). }
   destruct (r_slips x) as [|f0 [|? ?]] eqn:E; try (now apply Space).
   injection H as <-. now apply (plane_children x r a f0).
@@ -848,7 +892,8 @@ Proof.
   unfold factor. set (q := (inner u v / inner u u)%Q). destruct (negb (is_zero q) && _) eqn:H; [|discriminate].
   intros E. injection E as <-. apply andb_true_iff in H as [Z S]. apply negb_true_iff in Z. split.
   - intros E. rewrite <- Q2R_0 in E. apply eqR_Qeq, Qeq_eq_bool in E. unfold is_zero in Z. congruence.
-  - apply same_vectors_real in S. rewrite S. unfold real, Rows.scaled. rewrite !map_map. apply map_ext. intros x. apply Q2R_mult.
+  - apply same_vectors_real in S. rewrite S. unfold real, Rows.scaled. rewrite !map_map. apply map_ext. intros
+      x. apply Q2R_mult.
 Qed.
 
 Lemma positive_multiple_is u v : is_positive_multiple u v = true ->
@@ -859,6 +904,7 @@ Proof.
   intros t. now rewrite E, Rows.dot_scaled.
 Qed.
 
+(* What is said of a contact is true of all that it is said of. *)
 Lemma touch_true a x it p q : true_of a p q ->
   (forall c, 0 < c -> (forall t, real (r_N (fst p)) .* t = c * (real (r_N x) .* t)) ->
      if (it : bool) then Rows.N (fst q) .* a = 0 else fst (snd q) = 0) ->
@@ -867,21 +913,25 @@ Proof.
   intros Tr H. assert (Tr' := Tr). destruct Tr' as (X & O & T & A & S). unfold with_touch.
   destruct (is_positive_multiple _ _) eqn:M; [|exact Tr].
   apply positive_multiple_is in M as (c & C & E). specialize (H c C E). split; [exact X|]. split; [exact O|].
-  cbn [fst snd]. unfold known. cbn [touches sides]. split; [|split; [|exact S]]; intros Eq; injection Eq as ->; exact H.
+  cbn [fst snd]. unfold known. cbn [touches sides]. split; [|split; [|exact S]]; intros Eq; injection Eq as ->;
+    exact H.
 Qed.
 
 Lemma slip_factor_is x y r r' c a : is_rigid x r -> is_rigid y r' -> slip_factor x y = Some c ->
   Q2R c <> 0 /\ Rows.slip r' a = Rows.scaled (Q2R c) (Rows.slip r a).
 Proof.
   intros X Y H. unfold slip_factor in H. rewrite (is_r_slips _ _ X), (is_r_slips _ _ Y).
-  assert (Same : (if same_matrices (r_slips x) (r_slips y) && is_positive_multiple (r_normal x) (r_normal y) then Some 1%Q
+  assert (Same : (if same_matrices (r_slips x) (r_slips y) && is_positive_multiple (r_normal x) (r_normal y)
+    then Some 1%Q
     else None) = Some c -> Q2R c <> 0 /\ map (fun f => real f .* a) (r_slips y) =
       Rows.scaled (Q2R c) (map (fun f => real f .* a) (r_slips x))).
-  { clear H. destruct (_ && _) eqn:S; [|discriminate]. intros H. injection H as <-. apply andb_true_iff in S as [S _].
+  { clear H. destruct (_ && _) eqn:S; [|discriminate]. intros H. injection H as <-. apply andb_true_iff in S as
+      [S _].
     apply same_matrices_real in S. split; [rewrite Q2R_1; lra|].
     transitivity (map (fun f => f .* a) (map real (r_slips y))); [now rewrite map_map|]. rewrite <- S, map_map.
     unfold Rows.scaled. rewrite map_map. apply map_ext. intros f. rewrite Q2R_1. ring. }
-  destruct (r_slips x) as [|s [|? ?]]; try (now apply Same). destruct (r_slips y) as [|t [|? ?]]; try (now apply Same).
+  destruct (r_slips x) as [|s [|? ?]]; try (now apply Same). destruct (r_slips y) as [|t [|? ?]]; try (now
+    apply Same).
   apply factor_is in H as [Z E]. split; [exact Z|]. cbn. now rewrite E, Rows.dot_scaled.
 Qed.
 
@@ -889,22 +939,26 @@ Lemma sides_turned x y r r' c ss a : is_rigid x r -> is_rigid y r' -> slip_facto
   sides_true ss r a -> sides_true (turned c ss) r' a.
 Proof.
   intros X Y F S. destruct (slip_factor_is x y r r' c a X Y F) as [Z E].
-  assert (Sz : Rows.size (Rows.weights r') (Rows.slip r' a) = Rabs (Q2R c) * Rows.size (Rows.weights r) (Rows.slip r a)).
+  assert (Sz : Rows.size (Rows.weights r') (Rows.slip r' a) = Rabs (Q2R c) * Rows.size (Rows.weights r)
+    (Rows.slip r a)).
   { rewrite (size_is y r' Y), (size_is x r X), E. rewrite Rows.dot_scaled, dot_sym, Rows.dot_scaled, <- Rmult_assoc.
     rewrite sqrt_mult_alt by apply Rle_0_sqr. f_equal. apply sqrt_Rsqr_abs. }
   unfold sides_true in *. destruct ss as [|s ss].
   - replace (turned c []) with (@nil vector) by (unfold turned; now destruct (Qle_bool 0 c)). rewrite Sz, S. ring.
   - destruct S as [P Co].
     assert (G : 0 < Rows.size (Rows.weights r') (Rows.slip r' a) /\ cone_of (turned c (s :: ss)) (Rows.slip r' a)).
-    { split; [rewrite Sz; apply Rmult_lt_0_compat; [now apply Rabs_pos_lt|exact P]|]. rewrite E. now apply cone_turned. }
+    { split; [rewrite Sz; apply Rmult_lt_0_compat; [now apply Rabs_pos_lt|exact P]|]. rewrite E. now apply
+        cone_turned. }
     unfold turned in *. destruct (Qle_bool 0 c); exact G.
 Qed.
 
-Lemma sides_known a x r ss p q : is_rigid x r -> sides_true ss r a -> true_of a p q -> true_of a (with_sides x ss p) q.
+Lemma sides_known a x r ss p q : is_rigid x r -> sides_true ss r a -> true_of a p q -> true_of a (with_sides x
+  ss p) q.
 Proof.
   intros X S Tr. assert (Tr' := Tr). destruct Tr' as (Y & O & T & A & K). unfold with_sides.
   destruct (slip_factor x (fst p)) as [c|] eqn:F; [|exact Tr].
-  split; [exact Y|]. split; [exact O|]. cbn [fst snd]. unfold known. cbn [touches sides]. split; [exact T|]. split; [exact A|].
+  split; [exact Y|]. split; [exact O|]. cbn [fst snd]. unfold known. cbn [touches sides]. split; [exact T|].
+    split; [exact A|].
   pose proof (sides_turned x (fst p) r (fst q) c ss a X Y F S) as G. unfold sides_true in G.
   destruct (turned c ss); exact G.
 Qed.
@@ -917,19 +971,23 @@ Lemma found_in {A} (l : list A) i x : numbered l i = Some x -> exists k, nth_err
 Proof. intros H. apply numbered_is in H as (k & _ & H). now exists k. Qed.
 
 Lemma truth_at a c qs i p : Forall2 (true_of a) c qs -> numbered c i = Some p -> exists q, true_of a p q.
-Proof. intros F H. apply found_in in H as (k & H). destruct (fits_at _ _ _ _ _ F H) as (q & _ & T). now exists q. Qed.
+Proof. intros F H. apply found_in in H as (k & H). destruct (fits_at _ _ _ _ _ F H) as (q & _ & T). now exists
+  q. Qed.
 
+(* The multipliers do work on a that is not below 0. *)
 Lemma normal_sum_is a c qs gs : Forall2 (true_of a) c qs -> forallb (normal_right c) gs = true ->
   forall before, 0 <= real before .* a -> 0 <= real (fold_left (fun sum ig => match numbered c (fst ig) with
     | Some (x, _) => plus_times sum (snd ig) (r_N x) | None => sum end) gs before) .* a.
 Proof.
-  intros F. induction gs as [|[i g] gs IH]; intros H before B; [exact B|]. cbn in H. apply andb_true_iff in H as [H1 H2].
+  intros F. induction gs as [|[i g] gs IH]; intros H before B; [exact B|]. cbn in H. apply andb_true_iff in H
+    as [H1 H2].
   cbn [fold_left]. apply IH; [exact H2|]. unfold normal_right in H1. cbn [fst snd] in *.
   destruct (numbered c i) as [[x k]|] eqn:N; [|exact B]. rewrite dot_plus_times.
   destruct (truth_at a c qs i _ F N) as (q & X & O & T & _). cbn [fst snd] in *. rewrite <- (is_r_N _ _ X).
   destruct q as [r [n f]]. destruct O as ((_ & Na & _) & _). cbn [fst snd] in *.
   assert (G : 0 <= Q2R g * (Rows.N r .* a)).
-  { destruct k as [[[|]|] ss]; cbn [touches] in *; try (apply Qle_bool_R in H1; rewrite Q2R_0 in H1; now apply Rmult_le_pos).
+  { destruct k as [[[|]|] ss]; cbn [touches] in *; try (apply Qle_bool_R in H1; rewrite Q2R_0 in H1; now apply
+      Rmult_le_pos).
     rewrite (T eq_refl). lra. }
   lra.
 Qed.
@@ -938,7 +996,8 @@ Lemma slip_sum_is a c qs hs : Forall2 (true_of a) c qs -> forallb (slip_right c)
   forall before, 0 <= real before .* a -> 0 <= real (fold_left (fun sum ih => match numbered c (fst ih) with
     | Some (x, _) => plus_times sum 1 (of_rows (snd ih) (r_slips x)) | None => sum end) hs before) .* a.
 Proof.
-  intros F. induction hs as [|[i h] hs IH]; intros H before B; [exact B|]. cbn in H. apply andb_true_iff in H as [H1 H2].
+  intros F. induction hs as [|[i h] hs IH]; intros H before B; [exact B|]. cbn in H. apply andb_true_iff in H
+    as [H1 H2].
   cbn [fold_left]. apply IH; [exact H2|]. unfold slip_right in H1. cbn [fst snd] in *.
   destruct (numbered c i) as [[x k]|] eqn:N; [|exact B]. rewrite dot_plus_times, Q2R_1, dot_of_rows.
   destruct (truth_at a c qs i _ F N) as (q & X & _ & _ & _ & K). cbn [fst snd] in *.
@@ -949,7 +1008,8 @@ Proof.
   destruct ss as [|s0 ss0].
   - rewrite (size_is x _ X) in K. rewrite dot_self_zero; [lra|].
     apply sqrt_eq_0; [apply dot_nonneg|exact K].
-  - set (ss := s0 :: ss0) in *. destruct K as [_ (cs & L & P & E)]. rewrite E. clear E N. clearbody ss. rewrite forallb_forall in H1.
+  - set (ss := s0 :: ss0) in *. destruct K as [_ (cs & L & P & E)]. rewrite E. clear E N. clearbody ss. rewrite
+      forallb_forall in H1.
     revert cs L P. induction ss as [|s ss IHs]; intros [|z cs] L P; try discriminate; cbn; [lra|].
     assert (0 <= z * (real s .* real h)).
     { apply Rmult_le_pos; [exact (Forall_inv P)|]. specialize (H1 s (or_introl eq_refl)). apply Qle_bool_R in H1.
@@ -957,8 +1017,10 @@ Proof.
     specialize (IHs (fun x0 Hx => H1 x0 (or_intror Hx)) cs ltac:(now injection L) (Forall_inv_tail P)). lra.
 Qed.
 
+(* All forces together do work on y. *)
 Lemma works_nonneg a c qs y : Forall2 (true_of a) c qs ->
-  forallb (fun p => match touches (snd p) with Some false => true | _ => resists_against (fst p) y (sides (snd p)) end) c = true ->
+  forallb (fun p => match touches (snd p) with Some false => true | _ => resists_against (fst p) y (sides (snd
+    p)) end) c = true ->
   0 <= works_of qs (real y).
 Proof.
   intros F. unfold works_of. induction F as [|p [r [n g]] c qs (X & O & K) F IH]; intros H; cbn; [lra|].
@@ -968,20 +1030,23 @@ Proof.
   destruct (touches (snd p)) as [[|]|]; auto.
 Qed.
 
+(* In a leaf that holds nothing is at home, *)
 Lemma leaf_holds c t y gs hs : rigid_leaf mass w c t y gs hs = true -> holds_in c.
 Proof.
   unfold rigid_leaf. rewrite !andb_true_iff. intros [[[[[[[[T Yw] NZ] _] _] Gr] Hr] Re] Sum] a qs F Newton W.
   apply Qle_bool_R in T, Yw. rewrite Q2R_0 in T, Yw.
   pose proof (works_nonneg a c qs y F Re) as Wo.
   assert (Zero : forall v, forallb is_zero v = true -> forall s, real v .* s = 0).
-  { clear. induction v as [|q v IH]; intros H [|t1 s]; cbn in *; try reflexivity. apply andb_true_iff in H as [H1 H2].
+  { clear. induction v as [|q v IH]; intros H [|t1 s]; cbn in *; try reflexivity. apply andb_true_iff in H as
+      [H1 H2].
     apply is_zero_real in H1. unfold real in IH. rewrite H1, IH by exact H2. ring. }
   pose proof (Zero _ Sum a) as Z. rewrite !dot_plus_times, Q2R_1 in Z. cbn [real map Rows.dot] in Z.
   assert (My : real (map (fun r => inner r y) mass) .* a = real w .* real y + works_of qs (real y)).
   { rewrite <- Newton, mass_symmetric, dot_sym. f_equal. unfold times, real. rewrite !map_map. apply map_ext.
     intros r. apply inner_is. }
-  unfold real in Z, My at 1. unfold real in My at 1. 
-  pose proof (normal_sum_is a c qs gs F Gr [] (Rle_refl 0)) as Ng. pose proof (slip_sum_is a c qs hs F Hr [] (Rle_refl 0)) as Nh.
+  unfold real in Z, My at 1. unfold real in My at 1.
+  pose proof (normal_sum_is a c qs gs F Gr [] (Rle_refl 0)) as Ng. pose proof (slip_sum_is a c qs hs F Hr []
+    (Rle_refl 0)) as Nh.
   fold (normal_sum c gs) in Ng. fold (slip_sum c hs) in Nh.
   rewrite inner_is, dot_sym in Yw. unfold real in *.
   assert (TW : 0 <= Q2R t * (map Q2R w .* a)) by (apply Rmult_le_pos; lra).
@@ -995,16 +1060,19 @@ Proof.
     lra.
 Qed.
 
+(* and what is at home in a cell is so in a child. *)
 Lemma split_holds c n children : rigid_split mass w c n = inl children -> Forall holds_in children -> holds_in c.
 Proof.
-  intros H All a qs F Newton W. rewrite Forall_forall in All. destruct n as [i|i d|t y gs hs]; cbn [rigid_split] in H.
+  intros H All a qs F Newton W. rewrite Forall_forall in All. destruct n as [i|i d|t y gs hs]; cbn
+    [rigid_split] in H.
   - destruct (numbered c i) as [[x k]|] eqn:N; [|discriminate]. injection H as <-.
     destruct (truth_at a c qs i _ F N) as ([r [n f]] & X & ((N0 & Na & NN) & _) & _). cbn [fst snd] in *.
     destruct (Req_dec (Rows.N r .* a) 0) as [Z|Z].
     + refine (All _ (or_introl eq_refl) a qs _ Newton W). apply true_everywhere; [exact F|]. intros p q T.
       apply touch_true; [exact T|]. intros c0 C E. destruct T as (Y & _).
       rewrite (is_r_N _ _ Y), E, <- (is_r_N _ _ X), Z. ring.
-    + refine (All _ (or_intror (or_introl eq_refl)) a qs _ Newton W). apply true_everywhere; [exact F|]. intros p q T.
+    + refine (All _ (or_intror (or_introl eq_refl)) a qs _ Newton W). apply true_everywhere; [exact F|]. intros
+        p q T.
       apply touch_true; [exact T|]. intros c0 C E. destruct T as (Y & O & _).
       destruct q as [r' [n' f']]. destruct O as ((_ & _ & NN') & _). cbn [fst snd] in *.
       rewrite (is_r_N _ _ Y), E, <- (is_r_N _ _ X) in NN'.
@@ -1024,7 +1092,8 @@ Theorem tree_holds most nodes todo number : rigid_walk most mass w nodes todo nu
 Proof.
   revert todo number. induction nodes as [|n nodes IH]; intros [|[c depth] todo] number H; cbn [rigid_walk] in H;
     try discriminate; [constructor|].
-  destruct (Z.ltb most depth); [discriminate|]. destruct (rigid_split mass w c n) as [children|] eqn:S; [|discriminate].
+  destruct (Z.ltb most depth); [discriminate|]. destruct (rigid_split mass w c n) as [children|] eqn:S;
+    [|discriminate].
   apply IH, Forall_app in H as [H1 H2]. constructor; [|exact H2]. cbn.
   apply (split_holds c n children S). now rewrite Forall_map in H1.
 Qed.

@@ -2,7 +2,8 @@
 (* The class of rigid contacts (FORMAT.md section 13): the rules, but those of trees (Rigid.v).  `class_holds`:
    where they hold, the class is what the certificate says. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree RowLimits Degree Matrix Frame.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree RowLimits Degree Matrix
+  Frame.
 From Proved Require Import ByDegree RigidModel Rigid RigidRows.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
@@ -90,7 +91,8 @@ Definition class_fails (most_depth : Z) (mass : matrix) (w : vector) (xs : list 
   let still := map (fun _ => 0) mass in
   match p with
   | ByTwist y =>
-      if is_positive (inner y w) && forallb (fun x => resists_all x y) xs then None else Some ("class-twist"%string, None)
+      if is_positive (inner y w) && forallb (fun x => resists_all x y) xs then None else Some
+        ("class-twist"%string, None)
   | ByTree rest nodes =>
       match forces_fail mass w still xs rest with
       | inr rule => Some (rule, None)
@@ -107,7 +109,8 @@ Definition class_fails (most_depth : Z) (mass : matrix) (w : vector) (xs : list 
           match forces_fail mass w a xs forces with
           | inr rule => Some (rule, None)
           | inl ps =>
-              if negb (forallb is_zero a) && Nat.eqb (List.length a) (List.length mass) && forallb (moves_right a) ps
+              if negb (forallb is_zero a) && Nat.eqb (List.length a) (List.length mass) && forallb (moves_right
+                a) ps
               then None else Some ("class-motion"%string, None)
           end
       end
@@ -122,6 +125,7 @@ Open Scope R_scope.
 
 Notation "u .* v" := (Rows.dot u v) (at level 40).
 
+(* It is what its row is. *)
 Lemma rigid_of_is row r x : fits row r -> rigid_of row = Some x -> is_rigid x r.
 Proof.
   intros [_ (p & F & mu & t & I)] H. unfold rigid_of in H. set (b := box row) in *.
@@ -129,7 +133,8 @@ Proof.
   destruct (_ && _) eqn:C in H; [|discriminate]. injection H as <-. rewrite !andb_true_iff in C.
   destruct C as [[[[Cg Cf] Mu] Sq] We].
   assert (P : p = map Q2R (map low (box_geometry b))).
-  { pose proof (in_geometry _ _ _ _ _ _ I) as G. clear - G Cg. induction G as [|i q is p W G IH]; cbn in *; [reflexivity|].
+  { pose proof (in_geometry _ _ _ _ _ _ I) as G. clear - G Cg. induction G as [|i q is p W G IH]; cbn in *;
+      [reflexivity|].
     apply andb_true_iff in Cg as [C1 C2]. f_equal; [now apply certain_within|now apply IH]. }
   pose proof (is_forms _ _ _ _ _ _ I) as E. rewrite P, (forms_rational _ _ _ _ _ _ I), Fo in E. cbn in E.
   injection E as EN ES. apply Qle_bool_R in Mu, Sq. rewrite Q2R_0 in Mu, Sq.
@@ -143,7 +148,8 @@ Qed.
 
 Lemma all_rigid rows rs xs : all_some rigid_of rows = Some xs -> Forall2 fits rows rs -> Forall2 is_rigid xs rs.
 Proof.
-  intros H F. apply all_some_is in H. revert rs F. induction H as [|row x rows xs E H IH]; intros rs F; inversion F; subst;
+  intros H F. apply all_some_is in H. revert rs F. induction H as [|row x rows xs E H IH]; intros rs F;
+    inversion F; subst;
     constructor; [now apply rigid_of_is with row|now apply IH].
 Qed.
 
@@ -152,14 +158,17 @@ Definition force_of (p : pressing) : Rows.force := (Q2R (fst (snd p)), real (snd
 Definition right (p : pressing) : Prop :=
   0 <= Q2R (fst (snd p)) /\ (List.length (snd (snd p)) <= List.length (r_slips (fst p)))%nat /\
   real (snd (snd p)) .* real (snd (snd p)) <=
-    Q2R (r_friction (fst p)) * Q2R (r_friction (fst p)) * Q2R (r_square (fst p)) * (Q2R (fst (snd p)) * Q2R (fst (snd p))).
+    Q2R (r_friction (fst p)) * Q2R (r_friction (fst p)) * Q2R (r_square (fst p)) * (Q2R (fst (snd p)) * Q2R
+      (fst (snd p))).
 
+(* Forces that are in their cones. *)
 Lemma pressing_right xs i them before ps : pressing_contacts xs i them before = Some ps ->
   exists rest, ps = rev before ++ rest /\ map fst rest = xs /\ Forall right rest.
 Proof.
   revert i them before. induction xs as [|x xs IH]; intros i them before H; cbn in H.
   - destruct them; [|discriminate]. injection H as <-. rewrite rev_append_rev. exists []. now repeat split.
-  - assert (Go : forall n f rest', right (x, (n, f)) -> pressing_contacts xs (i + 1) rest' ((x, (n, f)) :: before) = Some ps ->
+  - assert (Go : forall n f rest', right (x, (n, f)) -> pressing_contacts xs (i + 1) rest' ((x, (n, f)) ::
+      before) = Some ps ->
       exists rest, ps = rev before ++ rest /\ map fst rest = x :: xs /\ Forall right rest).
     { intros n f rest' R E. destruct (IH _ _ _ E) as (rest & -> & M & A). exists ((x, (n, f)) :: rest). split.
       - cbn. now rewrite <- app_assoc.
@@ -170,13 +179,16 @@ Proof.
     destruct (Z.eqb i j); [|now apply (Go _ _ _ None_) in H].
     destruct (force_right x n f) eqn:Fr; [|discriminate]. apply (Go n f rest'); [|exact H].
     unfold force_right in Fr. rewrite !andb_true_iff in Fr. destruct Fr as [[[N L] _] C]. apply Qle_bool_R in N, C.
-    apply Nat.eqb_eq in L. rewrite Q2R_0 in N. rewrite !Q2R_mult, inner_is in C. unfold right; cbn [fst snd]. repeat split; [exact N|lia|exact C].
+    apply Nat.eqb_eq in L. rewrite Q2R_0 in N. rewrite !Q2R_mult, inner_is in C. unfold right; cbn [fst snd].
+      repeat split; [exact N|lia|exact C].
 Qed.
 
+(* The sum is that of works, *)
 Lemma total_is w ps rs y : Forall2 is_rigid (map fst ps) rs -> Forall right ps ->
   real (force_total w ps) .* y = real w .* y + Rows.works rs (map force_of ps) y.
 Proof.
-  intros F. revert w. remember (map fst ps) as xs eqn:E. revert ps E. induction F as [|x r xs rs X F IH]; intros ps E w R.
+  intros F. revert w. remember (map fst ps) as xs eqn:E. revert ps E. induction F as [|x r xs rs X F IH];
+    intros ps E w R.
   - destruct ps; [|discriminate]. cbn. unfold real. ring.
   - destruct ps as [|[x' [n f]] ps]; [discriminate|]. injection E as -> E. cbn [force_total fold_left].
     change (fold_left _ ps ?v) with (force_total v ps). rewrite (IH ps E _ (Forall_inv_tail R)).
@@ -188,11 +200,14 @@ Qed.
 
 Lemma zero_dot v s : forallb is_zero v = true -> real v .* s = 0.
 Proof.
-  revert s. induction v as [|q v IH]; intros [|t s] H; cbn in *; try reflexivity. apply andb_true_iff in H as [H1 H2].
+  revert s. induction v as [|q v IH]; intros [|t s] H; cbn in *; try reflexivity. apply andb_true_iff in H as
+    [H1 H2].
   apply is_zero_real in H1. unfold real in IH. rewrite H1, IH by exact H2. ring.
 Qed.
 
-Lemma balance_is mass w a ps rs y : balanced mass w a ps = true -> Forall2 is_rigid (map fst ps) rs -> Forall right ps ->
+(* and so is Newton's law. *)
+Lemma balance_is mass w a ps rs y : balanced mass w a ps = true -> Forall2 is_rigid (map fst ps) rs -> Forall
+  right ps ->
   y .* times (map real mass) (real a) = real w .* y + Rows.works rs (map force_of ps) y.
 Proof.
   intros H F R. pose proof (zero_dot _ y H) as Z. rewrite dot_plus_times, (total_is w ps rs y F R) in Z.
@@ -214,36 +229,43 @@ Proof.
   rewrite sqrt_mult_alt by apply Rle_0_sqr. rewrite sqrt_square by (apply Rmult_le_pos; assumption). right. ring.
 Qed.
 
-Lemma slip_still r n : Forall2 (fun _ _ => True) (Rows.slips r) (Rows.slips r) ->
+(* At rest nothing slips. *)
+Lemma slip_still r n :
   Rows.N r .* repeat 0 n = 0 /\ (forall g, Rows.product (Rows.weights r) g (Rows.slip r (repeat 0 n)) = 0) /\
   Rows.size (Rows.weights r) (Rows.slip r (repeat 0 n)) = 0.
 Proof.
-  intros _. split; [apply dot_zeros|].
+  split; [apply dot_zeros|].
   assert (G : forall ws g, Rows.product ws g (Rows.slip r (repeat 0 n)) = 0).
   { unfold Rows.slip. induction (Rows.slips r) as [|f fs IH]; intros ws g; destruct ws, g; cbn; try reflexivity.
     rewrite dot_zeros, IH. ring. }
   split; [intros; apply G|]. unfold Rows.size. rewrite G. apply sqrt_0.
 Qed.
 
+(* Forces in their cones are a solution at rest, *)
 Lemma rest_obeys ps rs n : Forall2 is_rigid (map fst ps) rs -> Forall right ps ->
   Forall2 (rigid_obeys (repeat 0 n)) rs (map force_of ps).
 Proof.
   intros F. remember (map fst ps) as xs eqn:E. revert ps E. induction F as [|x r xs rs X F IH]; intros ps E R.
   - destruct ps; [constructor|discriminate].
-  - destruct ps as [|p ps]; [discriminate|]. injection E as E1 E2. cbn. constructor; [|exact (IH ps E2 (Forall_inv_tail R))].
-    destruct (slip_still r n) as (Z1 & Z2 & Z3); [induction (Rows.slips r); constructor; auto|].
+  - destruct ps as [|p ps]; [discriminate|]. injection E as E1 E2. cbn. constructor; [|exact (IH ps E2
+      (Forall_inv_tail R))].
+    destruct (slip_still r n) as (Z1 & Z2 & Z3).
     unfold force_of, rigid_obeys. rewrite Z1, Z2, Z3. pose proof (Forall_inv R) as Rp.
     split; [split; [apply Rp|split; lra]|]. split; [now apply (cone_is x r p X)|ring].
 Qed.
 
-Lemma motion_obeys a ps rs : Forall2 is_rigid (map fst ps) rs -> Forall right ps -> forallb (moves_right a) ps = true ->
+(* and with class-motion one of an acceleration. *)
+Lemma motion_obeys a ps rs : Forall2 is_rigid (map fst ps) rs -> Forall right ps -> forallb (moves_right a) ps
+  = true ->
   Forall2 (rigid_obeys (real a)) rs (map force_of ps).
 Proof.
   intros F. remember (map fst ps) as xs eqn:E. revert ps E. induction F as [|x r xs rs X F IH]; intros ps E R M.
   - destruct ps; [constructor|discriminate].
-  - destruct ps as [|[x' [n f]] ps]; [discriminate|]. injection E as -> E2. cbn in M. apply andb_true_iff in M as [M1 M2].
+  - destruct ps as [|[x' [n f]] ps]; [discriminate|]. injection E as -> E2. cbn in M. apply andb_true_iff in M
+      as [M1 M2].
     cbn. constructor; [|exact (IH ps E2 (Forall_inv_tail R) M2)].
-    rewrite !andb_true_iff in M1. destruct M1 as [[[Na NN] Po] Sq]. apply Qle_bool_R in Na, Po. apply is_zero_real in NN.
+    rewrite !andb_true_iff in M1. destruct M1 as [[[Na NN] Po] Sq]. apply Qle_bool_R in Na, Po. apply
+      is_zero_real in NN.
     apply Qeq_bool_eq, Qeq_eqR in Sq. rewrite !Q2R_mult in *. rewrite !inner_is, <- !(slip_of_is x' r X) in *.
     rewrite Q2R_0 in *. pose proof (Forall_inv R) as Rp.
     unfold force_of, rigid_obeys. cbn [fst snd]. rewrite (is_r_N _ _ X).
@@ -257,7 +279,8 @@ Proof.
     (* w <= 0 and w^2 is the square of the other side *)
     assert (P : - w = m * sqrt q * n' * sqrt (s .* s)); [|lra].
     assert (P1 : 0 <= m * sqrt q * n' * sqrt (s .* s)).
-    { apply Rmult_le_pos; [|apply sqrt_pos]. apply Rmult_le_pos; [|exact N]. apply Rmult_le_pos; [exact M|apply sqrt_pos]. }
+    { apply Rmult_le_pos; [|apply sqrt_pos]. apply Rmult_le_pos; [|exact N]. apply Rmult_le_pos; [exact M|apply
+        sqrt_pos]. }
     apply Rsqr_inj; [lra|exact P1|]. unfold Rsqr.
     replace (m * sqrt q * n' * sqrt (s .* s) * (m * sqrt q * n' * sqrt (s .* s)))
       with (m * m * (sqrt q * sqrt q) * (n' * n') * (sqrt (s .* s) * sqrt (s .* s))) by ring.
@@ -290,7 +313,8 @@ Hypothesis mass_positive : forall a, List.length a = Rows.dimension sys -> a <> 
 Definition can_rows (a : list R) : Prop := exists fs, rigid_solution sys (map real mass) a fs.
 
 Lemma still_is : real (map (fun _ => 0%Q) mass) = repeat 0 (Rows.dimension sys).
-Proof. rewrite <- mass_length. clear. induction mass as [|r m IH]; cbn; [reflexivity|]. unfold real in IH. now rewrite IH, Q2R_0. Qed.
+Proof. rewrite <- mass_length. clear. induction mass as [|r m IH]; cbn; [reflexivity|]. unfold real in IH. now
+  rewrite IH, Q2R_0. Qed.
 
 Lemma forces_can a them ps : forces_fail mass w a xs them = inl ps ->
   map fst ps = xs /\ Forall right ps /\ balanced mass w a ps = true.
@@ -309,7 +333,8 @@ Proof.
 Qed.
 
 (* What an acceleration needs: the load does work along it. *)
-Lemma load_works a fs : rigid_solution sys (map real mass) a fs -> a <> repeat 0 (Rows.dimension sys) -> 0 < real w .* a.
+Lemma load_works a fs : rigid_solution sys (map real mass) a fs -> a <> repeat 0 (Rows.dimension sys) -> 0 <
+  real w .* a.
 Proof.
   intros (L & O & B) N. pose proof (mass_positive a L N) as P. rewrite (B a), w_is in P.
   assert (W : Rows.works (Rows.rows sys) fs a <= 0); [|lra]. clear - O xs_are. revert fs O.
@@ -323,12 +348,14 @@ Qed.
 Theorem class_holds most p : class_fails most mass w xs p = None ->
   is_of_class (class_of p) (repeat 0 (Rows.dimension sys)) can_rows.
 Proof.
-  intros H. unfold class_fails in H. destruct p as [y|rest nodes|rest a forces]; cbn [class_of is_of_class]; unfold must_move, must_hold, is_open.
+  intros H. unfold class_fails in H. destruct p as [y|rest nodes|rest a forces]; cbn [class_of is_of_class];
+    unfold must_move, must_hold, is_open.
   - destruct (is_positive (inner y w) && _) eqn:C in H; [|discriminate]. apply andb_true_iff in C as [P A].
     unfold is_positive in P. apply negb_true_iff, positive_real in P. rewrite inner_is, dot_sym in P.
     intros (fs & _ & O & B). specialize (B (real y)).
     assert (Z : real y .* times (map real mass) (repeat 0 (Rows.dimension sys)) = 0).
-    { rewrite dot_sym. unfold times. clear. generalize (real y). induction (map real mass) as [|r m IH]; intros [|t ys]; cbn;
+    { rewrite dot_sym. unfold times. clear. generalize (real y). induction (map real mass) as [|r m IH]; intros
+        [|t ys]; cbn;
         try reflexivity. rewrite dot_zeros, IH. ring. }
     rewrite Z, w_is in B. assert (W : 0 <= Rows.works (Rows.rows sys) fs (real y)); [|lra].
     clear - O A xs_are. revert fs O A. induction xs_are as [|x r xs rs X F IH]; intros fs O A;
@@ -344,14 +371,17 @@ Proof.
     destruct (combined _ _ _ O) as [E1 E2]. intros y. unfold works_of. rewrite E1, E2, <- w_is. apply B.
   - destruct (forces_fail _ _ _ _ rest) as [ps|] eqn:Fr; [|discriminate].
     destruct (forces_fail _ _ a _ forces) as [ps'|] eqn:Ff; [|discriminate].
-    destruct (_ && _ && _) eqn:C in H; [|discriminate]. rewrite !andb_true_iff, negb_true_iff in C. destruct C as [[Na La] Mo].
+    destruct (_ && _ && _) eqn:C in H; [|discriminate]. rewrite !andb_true_iff, negb_true_iff in C. destruct C
+      as [[Na La] Mo].
     split; [now apply rest_can with rest ps|]. exists (real a). apply Nat.eqb_eq in La. split.
     + intros E. rewrite <- E in *. assert (Z : forallb is_zero a = true); [|congruence]. clear - E.
-      revert E. generalize (Rows.dimension sys). induction a as [|q a IH]; intros [|k] E; cbn in *; try discriminate; [reflexivity|].
+      revert E. generalize (Rows.dimension sys). induction a as [|q a IH]; intros [|k] E; cbn in *; try
+        discriminate; [reflexivity|].
       injection E as E1 E2. apply andb_true_iff. split; [|now apply (IH k)].
       rewrite <- Q2R_0 in E1. now apply eqR_Qeq, Qeq_eq_bool in E1.
     + apply forces_can in Ff as (M & R & B). pose proof xs_are as F. rewrite <- M in F.
-      exists (map force_of ps'). split; [unfold real; rewrite map_length; congruence|]. split; [now apply motion_obeys|].
+      exists (map force_of ps'). split; [unfold real; rewrite map_length; congruence|]. split; [now apply
+        motion_obeys|].
       intros y. rewrite w_is. now apply balance_is.
 Qed.
 

@@ -38,7 +38,8 @@ Proof.
     unfold accelerates, Model.work, Model.add, Model.force_at, motion_of, at_; cbn.
     set (p := a1 - a3 * center_y i). set (q := a2 + a3 * center_x i). set (s := gyration_squared i) in *.
     match goal with |- 0 < ?X => replace X with (p * p + q * q + s * (a3 * a3)) by (unfold p, q; ring) end.
-    pose proof (Rle_0_sqr p) as P1. pose proof (Rle_0_sqr q) as P2. pose proof (Rle_0_sqr a3) as P3. unfold Rsqr in *.
+    pose proof (Rle_0_sqr p) as P1. pose proof (Rle_0_sqr q) as P2. pose proof (Rle_0_sqr a3) as P3. unfold
+      Rsqr in *.
     destruct (Req_dec a3 0) as [Z|Z].
     + unfold p, q in *. rewrite Z in *. rewrite !Rmult_0_l, Rmult_0_r, Rplus_0_r, Rminus_0_r in *.
       destruct (Req_dec a1 0) as [Z1|Z1]; [destruct (Req_dec a2 0) as [Z2|Z2]|].
@@ -62,15 +63,18 @@ Proof.
       (Tensor (Q2R xx) (Q2R yy) (Q2R zz) (Q2R xy) (Q2R xz) (Q2R yz))).
     split; [reflexivity|]. split.
     + unfold space_mass_rows, real. cbn [map center about_center SpaceModel.x SpaceModel.y SpaceModel.z
-        RigidModel.xx RigidModel.yy RigidModel.zz RigidModel.xy RigidModel.xz RigidModel.yz]. rationals. reflexivity.
-    + cbn. revert P2 P3. rationals. replace (Q2R 2) with 2 by (unfold Q2R; cbn; lra). intros. split; [exact P1|]. split; lra.
+        RigidModel.xx RigidModel.yy RigidModel.zz RigidModel.xy RigidModel.xz RigidModel.yz]. rationals.
+          reflexivity.
+    + cbn. revert P2 P3. rationals. replace (Q2R 2) with 2 by (unfold Q2R; cbn; lra). intros. split; [exact
+        P1|]. split; lra.
 Qed.
 
 (* A symmetric matrix of 3 rows with leading minors above 0. *)
 Lemma tensor_positive a b c d e f x y z : 0 < a -> 0 < a * b - d * d ->
   0 < c * (a * b - d * d) - a * (f * f) - b * (e * e) + 2 * d * e * f ->
   0 <= a * x * x + b * y * y + c * z * z + 2 * d * x * y + 2 * e * x * z + 2 * f * y * z /\
-  (a * x * x + b * y * y + c * z * z + 2 * d * x * y + 2 * e * x * z + 2 * f * y * z = 0 -> x = 0 /\ y = 0 /\ z = 0).
+  (a * x * x + b * y * y + c * z * z + 2 * d * x * y + 2 * e * x * z + 2 * f * y * z = 0 -> x = 0 /\ y = 0 /\ z
+    = 0).
 Proof.
   intros A M Dt. set (m := a * b - d * d) in *. set (det := c * m - a * (f * f) - b * (e * e) + 2 * d * e * f) in *.
   set (q := a * x * x + b * y * y + c * z * z + 2 * d * x * y + 2 * e * x * z + 2 * f * y * z).
@@ -94,28 +98,37 @@ Qed.
 
 Lemma space_mass_good i : (let t := about_center i in
     0 < xx t /\ 0 < xx t * yy t - xy t * xy t /\
-    0 < zz t * (xx t * yy t - xy t * xy t) - xx t * (yz t * yz t) - yy t * (xz t * xz t) + 2 * xy t * xz t * yz t) ->
+    0 < zz t * (xx t * yy t - xy t * xy t) - xx t * (yz t * yz t) - yy t * (xz t * xz t) + 2 * xy t * xz t * yz
+      t) ->
   good_mass 6 (space_mass_rows i).
 Proof.
   intros (P1 & P2 & P3). split; [reflexivity|]. split.
   - intros u v. rewrite !space_mass_rows_are.
-    unfold accelerates_in_space, SpaceModel.work, SpaceModel.add_screw, SpaceModel.force_at, SpaceModel.add, SpaceModel.cross,
+    unfold accelerates_in_space, SpaceModel.work, SpaceModel.add_screw, SpaceModel.force_at, SpaceModel.add,
+      SpaceModel.cross,
       turned_by, SpaceModel.dot, SpaceModel.zero; cbn. ring.
-  - intros a L N. destruct a as [|a1 [|a2 [|a3 [|a4 [|a5 [|a6 [|? ?]]]]]]]; try discriminate. rewrite space_mass_rows_are.
+  - intros a L N. destruct a as [|a1 [|a2 [|a3 [|a4 [|a5 [|a6 [|? ?]]]]]]]; try discriminate. rewrite
+      space_mass_rows_are.
     set (c := center i). set (t := about_center i) in *.
-    set (p := a1 + (a5 * SpaceModel.z c - a6 * SpaceModel.y c)). set (q := a2 + (a6 * SpaceModel.x c - a4 * SpaceModel.z c)).
+    set (p := a1 + (a5 * SpaceModel.z c - a6 * SpaceModel.y c)). set (q := a2 + (a6 * SpaceModel.x c - a4 *
+      SpaceModel.z c)).
     set (r := a3 + (a4 * SpaceModel.y c - a5 * SpaceModel.x c)).
     destruct (tensor_positive _ _ _ _ _ _ a4 a5 a6 P1 P2 P3) as [Q0 Q1].
-    set (w := xx t * a4 * a4 + yy t * a5 * a5 + zz t * a6 * a6 + 2 * xy t * a4 * a5 + 2 * xz t * a4 * a6 + 2 * yz t * a5 * a6) in *.
+    set (w := xx t * a4 * a4 + yy t * a5 * a5 + zz t * a6 * a6 + 2 * xy t * a4 * a5 + 2 * xz t * a4 * a6 + 2 *
+      yz t * a5 * a6) in *.
     match goal with |- 0 < ?X => replace X with (p * p + q * q + r * r + w) by
       (unfold accelerates_in_space, SpaceModel.work, SpaceModel.add_screw, SpaceModel.force_at, SpaceModel.add,
-         SpaceModel.cross, turned_by, SpaceModel.dot, SpaceModel.zero, screw_of, at_, p, q, r, w, c, t; cbn; ring) end.
-    pose proof (Rle_0_sqr p) as S1. pose proof (Rle_0_sqr q) as S2. pose proof (Rle_0_sqr r) as S3. unfold Rsqr in *.
+         SpaceModel.cross, turned_by, SpaceModel.dot, SpaceModel.zero, screw_of, at_, p, q, r, w, c, t; cbn;
+           ring) end.
+    pose proof (Rle_0_sqr p) as S1. pose proof (Rle_0_sqr q) as S2. pose proof (Rle_0_sqr r) as S3. unfold Rsqr
+      in *.
     destruct (Req_dec (p * p + q * q + r * r + w) 0) as [Z|Z]; [|lra]. exfalso. apply N.
     destruct Q1 as (Z4 & Z5 & Z6); [lra|].
-    assert (Zp : p = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra). assert (Zq : q = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
+    assert (Zp : p = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra). assert (Zq : q = 0) by (apply Rsqr_0_uniq;
+      unfold Rsqr; lra).
     assert (Zr : r = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra). unfold p in Zp. unfold q in Zq. unfold r in Zr.
-    rewrite Z4, Z5, Z6 in *. cbn. replace a1 with 0 by lra. replace a2 with 0 by lra. replace a3 with 0 by lra. reflexivity.
+    rewrite Z4, Z5, Z6 in *. cbn. replace a1 with 0 by lra. replace a2 with 0 by lra. replace a3 with 0 by lra.
+      reflexivity.
 Qed.
 
 (* ---- From rows to grasps ---- *)
@@ -134,18 +147,21 @@ Proof.
   destruct c; unfold is_of_class, must_move, must_hold, is_open in *.
   - intros C. apply H. rewrite <- Z. now apply To.
   - destruct H as [H1 H2]. split; [apply (From _ H1)|]. intros a C. apply Back, H2, To, C.
-  - destruct H as [H1 (a & N & C)]. split; [apply (From _ H1)|]. destruct (From a C) as [L C']. exists (motion_of a).
+  - destruct H as [H1 (a & N & C)]. split; [apply (From _ H1)|]. destruct (From a C) as [L C']. exists
+      (motion_of a).
     split; [|exact C']. intros X. apply N. destruct a as [|a1 [|a2 [|a3 [|? ?]]]]; try discriminate.
     unfold motion_of, at_, Model.zero in X. cbn in X. injection X as -> -> ->. reflexivity.
 Qed.
 
 Lemma space_class c g i m : map real m = space_mass_rows i ->
-  is_of_class c (repeat 0 6) (can_rows m (space_grasp_rows g)) -> is_of_class c SpaceModel.no_screw (can_in_space g i).
+  is_of_class c (repeat 0 6) (can_rows m (space_grasp_rows g)) -> is_of_class c SpaceModel.no_screw
+    (can_in_space g i).
 Proof.
   intros E H.
   assert (To : forall a, can_in_space g i a -> can_rows m (space_grasp_rows g) (screw_list a)).
   { intros a (fs & S). eexists. rewrite E. apply space_rows_of_rigid, S. }
-  assert (From : forall a, can_rows m (space_grasp_rows g) a -> List.length a = 6%nat /\ can_in_space g i (screw_of a)).
+  assert (From : forall a, can_rows m (space_grasp_rows g) a -> List.length a = 6%nat /\ can_in_space g i
+    (screw_of a)).
   { intros a (fs & S). rewrite E in S. split; [apply S|]. apply space_rigid_of_rows in S. exact S. }
   assert (Z : screw_list SpaceModel.no_screw = repeat 0 6) by reflexivity.
   assert (Back : forall a, screw_list a = repeat 0 6 -> a = SpaceModel.no_screw).
@@ -154,6 +170,8 @@ Proof.
   - intros C. apply H. rewrite <- Z. now apply To.
   - destruct H as [H1 H2]. split; [apply (From _ H1)|]. intros a C. apply Back, H2, To, C.
   - destruct H as [H1 (a & N & C)]. split; [apply (From _ H1)|]. destruct (From a C) as [L C']. exists (screw_of a).
-    split; [|exact C']. intros X. apply N. destruct a as [|a1 [|a2 [|a3 [|a4 [|a5 [|a6 [|? ?]]]]]]]; try discriminate.
-    unfold screw_of, at_, SpaceModel.no_screw, SpaceModel.zero in X. cbn in X. injection X as -> -> -> -> -> ->. reflexivity.
+    split; [|exact C']. intros X. apply N. destruct a as [|a1 [|a2 [|a3 [|a4 [|a5 [|a6 [|? ?]]]]]]]; try
+      discriminate.
+    unfold screw_of, at_, SpaceModel.no_screw, SpaceModel.zero in X. cbn in X. injection X as -> -> -> -> ->
+      ->. reflexivity.
 Qed.

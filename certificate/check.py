@@ -413,6 +413,7 @@ class Grasp(NamedTuple):
     space: bool
     dimension: int            # D
     names: Tuple[str, ...] = ()  # §14: of the coordinates, if the grasp is of several bodies
+    motions: Dict[str, Matrix] = {}  # J of each of them
 
 
 KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
@@ -430,6 +431,52 @@ class Tolerance(NamedTuple):
         below, above = (self.size * abs(end) / 100 if self.percent else self.size for end in number)
         return Bounds(number.low - below, number.high + above)
 
+    def refusal(self, kind: str) -> str:
+        return ("must be >= 0" if self.size < 0 else
+                "must be a slope, such as 0.01" if kind == "normal" and self.percent else "")
+
+
+class Ball(NamedTuple):
+    """§6, a ball of loads."""
+    radius: Fraction
+    length: Fraction
+    about: Vector        # () of an option that leaves it out
+    body: Optional[str]  # of several bodies
+
+    def __str__(self) -> str:
+        about = ", ".join(map(str, self.about))
+        return (f"ball:{self.radius}, length {self.length}" + f", about ({about})" * bool(self.about)
+                + ("" if self.body is None else f', on the body "{printable(self.body)}"'))
+
+    def refusal(self, _: str) -> str:
+        return ("the radius must be > 0" if self.radius <= 0 else
+                "the length must be > 0" if self.length <= 0 else "")
+
+
+class Loads(NamedTuple):
+    """§6, the work of loads: all w = w⁰ + B z with each z_j within its bounds and, of a ball, z in it."""
+    base: Vector             # w⁰
+    moves: Optional[Matrix]  # B, by columns; None where it is 1
+    bounds: Wrench           # of z
+    radii: Vector = ()       # of a ball: how far each z_j goes in it
+
+    def most_work(self, y: Sequence[Fraction]) -> Fraction:
+        """Λ(y)."""
+        moved = pulled(self.moves, tuple(y))
+        most = sum((max(c * end for end in bounds) for c, bounds in zip(moved, self.bounds)), Fraction(0))
+        if self.radii:
+            most = min(most, root_above(sum(((r * c) ** 2 for r, c in zip(self.radii, moved)), Fraction(0))))
+        return most + Fraction(dot(self.base, y))
+
+    def middle(self) -> Loads:
+        """Those of q⁰."""
+        return self._replace(bounds=tuple(exactly(min(max(z.low, Fraction(0)), z.high)) if self.radii else z.middle
+                                          for z in self.bounds))
+
+
+def loads_within(wrench: Wrench) -> Loads:
+    return Loads(zeros(len(wrench)), None, wrench)
+
 
 class Options(NamedTuple):
     """What whoever asks chooses; None leaves the grasp file's own values."""
@@ -439,7 +486,7 @@ class Options(NamedTuple):
     direction: Optional[Vector] = None
     preload_direction: Union[None, str, Vector] = None  # "scale", or a number for each contact
     case: Optional[str] = None  # whose wrench is asked about, if none is given
-    uncertain: Optional[Dict[str, Tolerance]] = None  # by kind
+    uncertain: Optional[Dict[str, Union[Tolerance, Ball]]] = None  # by kind
     plane: Optional[Tuple[Vector, Vector]] = None     # §12: u and v
     inertia: Optional[Vector] = None                  # §13: the centre of mass and γ²
 
@@ -482,7 +529,7 @@ class Question(NamedTuple):
     """About one grasp, or about a box (§6), and then without rows."""
     asked: Options
     wrench: Wrench            # w, before it is widened
-    widened: Wrench           # w
+    loads: Loads              # w
     growths: Tuple[Vector, ...]  # u; §12: u and v
     contacts: List[Contact]   # with what was replaced and widened
     preload_growth: Vector    # Pᵘ
@@ -501,7 +548,7 @@ class Question(NamedTuple):
 
     def w(self) -> Vector:
         """Of one grasp."""
-        return tuple(entry.low for entry in self.widened)
+        return tuple(entry.low for entry in self.wrench)
 
 
 def rational_root(square: Fraction) -> Optional[Fraction]:
@@ -742,9 +789,9 @@ def read_place(source: Source, value: Any, place: str,
 
 
 def show_dimension(source: Source, top: Dict[str, Any]) -> None:
-    """§1: which grasps are in space."""
-    contacts, wrench = top["contacts"], top.get("wrench")
-    shown, length = wrench, SPACE
+    """§1, §14: which grasps are in space."""
+    contacts = top["contacts"]
+    shown, length = top.get("wrench") if top["format"] == GRASP.formats[1] else None, SPACE
     if contacts:
         first = contacts[0] if type(contacts) is list else None
         length = 3
@@ -933,9 +980,7 @@ def in_full(inertia: Vector) -> Vector:
 def check_tolerances(asked: Options) -> None:
     """§6: what cannot be asked, whatever the grasp."""
     for kind, tolerance in (asked.uncertain or {}).items():
-        problem = (f"{asked.family()} is about one grasp" if asked.family() else
-                   "must be >= 0" if tolerance.size < 0 else
-                   "must be a slope, such as 0.01" if kind == "normal" and tolerance.percent else "")
+        problem = f"{asked.family()} is about one grasp" if asked.family() else tolerance.refusal(kind)
         if problem:
             raise Malformed("the question", "uncertain", f"{kind}={show(tolerance)}: {problem}")
 
@@ -945,7 +990,7 @@ def widened(contact: Contact, asked: Options) -> Contact:
     if asked.preload is not None and contact.is_contact():
         contact = contact._replace(preload=exactly(asked.preload))
     for kind, tolerance in (asked.uncertain or {}).items():
-        if not contact.is_contact() and kind not in ("stiffness", "preload"):
+        if isinstance(tolerance, Ball) or (not contact.is_contact() and kind not in ("stiffness", "preload")):
             continue
         if kind == "normal":
             contact = contact._replace(slope=contact.slope + tolerance.size)
@@ -954,6 +999,37 @@ def widened(contact: Contact, asked: Options) -> Contact:
         elif kind != "wrench":
             contact = contact._replace(**{kind: tolerance.widen(getattr(contact, kind))})
     return contact
+
+
+def about_given(asked: Options, grasp: Grasp) -> Options:
+    """With the point of a ball, which is 0 if it is left out."""
+    ball = (asked.uncertain or {}).get("wrench")
+    if not isinstance(ball, Ball) or ball.about:
+        return asked
+    return asked._replace(uncertain={**(asked.uncertain or {}),
+                                     "wrench": ball._replace(about=zeros(3 if grasp.space else 2))})
+
+
+def loads_of(grasp: Grasp, wrench: Wrench, tolerance: Union[None, Tolerance, Ball]) -> Loads:
+    """§6: w, widened."""
+    if not isinstance(tolerance, Ball):
+        return loads_within(tuple(map(tolerance.widen, wrench)) if tolerance else wrench)
+    about, body, size = tolerance.about, tolerance.body, SPACE if grasp.space else PLANE
+    bodies = [name for name in grasp.motions if name != GROUND]
+    length = 3 if grasp.space else 2  # of a point
+    problem = (f"about has {len(about)} coordinates, must have {length}" if len(about) != length else
+               "the grasp is of one body; leave body= out" if body is not None and not bodies else
+               f"no body is named; add :body= and one of {show(tuple(bodies))}" if body is None and bodies else
+               f"there is no body '{show(body)}', must be one of {show(tuple(bodies))}"
+               if bodies and body not in bodies else
+               f"the wrench is {show(wrench)}, must be numbers" if not all(w.certain for w in wrench) else "")
+    if problem:
+        raise Malformed("the question", "uncertain", f"wrench={show(tolerance)}: {problem}")
+    ways = [at(about, unit(length, j)) for j in range(length)] + [unit(size, j) for j in range(length, size)]
+    motion = None if body is None else grasp.motions[body]
+    radii = (tolerance.radius,) * length + (tolerance.radius * tolerance.length,) * (size - length)
+    return Loads(tuple(w.low for w in wrench), tuple(pulled(motion, way) for way in ways),
+                 tuple(Bounds(-r, r) for r in radii), radii)
 
 
 def check_contact(grasp_file: str, contact: Contact, grows: bool, family: str) -> bool:
@@ -997,6 +1073,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
     check_plane(asked, grasp)
     check_inertia(asked, grasp)
     check_tolerances(asked)
+    asked = about_given(asked, grasp)
     contacts = [widened(contact, asked) for contact in grasp.contacts]
     growth = zeros(m)
     if asked.preload_direction not in (None, "scale"):
@@ -1006,11 +1083,10 @@ def pose(grasp_file: str, asked: Options) -> Question:
                         f"found {show(growth)}, must be {m} numbers, one for each contact, and >= 0"
                         + " but those of springs" * bool(grasp.names))
     wrench = wrench_asked(grasp, asked)
-    tolerance = (asked.uncertain or {}).get("wrench")
-    loads = tuple(map(tolerance.widen, wrench)) if tolerance else wrench
-    is_box = not all(load.certain for load in loads)
+    loads = loads_of(grasp, wrench, (asked.uncertain or {}).get("wrench"))
+    is_box = not all(load.certain for load in loads.bounds)
     if is_box and asked.family():
-        raise Malformed(grasp_file, "wrench", f"found {show(loads)}, but {asked.family()} is about "
+        raise Malformed(grasp_file, "wrench", f"found {show(wrench)}, but {asked.family()} is about "
                                               "one grasp; give numbers")
     for contact, grown in zip(contacts, growth):
         is_box |= check_contact(grasp_file, contact, bool(grown), asked.family())
@@ -1182,7 +1258,7 @@ def read_several(source: Source) -> Grasp:
     names = [f"{body} {move}" for body in bodies.motions if body != GROUND and body not in bodies.turns for move in moves]
     names += [joint.get("name", f"joint {q}") for q, joint in enumerate(joints)]
     return Grasp(elements, None if cases and not {"loads", "wrench"} & set(top) else common, cases, source.space, bodies.dimension,
-                 tuple(names))
+                 tuple(names), bodies.motions)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -1443,17 +1519,31 @@ def read_load_entry(source: Source, value: Any, place: str) -> Bounds:
     return Bounds(*source.vector(value, place, 2))
 
 
-def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Tolerance]:
+def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Union[Tolerance, Ball]]:
     """TOLERANCE of each kind."""
-    found = {}
+    found: Dict[str, Union[Tolerance, Ball]] = {}
     for kind, size in source.members(value, place, " ".join(f"{kind}?" for kind in KINDS),
                                      True).items():
+        if kind == "wrench" and type(size) is Members:
+            found[kind] = read_ball(source, size, f"{place}.{kind}")
+            continue
         percent = type(size) is str and size.endswith("%")
         number = source.number(size[:-1] if percent else size, f"{place}.{kind}")
         found[kind] = Tolerance(number, percent)
     if not found:
         source.fail(place, "must not be empty")
     return found
+
+
+def read_ball(source: Source, value: Any, place: str) -> Ball:
+    fields = source.members(value, place, "ball length about?" + " body" * source.several, True)
+    radius, length = (source.number(fields[key], f"{place}.{key}") for key in ("ball", "length"))
+    about, body = zeros(source.coordinates), fields.get("body")
+    if "about" in fields:
+        about = source.vector(fields["about"], f"{place}.about", source.coordinates)
+    if source.several and type(body) is not str:
+        source.fail(f"{place}.body", "must be a string")
+    return Ball(radius, length, about, body)
 
 
 def read_friction(source: Source, value: Any, place: str, i: int) -> Vector:
@@ -2064,27 +2154,28 @@ def terms_of(c: Parameters) -> Terms:
 class Box:
     """§6: intervals of all parameters; and §1, of one grasp. A part of a box shares its Terms."""
 
-    def __init__(self, contacts: List[Parameters], wrench: Wrench, growths: Tuple[Vector, ...],
+    def __init__(self, contacts: List[Parameters], loads: Loads, growths: Tuple[Vector, ...],
                  terms: Optional[List[Terms]] = None) -> None:
-        self.contacts, self.wrench, self.growths = contacts, wrench, growths
+        self.contacts, self.loads, self.growths = contacts, loads, growths
         self.terms = list(map(terms_of, contacts)) if terms is None else terms
         self.most_depth = 2 * len(contacts) + MORE_DEPTH
-        self.dimension = len(wrench)
+        self.dimension = len(loads.base)
         self.coordinates = self.dimension + 1 + len(growths)  # of points
 
     @property
     def certain(self) -> bool:
         """Is it one point?"""
         return (all(term.certain for term in self.terms)
-                and all(load.certain for load in self.wrench))
+                and all(load.certain for load in self.loads.bounds))
 
     def halves(self, part: Node) -> Tuple[Box, Box]:
         """`part-contact`, `part-inside`."""
         i, (cut,) = part.contact, part.numbers
-        if i >= (self.dimension if part.name == "wrench" else len(self.contacts)) or (
+        loads = self.loads.bounds
+        if i >= len(loads if part.name == "wrench" else self.contacts) or (
                 part.name != "wrench" and part.name not in self.contacts[i].bounds):
             raise Rejected("part-contact", f"there is no {part.name} {show(i)}")
-        whole = self.wrench[i] if part.name == "wrench" else self.contacts[i].bounds[part.name]
+        whole = loads[i] if part.name == "wrench" else self.contacts[i].bounds[part.name]
         if not whole.low < cut < whole.high:
             raise Rejected("part-inside", f"{show(cut)} is not inside {show(whole)}")
         return (self.with_bounds(part.name, i, Bounds(whole.low, cut)),
@@ -2092,18 +2183,19 @@ class Box:
 
     def with_bounds(self, name: str, i: int, bounds: Bounds) -> Box:
         if name == "wrench":
-            wrench = self.wrench[:i] + (bounds,) + self.wrench[i + 1:]
-            return Box(self.contacts, wrench, self.growths, self.terms)
+            loads = self.loads.bounds
+            return Box(self.contacts, self.loads._replace(bounds=(*loads[:i], bounds, *loads[i + 1:])),
+                       self.growths, self.terms)
         contacts, terms = list(self.contacts), list(self.terms)
         contacts[i] = contacts[i]._replace(bounds={**contacts[i].bounds, name: bounds})
         terms[i] = terms_of(contacts[i])
-        return Box(contacts, self.wrench, self.growths, terms)
+        return Box(contacts, self.loads, self.growths, terms)
 
     def middle(self) -> Box:
         """q⁰."""
         return Box([contact._replace(bounds={name: number.middle for name, number in contact.bounds.items()},
                                      growth=contact.growth.middle) for contact in self.contacts],
-                   tuple(load.middle for load in self.wrench), self.growths)
+                   self.loads.middle(), self.growths)
 
 
 def enlarged(question: Question, bits: int) -> Box:
@@ -2126,7 +2218,7 @@ def enlarged(question: Question, bits: int) -> Box:
                          contact.stiffness.high / square))
         contacts.append(Parameters(contact.normal, dict(zip(PARAMETERS[len(contact.normal)], bounds)), growth,
                                    contact.motion, bool(contact.spring), contact.gamma))
-    return Box(contacts, question.widened, question.growths)
+    return Box(contacts, question.loads, question.growths)
 
 
 def short_above(x: Fraction) -> Fraction:
@@ -2271,9 +2363,8 @@ def leaf_refusal(region: Region, y: Vector,
     if region.bars(rays):
         return None
     points = [x for x, _ in rays]
-    work = sum(max(c * end for end in load) for c, load in zip(y, box.wrench))
     # Terms of g, `bends`: factor·max(0, v_i(x)), and the bounds of contacts that are uncertain.
-    linear = [zeros(box.dimension) + (Fraction(work),)
+    linear = [zeros(box.dimension) + (box.loads.most_work(y),)
               + tuple(Fraction(dot(y, growth)) for growth in box.growths)]
     bends, bounds = [], []
     for term in box.terms:
@@ -2547,14 +2638,13 @@ def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fract
     """A part at rest, for all λ between two."""
     size = box.dimension
     friction = friction_of(proof, box, place)
-    unit = tuple(Fraction(-(k == l)) for l in range(size) for k in range(size))
+    units = [unit(size, k) for k in range(size)]
+    less = tuple(-c for row in units for c in row)
+    loads = [tuple(sign_ * box.loads.most_work(times(Fraction(sign_), e)) for e in units) for sign_ in (-1, 1)]
     for multiple in multiples:
         pushes = [Bounds(*(p + multiple * grown for p, grown in zip(c.bounds["preload"], c.growth)))
                   for c in box.contacts]
-        ends = []
-        for end in (0, 1):
-            load = tuple(w[end] + multiple * u for w, u in zip(box.wrench, box.growths[0]))
-            ends.append([load + unit])
+        ends = [[plus(load, multiple, box.growths[0]) + less] for load in loads]
         for i, (term, push) in enumerate(zip(box.terms, pushes)):
             if any(push) or i in friction:
                 for terms, wrenches in zip(ends, rest_wrenches(term, push, friction.get(i) or no_friction(term))):
@@ -2603,9 +2693,8 @@ def what_sees(z: Vector, box: Box) -> Optional[str]:
             return f"contact {i} presses along {show(z)}"
         if term.friction.high and any(dot(row, z) for rows in term.rows for row in rows):
             return f"contact {i} has friction along {show(z)}"
-    least = [load.low for load in box.wrench]
-    if any(c and not load.certain for c, load in zip(z, box.wrench)) or any(
-            dot(load, z) for load in (least, *box.growths)):
+    if box.loads.most_work(z) or box.loads.most_work(times(Fraction(-1), z)) or any(
+            dot(growth, z) for growth in box.growths):
         return f"the load works on {show(z)}"
     return None
 
@@ -2623,7 +2712,7 @@ def check_shape(part: DegreeProof, box: Box, place: str) -> None:
             raise Rejected("degree-free", seen, place)
     for matrix in (part.direction, list(zip(*part.direction))):
         if len(kernel(matrix)) != len(free) or any(dot(row, z) for row in matrix for z in free):
-            raise Rejected("degree-direction", f"A has not the rank {len(box.wrench) - len(free)}, or "
+            raise Rejected("degree-direction", f"A has not the rank {box.dimension - len(free)}, or "
                                                "takes or gives free motions", place)
 
 
@@ -3077,7 +3166,10 @@ one of them may be - for standard input. Give the same options as to the program
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
-                           normals the slope by which they may be turned
+                           normals the slope by which they may be turned; and
+                           wrench=ball:R[:length=L][:about=X:Y[:Z]][:body=NAME] adds every force f and
+                           torque t at a point (of a body, if there are several) with
+                           |f|^2 + |t|^2/L^2 <= R^2; L is 1 and the point 0 if left out
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow
@@ -3114,13 +3206,35 @@ def list_option(name: str, text: str) -> Vector:
     return tuple(number_option(name, part) for part in text.split(","))
 
 
-def tolerances_option(name: str, text: str) -> Dict[str, Tolerance]:
-    found: Dict[str, Tolerance] = {}
+def ball_option(name: str, text: str) -> Ball:
+    """What stands behind "ball:": R[:length=L][:about=X:Y[:Z]][:body=NAME], of which the name is the last."""
+    words, has_body, body = text.partition(":body=")
+    radius, *rest = words.split(":")
+    found: Dict[str, List[str]] = {}
+    member = ""
+    for word in rest:
+        key, equals, value = word.partition("=")
+        if equals and key in ("length", "about") and key not in found:
+            member, found[key] = key, [value]
+        elif not equals and member == "about":
+            found[member].append(word)
+        else:
+            raise UsageError(f"{name}: '{show(word)}' is not length=L, about=X:Y, about=X:Y:Z or body=NAME of "
+                             f"'ball:{show(text)}', each at most once, and body the last")
+    return Ball(number_option(name, radius), number_option(name, found.get("length", ["1"])[0]),
+                tuple(number_option(name, c) for c in found.get("about", [])), body if has_body else None)
+
+
+def tolerances_option(name: str, text: str) -> Dict[str, Union[Tolerance, Ball]]:
+    found: Dict[str, Union[Tolerance, Ball]] = {}
     for part in text.split(","):
         kind, equals, size = part.partition("=")
         if kind not in KINDS or not equals or kind in found:
             raise UsageError(f"{name}: '{show(part)}' is not KIND=TOLERANCE, such as friction=10%, "
                              f"where KIND is one of {', '.join(KINDS)}, each at most once")
+        if kind == "wrench" and size.startswith("ball:"):
+            found[kind] = ball_option(name, size[len("ball:"):])
+            continue
         percent = size.endswith("%")
         found[kind] = Tolerance(number_option(name, size[:-1] if percent else size), percent)
     return found
@@ -3196,10 +3310,17 @@ def listed_wrench(wrench: Wrench) -> List[Union[str, List[str]]]:
     return [str(load.low) if load.certain else list(map(str, load)) for load in wrench]
 
 
-def tolerances(asked: Options) -> Dict[str, str]:
+def tolerances(asked: Options) -> Dict[str, Union[Tolerance, Ball]]:
     """In the order of §2."""
     given = asked.uncertain or {}
-    return {kind: str(given[kind]) for kind in KINDS if kind in given}
+    return {kind: given[kind] for kind in KINDS if kind in given}
+
+
+def listed_tolerance(tolerance: Union[Tolerance, Ball]) -> Union[str, Dict[str, Any]]:
+    if isinstance(tolerance, Tolerance):
+        return str(tolerance)
+    return {"ball": str(tolerance.radius), "length": str(tolerance.length), "about": listed(tolerance.about),
+            **({} if tolerance.body is None else {"body": tolerance.body})}
 
 
 def accepted_text(certificate: Certificate, question: Question, leaves: int, ranges: List[Range],
@@ -3246,7 +3367,7 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
         lines.append(f"inertia     ({', '.join(map(str, asked.inertia))})")
     lines += [f"preload     {preload}", f"normal law  {asked.law}"]
     if asked.uncertain:
-        lines.append("uncertain   " + ", ".join(map(" ".join, tolerances(asked).items())))
+        lines.append("uncertain   " + ", ".join(f"{kind} {size}" for kind, size in tolerances(asked).items()))
     lines += ["proof       " + (
         f"intervals by degree: {proofs}" + f", at rest: {rests}" * (rests > 0)
         + f", refuted: {len(ranges)}; trees of {tree}"
@@ -3325,7 +3446,7 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         "preload_direction": growth if growth == "scale" else listed(growth),
         **({"plane": list(map(listed, asked.plane))} if asked.plane else {}),
         **({"inertia": listed(asked.inertia)} if asked.inertia else {}),
-        "uncertain": tolerances(asked) or None})
+        "uncertain": {kind: listed_tolerance(size) for kind, size in tolerances(asked).items()} or None})
     if not certificate.witness:
         report.update(nodes=len(certificate.trees()), leaves=leaves)
     if certificate.verdict == "margin":

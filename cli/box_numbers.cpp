@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -16,11 +18,33 @@ std::string load_text(const WrenchBox& load, NumberText& text) {
   return result + ")";
 }
 
-std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text) {
+std::string ball_text(const LoadBall& ball, NumberText& text) {
+  const auto in_brackets = [](const std::string& number) {
+    return number.find('/') == std::string::npos ? number : "(" + number + ")";
+  };
+  std::string result =
+      "|force|^2 + " +
+      (ball.length == 1 ? "|torque|^2" : "|torque/" + in_brackets(text(ball.length)) + "|^2") +
+      " <= " + in_brackets(text(ball.radius)) + "^2";
+  if (!ball.about.empty()) {
+    WrenchBox point;
+    for (const Rational& x : ball.about) point.push_back(point_interval(x));
+    result += ", the torque about " + load_text(point, text);
+  }
+  return ball.body.empty() ? result : result + ", on " + ball.body;
+}
+
+std::string uncertain_text(const GraspBox& box, const std::vector<UncertainNumber>& numbers,
+                           NumberText& text) {
   if (numbers.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
   for (const UncertainNumber& number : numbers) {
     rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
+  }
+  if (box.ball) {
+    return short_table(rows) +
+           "  of the load what differs from w by a force and a torque with\n  " +
+           ball_text(*box.ball, text) + "\n\n";
   }
   return short_table(rows) + "\n";
 }
@@ -39,6 +63,22 @@ std::string enclosure_text(const std::vector<std::size_t>& contacts, unsigned bi
          (contacts.size() == 1 ? " has an irrational length" : " have irrational lengths") +
          " |n|: P/|n| was enclosed to " + std::to_string(bits) + " bits" +
          (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
+}
+
+std::string rounded_text(const Rational& number, Round round, bool all_digits) {
+  if (all_digits || number.is_zero()) return to_string(number);
+  constexpr int kDigits = 4;
+  const DecimalEnclosure near = enclose_sqrt(number, 1, kDigits);
+  return round == Round::kDown ? near.lower : near.upper;
+}
+
+Rational accuracy_option(const std::string& value) {
+  const bool percent = !value.empty() && value.back() == '%';
+  const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));
+  const Rational accuracy = number_option("--accuracy", number) / (percent ? 100 : 1);
+  if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
+  throw InputError("", "--accuracy", "the value is " + value,
+                   "it is a part of the radius: give more than 0 and less than 100%");
 }
 
 std::string short_table(std::vector<std::vector<std::string>> rows) {

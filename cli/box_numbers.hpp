@@ -19,8 +19,21 @@ std::string load_text(const WrenchBox& load, NumberText& text);
 std::string enclosure_text(const std::vector<std::size_t>& contacts, unsigned bits,
                            bool proved);
 
-/// A table of them and a line below; nothing if there are none.
-std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text);
+/// A table of these numbers of a box and what ball of loads it has; nothing if there are none.
+std::string uncertain_text(const GraspBox& box, const std::vector<UncertainNumber>& numbers,
+                           NumberText& text);
+
+/// "force^2 + (torque/2)^2 <= (1/10)^2", and about which point and on which body.
+std::string ball_text(const LoadBall& ball, NumberText& text);
+
+/// Which way a number may be rounded so that what is said of it stays true.
+enum class Round { kDown, kUp };
+
+/// Four digits of a number, or all of them.
+std::string rounded_text(const Rational& number, Round round, bool all_digits);
+
+/// A part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
+Rational accuracy_option(const std::string& value);
 
 /// The first rows of a table, its heading not counted.
 std::string short_table(std::vector<std::vector<std::string>> rows);

@@ -36,6 +36,7 @@ void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
 void add_margin_command(CLI::App& app, int& exit_code);
 void add_radius_command(CLI::App& app, int& exit_code);
+void add_quality_command(CLI::App& app, int& exit_code);
 void add_map_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);
@@ -45,8 +46,10 @@ void add_snap_command(CLI::App& app, int& exit_code);
 void add_example_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
-/// `plot region`, beside `region`.
+/// \{ `plot region` and `plot quality`, beside `region` and `quality`.
 void add_region_plot(CLI::App& plot, int& exit_code);
+void add_quality_plot(CLI::App& plot, int& exit_code);
+/// \}
 void add_page_command(CLI::App& app, int& exit_code);
 void add_serve_command(CLI::App& app, int& exit_code);
 void add_help_command(CLI::App& app, int& exit_code);

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   stickslip::add_states_command(app, exit_code);
   stickslip::add_margin_command(app, exit_code);
   stickslip::add_radius_command(app, exit_code);
+  stickslip::add_quality_command(app, exit_code);
   stickslip::add_map_command(app, exit_code);
   stickslip::add_compare_command(app, exit_code);
   stickslip::add_region_command(app, exit_code);

@@ -79,6 +79,11 @@ CLI::Validator whole_number(std::uint64_t most) {
   return CLI::Validator(problem, "");
 }
 
+void add_uncertain_option(CLI::App& command, std::string& uncertain,
+                          const std::string& description) {
+  command.add_option("--uncertain", uncertain, description)->type_name("KIND=T,...");
+}
+
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
   add_count_option(
       command, "--node-limit", node_limit,
@@ -97,15 +102,18 @@ void QuestionArguments::add_to(CLI::App& command) {
 }
 
 void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
+  add_with_enclosures_to(command);
+  add_uncertain_option(
+      command, text_.uncertain,
+      "How far numbers may be off: friction, stiffness, preload, position, normal "
+      "or wrench, by a number or of all but normals by a percentage; a normal turns "
+      "by a slope; loads may be a ball, wrench=ball:R. Asks about all grasps in the box "
+      "(docs/uncertainty.md)");
+}
+
+void QuestionArguments::add_with_enclosures_to(CLI::App& command) {
   add_to(command);
   takes_boxes_ = true;
-  command
-      .add_option(
-          "--uncertain", text_.uncertain,
-          "How far numbers may be off: friction, stiffness, preload, position, normal "
-          "or wrench, by a number or of all but normals by a percentage; a normal turns "
-          "by a slope. Asks about all grasps in the box (docs/uncertainty.md)")
-      ->type_name("KIND=T,...");
 }
 
 void QuestionArguments::add_options_to(CLI::App& command) {

@@ -28,6 +28,9 @@ class QuestionArguments {
   /// As add_to, and --uncertain, for a command that answers questions that are boxes: of
   /// others, question() and questions() refuse them.
   void add_with_uncertain_to(CLI::App& command);
+  /// As add_to, for a command that answers about one grasp also where lengths of normals are
+  /// enclosed.
+  void add_with_enclosures_to(CLI::App& command);
   /// As add_to, and --direction and --preload-direction, for a command that asks about a
   /// margin.
   void add_with_directions_to(CLI::App& command);
@@ -115,6 +118,10 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
       ->check(whole_number(most))
       ->capture_default_str();
 }
+
+/// --uncertain.
+void add_uncertain_option(CLI::App& command, std::string& uncertain,
+                          const std::string& description);
 
 /// --node-limit, of every command that searches by cones.
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit);

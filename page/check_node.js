@@ -23,7 +23,8 @@ codes are those of stickslip-check; see certificate/FORMAT.md.
   --plane UX,UY,UT,VX,VY,VT
                            ask for the region of a plane of wrenches: not judged
   --inertia X,Y,G2         ask for the class of rigid contacts: not judged
-  --uncertain LIST         such as friction=10%,position=0.001: ask about every grasp in the box
+  --uncertain LIST         such as friction=10%,position=0.001: ask about every grasp in the box; or, about
+                           every load in a ball, wrench=ball:R[:length=L][:about=X:Y[:Z]][:body=NAME]
   --json                   answer as one JSON object
   --batch                  instead of two files, questions from standard input: on each line a JSON object
                            {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, of which each character
@@ -65,9 +66,10 @@ const OPTIONS = {
   '--uncertain': (o, text) => {
     o.uncertain = {};
     for (const one of text.split(',')) {
-      const [, kind, tolerance] = /^([a-z]+)=(.*)$/.exec(one) ?? [];
+      const [, kind, tolerance] = /^([a-z]+)=(.*)$/s.exec(one) ?? [];
       const kinds = ['friction', 'stiffness', 'preload', 'position', 'normal', 'wrench'];
-      if (!kinds.includes(kind) || kind in o.uncertain || !NUMBER.test(tolerance.replace(/%$/, ''))) {
+      if (!kinds.includes(kind) || kind in o.uncertain ||
+          !(NUMBER.test(tolerance.replace(/%$/, '')) || (kind === 'wrench' && tolerance.startsWith('ball:')))) {
         throw new Usage(`${shown(text)} is not KIND=T,... of ${kinds.join(', ')}`);
       }
       o.uncertain[kind] = tolerance;
@@ -131,6 +133,9 @@ function json_text(value) {
   return JSON.stringify(value).replace(/[^\x20-\x7e]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`);
 }
 
+const ball_text = ({ball, length, about, body}) =>
+  `ball:${ball}, length ${length}, about (${about.join(', ')})${body === undefined ? '' : `, on the body ${shown(body)}`}`;
+
 function accepted_text(answer) {
   const {question, proof, verdict, resisted, refuted} = answer;
   const tuple = (list) => `(${list.map((x) => (Array.isArray(x) ? `[${x.join(', ')}]` : x)).join(', ')})`;
@@ -153,7 +158,7 @@ function accepted_text(answer) {
   rows.push(['preload', growth === 'scale' ? `f times ${own}` : growth === null ? own : `${own} + f ${tuple(growth)}`]);
   rows.push(['normal law', question.normal_law]);
   if (question.uncertain !== null) {
-    rows.push(['uncertain', Object.entries(question.uncertain).map(([kind, t]) => `${kind} ${t}`).join(', ')]);
+    rows.push(['uncertain', Object.entries(question.uncertain).map(([kind, t]) => `${kind} ${typeof t === 'string' ? t : ball_text(t)}`).join(', ')]);
   }
   rows.push(['proof', verdict === 'margin' ? (refuted === null ? `segments: ${proof.segments}; trees: ${proof.trees}, of ${trees}`
       : `intervals by degree: ${proof.degrees}${proof.rests > 0 ? `, at rest: ${proof.rests}` : ''}, refuted: ${proof.trees}; trees of ${trees}`)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "stickslip/box/box_verdict.hpp"
+
 namespace stickslip {
 
 namespace {
@@ -35,8 +37,9 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
     all.push_back({spring.place + ".stiffness", spring.stiffness});
     all.push_back({spring.place + "." + force_name(spring), spring.force});
   }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    all.push_back({"wrench[" + std::to_string(j) + "]", box.wrench[j]});
+  const WrenchBox loads = loads_of(box);
+  for (std::size_t j = 0; j < loads.size(); ++j) {
+    all.push_back({"wrench[" + std::to_string(j) + "]", loads[j]});
   }
   return all;
 }
@@ -113,6 +116,16 @@ Json interval_json(const Interval& interval) {
 Json wrench_json(const WrenchBox& wrench) {
   Json json = Json::array();
   for (const Interval& w : wrench) json.push_back(interval_json(w));
+  return json;
+}
+
+Json ball_json(const LoadBall& ball) {
+  Json json{{"radius", number_json(ball.radius)}, {"length", number_json(ball.length)}};
+  if (!ball.about.empty()) {
+    Json& about = json["about"] = Json::array();
+    for (const Rational& x : ball.about) about.push_back(number_json(x));
+  }
+  if (!ball.body.empty()) json["body"] = ball.body;
   return json;
 }
 

@@ -195,6 +195,7 @@ Json to_json(const Answer& answer) {
   json["wrench"] = wrench_json(wrench_of(question.grasp));
   if (box != nullptr) {
     json["uncertain"] = uncertain_json(uncertain_numbers(*box));
+    if (box->ball) json["ball"] = ball_json(*box->ball);
     add_enclosed(json, enclosed_contacts(*box), answer.bits);
   }
   if (const auto near = motion_near(answer)) json["near"] = number_json(*near);

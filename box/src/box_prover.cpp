@@ -197,7 +197,7 @@ std::optional<PartSplit> BoxProver::widest(const GraspLaw& box,
     const Interval& interval = box.interval(id);
     double effect = to_double(interval.high - interval.low);
     if (parameter == Parameter::kWrench) {
-      effect /= box.unit(i);
+      effect /= box.ball ? box.ball->unit(i) : box.unit(i);
     } else {
       const LawContact& c = box.contacts[i];
       const double size = c.size;

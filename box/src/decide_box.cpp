@@ -122,6 +122,19 @@ BoxDecision prove_box(const GraspBox& box, NormalLaw law, const SearchOptions& o
 
 }  // namespace box_detail
 
+WrenchBox loads_of(const GraspBox& box) {
+  WrenchBox loads = box.wrench;
+  if (!box.ball) return loads;
+  const BallPart ball = BallPart::all_of(box);
+  for (std::size_t j = 0; j < loads.size(); ++j) {
+    Row along(loads.size());
+    along[j] = 1;
+    loads[j].low -= ball.most_work(negated(along));
+    loads[j].high += ball.most_work(along);
+  }
+  return loads;
+}
+
 std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
   SearchWork work;
   auto proof = prove_by_degree(problem, work);

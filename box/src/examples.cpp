@@ -11,8 +11,15 @@
 namespace stickslip::box_detail {
 namespace {
 
-Rational pick(const Interval& interval, int place) {
-  return place < 0 ? interval.low : place > 0 ? interval.high : interval.middle();
+Rational pick(const Interval& interval, const Rational& place) {
+  return interval.middle() + place * (interval.high - interval.low) / 2;
+}
+
+/// The nearest multiple of 2^-16 of a number from -1 to 1: no load along what is rounding
+/// alone.
+Rational on_grid(double place) {
+  constexpr long long kSteps = 1 << 16;
+  return {Integer(std::llround(place * kSteps)), Integer(kSteps)};
 }
 
 /// What bounds of turns, which are rounded up, are multiplied by so that no slope is above its
@@ -58,10 +65,12 @@ std::optional<std::size_t> turn_index(Parameter parameter) {
   return std::nullopt;
 }
 
-/// The interval of a number; nothing of a turn.
+/// The interval of a number; nothing of a turn, and of a ball's load.
 template <class Box>
 auto* interval_of(Box& box, const ParameterId& id) {
-  if (id.parameter == Parameter::kWrench) return &box.wrench[id.index];
+  if (id.parameter == Parameter::kWrench) {
+    return box.ball ? decltype(&box.wrench[0]){} : &box.wrench[id.index];
+  }
   if (id.index >= box.contacts.size()) {
     auto& spring = box.springs[id.index - box.contacts.size()];
     return id.parameter == Parameter::kStiffness ? &spring.stiffness : &spring.force;
@@ -90,26 +99,109 @@ auto* interval_of(Box& box, const ParameterId& id) {
 Examples::Examples(const GraspBox& box, NormalLaw law) : box_(box), law_(law) {
   for (const ParameterId& id : parameters_of(box)) {
     const Interval* interval = interval_of(box, id);
-    const bool is_certain =
-        interval != nullptr ? interval->is_point() : box.contacts[id.index].slope.is_zero();
+    const bool is_certain = interval != nullptr ? interval->is_point()
+                                                : turn_index(id.parameter).has_value() &&
+                                                      box.contacts[id.index].slope.is_zero();
     if (!is_certain) numbers_.push_back(id);
   }
 }
 
 GraspBox Examples::at(const Place& place) const {
   GraspBox chosen = box_.middle();
-  for (std::size_t n = 0; n < numbers_.size(); ++n) {
-    if (Interval* interval = interval_of(chosen, numbers_[n])) {
-      *interval = point_interval(pick(*interval_of(box_, numbers_[n]), place[n]));
-    }
-  }
   std::vector<RationalRow> turns(chosen.contacts.size(), RationalRow(2));
+  RationalRow z = box_.ball ? box_.ball_reach() : RationalRow{};
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
     const auto [parameter, i] = numbers_[n];
-    if (const auto k = turn_index(parameter)) turns[i][*k] = place[n];
+    if (const Interval* interval = interval_of(box_, numbers_[n])) {
+      *interval_of(chosen, numbers_[n]) = point_interval(pick(*interval, place[n]));
+    } else if (const auto k = turn_index(parameter)) {
+      turns[i][*k] = place[n];
+    } else {
+      z[i] *= place[n];
+    }
   }
+  load(chosen, std::move(z));
   turn(chosen, turns);
   return chosen;
+}
+
+void Examples::load(GraspBox& chosen, RationalRow z) const {
+  if (!box_.ball) return;
+  const BallPart ball = BallPart::all_of(box_);
+  const Rational square = ball.squared_norm(z);
+  if (square > ball.radius * ball.radius) {
+    constexpr unsigned kBits = 24;
+    const Rational grain(1, 1 << kBits);
+    const Rational part = ball.radius / short_sqrt(square, 2 * kBits).upper / grain;
+    for (Rational& component : z) component *= numerator(part) / denominator(part) * grain;
+  }
+  const RationalRow beside = ball.load(z);
+  for (std::size_t j = 0; j < beside.size(); ++j) {
+    chosen.wrench[j] = point_interval(box_.wrench[j].low + beside[j]);
+  }
+}
+
+std::vector<Place> Examples::ball_directions() const {
+  std::vector<std::size_t> axes;
+  std::size_t count = 1;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kWrench) continue;
+    axes.push_back(n);
+    count *= 3;
+  }
+  const bool in_plane = axes.size() == 3;
+  std::vector<Place> places;
+  for (std::size_t code = 1; code < count; ++code) {  // in base 3
+    Place place = middle();
+    std::size_t moved = 0;
+    std::size_t rest = code;
+    for (const std::size_t n : axes) {
+      constexpr int kAt[3] = {0, 1, -1};
+      place[n] = kAt[rest % 3];
+      if (rest % 3 != 0) ++moved;
+      rest /= 3;
+    }
+    if (in_plane || moved == 1 || moved == axes.size()) places.push_back(std::move(place));
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return dot(a, a) < dot(b, b); });
+  return places;
+}
+
+std::vector<Place> Examples::turned(const Place& place, const Rational& step) const {
+  Rational square = 0;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter == Parameter::kWrench) square += place[n] * place[n];
+  }
+  constexpr unsigned kBits = 16;
+  const Rational size = square > 1 ? short_sqrt(square, kBits).upper : Rational(1);
+  std::vector<Place> places;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kWrench) continue;
+    for (const int sign : {1, -1}) {
+      places.push_back(place);
+      places.back()[n] += sign * step * size;
+    }
+  }
+  return places;
+}
+
+Place Examples::loaded_along(const RationalRow& twist, Place place) const {
+  const BallPart ball = BallPart::all_of(box_);
+  const RationalRow reach = box_.ball_reach();
+  Rational largest = 0;
+  for (const bool is_known : {false, true}) {
+    for (std::size_t n = 0; n < numbers_.size(); ++n) {
+      const auto [parameter, i] = numbers_[n];
+      if (parameter != Parameter::kWrench) continue;
+      const Rational along = dot(ball.motion[i], twist) * reach[i];
+      largest = std::max<Rational>(largest, abs(along));
+      // Beyond the ball, so that it is pulled to its border.
+      if (is_known) place[n] = 2 * on_grid(to_double(along / largest));
+    }
+    if (largest.is_zero()) return place;
+  }
+  return place;
 }
 
 void Examples::turn(GraspBox& chosen, const std::vector<RationalRow>& parts) const {
@@ -125,14 +217,19 @@ GraspBox Examples::between(const RationalRow& parts) const {
   GraspBox chosen = box_;
   std::size_t next = 0;
   std::vector<RationalRow> turns(chosen.contacts.size(), RationalRow(2));
+  RationalRow z = box_.ball ? box_.ball_reach() : RationalRow{};
   for (const ParameterId& id : parameters_of(box_)) {
-    const Rational& part = parts[next++];
+    const Rational place = 2 * parts[next++] - 1;
     if (Interval* interval = interval_of(chosen, id)) {
-      *interval = point_interval(interval->low + part * (interval->high - interval->low));
+      *interval = point_interval(pick(*interval, place));
+    } else if (const auto k = turn_index(id.parameter)) {
+      turns[id.index][*k] = place;
     } else {
-      turns[id.index][*turn_index(id.parameter)] = 2 * part - 1;
+      z[id.index] *= place;
     }
   }
+  chosen.ball.reset();
+  load(chosen, std::move(z));
   turn(chosen, turns);
   return chosen;
 }
@@ -149,7 +246,7 @@ std::vector<std::pair<Place, double>> Examples::without(
       for (std::size_t k = 0; k < rounded.numbers().size(); ++k) {
         const ParameterId& number = rounded.numbers()[k];
         if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
-          place[n] = static_cast<int>(way.to[static_cast<Eigen::Index>(k)]);
+          place[n] = on_grid(way.to[static_cast<Eigen::Index>(k)]);
         }
       }
     }
@@ -164,7 +261,7 @@ std::vector<Place> Examples::extremes() const {
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
     const auto [parameter, index] = numbers_[n];
     if (parameter == Parameter::kFriction || parameter == Parameter::kPreload) better[n] = 1;
-    if (parameter == Parameter::kWrench) {
+    if (parameter == Parameter::kWrench && !box_.ball) {
       better[n] = box_.wrench[index].middle().sign() > 0 ? -1 : 1;
     }
     worse[n] = -better[n];

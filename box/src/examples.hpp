@@ -15,8 +15,8 @@
 namespace stickslip::box_detail {
 
 /// A grasp in a box: where each uncertain number lies, -1 at its low end, 0 in the middle, 1 at
-/// its high end.
-using Place = std::vector<int>;
+/// its high end. Of a ball of loads a multiple of what is said of its components, in the ball.
+using Place = RationalRow;
 
 class Examples {
  public:
@@ -39,10 +39,19 @@ class Examples {
   /// best first: by how the multiples of the load that are resisted change with each number.
   /// O(numbers) margins.
   std::vector<Place> suspects(bool middle_is_stable) const;
-  Place middle() const { return Place(numbers_.size(), 0); }
+  Place middle() const { return Place(numbers_.size()); }
+  /// Of a ball the loads along each axis of forces and torques, and in the plane between them
+  /// as well, in space in the midst of six.
+  std::vector<Place> ball_directions() const;
+  /// Loads of the ball beside that of a place, along each axis by so much of the ball.
+  std::vector<Place> turned(const Place& place, const Rational& step) const;
+  /// The same with that load of a ball that does most work on a virtual twist.
+  Place loaded_along(const RationalRow& twist, Place place) const;
 
  private:
   std::optional<double> distance(const Place& place) const;
+  /// Adds the load of a ball that these components, or a multiple of them in the ball, are of.
+  void load(GraspBox& chosen, RationalRow z) const;
   /// Turns the normals of a grasp, by contact each way by a part of the most, from -1 to 1.
   void turn(GraspBox& chosen, const std::vector<RationalRow>& parts) const;
 

@@ -122,6 +122,11 @@ void apply(const MapAxis& axis, const Interval& range, GraspBox& box) {
   }
 }
 
+bool varies_load(const MapAxis& axis) {
+  return axis.kind == AxisKind::kWrench || axis.kind == AxisKind::kLoad ||
+         axis.kind == AxisKind::kDirection || axis.kind == AxisKind::kAlong;
+}
+
 /// A direction turns the wrench of the grasp as it is, before anything else; and what is added
 /// to it is not multiplied.
 int place_of(const MapAxis& axis) {
@@ -200,7 +205,7 @@ class Quadtree {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Point* corner = &corners[4 * c];
       const std::optional<bool> first = points_.at(corner[0]);
-      if (points_.at(corner[1]) != first || points_.at(corner[2]) != first ||
+      if (!first || points_.at(corner[1]) != first || points_.at(corner[2]) != first ||
           points_.at(corner[3]) != first)
         continue;
       agree.push_back(c);
@@ -213,8 +218,7 @@ class Quadtree {
       const auto middle = points_.find(middles[k]);
       if (middle != points_.end() && middle->second != points_.at(corners[4 * agree[k]]))
         return;
-      BoxDecision decision = prove_box(box_of_cell(grasp_, x_axis_, y_axis_, cell.x, cell.y),
-                                       law_, options_.box, 0);
+      BoxDecision decision = prove_box(box_of(cell.x, cell.y), law_, options_.box, 0);
       if (!std::holds_alternative<Undecided>(decision.verdict)) {
         decisions[agree[k]] = std::move(decision);
       }
@@ -236,11 +240,17 @@ class Quadtree {
   }
 
   std::optional<bool> is_stable_at(const Rational& x, const Rational& y) const {
-    const GraspBox box =
-        box_of_cell(grasp_, x_axis_, y_axis_, point_interval(x), point_interval(y));
+    const GraspBox box = box_of(point_interval(x), point_interval(y));
+    if (options_.uncertain.any()) {
+      return stickslip::is_stable(prove_box(box, law_, options_.box, 0).verdict);
+    }
     if (!box.is_one_planar_body()) return is_stable(box.middle(), law_, options_.box);
     return std::holds_alternative<Stable>(
         decide_by_cones(box_detail::problem_of(GraspLaw(box, law_).middle())));
+  }
+
+  GraspBox box_of(const Interval& x, const Interval& y) const {
+    return box_of_cell(grasp_, x_axis_, y_axis_, x, y, options_.uncertain);
   }
 
   const GraspBox& grasp_;
@@ -361,12 +371,12 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
 }
 
 GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
-                     const Interval& x, const Interval& y) {
+                     const Interval& x, const Interval& y, const Tolerances& uncertain) {
   GraspBox box = grasp;
   const bool y_first = place_of(y_axis) < place_of(x_axis);
   apply(y_first ? y_axis : x_axis, y_first ? y : x, box);
   apply(y_first ? x_axis : y_axis, y_first ? x : y, box);
-  return box;
+  return uncertain.any() ? box.widened(uncertain) : box;
 }
 
 void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
@@ -386,6 +396,16 @@ void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
     throw InputError("", "y", "both axes vary " + x_axis.name,
                      "choose two numbers that do not depend on each other");
   }
+  for (const MapAxis& axis : {x_axis, y_axis}) {
+    if (!options.uncertain.ball || !varies_load(axis)) continue;
+    throw InputError(
+        "", "uncertain",
+        "a ball of loads, and the axis " + axis.name + " varies the load in its centre",
+        "let axes vary friction, stiffness or preload; or give wrench=T, a "
+        "tolerance of each component");
+  }
+  // What is wrong with a cell is wrong with all of them together.
+  box_of_cell(grasp, x_axis, y_axis, x_axis.range, y_axis.range, options.uncertain);
   Quadtree(grasp, law, x_axis, y_axis, options, take, progress).run();
 }
 

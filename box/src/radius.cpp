@@ -154,6 +154,10 @@ class RadiusSearch {
   /// Suspects near the centre, and then those at the edge of the box that these give.
   void refute() {
     if (*result_.stable) follow();
+    if (box_.ball) {
+      if (*result_.stable) refute_ball();
+      return;
+    }
     if (result_.refuted) return;
     suspect(std::min(Rational(1, 8), result_.limit));
     if (result_.refuted) {
@@ -207,6 +211,92 @@ class RadiusSearch {
       const Rational middle = short_middle(low, high);
       (differs(place, middle) ? high : low) = middle;
     }
+  }
+
+  /// Seeks a load of a ball that is too much, as near as may be: along axes and between them;
+  /// then it turns to where the border is nearer.
+  void refute_ball() {
+    const std::vector<Place> starts = Examples(box_, law_).ball_directions();
+    Rational farthest = bound();
+    constexpr int kMostSizes = 6;
+    for (int size = 0; size < kMostSizes; ++size) {
+      for (const Place& place : starts) {
+        const Rational near = std::min(farthest, bound()) * (1 - options_.accuracy / 4);
+        if (differs(place, near)) close_in(place, 0, near);
+      }
+      if (result_.refuted) break;
+      farthest /= 4;
+    }
+    turn_to_normals();
+    if (turn_nearby()) turn_to_normals();
+  }
+
+  /// Whether some way near that of the nearest load that is too much leads to one that is
+  /// nearer.
+  bool turn_nearby() {
+    bool is_nearer = false;
+    for (int steps = 2; result_.example && steps <= 32; steps *= 2) {
+      constexpr int kMostRounds = 6;
+      bool found = true;
+      for (int round = 0; found && round < kMostRounds; ++round) {
+        found = false;
+        for (const Place& place :
+             Examples(box_, law_).turned(example_place_, Rational(1, steps))) {
+          const Rational near = bound() * (1 - options_.accuracy / 4);
+          if (!differs(place, near)) continue;
+          close_in(place, 0, near);
+          found = is_nearer = true;
+          break;
+        }
+      }
+    }
+    return is_nearer;
+  }
+
+  /// Of a ball of loads: along the normals of the border at the nearest load that is known to
+  /// be too much, which are the virtual twists that refute it.
+  void turn_to_normals() {
+    constexpr int kMostRounds = 12;
+    for (int round = 0; round < kMostRounds && result_.example; ++round) {
+      const Rational before = *result_.refuted;
+      for (const Place& place : along_normals()) {
+        const Rational near = bound() * (1 - options_.accuracy / 4);
+        if (differs(place, near)) close_in(place, 0, near);
+      }
+      if (*result_.refuted == before) return;
+    }
+  }
+
+  /// Those first along which the border is nearest, if it is flat.
+  std::vector<Place> along_normals() const {
+    const Verdict verdict = decide_box(*result_.example, law_, options_.box).verdict;
+    const auto* unstable = std::get_if<Unstable>(&verdict);
+    if (unstable == nullptr) return {};
+    const BallPart ball = BallPart::all_of(box_);
+    std::vector<std::pair<double, Row>> ways;
+    for (const TreeNode& node : unstable->tree) {
+      const auto* leaf = std::get_if<TwistLeaf>(&node);
+      if (leaf == nullptr || is_zero(leaf->twist)) continue;
+      Row way = negated(leaf->twist);
+      Rational work = 0;
+      for (std::size_t j = 0; j < way.size(); ++j) {
+        work += Rational(way[j]) * (result_.example->wrench[j].low - box_.wrench[j].low);
+      }
+      const Rational most = ball.most_work(way);
+      if (most.sign() > 0 && work.sign() > 0) {
+        ways.emplace_back(to_double(work / most), std::move(way));
+      }
+    }
+    std::sort(ways.begin(), ways.end());
+    ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+    constexpr std::size_t kMostTried = 8;
+    if (ways.size() > kMostTried) ways.resize(kMostTried);
+    std::vector<Place> places;
+    const Examples examples(box_, law_);
+    for (const auto& [near, way] : ways) {
+      places.push_back(examples.loaded_along({way.begin(), way.end()}, example_place_));
+    }
+    return places;
   }
 
   void suspect(const Rational& size) {

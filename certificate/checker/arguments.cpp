@@ -2,6 +2,7 @@
 #include "arguments.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 
 #include "number.hpp"
@@ -60,6 +61,37 @@ Vector parse_inertia(const std::string& option, const std::string& text) {
   return values;
 }
 
+/// What stands behind "ball:".
+Ball parse_ball(const std::string& option, const std::string& text) {
+  Ball ball;
+  std::string member;  // that is being given
+  bool has_length = false;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t colon = std::min(text.find(':', begin), text.size());
+    const std::size_t equals = begin == 0 ? colon : text.find('=', begin);
+    const bool named = equals < colon;
+    if (named) member = text.substr(begin, equals - begin);
+    const std::size_t value = named ? equals + 1 : begin;
+    if (begin == 0) {
+      ball.radius = parse_number(option, text.substr(0, colon));
+    } else if (named && member == "body") {
+      ball.body = text.substr(value);
+      return ball;
+    } else if (named && member == "length" && !has_length) {
+      ball.length = parse_number(option, text.substr(value, colon - value));
+      has_length = true;
+    } else if (member == "about" && named == ball.about.empty()) {
+      ball.about.push_back(parse_number(option, text.substr(value, colon - value)));
+    } else {
+      throw UsageError{option + ": " + quote("ball:" + text) +
+                       " is not ball:R[:length=L][:about=X:Y[:Z]][:body=NAME], such as "
+                       "ball:1/10:length=2"};
+    }
+    begin = colon + 1;
+  }
+  return ball;
+}
+
 std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
                                                   const std::string& text) {
   std::map<std::string, Tolerance> result;
@@ -76,9 +108,18 @@ std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
                        "stiffness, preload, position, normal or wrench, each at most once"};
     }
     std::string number = part.substr(equals + 1);
+    constexpr const char* kBall = "ball:";
+    const bool ball = number.rfind(kBall, 0) == 0;
+    if (ball && kind != "wrench") {
+      throw UsageError{option + ": " + quote(part) + ": only the wrench may have a ball"};
+    }
     const bool percent = !number.empty() && number.back() == '%';
-    if (percent) number.pop_back();
-    result[kind] = {parse_number(option, number), percent};
+    if (ball) {
+      result[kind] = {0, false, parse_ball(option, number.substr(std::strlen(kBall)))};
+    } else {
+      if (percent) number.pop_back();
+      result[kind] = {parse_number(option, number), percent};
+    }
     begin = comma + 1;
   }
   return result;

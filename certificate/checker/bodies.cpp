@@ -63,14 +63,28 @@ Vector Mechanism::row(const Turns& over) const {
   return row;
 }
 
-Vector seen(const Sight& sight, const Vector& row) {
-  if (!sight) return row;
-  Vector result(sight->rows[0].size());
-  spend(kStepsOfRational * row.size() * result.size());
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    for (std::size_t j = 0; j < result.size(); ++j) result[j] += row[k] * sight->rows[k][j];
+Vector at_point(const Vector& p, const Vector& f) {
+  if (p.size() == 2) return {f[0], f[1], Rational(p[0] * f[1] - p[1] * f[0])};
+  Vector wrench = f;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3;
+    const std::size_t l = (j + 2) % 3;
+    wrench.emplace_back(p[k] * f[l] - p[l] * f[k]);
+  }
+  return wrench;
+}
+
+Vector combined(const Matrix& rows, const Vector& factors) {
+  Vector result(rows[0].size());
+  spend(kStepsOfRational * factors.size() * result.size());
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] += factors[k] * rows[k][j];
   }
   return result;
+}
+
+Vector seen(const Sight& sight, const Vector& row) {
+  return sight ? combined(sight->rows, row) : row;
 }
 
 }  // namespace stickslip_check

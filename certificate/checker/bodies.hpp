@@ -83,6 +83,12 @@ inline bool is_spring(const Sight& sight) {
   return sight && sight->kind == Element::Kind::kSpring;
 }
 
+/// The wrench, or the twist row, of a force at a point.
+Vector at_point(const Vector& point, const Vector& force);
+
+/// The sum of the rows of a matrix, each by its factor.
+Vector combined(const Matrix& rows, const Vector& factors);
+
 /// G^T row.
 Vector seen(const Sight& sight, const Vector& row);
 

@@ -264,17 +264,6 @@ Row make_row(const ContactBox& c) {
 
 }  // namespace
 
-Vector at_point(const Vector& p, const Vector& f) {
-  if (p.size() == 2) return {f[0], f[1], Rational(p[0] * f[1] - p[1] * f[0])};
-  Vector wrench = f;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const std::size_t k = (j + 1) % 3;
-    const std::size_t l = (j + 2) % 3;
-    wrench.emplace_back(p[k] * f[l] - p[l] * f[k]);
-  }
-  return wrench;
-}
-
 std::vector<Turn> turns_of(const Vector& normal, const Rational& slope) {
   if (normal.empty()) return {};
   if (normal.size() == 2) return {{{Rational(-normal[1]), normal[0]}, slope}};
@@ -284,7 +273,6 @@ std::vector<Turn> turns_of(const Vector& normal, const Rational& slope) {
   }
   Vector axis(3);
   axis[least] = 1;
-  constexpr unsigned kRootBits = 64;
   Vector way = std::move(axis);
   std::vector<Turn> turns;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -292,7 +280,7 @@ std::vector<Turn> turns_of(const Vector& normal, const Rational& slope) {
     turns.push_back({way, 0});
     if (slope == 0) continue;
     const Rational square = slope * slope * dot(normal, normal) / dot(way, way);
-    turns.back().most = root_bounds(square, kRootBits).high;
+    turns.back().most = root_above(square);
   }
   return turns;
 }
@@ -326,13 +314,13 @@ const BoxContact& Box::made(std::size_t i) const {
 bool Box::certain() const {
   return std::all_of(contacts_.begin(), contacts_.end(),
                      [](const auto& contact) { return !contact || contact->row.certain; }) &&
-         std::all_of(wrench.begin(), wrench.end(), [](auto& w) { return w.certain(); });
+         load.certain();
 }
 
 const Bounds* Box::find(Parameter name, const Integer& index) const {
-  const bool of_wrench = name == Parameter::kWrench;
-  if (index >= (of_wrench ? wrench.size() : size())) return nullptr;
-  if (of_wrench) return &wrench[index.get_ui()];
+  const bool of_load = name == Parameter::kWrench;
+  if (index >= (of_load ? load.numbers().size() : size())) return nullptr;
+  if (of_load) return &load.numbers()[index.get_ui()];
   const ContactBox& c = contact(index.get_ui());
   const bool of_all = name == Parameter::kPreload || name == Parameter::kStiffness;
   return of_all || is_contact(c.sight) ? &c[name] : nullptr;
@@ -341,7 +329,7 @@ const Bounds* Box::find(Parameter name, const Integer& index) const {
 Box Box::with(Parameter name, std::size_t index, Bounds bounds) const {
   Box part = *this;
   if (name == Parameter::kWrench) {
-    part.wrench[index] = std::move(bounds);
+    part.load = load.with(index, std::move(bounds));
   } else {
     ContactBox changed = contact(index);
     changed.bounds[static_cast<std::size_t>(name)] = std::move(bounds);
@@ -353,7 +341,7 @@ Box Box::with(Parameter name, std::size_t index, Bounds bounds) const {
 Box Box::middle() const {
   const auto shrink = [](Bounds& bounds) { bounds = (bounds.low + bounds.high) / 2; };
   Box point = *this;
-  for (Bounds& w : point.wrench) shrink(w);
+  point.load = load.middle();
   for (auto& contact : point.contacts_) {
     if (!contact || contact->row.certain) continue;
     ContactBox changed = contact->box;

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "bodies.hpp"
+#include "load.hpp"
 #include "number.hpp"
 #include "slip_cone.hpp"
 
@@ -28,9 +29,6 @@ namespace stickslip_check {
 constexpr std::size_t coordinates(std::size_t dimension) {
   return dimension == kSpatial ? 3 : 2;
 }
-
-/// The wrench, or the twist row, of a force at a point.
-Vector at_point(const Vector& point, const Vector& force);
 
 /// FORMAT.md §6, the table; kWrench is of no contact.
 enum class Parameter : std::int8_t {
@@ -139,7 +137,7 @@ class Box {
   /// `make` is to make contact i < `size`. If `certain`, none of them has any uncertainty.
   Box(std::size_t size, Maker make, bool certain);
 
-  std::vector<Bounds> wrench;  ///< w
+  Load load;  ///< w
   /// What the load gains with each coordinate of a point after h: u, which is 0 unless of a
   /// margin; of a region, u and v.
   std::vector<Vector> growths;
@@ -150,13 +148,13 @@ class Box {
   /// Contact i, not kept if it has not been asked for.
   std::shared_ptr<const BoxContact> passing(std::size_t i) const;
 
-  std::size_t dimension() const { return wrench.size(); }
+  std::size_t dimension() const { return load.dimension(); }
   /// Of a point: D of the motion, h, and the others.
   std::size_t coordinates() const { return dimension() + 1 + growths.size(); }
   /// Whether it is one point.
   bool certain() const;
-  /// The interval of a parameter, or nothing if there is no such contact or component, or if it
-  /// has no such parameter.
+  /// The interval of a parameter, or nothing if there is no such contact or number of the load,
+  /// or if it has no such parameter.
   const Bounds* find(Parameter name, const Integer& index) const;
   /// The part with another interval of a parameter that there is.
   Box with(Parameter name, std::size_t index, Bounds bounds) const;

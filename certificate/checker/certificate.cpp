@@ -406,12 +406,36 @@ std::map<std::string, Tolerance> CertificateReader::tolerances(const Value& valu
   std::map<std::string, Tolerance> result;
   for (std::size_t k = 0; k < value.items.size(); ++k) {
     Value size = value.items[k];
+    const std::string at = place + "." + value.keys[k];
+    if (value.keys[k] == "wrench" && size.kind == Value::Kind::kObject) {
+      result["wrench"] = {0, false, ball(size, at)};
+      continue;
+    }
     const bool percent =
         size.kind == Value::Kind::kString && !size.text.empty() && size.text.back() == '%';
     if (percent) size.text.pop_back();
-    result[value.keys[k]] = {number(size, place + "." + value.keys[k]), percent};
+    result[value.keys[k]] = {number(size, at), percent};
   }
   return result;
+}
+
+/// BALL.
+Ball CertificateReader::ball(const Value& value, const std::string& place) const {
+  expect_order(value, place, {"ball", "length", "about", "body"});
+  Ball ball{number(member(value, place, "ball"), place + ".ball"),
+            number(member(value, place, "length"), place + ".length"),
+            Vector(in_space_ ? 3 : 2), std::nullopt};
+  if (const Value* about = value.find("about")) {
+    ball.about = numbers(*about, place + ".about", 0, ball.about.size());
+  }
+  if (several_) {
+    const Value& body = member(value, place, "body");
+    json_.expect(body.kind == Value::Kind::kString, body, place + ".body", "a string");
+    ball.body = body.text;
+  } else if (const Value* body = value.find("body")) {
+    json_.expect(false, *body, place + ".body", "none, of a question about one body");
+  }
+  return ball;
 }
 
 /// Of so many rows.

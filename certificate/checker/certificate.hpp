@@ -82,6 +82,7 @@ class CertificateReader {
   Claim claim_of(const Value& value) const;
   Bounds wrench_component(const Value& value, const std::string& place) const;
   std::map<std::string, Tolerance> tolerances(const Value& value) const;
+  Ball ball(const Value& value, const std::string& place) const;
   std::vector<Vector> matrix(const Value& value, const std::string& place, std::size_t least,
                              std::size_t most) const;
   Part part(const Value& value, const std::string& place) const;

@@ -38,8 +38,7 @@ std::string in_words(const std::optional<Rational>& preload) {
 std::string in_words(const std::map<std::string, Tolerance>& uncertain) {
   std::string text;
   for (const auto& [kind, tolerance] : uncertain) {
-    text += (text.empty() ? "" : ", ") + kind + "=" + show(tolerance.size) +
-            (tolerance.percent ? "%" : "");
+    text += (text.empty() ? "" : ", ") + kind + "=" + show(tolerance);
   }
   return text.empty() ? "no tolerances" : "the tolerances " + text;
 }

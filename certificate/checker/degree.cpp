@@ -62,13 +62,7 @@ std::string what_sees(const Vector& z, const Box& box) {
       return "contact " + std::to_string(i) + " has friction";
     }
   }
-  Vector least;
-  bool works = false;
-  for (std::size_t j = 0; j < z.size(); ++j) {
-    least.push_back(box.wrench[j].low);
-    works = works || (z[j] != 0 && !box.wrench[j].certain());
-  }
-  works = works || dot(least, z) != 0;
+  bool works = !(box.load.work(z) == Bounds(0));
   for (const Vector& growth : box.growths) works = works || dot(growth, z) != 0;
   return works ? "the load works" : "";
 }

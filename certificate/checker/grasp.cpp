@@ -157,6 +157,8 @@ class GraspReader {
       for (std::size_t i = 0; i < own_.size(); ++i) put_between_bodies(i);
       for (const Contact& element : others_) grasp_.contacts.push_back(element);
       grasp_.several->has_loads = has("loads") || has("wrench");
+      grasp_.several->names = std::move(names_);
+      grasp_.several->mechanism = std::move(mechanism_);
     } else if (!pairs_.empty()) {
       const auto& [i, pair] = *pairs_.begin();
       json_.fail(
@@ -450,7 +452,7 @@ class GraspReader {
                           "at most " +
                           std::to_string(kMostCoordinates)};
     }
-    mechanism_.emplace(bodies_, std::move(all_turns), in_space);
+    mechanism_ = std::make_shared<const Mechanism>(bodies_, std::move(all_turns), in_space);
     grasp_.wrench = Wrench(dimension);
     name_coordinates(joints);
     read_over(take("ratchets"), "ratchets", Element::Kind::kRatchet, "preload");
@@ -902,7 +904,7 @@ class GraspReader {
   // Of several bodies:
   std::vector<Body> bodies_;
   std::map<std::string, std::size_t> names_;  ///< of bodies
-  std::optional<Mechanism> mechanism_;
+  std::shared_ptr<const Mechanism> mechanism_;
   std::map<std::size_t, Pair> pairs_;         ///< by contact
   std::map<std::size_t, Rational> torsions_;  ///< by contact
   std::optional<Rational> default_torsion_;

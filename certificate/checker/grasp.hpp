@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <istream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,8 +63,10 @@ class Contacts {
 /// What is to be known of several bodies besides their elements.
 struct Bodies {
   bool in_space;
-  std::vector<std::string> coordinates;  ///< names of them, for whoever reads
-  bool has_loads;                        ///< then no case has to be chosen
+  std::vector<std::string> coordinates;      ///< names of them, for whoever reads
+  bool has_loads;                            ///< then no case has to be chosen
+  std::map<std::string, std::size_t> names;  ///< of the bodies
+  std::shared_ptr<const Mechanism> mechanism;
 };
 
 struct Grasp {

@@ -105,15 +105,6 @@ void add_edges(const Row& row, int sign, bool mixed, const Form& y, const Ration
   if (!bend.bounds.empty()) bound.bends.push_back(std::move(bend));
 }
 
-/// The largest y.w.
-Rational most_work(const Vector& y, const std::vector<Bounds>& wrench) {
-  Rational work;
-  for (std::size_t j = 0; j < y.size(); ++j) {
-    work += y[j] * (y[j] > 0 ? wrench[j].high : wrench[j].low);
-  }
-  return work;
-}
-
 /// In space, of an uncertain contact: the largest alpha v_i, or 0 if it is mixed.
 void add_spatial(const Row& row, const Rational& alpha, bool mixed, Bound& bound) {
   const int sign = sgn(alpha);
@@ -165,13 +156,6 @@ bool must_move(const Slips& slips, const SlipCone& cone, const Generators& regio
   });
 }
 
-/// The root of x, or minus that of -x, or what is a little larger and short.
-Rational root_above(const Rational& x) {
-  constexpr unsigned kRootBits = 64;
-  return x >= 0 ? root_bounds(x, kRootBits).high
-                : Rational(-root_bounds(Rational(-x), kRootBits).low);
-}
-
 /// In space, alpha_i.
 Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, const Form& y,
                        const Rational& scale) {
@@ -220,7 +204,7 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
   bound.bends.reserve(box.size());
   PairwiseSum terms;
   Vector work(box.coordinates());
-  work[dimension] = most_work(twist, box.wrench);
+  work[dimension] = box.load.work(twist).high;
   for (std::size_t k = 0; k < box.growths.size(); ++k) {
     work[dimension + 1 + k] = dot(twist, box.growths[k]);
   }

@@ -72,7 +72,11 @@ the program that produced the certificate:
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
-                           in percent, for normals the slope by which they may be turned
+                           in percent, for normals the slope by which they may be turned;
+                           wrench=ball:R[:length=L][:about=X:Y[:Z]][:body=NAME] is every load that
+                           differs by a force f and a torque t at (X, Y) with |f|^2 + |t|^2 / L^2
+                           at most R^2, where L is 1 and the point 0 unless given; of several
+                           bodies it is on the one named last, after body=
 
   --json                   answer as one JSON object
   --batch                  instead of GRASP and CERTIFICATE, and without other options: questions from

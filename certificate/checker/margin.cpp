@@ -46,7 +46,7 @@ bool at_rest(const Question& question) {
   for (std::size_t i = 0; i < question.contacts.size(); ++i) {
     if (!zero(question.contacts[i].preload)) return false;
   }
-  return std::all_of(question.widened.begin(), question.widened.end(), zero);
+  return std::all_of(question.wrench.begin(), question.wrench.end(), zero);
 }
 
 void check_order(const std::vector<Interval>& resisted) {

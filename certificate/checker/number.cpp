@@ -130,6 +130,12 @@ Bounds root_bounds(const Rational& x, unsigned bits) {
   return {over(j), over(j + 1)};
 }
 
+Rational root_above(const Rational& x) {
+  constexpr unsigned kRootBits = 64;
+  return x >= 0 ? root_bounds(x, kRootBits).high
+                : Rational(-root_bounds(Rational(-x), kRootBits).low);
+}
+
 Integer make_primitive(Form& x) {
   spend(2 * x.size() * words(x) * words(x));
   Integer divisor;

@@ -62,6 +62,9 @@ int sign_of_dot(const Form& a, const Form& b);
 std::optional<Rational> exact_sqrt(const Rational& x);
 /// The same, or an enclosure with so many bits: FORMAT.md §6.
 Bounds root_bounds(const Rational& x, unsigned bits);
+/// "The bound" of the root of x, or of minus that of -x: the same, or what is a little larger
+/// and short.
+Rational root_above(const Rational& x);
 
 /// The sum of products of as many coordinates as the shorter of the two has.
 Rational dot(const Vector& a, const Vector& b);

@@ -43,15 +43,30 @@ std::string json_wrench(const Wrench& wrench) {
   return "[" + text + "]";
 }
 
+std::string text_of(const Ball& ball) {
+  return "ball:" + ball.radius.get_str() + ", length " + ball.length.get_str() + ", about " +
+         list(ball.about, "(", ")", false) +
+         (ball.body ? ", on the body \"" + printable(*ball.body) + '"' : "");
+}
+
+std::string json_ball(const Ball& ball) {
+  return R"({"ball": )" + json_string(ball.radius.get_str()) + R"(, "length": )" +
+         json_string(ball.length.get_str()) + R"(, "about": )" +
+         list(ball.about, "[", "]", true) +
+         (ball.body ? R"(, "body": )" + json_string(*ball.body) : "") + "}";
+}
+
 /// All tolerances that were given, each after its kind and `between`, in their order.
 std::string tolerances(const Options& asked, const char* between, bool quoted) {
   std::string text;
   for (const char* kind : kUncertainKinds) {
     const auto found = asked.uncertain.find(kind);
     if (found == asked.uncertain.end()) continue;
-    const std::string size = found->second.size.get_str() + (found->second.percent ? "%" : "");
-    text += text.empty() ? "" : ", ";
-    text += quoted ? json_string(kind) + between + json_string(size) : kind + (between + size);
+    const Tolerance& tolerance = found->second;
+    std::string size = tolerance.size.get_str() + (tolerance.percent ? "%" : "");
+    if (quoted) size = json_string(size);
+    if (tolerance.ball) size = quoted ? json_ball(*tolerance.ball) : text_of(*tolerance.ball);
+    text += (text.empty() ? "" : ", ") + (quoted ? json_string(kind) : kind) + between + size;
   }
   return text;
 }

@@ -118,13 +118,42 @@ void widen(Contact& contact, const std::string& kind, const Tolerance& tolerance
   for (Bounds& p : contact.position) widen(p, tolerance);
 }
 
+/// The loads of a ball, with the point that was left out.
+Load load_of(Ball& ball, const Question& question, const std::string& found) {
+  const auto require = [&found](bool good, const std::string& expected) {
+    if (!good) refuse("uncertain", "found " + found + ", expected " + expected);
+  };
+  require(ball.radius > 0, "a radius above 0");
+  require(ball.length > 0, "a length above 0");
+  const std::size_t rows = question.in_space ? kSpatial : kPlanar;
+  if (ball.about.empty()) ball.about.resize(coordinates(rows));
+  require(ball.about.size() == coordinates(rows),
+          question.in_space ? "a point of three coordinates, as the grasp is in space"
+                            : "a point of two coordinates, as the grasp is planar");
+  Vector w0;
+  for (const Bounds& w : question.wrench) {
+    require(w.certain(), "a load without intervals, but it has " + show(w));
+    w0.push_back(w.low);
+  }
+  if (!question.several) {
+    require(!ball.body, "no body, as the grasp has one only");
+    Matrix unit(rows, Vector(rows));
+    for (std::size_t j = 0; j < rows; ++j) unit[j][j] = 1;
+    return {std::move(w0), ball, unit};
+  }
+  const auto& bodies = question.several->names;
+  const auto body = ball.body ? bodies.find(*ball.body) : bodies.end();
+  require(body != bodies.end(),
+          "the name of one of \"bodies\", such as body=" + quote(bodies.begin()->first));
+  return {std::move(w0), ball, question.several->mechanism->motion(body->second)};
+}
+
 /// Replaces what is asked to be, and widens it; the wrench has been replaced.
 void apply_uncertain(Question& question, Contacts& contacts) {
-  const Options& asked = question.asked;
-  question.widened = question.wrench;
-  for (const auto& [kind, tolerance] : asked.uncertain) {
-    const std::string found =
-        kind + "=" + show(tolerance.size) + (tolerance.percent ? "%" : "");
+  Options& asked = question.asked;
+  question.load = Load(question.wrench);
+  for (auto& [kind, tolerance] : asked.uncertain) {
+    const std::string found = kind + "=" + show(tolerance);
     if (asked.family()) {
       refuse("uncertain", "found " + found + ", but " + kind_of(asked) +
                               " is about one grasp; expected no uncertainty");
@@ -133,8 +162,12 @@ void apply_uncertain(Question& question, Contacts& contacts) {
     if (kind == "normal" && tolerance.percent) {
       refuse("uncertain", "found " + found + ", expected a slope, such as 0.01");
     }
-    for (Bounds& w : question.widened) {
-      if (kind == "wrench") widen(w, tolerance);
+    if (tolerance.ball) {
+      question.load = load_of(*tolerance.ball, question, found);
+    } else if (kind == "wrench") {
+      Wrench wrench = question.wrench;
+      for (Bounds& w : wrench) widen(w, tolerance);
+      question.load = Load(std::move(wrench));
     }
   }
   for (std::size_t i = 0; i < contacts.size() && (asked.preload || !asked.uncertain.empty());
@@ -194,7 +227,9 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
           "no exact question; run stickslip snap GRASP -o FILE, and ask about FILE"};
     }
   }
-  for (const Bounds& w : question.widened) check(w, [] { return std::string("wrench"); });
+  for (const Bounds& w : question.load.numbers()) {
+    check(w, [] { return std::string("wrench"); });
+  }
 }
 
 ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bits) {
@@ -229,6 +264,16 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
 }
 
 }  // namespace
+
+std::string show(const Tolerance& tolerance) {
+  if (!tolerance.ball) return show(tolerance.size) + (tolerance.percent ? "%" : "");
+  const Ball& ball = *tolerance.ball;
+  std::string text = "ball:" + show(ball.radius) + ":length=" + show(ball.length);
+  for (std::size_t j = 0; j < ball.about.size(); ++j) {
+    text += (j == 0 ? ":about=" : ":") + show(ball.about[j]);
+  }
+  return text + (ball.body ? ":body=" + *ball.body : "");
+}
 
 Question pose(Grasp grasp, const Options& options, const std::string& file) {
   Contacts& contacts = grasp.contacts;
@@ -286,7 +331,7 @@ void enlarge(Question& question, unsigned bits) {
     return enlarged(contacts[i], growth.size() == 0 ? Rational(0) : growth[i], bits);
   };
   auto box = std::make_shared<Box>(question.contacts.size(), make, !question.is_box);
-  box->wrench = question.widened;
+  box->load = question.load;
   box->growths = question.asked.plane.value_or(std::vector<Vector>{question.growth});
   question.box = std::move(box);
 }

@@ -32,11 +32,14 @@ inline constexpr unsigned kDefaultBits = 128;
 struct Tolerance {
   Rational size;
   bool percent = false;
+  std::optional<Ball> ball = {};  ///< of the wrench, in place of these
 
   bool operator==(const Tolerance& other) const {
-    return size == other.size && percent == other.percent;
+    return size == other.size && percent == other.percent && ball == other.ball;
   }
 };
+/// For messages: as the option `uncertain` spells it.
+std::string show(const Tolerance& tolerance);
 
 /// How the preloads grow: by these numbers, one for each element, or in proportion to
 /// themselves.
@@ -89,7 +92,7 @@ struct Question {
   bool in_space = false;
   Fixed<Contacts> contacts;        ///< with what was replaced and widened
   Wrench wrench;                   ///< w, before it was widened
-  Wrench widened;                  ///< w
+  Load load;                       ///< w
   Vector growth;                   ///< u; 0 for one verdict
   Fixed<Vector> preload_growth;    ///< P^u; empty if none is asked for
   bool is_box = false;             ///< FORMAT.md §6; of claims §5

@@ -90,7 +90,9 @@ Vector largest_left(const Box& box, const Rational& multiple, const Friction& fr
     v[entries + k] += bounds.high;
   };
   for (std::size_t k = 0; k < dimension; ++k) {
-    add(load, k, box.wrench[k]);
+    Vector along(dimension);
+    along[k] = 1;
+    add(load, k, box.load.work(along));
     add(load, k, multiple * box.growths[0][k]);
     add(load, dimension * (k + 1) + k, -1);
   }

@@ -196,15 +196,6 @@ int side_of(const std::vector<Point>& points, const RowDoubles& row, const Box& 
   return above ? 1 : -1;
 }
 
-/// load(x), for a box of one point.
-Vector load_at(const Box& box, const Form& x) {
-  Vector load;
-  for (std::size_t j = 0; j < kPlanar; ++j) {
-    load.emplace_back(box.wrench[j].low * x[kPlanar] + box.growths[0][j] * x[kPlanar + 1]);
-  }
-  return load;
-}
-
 static_assert(std::numeric_limits<double>::is_iec559 &&
               std::numeric_limits<double>::digits == 53);
 
@@ -229,8 +220,9 @@ std::shared_ptr<const BoxDoubles> make_doubles(const Box& box) {
     if (!doubles) return nullptr;
     result->rows.push_back(*doubles);
   }
+  const Vector load = box.load.lowest();
   for (std::size_t j = 0; j < kPlanar; ++j) {
-    for (auto [exact, doubles] : {std::pair{&box.wrench[j].low, &result->load[j]},
+    for (auto [exact, doubles] : {std::pair{&load[j], &result->load[j]},
                                   std::pair{&box.growths[0][j], &result->growth[j]}}) {
       *doubles = 0;
       if (*exact == 0) continue;
@@ -387,7 +379,8 @@ bool Settled::proves(const Generators& region, const Vector& twist) const {
       if (at.pressed || some_press(*at.point)) return false;
       // No contact does any work there.
       const Form& x = *at.point->exact->x;
-      const Rational work = dot(twist, load_at(*box_, x));
+      const Rational work = box_->load.work(twist).high * x[kPlanar] +
+                            dot(twist, box_->growths[0]) * x[kPlanar + 1];
       if (work > 0) return false;
       if (work == 0) flat.add(*at.point->exact);
     }

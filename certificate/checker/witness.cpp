@@ -114,11 +114,11 @@ Vector ForceSum::total(const Box& box, const Form& x, const std::vector<ContactF
   PairwiseSum changes;
   PairwiseSum wrenches;  // of the load, and of contacts that no matrix holds
   changes.add(sum_.empty() ? Vector(dimension * width) : std::move(sum_));
-  Vector load;
+  Vector load = box.load.lowest();
   for (std::size_t j = 0; j < dimension; ++j) {
-    load.emplace_back(x[dimension] * box.wrench[j].low);
+    load[j] *= x[dimension];
     for (std::size_t k = 0; k < box.growths.size(); ++k) {
-      load.back() += x[dimension + 1 + k] * box.growths[k][j];
+      load[j] += x[dimension + 1 + k] * box.growths[k][j];
     }
   }
   wrenches.add(load);

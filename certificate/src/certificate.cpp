@@ -78,6 +78,13 @@ std::string tolerances_text(const Tolerances& tolerances) {
             (tolerance.relative ? '"' + to_string(tolerance.spelled()) + "%\""
                                 : number(tolerance.amount));
   }
+  if (const auto& ball = tolerances.ball) {
+    text += std::string(text.empty() ? "\"" : ", \"") + "wrench\": {\"ball\": " +
+            number(ball->radius) + ", \"length\": " + number(ball->length) +
+            (ball->about.empty() ? "" : ", \"about\": [" + list(ball->about) + "]") +
+            (ball->body.empty() ? "" : ", \"body\": " + nlohmann::json(ball->body).dump()) +
+            "}";
+  }
   return "\"uncertain\": {" + text + "}";
 }
 

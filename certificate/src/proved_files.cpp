@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/certificate/proved_files.hpp"
 
+#include <utility>
+
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
@@ -9,10 +11,12 @@
 namespace stickslip {
 namespace {
 
-Question about(const GraspBox& box, NormalLaw law) {
+/// A file has no ball of loads: that is an option of the question.
+Question about(GraspBox box, NormalLaw law) {
   QuestionOptions options;
   options.law = law;
-  return ask({box}, options);
+  options.uncertain.ball = std::exchange(box.ball, {});
+  return ask({std::move(box)}, options);
 }
 
 void require_verdict(bool stable, const std::string& found) {
@@ -42,7 +46,8 @@ ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& de
     return proved_grasp(box, law, stable, producer);
   }
   return {write_grasp(box),
-          certificate_text(about(box, law), decision.verdict, producer, decision.bits)};
+          certificate_text(about(box, law), decision.verdict, producer, decision.bits),
+          box.ball ? "wrench=" + to_string(*box.ball) : ""};
 }
 
 std::vector<ProvedFiles> proved_decision(const GraspBox& box, NormalLaw law,

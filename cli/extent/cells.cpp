@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cells.hpp"
 
+#include "question_options.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/file.hpp"
 #include "terminal.hpp"
@@ -28,6 +29,7 @@ std::vector<MapCell> proved_cells(const GraspBox& grasp, NormalLaw law, const Ma
   MapOptions options;
   options.depth = asked.depth;
   options.box.node_limit = asked.node_limit;
+  options.uncertain = asked.uncertain;
   if (!asked.certificates.empty()) make_folder("--certificates", asked.certificates);
   std::vector<MapCell> cells;
   Progress progress;
@@ -37,8 +39,8 @@ std::vector<MapCell> proved_cells(const GraspBox& grasp, NormalLaw law, const Ma
         const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
         if (proved && !asked.certificates.empty()) {
           const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
-          const ProvedFiles files = proved_box(box_of_cell(grasp, x, y, cell.x, cell.y), law,
-                                               cell.decision, producer);
+          const GraspBox box = box_of_cell(grasp, x, y, cell.x, cell.y, asked.uncertain);
+          const ProvedFiles files = proved_box(box, law, cell.decision, producer);
           write_proved_files("--certificates", asked.certificates,
                              {{"cell" + std::to_string(cells.size()), files}});
         }

@@ -16,6 +16,7 @@ struct CellsAsked {
   unsigned depth = MapOptions().depth;
   std::size_t node_limit = 0;
   std::string certificates{};  ///< a folder, or empty
+  Tolerances uncertain{};      ///< of the grasps of every cell
 };
 
 /// The cells, with progress on a terminal. Proofs are written, and not kept.

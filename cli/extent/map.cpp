@@ -21,19 +21,33 @@ struct MapArguments {
   std::string x;
   std::string y;
   CellsAsked cells;
+  std::string uncertain;
   std::string svg;
   NumberOptions output;
 };
 
 void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
-                const std::vector<MapCell>& cells) {
+                const std::vector<MapCell>& cells, const CellsAsked& asked,
+                const std::string& uncertain) {
   std::cout << heading(question) << "a map of " << cells.size() << " cells over " << x.name
             << " and " << y.name << "\n\n"
-            << shares_text(cells, x, y) << '\n'
-            << engine_text(box_engine(question), question.law);
+            << shares_text(cells, x, y) << '\n';
+  if (!uncertain.empty()) {
+    std::cout << "Each proof is for all grasps of a cell with " << uncertain << ".\n";
+  }
+  if (asked.uncertain.ball && !asked.certificates.empty()) {
+    std::cout << "Each in " << asked.certificates
+              << " is checked with --uncertain wrench=" << to_string(*asked.uncertain.ball)
+              << ".\n";
+  }
+  std::cout << engine_text(box_engine(question), question.law);
 }
 
 int map(const MapArguments& arguments) {
+  QuestionText text;
+  text.uncertain = arguments.uncertain;
+  CellsAsked asked = arguments.cells;
+  asked.uncertain = question_options(text).uncertain;
   const Question question = arguments.question.any_question();
   const GraspBox* box = question.box();
   if (box != nullptr && !(!question.is_one_planar_body() && box->is_point())) {
@@ -44,15 +58,16 @@ int map(const MapArguments& arguments) {
   const GraspBox grasp = box_of(question.grasp);
   const MapAxis x = parse_axis(grasp, arguments.x, "--x");
   const MapAxis y = parse_axis(grasp, arguments.y, "--y");
-  const std::vector<MapCell> cells = proved_cells(grasp, question.law, x, y, arguments.cells);
+  const std::vector<MapCell> cells = proved_cells(grasp, question.law, x, y, asked);
   if (!arguments.svg.empty()) {
     write_whole_file(arguments.svg, plot_map(question.description().name, x, y, cells));
   }
   if (arguments.output.json) {
-    std::cout << finished(map_json(question, x, y, cells), arguments.output.floats).dump(1)
-              << '\n';
+    Json json = map_json(question, x, y, cells);
+    if (!arguments.uncertain.empty()) json["uncertain"] = arguments.uncertain;
+    std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
-    print_text(question, x, y, cells);
+    print_text(question, x, y, cells, asked, arguments.uncertain);
   }
   return kDone;
 }
@@ -70,6 +85,8 @@ void add_map_command(CLI::App& app, int& exit_code) {
             {"--y", &arguments->y, "What grows upwards"}}}) {
     command->add_option(option, *value, words)->type_name("NAME=FROM:TO")->required();
   }
+  add_uncertain_option(*command, arguments->uncertain,
+                       "How far numbers of every grasp of the map may be off, as of decide");
   constexpr std::uint64_t kMostDepth = 12;
   add_count_option(*command, "--depth", arguments->cells.depth,
                    "The finest cells are a 2^N-th of an axis", kMostDepth);

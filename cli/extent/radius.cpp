@@ -29,9 +29,6 @@ struct RadiusQuestion {
   GraspBox centre;
 };
 
-/// Which way a factor may be rounded so that what is said of it stays true.
-enum class Round { kDown, kUp };
-
 class Report {
  public:
   Report(const RadiusQuestion& asked, const Radius& radius, const NumberOptions& output)
@@ -41,7 +38,9 @@ class Report {
 
  private:
   bool none_proved() const { return radius_.proved.is_zero(); }
-  std::string factor(const Rational& factor, Round round) const;
+  std::string factor(const Rational& factor, Round round) const {
+    return rounded_text(factor, round, exact_);
+  }
   std::string tolerances_table() const;
   std::string numbers_table();
   std::string meaning() const;
@@ -54,13 +53,6 @@ class Report {
 
 const char* verdict_of(const Radius& radius) {
   return !radius.stable ? "undecided" : *radius.stable ? "stable" : "unstable";
-}
-
-std::string Report::factor(const Rational& factor, Round round) const {
-  if (exact_ || factor.is_zero()) return to_string(factor);
-  constexpr int kDigits = 4;
-  const DecimalEnclosure near = enclose_sqrt(factor, 1, kDigits);
-  return round == Round::kDown ? near.lower : near.upper;
 }
 
 /// What the factors make of each tolerance of --uncertain.
@@ -77,6 +69,7 @@ std::string Report::tolerances_table() const {
   };
   add("factor", {1, false});
   for (const auto& [kind, tolerance] : given(asked_.question.uncertain)) add(kind, tolerance);
+  if (asked_.box.ball) add("ball of loads", {asked_.box.ball->radius, false});
   return short_table(rows);
 }
 
@@ -134,6 +127,7 @@ void print_json(const RadiusQuestion& asked, const Radius& radius, bool floats) 
   json["normal_law"] = to_string(asked.question.law);
   json["wrench"] = wrench_json(asked.centre.wrench);
   json["uncertain"] = uncertain_json(uncertain_numbers(asked.box));
+  if (asked.box.ball) json["ball"] = ball_json(*asked.box.ball);
   json["proved"] = number_json(radius.proved);
   json["refuted"] = radius.refuted ? number_json(*radius.refuted) : Json();
   json["limit"] = number_json(radius.limit);
@@ -141,16 +135,6 @@ void print_json(const RadiusQuestion& asked, const Radius& radius, bool floats) 
     json["counterexample"] = Json::parse(write_grasp(*radius.example));
   }
   std::cout << finished(json, floats).dump(1) << '\n';
-}
-
-/// A percentage, or a number.
-Rational accuracy_option(const std::string& value) {
-  const bool percent = !value.empty() && value.back() == '%';
-  const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));
-  const Rational accuracy = number_option("--accuracy", number) / (percent ? 100 : 1);
-  if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
-  throw InputError("", "--accuracy", "the value is " + value,
-                   "it is a part of the radius: give more than 0 and less than 100%");
 }
 
 void write_certificates(const RadiusQuestion& asked, const Radius& radius,

@@ -60,13 +60,15 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
 void add_plot_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "plot",
-      "Draw a grasp, its slip states or its resistible wrenches: SVG for print and screen");
+      "Draw a grasp, its slip states, its resistible wrenches or its quality: SVG for print "
+      "and screen");
   command->require_subcommand(1);
   command->footer(
       footer_text("", kExitCodesWithLimit, "stickslip plot grasp fig1.json -o fig1.svg"));
   add_grasp_plot(*command, exit_code);
   add_states_plot(*command, exit_code);
   add_region_plot(*command, exit_code);
+  add_quality_plot(*command, exit_code);
 }
 
 }  // namespace stickslip

@@ -234,7 +234,8 @@ void print_text(const Answer& answer, const NumberOptions& output,
             << (stable == nullptr
                     ? "\n"
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))
-            << uncertain_text(uncertain, text)
+            << (question.box() == nullptr ? ""
+                                          : uncertain_text(*question.box(), uncertain, text))
             << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
             << enclosure_text(enclosed, answer.bits,
                               !std::holds_alternative<Undecided>(answer.verdict))

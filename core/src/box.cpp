@@ -125,6 +125,56 @@ constexpr Tolerated kTolerated[] = {
   throw InputError("", "uncertain", problem, remedy);
 }
 
+/// A number of a ball's words.
+Rational ball_number(const std::string& name, std::string_view text) {
+  try {
+    return parse_rational(text);
+  } catch (const NumberError& error) {
+    fail("the " + name + " of the ball of loads: " + error.what(),
+         "write numbers, as in wrench=ball:1/2:length=2:about=3:0");
+  }
+}
+
+/// What stands after "ball:".
+LoadBall parse_ball(std::string_view text) {
+  const auto next = [&] {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string_view word = text.substr(0, colon);
+    text.remove_prefix(std::min(colon + 1, text.size()));
+    return word;
+  };
+  LoadBall ball{ball_number("radius", next())};
+  std::vector<std::string> given;
+  while (!text.empty()) {
+    const std::size_t equals = text.find('=');
+    const std::string name(text.substr(0, equals));
+    if (equals == std::string_view::npos ||
+        (name != "length" && name != "about" && name != "body")) {
+      fail("of a ball of loads there is no " + quote(std::string(next())),
+           "write wrench=ball:R, and perhaps :length=L, :about=X:Y (in space X:Y:Z) and, of "
+           "several bodies, :body=NAME at the end");
+    }
+    if (std::find(given.begin(), given.end(), name) != given.end()) {
+      fail("the " + name + " of the ball of loads is given twice", "give it once");
+    }
+    given.push_back(name);
+    text.remove_prefix(equals + 1);
+    if (name == "body") {
+      ball.body = text;
+      break;
+    }
+    if (name == "length") ball.length = ball_number(name, next());
+    while (name == "about" && !text.empty() &&
+           text.substr(0, text.find(':')).find('=') == std::string_view::npos) {
+      ball.about.push_back(ball_number("point", next()));
+    }
+  }
+  const bool is_origin = std::all_of(ball.about.begin(), ball.about.end(),
+                                     [](const Rational& x) { return x.is_zero(); });
+  if (is_origin && (ball.about.size() == 2 || ball.about.size() == 3)) ball.about.clear();
+  return ball;
+}
+
 const Tolerated& kind_named(const std::string& name) {
   std::vector<std::string> names;
   for (const Tolerated& kind : kTolerated) {
@@ -215,17 +265,105 @@ Tolerances parse_tolerances(std::string_view text) {
     }
     const std::string name(entry.substr(0, equals));
     std::optional<Tolerance>& tolerance = tolerances.*kind_named(name).tolerance;
-    if (tolerance) fail("the tolerance of " + name + " is given twice", "give it once");
-    tolerance = parse_tolerance(name, entry.substr(equals + 1));
+    if (tolerance || (name == "wrench" && tolerances.ball)) {
+      fail("the tolerance of " + name + " is given twice", "give it once");
+    }
+    const std::string_view value = entry.substr(equals + 1);
+    constexpr std::string_view kBall = "ball:";
+    if (name == "wrench" && value.substr(0, kBall.size()) == kBall) {
+      tolerances.ball = parse_ball(value.substr(kBall.size()));
+    } else {
+      tolerance = parse_tolerance(name, value);
+    }
     last = comma == text.size();
     if (!last) text.remove_prefix(comma + 1);
   }
   return tolerances;
 }
 
+std::string to_string(const LoadBall& ball) {
+  std::string text = "ball:" + to_string(ball.radius) + ":length=" + to_string(ball.length);
+  for (std::size_t j = 0; j < ball.about.size(); ++j) {
+    text += (j == 0 ? ":about=" : ":") + to_string(ball.about[j]);
+  }
+  return ball.body.empty() ? text : text + ":body=" + ball.body;
+}
+
+std::vector<RationalRow> GraspBox::ball_motion() const {
+  require(ball.has_value(), "there is no ball of loads");
+  const std::size_t forces = in_space() ? 3 : 2;
+  std::vector<RationalRow> rows;
+  if (mechanism) {
+    rows = mechanism->motion_of(mechanism->body_named(ball->body, "uncertain"));
+  } else {
+    rows.assign(wrench.size(), RationalRow(wrench.size()));
+    for (std::size_t j = 0; j < rows.size(); ++j) rows[j][j] = 1;
+  }
+  if (ball->about.empty()) return rows;
+  // The point moves by what the origin does and omega x c.
+  const RationalRow& c = ball->about;
+  const auto add = [&](std::size_t to, std::size_t turn, const Rational& arm) {
+    for (std::size_t j = 0; j < rows[to].size(); ++j) rows[to][j] += arm * rows[turn][j];
+  };
+  if (forces == 2) {
+    add(0, 2, -c[1]);
+    add(1, 2, c[0]);
+    return rows;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    add(k, 3 + (k + 1) % 3, c[(k + 2) % 3]);
+    add(k, 3 + (k + 2) % 3, -c[(k + 1) % 3]);
+  }
+  return rows;
+}
+
+RationalRow GraspBox::ball_reach() const {
+  require(ball.has_value(), "there is no ball of loads");
+  RationalRow reach(in_space() ? 6 : 3, ball->radius);
+  for (std::size_t j = in_space() ? 3 : 2; j < reach.size(); ++j) reach[j] *= ball->length;
+  return reach;
+}
+
+namespace {
+
+void check_ball(const GraspBox& box) {
+  const LoadBall& ball = *box.ball;
+  const auto check_above = [](const char* name, const Rational& value) {
+    if (value.sign() > 0) return;
+    fail(std::string("the ") + name + " of the ball of loads is " + to_readable_string(value),
+         "give a number above 0");
+  };
+  check_above("radius", ball.radius);
+  check_above("length", ball.length);
+  const std::size_t coordinates = box.in_space() ? 3 : 2;
+  if (!ball.about.empty() && ball.about.size() != coordinates) {
+    fail("the point of the ball of loads has " + std::to_string(ball.about.size()) +
+             " coordinates",
+         "give " + std::to_string(coordinates) +
+             ", as in about=" + (coordinates == 3 ? "1:0:0" : "1:0"));
+  }
+  for (const Interval& component : box.wrench) {
+    if (component.is_point()) continue;
+    fail("the load is known to an interval, and a ball is given",
+         "give a certain load, with --wrench or in the file, or no ball");
+  }
+  if (!box.mechanism && !ball.body.empty()) {
+    fail("the ball of loads is on the body " + quote(ball.body) + ", but there is one body",
+         "leave out :body=");
+  }
+  if (!box.mechanism) return;
+  if (ball.body.empty() || ball.body == "ground") {
+    fail(ball.body.empty() ? "the ball of loads is on no body" : "a load on the ground",
+         "say on which, as in :body=" + box.mechanism->bodies.front().name);
+  }
+  box.mechanism->body_named(ball.body, "uncertain");
+}
+
+}  // namespace
+
 bool GraspBox::is_point() const {
-  bool all = std::all_of(contacts.begin(), contacts.end(),
-                         [](const UncertainContact& c) { return c.slope.is_zero(); });
+  bool all = !ball && std::all_of(contacts.begin(), contacts.end(),
+                                  [](const UncertainContact& c) { return c.slope.is_zero(); });
   for_each_number(*this, [&](const Interval& interval) { all = all && interval.is_point(); });
   return all;
 }
@@ -238,6 +376,7 @@ void GraspBox::check() const {
   for (std::size_t j = 0; j < wrench.size(); ++j) {
     check_ends(wrench[j], "wrench[" + std::to_string(j) + "]");
   }
+  if (ball) check_ball(*this);
 }
 
 GraspBox GraspBox::widened(const Tolerances& tolerances) const {
@@ -261,6 +400,7 @@ GraspBox GraspBox::widened(const Tolerances& tolerances) const {
     widen(tolerances.preload, spring.force);
   }
   for (Interval& component : box.wrench) widen(tolerances.wrench, component);
+  if (tolerances.ball) box.ball = tolerances.ball;
   check_widened(tolerances, [&] { box.check(); });
   return box;
 }
@@ -280,6 +420,8 @@ GraspBox GraspBox::scaled(const GraspBox& centre, const Rational& factor) const 
                 middle + factor * (interval.high - middle)};
   });
   for (UncertainContact& c : box.contacts) c.slope *= factor;
+  if (box.ball && factor.is_zero()) box.ball.reset();
+  if (box.ball) box.ball->radius *= factor;
   box.check();
   return box;
 }
@@ -289,6 +431,7 @@ GraspBox GraspBox::middle() const {
   for_each_number(box,
                   [](Interval& interval) { interval = point_interval(interval.middle()); });
   for (UncertainContact& c : box.contacts) c.slope = 0;
+  box.ball.reset();
   return box;
 }
 

@@ -39,11 +39,12 @@ Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t c
 EquilibriumPath MovingEquilibrium::follow(const Place& to) const {
   EquilibriumPath path;
   NearEquilibrium now = start_;
+  const Place from = box_.middle();
   double step = 0.5;
   constexpr double kLeastStep = 1.0 / 128;
   while (path.part < 1 && step >= kLeastStep) {
     const double next = std::min(1.0, path.part + step);
-    const RoundedGrasp there = box_.at(next * to);
+    const RoundedGrasp there = box_.at(from + next * (to - from));
     if (auto found = Newton(there).follow(now)) {
       now = std::move(*found);
       path.part = next;
@@ -63,7 +64,7 @@ std::vector<LostWay> MovingEquilibrium::ways_out() const {
   NearEquilibrium here = start_;
   double least = 2;
   const auto look_along = [&](const Eigen::MatrixXd& moving, const Reals& out) {
-    const Place to = (moving.transpose() * out).cwiseSign();
+    const Place to = box_.farthest(moving.transpose() * out);
     if (std::find(tried.begin(), tried.end(), to) != tried.end()) return false;
     tried.push_back(to);
     EquilibriumPath path = follow(to);
@@ -71,7 +72,7 @@ std::vector<LostWay> MovingEquilibrium::ways_out() const {
     lost.push_back({to, path.part});
     if (!(path.part < least) || path.equilibria.empty()) return false;
     least = path.part;
-    place = path.part * to;
+    place = box_.middle() + path.part * (to - box_.middle());
     here = std::move(path.equilibria.back());
     return true;
   };
@@ -155,7 +156,7 @@ std::vector<Reals> MovingEquilibrium::extremes(const Eigen::MatrixXd& rows) cons
       NearEquilibrium at = start_;
       constexpr int kRounds = 3;
       for (int round = 0; round < kRounds; ++round) {
-        const Place to = (sign * (row * moves(place, at)).transpose()).cwiseSign();
+        const Place to = box_.farthest(sign * (row * moves(place, at)).transpose());
         if (to == place) break;
         EquilibriumPath path = follow(to);
         for (const NearEquilibrium& e : path.equilibria) {

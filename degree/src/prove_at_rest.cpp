@@ -176,10 +176,14 @@ class RestSearch {
   /// max |W|, and max |M - 1| by rows.
   void measure(Rows& off, RationalRow& rest) const {
     for (const Rational& multiple : multiples_) {
-      Intervals sum = box_.wrench;
-      for (std::size_t k = 0; k < sum.size(); ++k) {
-        sum[k].low += multiple * box_.growth[k];
-        sum[k].high += multiple * box_.growth[k];
+      Intervals sum;
+      for (std::size_t k = 0; k < rest.size(); ++k) {
+        Row along(rest.size());
+        along[k] = 1;
+        const Rational most = box_.most_load_work(along);
+        const Rational least = -box_.most_load_work(negated(along));
+        const Rational grown = multiple * box_.growth[k];
+        sum.push_back({least + grown, most + grown});
       }
       auto next = proof_.friction.begin();
       for (std::size_t i = 0; i < box_.contacts.size(); ++i) {

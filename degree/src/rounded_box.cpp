@@ -51,7 +51,47 @@ RoundedBox::RoundedBox(const GraspLaw& law)
 }
 
 RoundedBox::Place RoundedBox::middle() const {
-  return Place::Zero(static_cast<Eigen::Index>(numbers_.size() + (has_multiples_ ? 1 : 0)));
+  const Place place =
+      Place::Zero(static_cast<Eigen::Index>(numbers_.size() + (has_multiples_ ? 1 : 0)));
+  if (!law_.ball) return place;
+  const RationalRow nearest = law_.ball->nearest();
+  return with_loads(place, [&](std::size_t component, double, double) {
+    return to_double(nearest[component]);
+  });
+}
+
+RoundedBox::Place RoundedBox::farthest(const Eigen::VectorXd& function) const {
+  const Place place = function.cwiseSign();
+  if (!law_.ball) return place;
+  Eigen::VectorXd of_load =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(law_.ball->parts.size()));
+  static_cast<void>(with_loads(function, [&](std::size_t component, double here, double half) {
+    of_load[static_cast<Eigen::Index>(component)] = here / half;
+    return 0;
+  }));
+  const Eigen::VectorXd z = law_.ball->farthest(of_load);
+  return with_loads(place, [&](std::size_t component, double, double) {
+    return z[static_cast<Eigen::Index>(component)];
+  });
+}
+
+std::array<double, 2> RoundedBox::ends_of_part(std::size_t component) const {
+  const Interval& part = law_.ball->parts[component];
+  return {to_double(part.low), to_double(part.high)};
+}
+
+/// A place with other components of z, each of a function of itself, of its entry here, and of
+/// half the width of its part.
+template <class Function>
+RoundedBox::Place RoundedBox::with_loads(Place place, Function z) const {
+  for (std::size_t n = first_.back(); n < numbers_.size(); ++n) {
+    const std::size_t component = numbers_[n].index;
+    const auto [low, high] = ends_of_part(component);
+    double& at = place[static_cast<Eigen::Index>(n)];
+    const double half = (high - low) / 2;
+    at = (z(component, at, half) - (low + high) / 2) / half;
+  }
+  return place;
 }
 
 double RoundedBox::multiple_at(const Place& place) const {
@@ -101,6 +141,20 @@ RoundedContact RoundedBox::contact_at(std::size_t contact, const Place& place) c
 
 Reals RoundedBox::load_at(const Place& place) const {
   Reader reader(numbers_, first_.back(), place);
+  if (law_.ball) {
+    const auto n = static_cast<Eigen::Index>(law_.ball->parts.size());
+    Eigen::VectorXd z(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const auto component = static_cast<std::size_t>(k);
+      z[k] = between(ends_of_part(component),
+                     reader.read(Parameter::kWrench, component).value_or(0));
+    }
+    Reals load = law_.ball->load(z);
+    for (std::size_t j = 0; j < law_.motions; ++j) {
+      load[static_cast<Eigen::Index>(j)] += law_.load[j][0];
+    }
+    return load;
+  }
   Reals load(static_cast<Eigen::Index>(law_.motions));
   for (std::size_t j = 0; j < law_.motions; ++j) {
     const auto row = static_cast<Eigen::Index>(j);

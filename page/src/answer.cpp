@@ -14,7 +14,9 @@
 #include "doubles.hpp"
 #include "stickslip/answers/margin_answer.hpp"
 #include "stickslip/answers/plane_answers.hpp"
+#include "stickslip/answers/quality_answer.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/box/quality.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
@@ -32,6 +34,8 @@ namespace {
 /// Of the finest cells of maps.
 constexpr unsigned kCoarsestMap = 2;
 constexpr unsigned kFinestMap = 4;
+/// By which part what is proved and what is refuted may differ.
+const Rational kQualityAccuracy(1, 20);
 
 /// Why a part cannot be had.
 struct NotToBeHad {
@@ -260,7 +264,14 @@ class PageAnswer {
         asked_(std::move(asked)),
         limits_(limits),
         name_(name),
-        question_(ask_about(asked_)) {}
+        asked_in_centre_(asked_),
+        question_(ask_about(asked_)) {
+    Tolerances others = question_.uncertain;
+    others.ball.reset();
+    if (!question_.uncertain.ball || others.any()) return;
+    asked_in_centre_.uncertain.clear();
+    centre_ = ask_about(asked_in_centre_);
+  }
 
   Json answer(const PageParts& parts) {
     Json json{{"format", "stickslip-page/1"},
@@ -280,6 +291,7 @@ class PageAnswer {
     if (parts.region) part(json, "region", [&](Json& found) { region(found); });
     if (parts.margin) part(json, "margin", [&](Json& found) { margin(found); });
     if (parts.map) part(json, "map", [&](Json& found) { map(found); });
+    if (parts.quality) quality(json);
     json["messages"] = std::move(messages_);
     return json;
   }
@@ -287,6 +299,9 @@ class PageAnswer {
   void add_message(const std::string& message) { messages_.push_back(message); }
 
  private:
+  /// About one grasp, unless more than loads in a ball is uncertain.
+  const Question& centre() const { return centre_ ? *centre_ : question_; }
+
   Question ask_about(const QuestionText& text) const {
     return ask_with_options(file_, question_options(text), name_, true);
   }
@@ -355,8 +370,9 @@ class PageAnswer {
     asked.normal_law = asked_.normal_law;
     Json answers;
     for (const auto& [verdict, file] : files.items()) {
-      answers[verdict] = page_answer(parse_any_grasp(file.dump(), name_), asked,
-                                     {true, false, false, false, false, false}, limits_, name_);
+      answers[verdict] =
+          page_answer(parse_any_grasp(file.dump(), name_), asked,
+                      {true, false, false, false, false, false, false}, limits_, name_);
     }
     return answers;
   }
@@ -378,18 +394,18 @@ class PageAnswer {
   void region(Json& found) const {
     refuse_several(question_);
     if (question_.in_space()) return region_in_space(found);
-    const LoadedGrasp& one = one_grasp(question_);
+    const LoadedGrasp& one = one_grasp(centre());
     if (one.grasp.size() > kMostContactsWithRegion) {
       throw NotToBeHad{"there are more than " + std::to_string(kMostContactsWithRegion) +
                        " contacts; `stickslip region` has no limit"};
     }
     const WrenchPlane plane = WrenchPlane::forces(one.wrench.torque);
-    found = to_json(answer_to(question_, plane));
+    found = to_json(answer_to(centre(), plane));
   }
 
   /// Of forces in the plane of axes that the load is in, or nearest to. Coarse, and then finer.
   void region_in_space(Json& found) const {
-    if (!question_.box()->is_point()) refuse_box();
+    if (!centre().box()->is_point()) refuse_box();
     RationalRow origin = one_load();
     std::array<std::size_t, 3> axes{0, 1, 2};
     std::stable_sort(axes.begin(), axes.end(), [&](std::size_t i, std::size_t j) {
@@ -402,7 +418,7 @@ class PageAnswer {
     RationalRow v(6);
     u[axes[0]] = v[axes[1]] = 1;
     origin[axes[0]] = origin[axes[1]] = 0;
-    PlaneInSpace plane = plane_in_space(question_, origin, u, v);
+    PlaneInSpace plane = plane_in_space(centre(), origin, u, v);
     // The load itself is to be seen.
     for (MapAxis* axis : {&plane.s, &plane.t}) {
       axis->range.high = std::max(axis->range.high, Rational(most * Rational(5, 4)));
@@ -410,7 +426,7 @@ class PageAnswer {
     }
     cells_finer_and_finer(plane.grasp, plane.s, plane.t,
                           [&](const std::vector<MapCell>& cells) {
-                            found = region_json(question_, plane, cells);
+                            found = region_json(centre(), plane, cells);
                           });
   }
 
@@ -425,7 +441,7 @@ class PageAnswer {
 
   /// The load is the direction, and nothing else of it is left.
   QuestionText along_the_load() const {
-    if (question_.is_one_planar_body()) one_grasp(question_);
+    if (question_.is_one_planar_body()) one_grasp(centre());
     const RationalRow load = one_load();
     std::string direction;
     bool is_zero = true;
@@ -434,7 +450,7 @@ class PageAnswer {
       is_zero = is_zero && w.is_zero();
     }
     if (is_zero) throw NotToBeHad{"there is no load, and so no multiple of it"};
-    QuestionText text = asked_;
+    QuestionText text = asked_in_centre_;
     text.wrench.clear();
     text.case_name.clear();
     text.direction = direction;
@@ -465,14 +481,51 @@ class PageAnswer {
 
   void map(Json& found) const {
     refuse_several(question_, "`stickslip map` finds it");
-    const LoadedGrasp& one = one_grasp(question_);
+    const LoadedGrasp& one = one_grasp(centre());
     if (one.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
     const GraspBox grasp = box_of(one);
     const MapAxis x = parse_axis(grasp, "friction=0:2", "x");
     const MapAxis y = parse_axis(grasp, "load=0:2", "y");
     cells_finer_and_finer(grasp, x, y, [&](const std::vector<MapCell>& cells) {
-      found = map_json(question_, x, y, cells);
+      found = map_json(centre(), x, y, cells);
     });
+  }
+
+  /// What is known so far, and then all.
+  void quality(Json& json) {
+    std::optional<Quality> quality;
+    part(json, "quality", [&](Json& found) {
+      const GraspBox grasp = box_of(centre().grasp);
+      if (!grasp.is_point()) refuse_box();
+      const LoadBall shape = question_.uncertain.ball.value_or(LoadBall{1});
+      if (grasp.mechanism && shape.body.empty()) {
+        throw NotToBeHad{
+            "there are several bodies; `stickslip quality --body NAME` finds that of loads on "
+            "one"};
+      }
+      QualityOptions options;
+      options.radius.box.node_limit = limits_.node_limit;
+      options.radius.accuracy = kQualityAccuracy;
+      quality = find_quality(grasp, question_.law, shape, options, [&](const Quality& so_far) {
+        if (so_far.stable) found = quality_json(centre(), so_far);
+      });
+      found = quality_json(centre(), *quality);
+    });
+    json["lost"] = nullptr;
+    if (!quality || quality->stable != true || !quality->radii.example) return;
+    part(json, "lost", [&](Json& found) { found = under(quality->radii.example->wrench); });
+  }
+
+  /// What a page shows of the grasp under another load.
+  Json under(const WrenchBox& load) const {
+    QuestionText text = asked_in_centre_;
+    text.case_name.clear();
+    text.wrench.clear();
+    for (const Interval& w : load) {
+      text.wrench += (text.wrench.empty() ? "" : ",") + to_string(w.low);
+    }
+    return page_answer(file_, text, {true, false, false, false, false, false, false}, limits_,
+                       name_);
   }
 
   template <class Keep>
@@ -493,7 +546,9 @@ class PageAnswer {
   QuestionText asked_;
   const PageLimits& limits_;
   const std::string& name_;
+  QuestionText asked_in_centre_;  ///< without a ball, if nothing else is uncertain
   Question question_;
+  std::optional<Question> centre_;  ///< the same as a question, if it is another
   std::vector<std::string> messages_;
 };
 

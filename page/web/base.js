@@ -5,7 +5,7 @@
 
 const StickslipPage = {
   answer: null, // what the page shows; see docs/page.md
-  fragile: null, // while one grasp of a fragile box is shown: the answer about the box, and which: {whole, name}
+  fragile: null, // while one grasp of a fragile box, or a load that is lost, is shown: the answer about all, and which: {whole, name}
   views: [], // of each part of the page: a function that draws it again
   // What is looked at: a kind of motion, one of "equilibrium", "cell" and "twist"; the cell that is chosen, and the one
   // that is pointed at; the leaf of the refutation; and whether numbers are printed with all digits.
@@ -54,6 +54,9 @@ const StickslipPage = {
     getComputedStyle(document.documentElement)
       .getPropertyValue("--" + name)
       .trim();
+
+  /** Answers that an answer holds, by name, which can be shown in its place. */
+  page.examplesOf = ({ examples, lost }) => examples || (lost ? { lost } : null);
 
   page.isSpatial = () => page.answer.dimension === 6;
 

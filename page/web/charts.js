@@ -19,9 +19,8 @@
 
   // The region.
 
-  /** The present load in the coordinates of the plane, or null if it is not in the plane. */
-  function loadInPlane(region) {
-    const load = page.load();
+  /** A load, the present one, in the coordinates of the plane; whether it is inside. */
+  function loadInPlane(region, load = page.load()) {
     if (!load) return null;
     const { origin_float: o, u_float: u, v_float: v } = region.plane;
     const d = load.map((x, j) => x - o[j]);
@@ -46,6 +45,120 @@
     const unit = units && (names[j].startsWith("force") ? units.force : units.force + " " + units.length);
     return names[j] + (unit ? " /" + unit : "");
   }
+
+  // Balls of loads around the present one, which planes cut in ellipses: discs about the origin.
+
+  /** The norm of a load, squared: of its force, and of its torque at the ball's point over the ball's length. */
+  function squaredNorm({ length, about }, load) {
+    const number = (x) => page.Fraction.of(x).toNumber();
+    const planar = load.length === 3;
+    const c = (about || [0, 0, 0]).map(number);
+    const [f, torque] = planar
+      ? [[load[0], load[1], 0], [0, 0, load[2]]]
+      : [load.slice(0, 3), load.slice(3)];
+    const [x, y, z] = planar ? [c[0], c[1], 0] : c;
+    const t = [torque[0] - y * f[2] + z * f[1], torque[1] - z * f[0] + x * f[2], torque[2] - x * f[1] + y * f[0]];
+    return page.vector.dot(f, f) + page.vector.dot(t, t) / number(length) ** 2;
+  }
+
+  /** What there is of balls: radii and looks, first the one that is asked about. */
+  function ballsShown() {
+    const { quality, decide } = page.answer;
+    const asked = decide && decide.ball;
+    const balls = [];
+    const add = (ball, radius, name, text) => {
+      if (radius !== null && radius !== undefined && Number(page.Fraction.of(radius).toNumber()) > 0) balls.push({ ball, radius, name, text });
+    };
+    if (asked) add(asked, asked.radius, "ball asked", "the ball that is asked about");
+    if (quality && quality.verdict === "stable") {
+      add(quality.ball, quality.proved, "ball proved", "a ball of loads that are resisted, by one proof");
+      add(quality.ball, quality.refuted, "ball refuted", "one in which some load is not");
+    }
+    return balls;
+  }
+
+  /** The ellipse in which the plane cuts the ball, as points (s, t). */
+  function ballOutline({ ball, radius }, region, centre) {
+    const { u_float: u, v_float: v } = region.plane;
+    const r = page.Fraction.of(radius).toNumber();
+    return Array.from({ length: 96 }, (_, k) => {
+      const [a, b] = [Math.cos((k * Math.PI) / 48), Math.sin((k * Math.PI) / 48)];
+      const far = r / Math.sqrt(squaredNorm(ball, u.map((x, j) => a * x + b * v[j])));
+      return [centre.s + far * a, centre.t + far * b];
+    });
+  }
+
+  /** Of balls and of the load that is not resisted, in a plane that has the present load. */
+  function drawBalls(region, load, place, clip) {
+    if (!load || !load.inside) return null;
+    const { quality } = page.answer;
+    const lost = quality && quality.not_resisted_float && loadInPlane(region, quality.not_resisted_float);
+    const [x, y] = lost ? place([lost.s, lost.t]) : [0, 0];
+    return svg(
+      "g",
+      { "clip-path": "url(#" + clip + ")" },
+      ballsShown().map((shown) =>
+        svg("path", { class: shown.name, "data-radius": shown.radius, d: path.ring(ballOutline(shown, region, load).map(place)) }),
+      ),
+      lost && lost.inside ? svg("circle", { class: "lost", cx: x, cy: y, r: 5 }) : null,
+    );
+  }
+
+  /** The region around the present load, as near as balls of loads need: beside all that is resisted they may be small. */
+  function drawNearLoad() {
+    const { region } = page.answer;
+    const load = region && region.areas && loadInPlane(region);
+    const half = 2 * Math.max(0, ...ballsShown().map(({ radius }) => page.Fraction.of(radius).toNumber()));
+    if (!load || !load.inside || half === 0) return void page.put("quality-picture");
+    const width = page.canvasWidth("quality-picture", 320);
+    const [left, right, top, bottom] = [58, 12, 12, 46];
+    const side = width - left - right;
+    const scale = side / 2 / half;
+    const middle = [left + side / 2, top + side / 2];
+    const place = ([s, t]) => [middle[0] + scale * (s - load.s), middle[1] - scale * (t - load.t)];
+    const window_ = { x: left, y: top, width: side, height: side };
+    const far = 8 * (half + Math.hypot(load.s, load.t));
+    const most = Math.max(far, ...region.areas.flatMap((area) => area.outlines.flatMap((o) => o.vertices_float.flat().map(Math.abs))));
+    const ticks = (at) => page.ticks(at - half, at + half, Math.max(4, Math.floor(side / 62)));
+    page.put(
+      "quality-picture",
+      page.picture(
+        width,
+        side + top + bottom,
+        { role: "img", "aria-label": "Balls of loads around the present one, and which loads near it are resisted" },
+        svg("clipPath", { id: "near-window" }, svg("rect", window_)),
+        svg("rect", { class: region.whole_plane ? "hue0" : "paper", ...window_ }),
+        svg(
+          "g",
+          { "clip-path": "url(#near-window)" },
+          region.areas.map((area) =>
+            svg("path", { class: "area hue0", "fill-rule": "evenodd", d: areaPath(area.outlines, place, most) }),
+          ),
+        ),
+        ticks(load.s).map((value) => [
+          svg("path", { class: "grid-line", d: "M" + path.at([place([value, 0])[0], top]) + "v" + side }),
+          svg("text", { class: "small middle", x: place([value, 0])[0], y: top + side + 16 }, page.near(value, 3)),
+        ]),
+        ticks(load.t).map((value) => [
+          svg("path", { class: "grid-line", d: "M" + path.at([left, place([0, value])[1]]) + "h" + side }),
+          svg("text", { class: "small end", x: left - 6, y: place([0, value])[1] + 4 }, page.near(value, 3)),
+        ]),
+        svg("rect", { class: "frame", ...window_ }),
+        drawBalls(region, load, place, "near-window"),
+        svg("circle", { class: "full", cx: middle[0], cy: middle[1], r: 2.5 }, svg("title", {}, "the present load")),
+        svg("text", { class: "middle", x: middle[0], y: side + top + bottom - 10 }, axisName(region.plane.u, "s")),
+        svg("text", { class: "middle", transform: "translate(14 " + middle[1] + ") rotate(-90)" }, axisName(region.plane.v, "t")),
+      ),
+    );
+  }
+
+  const ballLegend = (load) =>
+    load && load.inside
+      ? ballsShown().map(({ name, text, radius }) => ({
+          drawing: page.sign(svg("circle", { class: name, cx: 13, cy: 9, r: 7 })),
+          text: [text + ": radius ", page.number(radius)],
+        }))
+      : [];
 
   let regionView = null;
   page.regionView = () => regionView;
@@ -182,6 +295,7 @@
         corners.length <= 8 ? cornerLabels(region, place, window_, borders, load) : null,
       ),
       svg("rect", { class: "frame", ...window_ }),
+      drawBalls(region, load, place, "region-window"),
       load ? loadMark(load, place) : null,
       load && page.regionHandle ? page.regionHandle(place([load.s, load.t]), region) : null,
       svg("text", { class: "middle", x: middle[0], y: height - 10 }, axisName(region.plane.u, "s")),
@@ -195,6 +309,7 @@
     page.put(
       "region-note",
       html("p", {}, regionWords(region, load)),
+      ballLegend(load).length > 0 ? page.legend(ballLegend(load)) : null,
       region.plane.origin.some((x) => page.Fraction.of(x).sign() !== 0)
         ? html("p", { class: "muted" }, "Wrench at (0, 0): ", page.numbers(region.plane.origin), ".")
         : null,
@@ -501,6 +616,8 @@
         return load && page.regionHandle ? page.regionHandle(view.place([load.s, load.t]), region) : null;
       },
       hereIs: load && load.inside ? "the present load" : "of the present load, what is in this plane",
+      over: (place, clip) => drawBalls(region, load, place, clip),
+      more: ballLegend(load),
       note: plane.origin.some((x) => page.Fraction.of(x).sign() !== 0)
         ? html("p", { class: "muted" }, "Wrench at (0, 0): ", page.numbers(plane.origin), ".")
         : null,
@@ -508,7 +625,7 @@
   }
 
   /** A window of a plane in cells, each with a verdict that holds throughout; `id` is its place. */
-  function drawCells(id, { x, y, cells }, { label, names, words, here, hereIs, handle = () => null, note = null }) {
+  function drawCells(id, { x, y, cells }, { label, names, words, here, hereIs, handle = () => null, over = () => null, more = [], note = null }) {
     const number = (text) => page.Fraction.of(text).toNumber();
     const width = page.canvasWidth(id, 460);
     const [left, right, top, bottom] = [58, 12, 12, 46];
@@ -542,6 +659,7 @@
         height,
         { role: "img", "aria-label": label },
         hatching(hatch, "hue5"),
+        svg("clipPath", { id: id + "-window" }, svg("rect", frame)),
         svg("rect", { class: "paper", ...frame }),
         svg("path", { class: "hue0", d: paths.stable, "shape-rendering": "crispEdges" }),
         svg("path", { style: "fill: url(#" + hatch + ")", d: paths.unstable, "shape-rendering": "crispEdges" }),
@@ -554,6 +672,7 @@
           svg("path", { class: "axis-line", d: "M" + path.at(place([axis[0][0], value])) + "h-5" }),
           svg("text", { class: "small end", x: left - 8, y: place([0, value])[1] + 4 }, page.near(value, 3)),
         ]),
+        over(place, id + "-window"),
         isSeen
           ? svg(
               "g",
@@ -585,10 +704,11 @@
           text: "not decided in the finest cells",
         },
         isSeen && { drawing: page.sign(svg("path", { class: "here", d: diamond([13, 9], 7) })), text: hereIs },
+        ...more,
       ]),
       note,
     );
   }
 
-  page.views.push(drawRegion, drawMargin, drawMap);
+  page.views.push(drawRegion, drawNearLoad, drawMargin, drawMap);
 })(StickslipPage);

@@ -742,7 +742,7 @@ function read_head(file, version) {
     return Array.isArray(list) ? list.length : 0;
   };
   const space = version >= 2 &&
-      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : length_in(file, 'wrench') === 6);
+      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : version === 2 && length_in(file, 'wrench') === 6);
 
   if (file.has('units')) {
     known_members(file.get('units'), 'units', ['length', 'force'], ['length', 'force']);
@@ -786,8 +786,9 @@ function read_contact(value, place, {space, defaults}, version, outline = null) 
 }
 
 /**
- * {space, several, size, contacts, wrench, cases}: each contact with p, mu, k, preload as intervals, n, slope, torsion, and of several
- * bodies motion (G by its columns) and spring; wrench as intervals, or null where only cases have one. size is D.
+ * {space, several, size, contacts, wrench, cases, motions}: each contact with p, mu, k, preload as intervals, n, slope, torsion, and of
+ * several bodies motion (G by its columns) and spring; wrench as intervals, or null where only cases have one. size is D; motions has J
+ * of each of several bodies and of the ground.
  */
 function read_grasp(text) {
   const file = object_at(new JsonReader(text, GRASP_LIMITS).whole(), '');
@@ -817,10 +818,10 @@ function read_grasp(text) {
   const wrench = read_wrench(file, '', size, version);
   if (!file.has('cases')) {
     if (wrench === null) throw new Malformed('', 'neither wrench nor loads nor cases');
-    return {space, several: false, size, contacts, wrench, cases: null};
+    return {space, several: false, size, contacts, wrench, cases: null, motions: new Map()};
   }
   const cases = read_cases(file.get('cases'), wrench ?? Array(size).fill([ZERO, ZERO]), size, version);
-  return {space, several: false, size, contacts, wrench: null, cases};
+  return {space, several: false, size, contacts, wrench: null, cases, motions: new Map()};
 }
 
 // ---------------------------------------------------------------------------- Several bodies (§14)
@@ -956,7 +957,7 @@ function read_several(file) {
     ...tendons.map((one) => read_spring(one, row_over(one), 'tension'))];
   const wrench = read_wrench(file, '', size, 3, bodies), none = Array(dimension).fill([ZERO, ZERO]);
   const cases = file.has('cases') ? read_cases(file.get('cases'), wrench ?? none, size, 3, bodies) : null;
-  return {space, several: true, size: dimension, contacts: elements, wrench: wrench ?? (cases === null ? none : null), cases};
+  return {space, several: true, size: dimension, contacts: elements, wrench: wrench ?? (cases === null ? none : null), cases, motions: bodies.motions};
 }
 
 // ---------------------------------------------------------------------------- The question (§1, §6)
@@ -969,8 +970,34 @@ function option_number(text, name) {
   return number;
 }
 
-/** A tolerance as {value, percent}. */
-function option_tolerance(text, name) {
+/** "ball:R[:length=L][:about=X:Y[:Z]][:body=NAME]" as {radius, length, about, body}, of which the last two are null if left out. */
+function option_ball(text, name) {
+  const [, words, body] = /^ball:(.*?)(?::body=(.*))?$/s.exec(text), [radius, ...rest] = words.split(':'), found = {};
+  let member = '';
+  for (const word of rest) {
+    const [, key, value] = /^(length|about)=(.*)$/s.exec(word) ?? [];
+    if (key !== undefined && !(key in found)) {
+      member = key;
+      found[key] = [value];
+    } else if (key === undefined && member === 'about' && !word.includes('=')) {
+      found.about.push(word);
+    } else {
+      throw new Malformed(name, `${quoted(word)} is not length=L, about=X:Y, about=X:Y:Z or body=NAME, each at most once, and body the last`);
+    }
+  }
+  const ball = {radius: option_number(radius, name), length: option_number(found.length ?? '1', name),
+    about: found.about === undefined ? null : found.about.map((x) => option_number(x, name)), body: body ?? null};
+  for (const key of ['radius', 'length']) {
+    if (ball[key].sign() <= 0) throw new Malformed(name, `the ${key} ${printable(ball[key])} must be above 0`);
+  }
+  return ball;
+}
+
+const is_ball = (tolerance) => tolerance !== undefined && 'radius' in tolerance;
+
+/** A tolerance as {value, percent}, or a ball of loads. */
+function option_tolerance(kind, text, name) {
+  if (kind === 'wrench' && String(text).startsWith('ball:')) return option_ball(text, name);
   const percent = String(text).endsWith('%');
   const value = option_number(percent ? String(text).slice(0, -1) : text, name);
   if (value.sign() < 0) throw new Malformed(name, 'a tolerance must not be below 0');
@@ -981,6 +1008,53 @@ function widened([low, high], tolerance) {
   if (tolerance === undefined) return [low, high];
   const by = (x) => (tolerance.percent ? tolerance.value.times(x.magnitude()).over(Fraction.of(100n)) : tolerance.value);
   return [low.minus(by(low)), high.plus(by(high))];
+}
+
+/** The ball of loads for these bodies, with the point that an option may leave out. */
+function placed_ball(ball, {space, several, motions}, wrench, name) {
+  const about = ball.about ?? zeros(space ? 3 : 2), bodies = [...motions.keys()].filter((body) => body !== GROUND);
+  const bad = (found) => { throw new Malformed(name, found); };
+  if (about.length !== (space ? 3 : 2)) bad(`about has ${about.length} coordinates, must have ${space ? 3 : 2}`);
+  if (!several && ball.body !== null) bad('a body, but the grasp is of one alone; leave it out');
+  if (several && !bodies.includes(ball.body)) {
+    bad(`${ball.body === null ? 'no body' : quoted(ball.body)}, must be one of ${bodies.map(quoted).join(', ')}`);
+  }
+  if (!wrench.every(([low, high]) => low.equals(high))) bad(`the wrench is ${list_text(wrench.map(interval_text))}, must be numbers`);
+  return {...ball, about};
+}
+
+/** The work of loads (§6): all w = base + B z with each z_j in its range and, of a ball, z in it. */
+class Loads {
+  /** moves is B by its columns, null for 1; radii, of a ball, how far each z_j goes in it. */
+  constructor(base, moves, ranges, radii) {
+    Object.assign(this, {base, moves, ranges, radii});
+  }
+  static within(wrench) { return new Loads(wrench.map(() => ZERO), null, wrench, null); }
+  static inBall({radius, length, about, body}, wrench, motions) {
+    const size = about.length, unit = (n, j) => Array.from({length: n}, (_, k) => (k === j ? ONE : ZERO));
+    const all = size === 2 ? 3 : 6, every = Array.from({length: all}, (_, j) => j);
+    const ways = every.map((j) => (j < size ? wrench_at(unit(size, j), about) : unit(all, j)));
+    const radii = every.map((j) => (j < size ? radius : radius.times(length)));
+    return new Loads(wrench.map(([w]) => w), ways.map((way) => pulled(body === null ? null : motions.get(body), way)),
+        radii.map((r) => [r.negated(), r]), radii);
+  }
+  /** Λ(y) */
+  most(y) {
+    const moved = pulled(this.moves, y);
+    let work = moved.reduce((sum, c, j) => sum.plus(c.times(this.ranges[j][c.sign() > 0 ? 1 : 0])), ZERO);
+    if (this.radii !== null) {
+      const reach = moved.map((c, j) => c.times(this.radii[j])), bound = root_above(dot_fractions(reach, reach), 1);
+      if (bound.compare(work) < 0) work = bound;
+    }
+    return dot_fractions(this.base, y).plus(work);
+  }
+  isPoint() { return this.ranges.every(is_point); }
+  /** Those of q⁰: of a ball each z_j is the nearest to 0. */
+  middle() {
+    return this.withRanges(this.ranges.map(([low, high]) => Array(2).fill(this.radii === null ? middle([low, high])
+      : low.sign() > 0 ? low : high.sign() < 0 ? high : ZERO)));
+  }
+  withRanges(ranges) { return new Loads(this.base, this.moves, ranges, this.radii); }
 }
 
 /**
@@ -1032,7 +1106,7 @@ function ask(grasp, options) {
   const uncertain = new Map();
   for (const kind of KINDS) {
     if (given('uncertain') && options.uncertain[kind] !== undefined) {
-      uncertain.set(kind, option_tolerance(options.uncertain[kind], `${asked}: uncertain ${kind}`));
+      uncertain.set(kind, option_tolerance(kind, options.uncertain[kind], `${asked}: uncertain ${kind}`));
     }
   }
   if (given('uncertain') && uncertain.size !== Object.keys(options.uncertain).length) {
@@ -1065,8 +1139,15 @@ function ask(grasp, options) {
     one.pressed = one.preload[1].sign() > 0 || one.growth.sign() > 0;
     return one;
   });
-  const load = wrench.map((x) => widened(x, uncertain.get('wrench')));
-  const point = contacts.every((c) => c.point) && load.every(([a, b]) => a.equals(b));
+  let loads = null;
+  if (is_ball(uncertain.get('wrench'))) {
+    const ball = placed_ball(uncertain.get('wrench'), grasp, wrench, `${asked}: uncertain wrench`);
+    uncertain.set('wrench', ball);
+    loads = Loads.inBall(ball, wrench, grasp.motions);
+  } else {
+    loads = Loads.within(wrench.map((x) => widened(x, uncertain.get('wrench'))));
+  }
+  const point = contacts.every((c) => c.point) && loads.isPoint();
   if (margin) {
     // A number that *preload* or *wrench* replaced is not asked about.
     if (!point || uncertain.size > 0) throw new Malformed(asked, 'a margin is about one grasp, without intervals or tolerances');
@@ -1081,7 +1162,7 @@ function ask(grasp, options) {
   }
   const enclosed = contacts.some((c) => c.pressed && c.length === null);
   return {space, several, size, m: contacts.length, touching: contacts.filter((c) => c.n.length > 1).length, law, bilateral: law === 'bilateral', preload, direction, scale, growth, margin, uncertain,
-    wrench, load, contacts, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
+    wrench, loads, contacts, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
 }
 
 // ---------------------------------------------------------------------------- The certificate (§2, §5, §6)
@@ -1123,6 +1204,7 @@ function members_in_order(value, place, names) {
 class CertificateReader {
   constructor({space, several, size, contacts}) {
     this.space = space;
+    this.several = several;
     this.soft = contacts.map(({gamma}) => !gamma.isZero());
     this.size = size;
     this.by_claims = space || several;  // margins
@@ -1179,6 +1261,7 @@ class CertificateReader {
       const list = Object.entries(members_in_order(object, place, KINDS.map((kind) => `${kind}?`)));
       if (list.length === 0) throw new Malformed(place, 'no tolerance');
       return new Map(list.map(([kind, tolerance]) => {
+        if (kind === 'wrench' && tolerance instanceof Map) return [kind, this.ball(tolerance, `${place}.wrench`)];
         const percent = typeof tolerance === 'string' && tolerance.endsWith('%');
         return [kind, {value: read_number(percent ? tolerance.slice(0, -1) : tolerance, `${place}.${kind}`), percent}];
       }));
@@ -1192,6 +1275,14 @@ class CertificateReader {
       preload_direction: optional('preload_direction', (x, place) => (x === 'scale' ? x : read_numbers(x, place))),
       uncertain: optional('uncertain', tolerances),
     };
+  }
+
+  ball(value, place) {
+    const dimension = this.space ? 3 : 2, {ball, length, about, body} =
+      members_in_order(value, place, ['ball', 'length', 'about?', ...(this.several ? ['body'] : [])]);
+    if (this.several && typeof body !== 'string') expected('the name of a body', body, `${place}.body`);
+    return {radius: read_number(ball, `${place}.ball`), length: read_number(length, `${place}.length`),
+      about: about === undefined ? zeros(dimension) : read_numbers(about, `${place}.about`, dimension), body: body ?? null};
   }
 
   /** A motion and shares; a share is a vector, in the plane of one number. */
@@ -1329,7 +1420,17 @@ class CertificateReader {
 
 function tolerances_text(uncertain) {
   if (uncertain === null || uncertain.size === 0) return 'no tolerances';
-  return 'the tolerances ' + [...uncertain].map(([kind, t]) => `${kind}=${t.value}${t.percent ? '%' : ''}`).join(',');
+  return 'the tolerances ' + [...uncertain].map(([kind, t]) => `${kind}=${tolerance_text(t)}`).join(',');
+}
+
+const tolerance_text = (t) => (!is_ball(t) ? `${t.value}${t.percent ? '%' : ''}`
+  : `ball:${t.radius}:length=${t.length}:about=${t.about.join(':')}${t.body === null ? '' : `:body=${t.body}`}`);
+
+/** Two tolerances, or undefined, by their meaning. */
+function same_tolerance(a, b) {
+  if (a === undefined || b === undefined || is_ball(a) !== is_ball(b)) return a === b;
+  return is_ball(a) ? a.radius.equals(b.radius) && a.length.equals(b.length) && same_list(a.about, b.about) && a.body === b.body
+    : a.percent === b.percent && a.value.equals(b.value);
 }
 
 function agree(asked, stated) {
@@ -1357,11 +1458,9 @@ function agree(asked, stated) {
     differ('question-preload-direction', growth(stated.preload_direction), growth(own_growth));
   }
   const theirs = stated.uncertain ?? new Map();
-  const same = (kind) => {
-    const a = theirs.get(kind), b = asked.uncertain.get(kind);
-    return a === undefined || b === undefined ? a === b : a.percent === b.percent && a.value.equals(b.value);
-  };
-  if (!KINDS.every(same)) differ('question-uncertain', tolerances_text(theirs), tolerances_text(asked.uncertain));
+  if (!KINDS.every((kind) => same_tolerance(theirs.get(kind), asked.uncertain.get(kind)))) {
+    differ('question-uncertain', tolerances_text(theirs), tolerances_text(asked.uncertain));
+  }
 }
 
 // ---------------------------------------------------------------------------- Boxes (§6) and rows (§1)
@@ -1540,24 +1639,24 @@ class Contact {
   }
 }
 
-/** The contacts and the wrench, each number in its interval; bits are those of enclosures. */
+/** The contacts and the loads, each number in its interval; bits are those of enclosures. */
 class Box {
-  constructor(contacts, wrench) {
+  constructor(contacts, loads) {
     this.contacts = contacts;
-    this.wrench = wrench;
+    this.loads = loads;
   }
   static of(question, bits) {
-    return new Box(question.contacts.map((c) => Contact.of(c, question, bits)), question.load);
+    return new Box(question.contacts.map((c) => Contact.of(c, question, bits)), question.loads);
   }
-  isPoint() { return this.wrench.every(is_point) && this.contacts.every((c) => c.isPoint()); }
+  isPoint() { return this.loads.isPoint() && this.contacts.every((c) => c.isPoint()); }
   middle() {
-    return new Box(this.contacts.map((c) => c.middle()), this.wrench.map((x) => Array(2).fill(middle(x))));
+    return new Box(this.contacts.map((c) => c.middle()), this.loads.middle());
   }
-  interval({name, i}) { return name === 'wrench' ? this.wrench[i] : this.contacts[i].parameter(name); }
+  interval({name, i}) { return name === 'wrench' ? this.loads.ranges[i] : this.contacts[i].parameter(name); }
   cut({name, i}, interval) {
     const replace = (list, value) => list.map((x, j) => (j === i ? value : x));
-    if (name === 'wrench') return new Box(this.contacts, replace(this.wrench, interval));
-    return new Box(replace(this.contacts, this.contacts[i].cut(name, interval)), this.wrench);
+    if (name === 'wrench') return new Box(this.contacts, this.loads.withRanges(replace(this.loads.ranges, interval)));
+    return new Box(replace(this.contacts, this.contacts[i].cut(name, interval)), this.loads);
   }
 }
 
@@ -1601,7 +1700,7 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
     if (i >= 0) refuse('witness-normal', `v is below 0 at contact ${i}`);
   }
   const sum = new Sum(size);
-  sum.add_fractions(box.wrench.map(([w], j) => Fraction.of(ray.h).times(w).plus(Fraction.of(ray.l).times(question.u[j]))));
+  sum.add_fractions(question.wrench.map(([w], j) => Fraction.of(ray.h).times(w).plus(Fraction.of(ray.l).times(question.u[j]))));
   states.forEach((state, i) => {
     const {v, slip} = state, {rows, n, square, gamma, spring} = box.contacts[i], {normals: [normal], slips: [tangents], friction: [mu]} = rows;
     state.unit = listed.get(i) ?? slip.map(() => ZERO);
@@ -1944,15 +2043,17 @@ function pressures({normals, push, pull, one}, {d, h, l}) {
 // ---------------------------------------------------------------------------- Leaves (§4, §7)
 
 /**
- * What refuses a leaf, or null. y is a vector of integers: any positive multiple serves. Closed contacts of certain
- * rows are summed into one linear form, `total`; the others are `terms`, functions of a ray that give a number over `d`.
+ * What refuses a leaf, or null. y is a vector of integers, the stated one times `scale`: any positive multiple serves, but that the
+ * root in Λ is rounded as that of the stated one. Closed contacts of certain rows are summed into one linear form, `total`; the others
+ * are `terms`, functions of a ray that give a number over `d`.
  */
-function leaf_refusal(region, y) {
+function leaf_refusal(region, stated, y) {
   if (region.isBarred) return null;
   const {question, box} = region, {press, side} = region.contacts;
-  const total = new Sum(region.coordinates), terms = [];
+  const total = new Sum(region.coordinates), terms = [], first = y.findIndex((x) => x !== 0n);
+  const scale = first < 0 ? ONE : new Fraction(y[first], 1n).over(stated[first]);
   total.add_fractions([...Array(question.size).fill(ZERO),
-    box.wrench.map((ends, j) => ends[y[j] > 0n ? 1 : 0].times(new Fraction(y[j], 1n))).reduce((a, b) => a.plus(b)),
+    box.loads.most(stated).times(scale),
     ...(question.margin ? [question.u.reduce((sum, x, j) => sum.plus(x.times(new Fraction(y[j], 1n))), ZERO)] : [])]);
   for (let i = 0; i < question.m; ++i) {
     if (press[i] === OPEN) continue;
@@ -2127,8 +2228,8 @@ function walk(nodes, roots, m, where, visit) {
   if (top()) reject('tree-short', 'the list ends before this', pending.pop().path, nodes.length);
 }
 
-const part_children = (node, box, refuse, m, size) => {
-  if (node.name === 'wrench' ? node.i >= size
+const part_children = (node, box, refuse, m) => {
+  if (node.name === 'wrench' ? node.i >= box.loads.ranges.length
     : node.i >= m || !parameter_names(box.contacts[node.i].n.length).includes(node.name)) refuse('part-contact', `there is no ${node.name} ${printable(node.i)}`);
   const [low, high] = box.interval(node);
   if (node.at.compare(low) <= 0 || node.at.compare(high) >= 0) {
@@ -2173,12 +2274,12 @@ function check_trees(question, nodes, roots, tree_place, tally) {
       return [child('plane +', () => region.cut(row)), child('plane -', () => region.cut(negative(row), {strict: true}))];
     }
     if (node.kind === 'part') {
-      return part_children(node, region.box, refuse, m, size)
+      return part_children(node, region.box, refuse, m)
           .map(([step, box]) => child(step, () => region.withBox(box())));
     }
     ++tally.leaves;
     const y = integral(node.a);
-    const refusal = leaf_refusal(region, y);
+    const refusal = leaf_refusal(region, node.a, y);
     if (refusal !== null) refuse('leaf-bound', refusal);
     if (turned !== null && !region.isBarred) {
       const row = turned(y);
@@ -2233,14 +2334,15 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
     }
   }
   const scaled_sum = (values) => values.reduce((sum, x, l) => sum.plus(x.times(scales[l])), ZERO);
+  const units = zeros(size).map((_, k) => zeros(size).map((zero, j) => (j === k ? ONE : zero)));
+  const minus = (row) => row.map((x) => x.negated());
+  const loads = [minus(units.map((e) => box.loads.most(minus(e)))), units.map((e) => box.loads.most(e))];
   for (const factor of factors) {
     const pushes = box.contacts.map(({push}) => push.map(([p, growth]) => p.plus(growth.times(factor))));
     // The least and the largest entries of W, and of the columns of M less the unit matrix.
     const lows = new Sum(size * (size + 1)), highs = new Sum(size * (size + 1));
     [lows, highs].forEach((sum, end) => {
-      const load = box.wrench.map((w, k) => w[end].plus(factor.times(question.u[k])));
-      const unit = load.flatMap((_, l) => load.map((__, k) => (k === l ? ONE.negated() : ZERO)));
-      sum.add_fractions([...load, ...unit]);
+      sum.add_fractions([...loads[end].map((w, k) => w.plus(factor.times(question.u[k]))), ...units.flatMap(minus)]);
     });
     box.contacts.forEach((contact, i) => {
       if (all_zero(pushes[i]) && !columns.has(i)) return;
@@ -2297,7 +2399,7 @@ function sees(question, box, z) {
   const motion = integral(z);
   const works = (rows) => rows.some((row) => dot(row, motion) !== 0n);
   return box.contacts.some(({rows}) => works(rows.normals) || (rows.friction[1] !== 0n && rows.slips.some(works))) ||
-    box.wrench.some((w, j) => !is_point(w) && !z[j].isZero()) || !dot_fractions(box.wrench.map(([w]) => w), z).isZero() ||
+    !box.loads.most(z).isZero() || !box.loads.most(z.map((x) => x.negated())).isZero() ||
     (question.margin && !dot_fractions(question.u, z).isZero());
 }
 
@@ -2389,7 +2491,7 @@ function check_degree(question, box, part, place, tally, of) {
 function check_parts(question, box, parts, tally) {
   const where = (path, number) => [[`part ${number}`, path === null ? '' : path.toString()].filter((x) => x !== '').join(', '), null];
   walk(parts, [{make: () => box, path: new Path(null, '')}], question.m, where, (part, own, refuse, place) => {
-    if (part.kind === 'part') return part_children(part, own, refuse, question.m, question.size);
+    if (part.kind === 'part') return part_children(part, own, refuse, question.m);
     if (part.kind === 'rest') check_rest(question, own, part, place(), tally, [ZERO]);
     else check_degree(question, own, part, place(), tally);
     return [];
@@ -2400,7 +2502,7 @@ function check_parts(question, box, parts, tally) {
 
 /** Whether w and all P are 0. */
 function is_unloaded(question) {
-  return question.load.every(([w]) => w.isZero()) && question.contacts.every((c) => c.preload[0].isZero());
+  return question.wrench.every(([w]) => w.isZero()) && question.contacts.every((c) => c.preload[0].isZero());
 }
 
 function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
@@ -2512,7 +2614,8 @@ function question_as_asked(question) {
     direction: texts(question.direction),
     preload_direction: question.scale ? 'scale' : texts(question.growth),
     uncertain: question.uncertain.size === 0 ? null
-      : Object.fromEntries([...question.uncertain].map(([kind, {value, percent}]) => [kind, `${value}${percent ? '%' : ''}`])),
+      : Object.fromEntries([...question.uncertain].map(([kind, t]) => [kind, !is_ball(t) ? tolerance_text(t)
+        : {ball: `${t.radius}`, length: `${t.length}`, about: texts(t.about), ...(t.body === null ? {} : {body: t.body})}])),
   };
 }
 
@@ -2520,7 +2623,8 @@ function question_as_asked(question) {
  * Checks a certificate about a question. grasp and certificate are the files, as Uint8Array or as text. options may have
  * wrench and direction (arrays of numbers as texts, such as "-11/10"), case (a name), preload (a text), normal_law
  * ("unilateral" or "bilateral"), preload_direction ("scale" or an array of texts), uncertain (an object of
- * tolerances as texts, such as {friction: "10%"}) and plane or inertia (which are not judged).
+ * tolerances as texts, such as {friction: "10%"}; of wrench a ball, too, "ball:R[:length=L][:about=X:Y[:Z]][:body=NAME]")
+ * and plane or inertia (which are not judged).
  *
  * answer is "accepted", "rejected", "malformed" or "not judged", which found explains. If rejected, rule, place, node
  * (the number of a node in its list) and found say why; if malformed, file ("grasp", "certificate" or "question"), place and found. If accepted, verdict is
@@ -2587,7 +2691,7 @@ function check(grasp, certificate, options = {}) {
 scope.StickslipCheck = {check};
 if (typeof module !== 'undefined') {
   module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, slip_metric, Contact, pressures,
-    plane_bound}};
+    plane_bound, Loads}};
 }
 
 })(typeof globalThis !== 'undefined' ? globalThis : this);

@@ -38,7 +38,7 @@
       return [{ text: plane + " \u2265 0" }, { text: plane + " \u2264 0" }];
     }
     if (kind === "part") {
-      const what = at === "wrench" ? "wrench[" + index + "]" : at + " of " + elementName(index);
+      const what = at === "wrench" ? (page.hasBall() ? "the ball's z" : "wrench") + "[" + index + "]" : at + " of " + elementName(index);
       return [{ text: what + " at most " + page.text(number) }, { text: what + " at least " + page.text(number) }];
     }
     return [];
@@ -118,7 +118,8 @@
     const exact = found.twist.map((y) => page.Fraction.of(y).negated());
     const twist = exact.map((y) => y.toNumber());
     const decide = page.decided();
-    const wrench = decide && decide.wrench && !decide.wrench.some(Array.isArray) ? decide.wrench : null;
+    const isOne = decide && decide.wrench && !decide.wrench.some(Array.isArray) && !page.hasBall();
+    const wrench = isOne ? decide.wrench : null;
     const work =
       wrench && exact.reduce((sum, y, j) => sum.plus(y.times(page.Fraction.of(wrench[j]))), page.Fraction.of(0));
     return { exact, twist, work, opposing: page.answer.contacts.map((_, i) => canOppose(i, twist, found)) };

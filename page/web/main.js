@@ -47,11 +47,11 @@
     page.draw();
   };
 
-  /** Of a fragile verdict: shows its "stable" or its "unstable" grasp, or the box of all again (null). */
+  /** Of a fragile verdict: shows its "stable" or its "unstable" grasp; of a quality the "lost" load; or all again (null). */
   page.showExample = function (name) {
     const whole = page.fragile ? page.fragile.whole : page.answer;
     page.fragile = name ? { whole, name } : null;
-    page.setAnswer(name ? whole.examples[name] : whole);
+    page.setAnswer(name ? page.examplesOf(whole)[name] : whole);
   };
 
   function start() {

@@ -5,12 +5,23 @@
   const { html } = page;
   let result = null;
 
+  /** The tolerances of a list such as "friction=5%,wrench=ball:1:length=2", by their kind. */
+  page.tolerances = (text) =>
+    Object.fromEntries(
+      (text || "")
+        .split(",")
+        .filter(Boolean)
+        .map((entry) => [entry.slice(0, entry.indexOf("=")), entry.slice(entry.indexOf("=") + 1)]),
+    );
+  /** Whether it is asked about a ball of loads. */
+  page.hasBall = () => /^ball:/.test(page.tolerances((page.answer.question || {}).uncertain).wrench);
+
   /** The question as the checker wants it: what the answer says was asked, lists and tolerances taken apart. */
   function question() {
     const { wrench, uncertain, ...rest } = page.answer.question || {};
     const asked = Object.fromEntries(Object.entries(rest).filter(([, value]) => value !== null));
     if (wrench) asked.wrench = typeof wrench === "string" ? wrench.split(",") : wrench;
-    if (uncertain) asked.uncertain = Object.fromEntries(uncertain.split(",").map((kind) => kind.split("=")));
+    if (uncertain) asked.uncertain = page.tolerances(uncertain);
     return asked;
   }
 

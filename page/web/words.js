@@ -54,7 +54,12 @@
     );
   }
 
-  const ofTheBox = () => (page.fragile ? " It is one grasp of the box of uncertain numbers, and others differ." : "");
+  const ofTheBox = () =>
+    !page.fragile
+      ? ""
+      : page.fragile.name === "lost"
+        ? " It is one that is near the load that was asked about."
+        : " It is one grasp of the box of uncertain numbers, and others differ.";
 
   function casesTable(cases) {
     return html(
@@ -171,7 +176,10 @@
       } else if (decide.limit) {
         lines.push(html("p", {}, "Not decided: " + decide.limit + (decide.remedy ? "; " + decide.remedy : "") + "."));
       }
-      for (const uncertain of [groupUncertain(decide.uncertain || [])]) if (uncertain) lines.push(uncertain);
+      if (decide.ball)
+        lines.push(html("p", {}, "The box: every load that differs from w by ", page.ballWords(decide.ball, decide.ball.radius), "."));
+      const numbers = (decide.uncertain || []).filter(({ place }) => !decide.ball || !place.startsWith("wrench["));
+      for (const uncertain of [groupUncertain(numbers)]) if (uncertain) lines.push(uncertain);
       if (decide.enclosed)
         lines.push(
           html(
@@ -209,9 +217,9 @@
   function messages() {
     const reasons = new Map();
     for (const message of page.answer.messages || []) {
-      const [, part, reason] = /^(states|region|margin|map): (.*)$/.exec(message) || [null, "", message];
+      const [, part, reason] = /^(states|region|margin|map|quality|lost): (.*)$/.exec(message) || [null, "", message];
       // In space nobody expects them of one body.
-      if (page.isSpatial() && !page.mechanism() && part !== "" && part !== "margin") continue;
+      if (page.isSpatial() && !page.mechanism() && ["states", "region", "map"].includes(part)) continue;
       reasons.set(reason, [...(reasons.get(reason) || []), part]);
     }
     return [...reasons].map(([reason, parts]) => (parts[0] ? parts.join(", ") + ": " : "") + reason);
@@ -220,6 +228,59 @@
   function unitsText() {
     const units = page.unitsOf();
     return units ? " in " + units.force + " and " + units.force + " " + units.length : "";
+  }
+
+  /** Which forces and torques are in a ball of loads of this radius. */
+  page.ballWords = function (ball, radius) {
+    const exact = (value) => (Number(value) === 1 ? "" : [" / ", page.number(value)]);
+    return [
+      "a force f and a torque t",
+      ball.about ? [" about ", page.numbers(ball.about)] : "",
+      ball.body ? " on " + ball.body : "",
+      " with |f|\u00B2 + |t",
+      exact(ball.length),
+      "|\u00B2 \u2264 (",
+      page.number(radius),
+      ")\u00B2",
+    ];
+  };
+
+  /** The quality: how large a ball of loads is resisted. */
+  function drawQuality() {
+    const { quality } = page.answer;
+    page.find("quality-panel").hidden = !quality;
+    if (!quality) return;
+    const { ball, proved, refuted, scales } = quality;
+    const lines = [];
+    if (quality.verdict !== "stable") {
+      lines.push(html("p", {}, quality.verdict === "unstable" ? "The load itself is not resisted." : "The load itself is not decided."));
+    } else {
+      if (Number(proved) !== 0)
+        lines.push(
+          html(
+            "p",
+            {},
+            "Every load that differs from this one by ",
+            page.ballWords(ball, proved),
+            " is resisted: one proof for all of them",
+            scales ? ", and as nothing else presses, for all loads there are." : ".",
+          ),
+        );
+      lines.push(
+        html(
+          "p",
+          {},
+          refuted === null
+            ? "No load that is not resisted was found."
+            : ["In the ball of radius ", page.number(refuted), " some load is not resisted", quality.not_resisted ? [": w = ", page.numbers(quality.not_resisted)] : "", "."],
+        ),
+      );
+      if (page.examplesOf(page.answer) && page.answer.lost && !page.answer.examples)
+        lines.push(
+          html("button", { type: "button", id: "show-lost", onclick: () => page.showExample("lost") }, "Show it on the body"),
+        );
+    }
+    page.put("quality", lines);
   }
 
   /** The uncertain numbers, those with one interval together. */
@@ -275,18 +336,24 @@
     if (page.refutation().leaves.length > 0) choices.push(["twist", "Virtual twist"]);
     if (answer.states && shown.cell !== null) choices.push(["cell", "Motion on the sphere"]);
     const moving = motion.twist && motion.twist.some((x) => x !== 0);
-    const examples = (page.fragile ? page.fragile.whole : answer).examples;
+    const examples = page.examplesOf(page.fragile ? page.fragile.whole : answer);
     page.put(
       "choice",
       examples && !answer.live
         ? html(
             "div",
             { role: "group", "aria-label": "Which grasp is shown", class: "segments" },
-            [
-              [null, "The box"],
-              ["stable", "One that holds"],
-              ["unstable", "One that does not"],
-            ].map(([name, text]) =>
+            (examples.lost
+              ? [
+                  [null, "The load"],
+                  ["lost", "One that is not resisted"],
+                ]
+              : [
+                  [null, "The box"],
+                  ["stable", "One that holds"],
+                  ["unstable", "One that does not"],
+                ]
+            ).map(([name, text]) =>
               html(
                 "button",
                 {
@@ -580,5 +647,5 @@
     );
   }
 
-  page.views.push(drawVerdict, drawWhy, drawChoice, drawMotionWords, drawTable, drawExact);
+  page.views.push(drawVerdict, drawWhy, drawChoice, drawMotionWords, drawQuality, drawTable, drawExact);
 })(StickslipPage);

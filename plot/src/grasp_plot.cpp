@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "grasp_drawing.hpp"
 #include "grasp_ink.hpp"
 #include "stylesheet.hpp"
 
@@ -23,7 +24,6 @@ constexpr double kAroundScene = 38;  ///< for fingers and numbers
 constexpr double kLegendLeft = kMargin + kPanelWidth + 24;
 constexpr double kLegendText = kLegendLeft + 62;
 constexpr double kRow = 25;
-constexpr double kGraspWidth = 800;
 constexpr double kLongestBar = 120;
 constexpr double kTorqueRadius = 26;
 
@@ -47,6 +47,12 @@ class GraspPlot {
     const double room = kGraspWidth - 2 * kMargin - text_width("title", verdict);
     svg.text({kMargin, 34}, "title", fit(ink_.title, "title", room) + verdict,
              {{"data-verdict", verdict_}});
+    svg.set_height(draw_below(svg));
+    return svg.finish();
+  }
+
+  /// All but the title; returns the baseline of the line below.
+  double draw_below(Svg& svg) {
     double y = ink_.scenes.size() == 1 ? draw_plane(svg) : draw_sides(svg);
     y += 26;
     if (left_out_ > 0) {
@@ -56,8 +62,7 @@ class GraspPlot {
     for (const std::string& paragraph : ink_.caption) {
       y = draw_lines(svg, {kMargin, y}, "caption", paragraph, kGraspWidth - 2 * kMargin);
     }
-    svg.set_height(y);
-    return svg.finish();
+    return y;
   }
 
  private:
@@ -377,13 +382,20 @@ class GraspPlot {
   std::size_t left_out_ = 0;  ///< numbers without room in a view
 };
 
+GraspPlot plot_of(const Question& question, const Verdict& verdict) {
+  const bool is_exact = question.box() == nullptr;
+  return {is_exact ? grasp_ink(question, verdict) : bodies_ink(question, verdict),
+          name_of(verdict)};
+}
+
 }  // namespace
 
+double plot_detail::draw_grasp(Svg& svg, const Question& question, const Verdict& verdict) {
+  return plot_of(question, verdict).draw_below(svg);
+}
+
 std::string plot_grasp(const Question& question, const Verdict& verdict) {
-  const bool is_exact = question.box() == nullptr;
-  return GraspPlot(is_exact ? grasp_ink(question, verdict) : bodies_ink(question, verdict),
-                   name_of(verdict))
-      .draw();
+  return plot_of(question, verdict).draw();
 }
 
 }  // namespace stickslip

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "labels.hpp"
+#include "map_drawing.hpp"
 #include "picture_frame.hpp"
 #include "stylesheet.hpp"
 
@@ -62,6 +63,14 @@ std::string ends_text(const Interval& interval) {
 
 }  // namespace
 
+void plot_detail::draw_cell(Svg& svg, const MapCell& cell, InkPoint from, InkPoint to) {
+  draw_rectangle(svg, from, to, kLooks[cell.decision.verdict.index()].css_class,
+                 {{"shape-rendering", "crispEdges"},
+                  {"data-verdict", name_of(cell.decision.verdict)},
+                  {"data-x", ends_text(cell.x)},
+                  {"data-y", ends_text(cell.y)}});
+}
+
 std::string plot_map(const std::string& name, const MapAxis& x_axis, const MapAxis& y_axis,
                      const std::vector<MapCell>& cells) {
   const double width = kLeft + kMapSide + kMargin;
@@ -74,15 +83,9 @@ std::string plot_map(const std::string& name, const MapAxis& x_axis, const MapAx
   svg.text({kLeft, 34}, "title", fit(title, "title", room) + what);
   draw_rectangle(svg, {kLeft, kTop}, {kLeft + kMapSide, bottom}, "paper", {});
   for (const MapCell& cell : cells) {
-    const std::size_t verdict = cell.decision.verdict.index();
-    draw_rectangle(svg,
-                   {kLeft + along(x_axis, cell.x.low), bottom - along(y_axis, cell.y.high)},
-                   {kLeft + along(x_axis, cell.x.high), bottom - along(y_axis, cell.y.low)},
-                   kLooks[verdict].css_class,
-                   {{"shape-rendering", "crispEdges"},
-                    {"data-verdict", name_of(cell.decision.verdict)},
-                    {"data-x", ends_text(cell.x)},
-                    {"data-y", ends_text(cell.y)}});
+    draw_cell(svg, cell,
+              {kLeft + along(x_axis, cell.x.low), bottom - along(y_axis, cell.y.high)},
+              {kLeft + along(x_axis, cell.x.high), bottom - along(y_axis, cell.y.low)});
   }
   for (const Rational& at : ticks(x_axis)) {
     const double x = kLeft + along(x_axis, at);

@@ -156,7 +156,7 @@ auto without_gil(Work work) {
 
 /// A grasp file, of a box one with intervals, and its certificate.
 inline pybind11::tuple files(const ProvedFiles& proved) {
-  return pybind11::make_tuple(proved.grasp, proved.certificate);
+  return pybind11::make_tuple(proved.grasp, proved.certificate, proved.uncertain);
 }
 
 /// Of a verdict about a box: the proof, or two examples, or neither.

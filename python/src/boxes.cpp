@@ -2,6 +2,7 @@
 // Questions about all grasps in a box, in the plane and in space.
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/answers/quality_answer.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/box/map.hpp"
 #include "stickslip/box/radius.hpp"
@@ -56,16 +57,19 @@ py::dict decide_box_of(const GraspFile& grasp, const std::string& uncertain,
   return result;
 }
 
+Rational accuracy_of(const py::object& value) {
+  Rational accuracy = exact(value, "accuracy");
+  if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
+  throw InputError("", "accuracy", "the value is " + to_string(accuracy),
+                   "it is a part of the radius: give more than 0 and less than 1");
+}
+
 py::dict radius(const GraspFile& grasp, const std::string& uncertain, const py::object& wrench,
                 const py::object& preload, bool bilateral, const py::object& accuracy,
                 std::size_t node_limit) {
   RadiusOptions options;
   options.box.node_limit = node_limit;
-  options.accuracy = exact(accuracy, "accuracy");
-  if (options.accuracy.sign() <= 0 || options.accuracy >= 1) {
-    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
-                     "it is a part of the radius: give more than 0 and less than 1");
-  }
+  options.accuracy = accuracy_of(accuracy);
   const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
   const GraspBox box = box_of(asked.grasp);
   if (box.is_point()) refuse_certain();
@@ -90,6 +94,46 @@ py::dict radius(const GraspFile& grasp, const std::string& uncertain, const py::
   return result;
 }
 
+py::dict quality(const GraspFile& grasp, const py::object& length, const py::object& about,
+                 const std::string& body, const py::object& wrench, const py::object& preload,
+                 bool bilateral, const py::object& at_most, const py::object& accuracy,
+                 std::size_t node_limit) {
+  QualityOptions options;
+  options.radius.box.node_limit = node_limit;
+  options.radius.accuracy = accuracy_of(accuracy);
+  const auto positive = [](const py::object& value, const char* name) {
+    Rational number = exact(value, name);
+    if (number.sign() > 0) return number;
+    throw InputError("", name, "the value is " + to_string(number), "give a number above 0");
+  };
+  if (!at_most.is_none()) options.at_most = positive(at_most, "at_most");
+  LoadBall shape{1};
+  shape.length = positive(length, "length");
+  if (!about.is_none()) shape.about = numbers(about, 0, "about");
+  shape.body = body;
+  const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
+  const auto [found, proofs] = without_gil([&] {
+    Quality known = find_quality(box_of(asked.grasp), asked.law, shape, options);
+    std::vector<std::pair<std::string, ProvedFiles>> proved;
+    if (known.stable) proved = proved_quality(asked, known);
+    return std::pair(std::move(known), std::move(proved));
+  });
+  const char* verdict = !found.stable ? "undecided" : *found.stable ? "stable" : "unstable";
+  py::dict result = fields_of(asked, verdict, preload);
+  result["length"] = fraction(shape.length);
+  result["proved"] = fraction(found.proved);
+  result["limit"] = fraction(found.limit);
+  result["scales"] = found.scales;
+  if (found.refuted) result["refuted"] = fraction(*found.refuted);
+  if (found.stable == true && found.radii.example) {
+    result["not_resisted"] = middles(found.radii.example->wrench);
+  }
+  for (const auto& [name, proof] : proofs) {
+    result[name == "proved" ? "proof" : "counterexample"] = files(proof);
+  }
+  return result;
+}
+
 /// The arguments of results.MapCell, but the proof's law.
 py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof) {
   const auto ends = [](const Interval& interval) {
@@ -100,8 +144,8 @@ py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof)
 }
 
 py::dict map(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
-             const py::object& wrench, const py::object& preload, bool bilateral,
-             unsigned depth, std::size_t node_limit, bool proofs) {
+             const std::string& uncertain, const py::object& wrench, const py::object& preload,
+             bool bilateral, unsigned depth, std::size_t node_limit, bool proofs) {
   // In the plane with rational lengths.
   const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
   const GraspBox centre = box_of(asked.grasp);
@@ -110,14 +154,15 @@ py::dict map(const GraspFile& grasp, const std::string& x_text, const std::strin
   MapOptions options;
   options.depth = depth;
   options.box.node_limit = node_limit;
+  if (!uncertain.empty()) options.uncertain = parse_tolerances(uncertain);
   std::vector<MapCell> cells;
   std::vector<std::optional<ProvedFiles>> proved;
   const std::string picture = without_gil([&] {
     map_verdicts(centre, asked.law, x, y, options, [&](MapCell cell) {
       proved.emplace_back();
       if (proofs && !std::holds_alternative<Undecided>(cell.decision.verdict)) {
-        proved.back() = proved_box(box_of_cell(centre, x, y, cell.x, cell.y), asked.law,
-                                   cell.decision, producer_of(box_engine(asked)));
+        proved.back() = proved_box(box_of_cell(centre, x, y, cell.x, cell.y, options.uncertain),
+                                   asked.law, cell.decision, producer_of(box_engine(asked)));
       }
       cells.push_back(std::move(cell));
     });
@@ -136,6 +181,7 @@ py::dict map(const GraspFile& grasp, const std::string& x_text, const std::strin
 void bind_boxes(py::module_& module) {
   module.def("decide_box", &decide_box_of);
   module.def("radius", &radius);
+  module.def("quality", &quality);
   module.def("stability_map", &map);
 }
 

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "arguments.hpp"
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/core/error.hpp"
@@ -85,7 +86,7 @@ struct ToDict {
 py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
                const py::object& direction, const py::object& preload_direction,
-               const py::object& plane, const py::object& inertia,
+               const py::object& plane, const py::object& inertia, const std::string& uncertain,
                const std::string& grasp_name, const std::string& certificate_name) {
   const QuestionOptions asked =
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
@@ -115,6 +116,15 @@ py::dict check(const std::string& grasp, const std::string& certificate,
     options.preload_direction = for_checker(*asked.preload_direction);
   }
   if (asked.preload) options.preload = for_checker(*asked.preload);
+  if (!uncertain.empty()) {
+    try {
+      options.uncertain =
+          stickslip_check::parse_arguments({"--uncertain", uncertain, "grasp", "certificate"})
+              .options.uncertain;
+    } catch (const stickslip_check::UsageError& error) {
+      throw InputError("", "", error.problem, "");
+    }
+  }
   const stickslip_check::Answer answer = without_gil([&] {
     std::istringstream grasp_stream(grasp);
     std::istringstream certificate_stream(certificate);

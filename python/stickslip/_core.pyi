@@ -112,6 +112,18 @@ def decide_box(
     bilateral: bool,
     node_limit: int,
 ) -> Dict[str, Any]: ...
+def quality(
+    grasp: Union[GraspData, SpatialGraspData],
+    length: Any,
+    about: Optional[List[Any]],
+    body: str,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    at_most: Any,
+    accuracy: Any,
+    node_limit: int,
+) -> Dict[str, Any]: ...
 def radius(
     grasp: Union[GraspData, SpatialGraspData],
     uncertain: str,
@@ -125,6 +137,7 @@ def stability_map(
     grasp: Union[GraspData, SpatialGraspData],
     x: str,
     y: str,
+    uncertain: str,
     wrench: Optional[List[Any]],
     preload: Any,
     bilateral: bool,
@@ -238,6 +251,7 @@ def check(
     preload_direction: Union[str, List[Any], None],
     plane: Optional[List[List[Any]]],
     inertia: Optional[List[Any]],
+    uncertain: str,
     grasp_name: bytes,
     certificate_name: bytes,
 ) -> Dict[str, Any]: ...

@@ -56,6 +56,7 @@ from .results import (
     Outline,
     Piece,
     Proof,
+    Quality,
     Radius,
     Region,
     Residual,
@@ -221,12 +222,50 @@ def radius(
                   **_with_proofs(result, "proof", "counterexample"))
 
 
+def quality(
+    grasp: Grasp,
+    wrench: Any = None,
+    *,
+    length: Number = 1,
+    about: Any = None,
+    body: str = "",
+    friction: Optional[Number] = None,
+    preload: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    at_most: Optional[Number] = None,
+    accuracy: Number = "1/100",
+    node_limit: int = 0,
+) -> Quality:
+    """How large a ball of loads around its own does the grasp resist? With proofs.
+
+    A load that differs by a force f and a torque t is in the ball of radius R if
+    |f|^2 + |t / length|^2 <= R^2.
+
+    Args:
+        grasp, wrench, friction, preload, normal_law: as of ``decide``.
+        length: characteristic length of the object, by which torques are divided.
+        about: the point that torques are about; the origin if it is left out.
+        body: of several bodies the name of the one that the loads are on.
+        at_most: no larger ball is of interest.
+        accuracy: stop when what is proved and what is refuted differ by this part of it.
+        node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+    """
+    about_grasp = _with_friction(grasp, friction)
+    result = _core.quality(
+        about_grasp._data, as_number(length, "length"), as_row_or_none(about, "about", None), str(body),
+        about_grasp._load(wrench), as_number_or_none(preload, "preload"), is_bilateral(normal_law),
+        as_number_or_none(at_most, "at_most"), as_number(accuracy, "accuracy"),
+        as_count("node_limit", node_limit))
+    return Quality(grasp=about_grasp, **_with_proofs(result, "proof", "counterexample"))
+
+
 def stability_map(
     grasp: Grasp,
     x: str,
     y: str,
     wrench: Any = None,
     *,
+    uncertain: Union[str, Mapping[str, Number]] = "",
     friction: Optional[Number] = None,
     preload: Optional[Number] = None,
     normal_law: str = "unilateral",
@@ -240,22 +279,25 @@ def stability_map(
         grasp, wrench, friction, preload, normal_law: as of ``decide``.
         x, y: "NAME=FROM:TO", as in "friction=0:1"; the names are those of ``stickslip map``.
             Of two wrenches, "1,0,0,0,0,0=-2:2", it is the region of a plane of loads in space.
+        uncertain: how far numbers of every grasp of the map may be off, as of ``decide``: a cell's
+            verdict is then one about all grasps that are so near to one in it.
         depth: the finest cells are a 2**depth-th of an axis.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
         proofs: keep the proof of each cell.
     """
     about = _with_friction(grasp, friction)
+    tolerances = as_uncertain(uncertain)
     result = _core.stability_map(
-        about._data, str(x), str(y), about._load(wrench),
+        about._data, str(x), str(y), tolerances, about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
     law = result["normal_law"]
     result["cells"] = tuple(
         MapCell(along_x, along_y, verdict,
-                None if texts is None else Proof(texts[0], texts[1], law))
+                None if texts is None else Proof(texts[0], texts[1], law, texts[2]))
         for along_x, along_y, verdict, texts in result["cells"])
     result["picture"] = Picture(result["picture"])
-    return StabilityMap(grasp=about, x=str(x), y=str(y), **result)
+    return StabilityMap(grasp=about, x=str(x), y=str(y), uncertain=tolerances, **result)
 
 
 def slip_states(
@@ -560,6 +602,7 @@ def check(
     preload_direction: Any = None,
     plane: Any = None,
     inertia: Any = None,
+    uncertain: Union[str, Mapping[str, Number]] = "",
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -574,6 +617,7 @@ def check(
         plane: u and v of a region, whose certificate this then is; the wrench is its origin, and
             0 unless given.
         inertia: as of ``compare``: of the class of a load, whose certificate this then is.
+        uncertain: as of ``decide``, of a box.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -605,6 +649,7 @@ def check(
         as_preload_direction_or_none(preload_direction),
         as_plane_or_none(plane),
         None if inertia is None else as_inertia(inertia, n),
+        as_uncertain(uncertain),
         grasp_name,
         name,
     ))
@@ -715,10 +760,10 @@ def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
 
 
 def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
-    """The pairs of texts, or pairs of these, become proofs."""
-    def proof(texts: Tuple[str, str]) -> Proof:
-        grasp, certificate = texts
-        return Proof(grasp, certificate, fields["normal_law"])
+    """The texts of proofs, or pairs of these, become proofs."""
+    def proof(texts: Tuple[str, str, str]) -> Proof:
+        grasp, certificate, uncertain = texts
+        return Proof(grasp, certificate, fields["normal_law"], uncertain)
 
     for name in names:
         if name in fields:

@@ -112,7 +112,7 @@ class Decision(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral", None, None, None, None,
-            b"<grasp>", b"<certificate>"))
+            "", b"<grasp>", b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if _is_shown(self.grasp) else None
@@ -126,12 +126,14 @@ class Proof(NamedTuple):
     certificate: str
     """The proof (certificate/FORMAT.md)."""
     normal_law: str
+    uncertain: str = ""
+    """What a checker needs beside the file: of a ball of loads its option ``--uncertain``."""
 
     def check(self) -> CheckResult:
         """What the independent checker says of the two."""
         return CheckResult(**_core.check(
             self.grasp.encode(), self.certificate.encode(), None, None,
-            self.normal_law == "bilateral", None, None, None, None, b"<grasp>",
+            self.normal_law == "bilateral", None, None, None, None, self.uncertain, b"<grasp>",
             b"<certificate>"))
 
     def __repr__(self) -> str:
@@ -235,6 +237,37 @@ class Radius(Answer):
     wrench_float = FloatView[FloatArray]("wrench", 3)
 
 
+@dataclass(frozen=True, repr=False)
+class Quality(Answer):
+    """How large a ball of loads around its own a grasp resists."""
+
+    verdict: str
+    """Of the load in the centre: "stable", "unstable", or "undecided"."""
+    proved: Fraction
+    """The radius of the largest ball that is proved to be resisted; 0 if none is."""
+    limit: Fraction
+    """No larger ball was tried."""
+    length: Fraction
+    """By which torques are divided."""
+    scales: bool
+    """Without load and preload a proof about one ball is about all: what is resisted has no end, or
+    what is not is not resisted however small."""
+    normal_law: str
+    wrench: Vector
+    """In the centre."""
+    grasp: Grasp = field(repr=False)
+    refuted: Optional[Fraction] = None
+    """The radius of the smallest ball that is known to hold a load that is not resisted."""
+    not_resisted: Optional[Vector] = None
+    """That load."""
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+    proof: Optional[Proof] = None
+    """Of the ball of radius ``proved``."""
+    counterexample: Optional[Proof] = None
+    """That ``not_resisted`` is not; or the load in the centre."""
+
+
 class MapCell(NamedTuple):
     """A rectangle of a map, with one verdict for all grasps in it."""
 
@@ -257,6 +290,8 @@ class StabilityMap(Answer):
     y: str
     normal_law: str
     wrench: Triple
+    uncertain: str
+    """How far numbers of every grasp may be off, as on the command line."""
     grasp: Grasp = field(repr=False)
     cells: Tuple[MapCell, ...] = field(repr=False)
     """They tile the rectangle of the axes."""
@@ -501,7 +536,7 @@ class Region(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.origin),
             self.preload, self.normal_law == "bilateral", None, None,
-            [list(self.u), list(self.v)], None, b"<grasp>", b"<certificate>"))
+            [list(self.u), list(self.v)], None, "", b"<grasp>", b"<certificate>"))
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
@@ -552,7 +587,7 @@ class Margin(Answer):
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral",
             None if self.direction is None else list(self.direction),
-            list(along) if isinstance(along, tuple) else along, None, None, b"<grasp>",
+            list(along) if isinstance(along, tuple) else along, None, None, "", b"<grasp>",
             b"<certificate>"))
 
     @property

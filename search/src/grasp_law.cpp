@@ -152,6 +152,7 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
     rotates = {0, 0, 0, 1, 1, 1};
   }
   wrench = box.wrench;
+  if (box.ball) ball = BallPart::all_of(box);
   law = normal_law;
   is_family = margin.has_value();
   growth.assign(motions, 0);
@@ -236,6 +237,13 @@ GraspLaw GraspLaw::middle(const Rational& multiple) const {
   GraspLaw result = *this;
   result.growth.assign(motions, 0);
   result.is_family = false;
+  if (ball) {
+    const RationalRow beside = ball->load(ball->nearest());
+    for (std::size_t j = 0; j < motions; ++j) {
+      result.wrench[j] = point_interval(wrench[j].low + beside[j]);
+    }
+    result.ball.reset();
+  }
   for (std::size_t j = 0; j < motions; ++j) {
     shrink(result.wrench[j]);
     if (is_family) {
@@ -255,8 +263,12 @@ GraspLaw GraspLaw::middle(const Rational& multiple) const {
   return result;
 }
 
+const Interval& GraspLaw::load_interval(std::size_t component) const {
+  return ball ? ball->parts.at(component) : wrench.at(component);
+}
+
 const Interval& GraspLaw::interval(const ParameterId& id) const {
-  if (id.parameter == Parameter::kWrench) return wrench.at(id.index);
+  if (id.parameter == Parameter::kWrench) return load_interval(id.index);
   return interval_of(contacts.at(id.index), id.parameter);
 }
 
@@ -276,9 +288,8 @@ std::vector<ParameterId> parameters_of(const GraspBox& box) {
     result.push_back({Parameter::kStiffness, i});
     result.push_back({Parameter::kPreload, i});
   }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    result.push_back({Parameter::kWrench, j});
-  }
+  const std::size_t loads = box.ball ? box.ball_reach().size() : box.wrench.size();
+  for (std::size_t j = 0; j < loads; ++j) result.push_back({Parameter::kWrench, j});
   return result;
 }
 
@@ -286,7 +297,7 @@ std::pair<GraspLaw, GraspLaw> GraspLaw::halves(const PartSplit& split) const {
   const auto half = [&](bool upper) {
     GraspLaw result = *this;
     const bool is_load = split.parameter == Parameter::kWrench;
-    Interval& cut = is_load ? result.wrench.at(split.index)
+    Interval& cut = is_load ? (ball ? result.ball->parts : result.wrench).at(split.index)
                             : interval_of(result.contacts.at(split.index), split.parameter);
     require(cut.low < split.value && split.value < cut.high,
             "a part is cut inside its interval");

@@ -270,6 +270,22 @@ void Law::complete_loads() {
       normalize(direction.rounded);
     }
   }
+  if (ball) {
+    ball->rounded.resize(static_cast<Eigen::Index>(ball->motion.size()),
+                         static_cast<Eigen::Index>(motions));
+    for (std::size_t k = 0; k < ball->motion.size(); ++k) {
+      is_moderate = is_moderate && is_moderate_interval(ball->parts[k]);
+      for (std::size_t j = 0; j < motions; ++j) {
+        const double value = to_double(ball->motion[k][j]) / unit(j);
+        ball->rounded(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) = value;
+        is_moderate = is_moderate && is_moderate_number(ball->motion[k][j], value);
+      }
+    }
+    const double radius = to_double(ball->radius);
+    is_moderate = is_moderate && is_moderate_number(ball->radius, radius) &&
+                  is_moderate_number(ball->length, to_double(ball->length));
+    largest = std::max(largest, radius);
+  }
   force = largest > 0 && std::isfinite(largest) ? largest : 1;
   double stiffest = 0;
   for (const LawContact& c : contacts) {
@@ -333,11 +349,13 @@ Reals Law::load_at(double height, double multiple, const Reals& y) const {
     result[at] = height * load[j][y[at] > 0 ? 1 : 0] + multiple * growing[at];
   }
   if (hull) result += height * hull->worst(y);
+  if (ball) result += height * ball->load(ball->worst(y));
   return result;
 }
 
 Rational Law::most_load_work(const Row& y) const {
   Rational most = hull ? hull->most_work(y) : Rational(0);
+  if (ball) most += ball->most_work(y);
   for (std::size_t j = 0; j < motions; ++j) {
     most += Rational(y[j]) * (y[j].sign() > 0 ? wrench[j].high : wrench[j].low);
   }
@@ -356,12 +374,17 @@ double Law::load_size(const Reals& y) const {
       }
       most += beside;
     }
+    for (std::size_t k = 0; ball && k < ball->parts.size(); ++k) {
+      most += std::fabs(ball->rounded(static_cast<Eigen::Index>(k), at)) * ball->unit(k) *
+              to_double(ball->radius);
+    }
     size += most * std::fabs(y[at]);
   }
   return size;
 }
 
 bool Law::is_point() const {
+  const auto is_point = [](const Interval& component) { return component.is_point(); };
   return (!is_family || multiples.high == multiples.low) && !hull &&
          std::all_of(contacts.begin(), contacts.end(),
                      [](const LawContact& c) {
@@ -369,8 +392,8 @@ bool Law::is_point() const {
                               c.preload.is_point() && c.rate.is_point() &&
                               c.stiffness.is_point();
                      }) &&
-         std::all_of(wrench.begin(), wrench.end(),
-                     [](const Interval& component) { return component.is_point(); });
+         (!ball || std::all_of(ball->parts.begin(), ball->parts.end(), is_point)) &&
+         std::all_of(wrench.begin(), wrench.end(), is_point);
 }
 
 }  // namespace stickslip

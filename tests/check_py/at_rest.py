@@ -47,7 +47,7 @@ class Grasp:
         self.growth = self.box.growths[0]
         self.uncertain = [(i, name) for i, c in enumerate(self.box.contacts)
                           for name, number in c.bounds.items() if not number.certain]
-        self.uncertain += [(k, "wrench") for k, w in enumerate(self.box.wrench) if not w.certain]
+        self.uncertain += [(k, "wrench") for k, w in enumerate(self.box.loads.bounds) if not w.certain]
 
     def at(self, values, multiple=0):
         """(w, contacts) for the values of uncertain parameters: contacts as (p, n, t, mu, P')."""
@@ -63,7 +63,7 @@ class Grasp:
             growth = c.growth.low + share * (c.growth.high - c.growth.low)
             contacts.append((p, n, x["friction"], x["preload"] + multiple * growth))
         return [values.get((k, "wrench"), w.low) + multiple * u
-                for k, (w, u) in enumerate(zip(self.box.wrench, self.growth))], contacts
+                for k, (w, u) in enumerate(zip(self.box.loads.bounds, self.growth))], contacts
 
     def wrench(self, contact, force):
         p, n = contact[:2]
@@ -72,13 +72,13 @@ class Grasp:
     def corners(self, of=None):
         """Of all parameters, or of those of one contact."""
         uncertain = [one for one in self.uncertain if of is None or one[0] == of and one[1] != "wrench"]
-        ends = [(self.box.wrench[i] if name == "wrench" else self.box.contacts[i].bounds[name])
+        ends = [(self.box.loads.bounds[i] if name == "wrench" else self.box.contacts[i].bounds[name])
                 for i, name in uncertain]
         for choice in itertools.product(*ends):
             yield dict(zip(uncertain, choice))
 
     def middle(self):
-        return {(i, name): (self.box.wrench[i] if name == "wrench" else
+        return {(i, name): (self.box.loads.bounds[i] if name == "wrench" else
                             self.box.contacts[i].bounds[name]).middle.low for i, name in self.uncertain}
 
     def left(self, proof, values, multiple=0, of=None):
@@ -108,7 +108,7 @@ class Grasp:
             if together:
                 ends = [[self.flat(proof, values, multiple)] * 2 for values in self.corners()]
             else:
-                load = [(w[0] + multiple * u, w[1] + multiple * u) for w, u in zip(self.box.wrench, self.growth)]
+                load = [(w[0] + multiple * u, w[1] + multiple * u) for w, u in zip(self.box.loads.bounds, self.growth)]
                 unit = [[-int(j == k) for j in range(self.size)] for k in range(self.size)]
                 ends = [[[[w[end], *row] for w, row in zip(load, unit)] for end in (0, 1)]]
                 for i in range(len(self.box.contacts)):

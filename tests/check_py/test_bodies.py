@@ -155,6 +155,11 @@ class BodiesTest(Case):
             self.assertEqual(report["result"], "malformed")
             self.assertIn("must be 5 as the grasp has", report["found"])
 
+    def test_without_contacts_it_is_in_the_plane(self):
+        """However many numbers its wrench has: two bodies have six."""
+        two = {"format": "stickslip-grasp/3", "bodies": [{"name": "a"}, {"name": "b"}], "contacts": [], "wrench": [0, 0, 0, 0, 0, 1]}
+        self.accepts(two, certificate(0, two["wrench"], tree=[["leaf", 0, 0, 0, 0, 0, -1]]))
+
     def test_names_are_printed_plainly(self):
         evil = "\x1b[2J\r\u202e"
         hand = changed(["bodies", 1, "name"], evil)

@@ -250,7 +250,7 @@ def begun(box):
     """The root of its tree, in check.py."""
     here = check.Box([check.Parameters(c.normal, {
         name: check.Bounds(*ends) for name, ends in c.ends.items()}, check.exactly(Fraction(0)))
-        for c in box.contacts], tuple(check.Bounds(*ends) for ends in box.wrench), (check.zeros(3),))
+        for c in box.contacts], check.loads_within(tuple(check.Bounds(*ends) for ends in box.wrench)), (check.zeros(3),))
     return check.begin(check.Root(here, [((0, 0, 0, 1, 0), False, True), ((0, 0, 0, 0, 1), True, False)],
                                   box.law == "bilateral"))
 

@@ -416,7 +416,7 @@ def box_of(contacts, wrench, growth):
             bounds["preload"], growth = check.Bounds(*ends[0]), ends[1]
         return check.Parameters(c.normal, bounds, check.Bounds(*growth), gamma=c.gamma)
 
-    return check.Box(list(map(parameters, contacts)), tuple(check.Bounds(*w) for w in wrench),
+    return check.Box(list(map(parameters, contacts)), check.loads_within(tuple(check.Bounds(*w) for w in wrench)),
                      (check.zeros(6) if growth is None else growth,))
 
 

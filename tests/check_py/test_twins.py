@@ -134,7 +134,7 @@ def pose(model):
                                       k, preload))
         rows.append(check.make_row(contacts[-1], growth))
     wrench = tuple(map(check.exactly, model.wrench))
-    return check.Question(check.Options(law=model.law), wrench, wrench, (model.direction,), contacts,
+    return check.Question(check.Options(law=model.law), wrench, check.loads_within(wrench), (model.direction,), contacts,
                           tuple(model.growth), rows, False)
 
 

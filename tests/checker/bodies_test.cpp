@@ -813,10 +813,9 @@ TEST(Bodies, NoLeafRefutesAnEquilibrium) {
       ++leaves;
       // Under another load it may well hold.
       Box other = box;
-      for (std::size_t j = 0; j < n; ++j) {
-        other.wrench[j].low -= y[j] / 2;
-        other.wrench[j].high -= y[j] / 2;
-      }
+      Vector w = box.load.lowest();
+      for (std::size_t j = 0; j < n; ++j) w[j] -= y[j] / 2;
+      other.load = Load({w.begin(), w.end()});
       tight += leaf_refusal(other, region, y) ? 0 : 1;
     }
   }

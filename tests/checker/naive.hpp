@@ -47,12 +47,12 @@ struct NaiveQuestion {
     for (std::size_t i = 0; i < question.box->size(); ++i) {
       rows.emplace_back(question.box->contact(i));
     }
-    for (const Bounds& w : question.box->wrench) wrench.push_back(w.low);
+    wrench = question.box->load.lowest();
   }
 
   NaiveQuestion(Question asked, Range of, std::vector<NaiveRow> naive)
       : question(std::move(asked)), range(std::move(of)), rows(std::move(naive)) {
-    for (const Bounds& w : question.box->wrench) wrench.push_back(w.low);
+    wrench = question.box->load.lowest();
   }
 
   Question question;

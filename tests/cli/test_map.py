@@ -68,6 +68,58 @@ class Map(Case):
                  if r.get("data-verdict")]
         self.assertEqual([(ends(x.split(",")), ends(y.split(",")), v) for x, y, v in drawn], cells)
 
+    def test_cells_of_uncertain_numbers_agree_with_samples_and_checkers(self):
+        for uncertain in ("friction=10%,wrench=1/10", "wrench=ball:1/10:length=2:about=1:0,position=1/50"):
+            folder = self.path(f"cells{len(uncertain)}")
+            cells = self.cells(A, *AXES, "--depth", "3", "--uncertain", uncertain, "--certificates", folder)
+            self.assertEqual({"stable", "unstable", "undecided"}, {c[2] for c in cells})
+            ball = "ball" in uncertain
+            option = ("--uncertain", uncertain.split(",")[0]) if ball else ()
+            for k, (x, y, verdict) in enumerate(cells):
+                if verdict == "undecided":
+                    continue
+                files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
+                for checker in checkers(files[1]):
+                    if ball and "stickslip-proved" in checker[0]:
+                        continue
+                    code, out, err = run(*checker, *files, *option)
+                    self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+                    self.assertRegex(out, rf"verdict +{verdict}\b")
+                    if ball:
+                        self.assertIn("question-uncertain", run(*checker, *files)[1])
+                self.agrees_nearby(json.loads(read(A)), x, y, verdict, ball, random.Random(k))
+
+    def agrees_nearby(self, grasp, x, y, verdict, ball, source):
+        """One grasp of the cell, as far off as it may be."""
+        for contact, ends_of in ((2, x), (0, y)):
+            factor = 1 if ball else source.choice([Fraction(9, 10), Fraction(11, 10)])
+            grasp["contacts"][contact]["friction"] = str(factor * source.choice(ends_of))
+        if ball:
+            # (3/5, 4/5) of the radius as force and as torque over the length, at (1, 0).
+            turn = source.choice([-1, 1])
+            f, t = ((Fraction(3, 50) * turn, Fraction(8, 50)) if source.random() < 0.5
+                    else (Fraction(4, 50) * turn, Fraction(-6, 50)))
+            along_x = source.random() < 0.5
+            off = (f, 0, t) if along_x else (0, f, t + f)
+            for contact in grasp["contacts"]:
+                contact["position"] = [str(p + source.choice([-1, 1]) * Fraction(1, 50)) for p in contact["position"]]
+        else:
+            off = [source.choice([-1, 1]) * Fraction(1, 10) for _ in "xyt"]
+        grasp["wrench"] = [str(w + z) for w, z in zip(grasp["wrench"], off)]
+        self.assertEqual(self.json("decide", self.write("near.json", grasp))["verdict"], verdict)
+
+    def test_uncertain_numbers_are_said(self):
+        words = (A, *AXES, "--depth", "1", "--uncertain", "wrench=ball:1/10")
+        self.assertEqual(self.json("map", *words)["uncertain"], "wrench=ball:1/10")
+        out = stickslip("map", *words)[1]
+        self.assertIn("all grasps of a cell with wrench=ball:1/10.", out)
+        for axis, uncertain, naming in (
+                ("load=0:1", "wrench=ball:1", ["the axis load varies the load", "wrench=T"]),
+                ("wrench[1]=0:1", "wrench=ball:1", ["wrench[1]"]),
+                ("load=0:1", "friction=1/10", ["contacts[2].friction", "[-1/10, 11/10]"]),
+                ("load=0:1", "frction=1", ["--uncertain", "friction"])):
+            self.fails("map", A, "--x", axis, "--y", "friction[2]=0:1", "--uncertain", uncertain, naming=naming)
+
     def test_every_axis(self):
         for name in ("friction=1/2:3/2", "stiffness=1/2:2", "preload=1/2:2", "friction[1]=0:1",
                      "stiffness[0]=1/2:2", "preload[2]=0:2", "wrench[2]=-3:3",

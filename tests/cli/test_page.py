@@ -149,7 +149,7 @@ class Page(Case):
         self.assertEqual(answer["decide"], self.json("decide", grasp, "--floats"))
         self.assertEqual((answer["dimension"], answer["states"], answer["region"], answer["map"]), (3, None, None, None))
         said = [message for message in answer["messages"] if "several bodies" in message]
-        self.assertEqual([message.split(":")[0] for message in said], ["states", "region", "map"])
+        self.assertEqual([message.split(":")[0] for message in said], ["states", "region", "map", "quality"])
         proof = self.write("p.json", answer["certificate"])
         self.assertEqual(run(CHECK, self.write("g.json", answer["grasp"]), proof)[0], DONE)
         bodies = answer["mechanism"]["bodies"]

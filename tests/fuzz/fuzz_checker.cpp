@@ -108,7 +108,7 @@ std::string truth_in_space(const Input& input, const Question& question,
   auto grasp =
       std::get<stickslip::GraspBox>(stickslip::parse_any_grasp(input.grasp, "grasp").content);
   for (std::size_t j = 0; j < grasp.wrench.size(); ++j) {
-    grasp.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
+    grasp.wrench[j] = at_multiple(question.wrench[j], question.growth[j]);
   }
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     grasp.contacts[i].preload = at_multiple(

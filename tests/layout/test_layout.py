@@ -27,7 +27,7 @@ ALLOWED = {
     "batch": {"core", "equilibrium", "earlier", "certificate", "answers"},
     "crosscheck": {"core", "equilibrium", "planar", "degree", "margin", "box", "answers"},
     "plot": {"core", "arrangement", "equilibrium", "planar", "degree", "box", "resistance"},
-    "page": {"core", "arrangement", "equilibrium", "degree", "margin", "answers"},
+    "page": {"core", "arrangement", "equilibrium", "degree", "margin", "box", "answers"},
 }
 
 

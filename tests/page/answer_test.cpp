@@ -44,9 +44,10 @@ std::size_t count(const Json& cells, const std::string& kind) {
 }
 
 TEST(PageAnswer, WhatIsNotAskedForIsLeftOut) {
-  const Json answer = answer_about(kPinch, {false, true, false, false, false, true});
+  const Json answer = answer_about(kPinch, {false, true, false, false, false, false, true});
   EXPECT_TRUE(answer.contains("states"));
-  for (const char* part : {"decide", "certificate", "near", "region", "margin", "map"}) {
+  for (const char* part :
+       {"decide", "certificate", "near", "region", "margin", "map", "quality", "lost"}) {
     EXPECT_FALSE(answer.contains(part)) << part;
   }
 }
@@ -114,7 +115,7 @@ TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
   std::vector<std::array<int, 4>> ring;
   for (int i = 0; i < 100; ++i) ring.push_back({i - 50, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
   const Json answer =
-      answer_about(grasp_of(ring), {false, false, true, false, false, true}, limits);
+      answer_about(grasp_of(ring), {false, false, true, false, false, false, true}, limits);
   EXPECT_TRUE(answer["region"].is_null());
   ASSERT_EQ(answer["messages"].size(), 1U);
   EXPECT_EQ(answer["messages"][0], "region: not known within 0.001 seconds.");
@@ -138,7 +139,8 @@ TEST(PageAnswer, AMarginInSpaceThatIsGivenUpKeepsWhatIsKnown) {
   PageLimits limits;
   for (limits.time = std::chrono::milliseconds(10); answer["margin"].is_null();
        limits.time *= 2) {
-    answer = answer_about(grasp.dump(), {false, false, false, true, false, true}, limits);
+    answer =
+        answer_about(grasp.dump(), {false, false, false, true, false, false, true}, limits);
     ASSERT_EQ(answer["messages"].size(), 1U);
   }
   const std::string said = answer["messages"][0];
@@ -162,7 +164,7 @@ constexpr const char* kCube = R"({"format": "stickslip-grasp/2",
   "wrench": [0, 0, -1, 0, 0, 0]})";
 
 TEST(PageAnswer, TheBodyIsThereOnce) {
-  PageParts parts{true, false, false, false, false, false};
+  PageParts parts{true, false, false, false, false, false, false};
   QuestionText asked;
   asked.uncertain = "friction=90%";
   const Json answer = answer_about(kCube, parts, {}, asked);
@@ -177,7 +179,8 @@ TEST(PageAnswer, TheBodyIsThereOnce) {
 // other. Each has half of t, so that nothing turns, and friction of at most half of its normal
 // force: |t| <= 4 - |s| / 2.
 TEST(PageAnswer, ARegionInSpace) {
-  const Json region = answer_about(kCube, {false, false, true, false, false, false})["region"];
+  const Json region =
+      answer_about(kCube, {false, false, true, false, false, false, false})["region"];
   EXPECT_EQ(region["plane"]["u"], (Json{"1", "0", "0", "0", "0", "0"}));
   EXPECT_EQ(region["plane"]["v"], (Json{"0", "0", "1", "0", "0", "0"}));
   EXPECT_EQ(region["plane"]["origin"], (Json{"0", "0", "0", "0", "0", "0"}));
@@ -211,7 +214,8 @@ TEST(PageAnswer, ARegionInSpace) {
 TEST(PageAnswer, ARegionInSpaceIsAboutOneGrasp) {
   QuestionText asked;
   asked.uncertain = "friction=1%";
-  const Json answer = answer_about(kCube, {false, false, true, false, false, false}, {}, asked);
+  const Json answer =
+      answer_about(kCube, {false, false, true, false, false, false, false}, {}, asked);
   EXPECT_TRUE(answer["region"].is_null());
   EXPECT_NE(answer["messages"].dump().find("more than one grasp"), std::string::npos);
 }
@@ -288,6 +292,41 @@ TEST(PageHtml, FilesDoNotEndTheElementThatTheyStandIn) {
     EXPECT_EQ(text.find("</style"), std::string::npos) << name;
     EXPECT_EQ(text.find("<!--"), std::string::npos) << name;
   }
+}
+
+TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
+  QuestionText asked;
+  asked.uncertain = "wrench=ball:1/10:length=2:about=1:0";
+  const Json plain = answer_about(kPinch);
+  const Json ball = answer_about(kPinch, {}, {}, asked);
+  EXPECT_EQ(ball["decide"]["box"], true);
+  EXPECT_EQ(ball["decide"]["ball"]["radius"], "1/10");
+  for (const char* part : {"region", "margin", "map"}) {
+    ASSERT_FALSE(plain[part].is_null()) << part;
+    EXPECT_EQ(ball[part], plain[part]) << part;
+  }
+  EXPECT_EQ(ball["quality"]["ball"]["length"], "2");
+  EXPECT_EQ(plain["quality"]["ball"]["length"], "1");
+  // With more than a ball there is more than one grasp in its centre.
+  asked.uncertain += ",friction=1%";
+  const Json more = answer_about(kPinch, {}, {}, asked);
+  for (const char* part : {"region", "margin", "map", "quality", "lost"}) {
+    EXPECT_TRUE(more[part].is_null()) << part;
+  }
+}
+
+// Forces up to 1 across the line of the pads are resisted, and the load is 1/2: so another 1/2
+// is all that there can be.
+TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
+  const Json answer = answer_about(kPinch);
+  const Json& quality = answer["quality"];
+  EXPECT_GT(quality["proved_float"], 0.1);
+  EXPECT_LT(quality["proved_float"], quality["refuted_float"]);
+  EXPECT_LE(quality["proved_float"], 0.5);
+  EXPECT_EQ(answer["lost"]["decide"]["verdict"], "unstable");
+  EXPECT_EQ(answer["lost"]["decide"]["wrench"], quality["not_resisted"]);
+  EXPECT_TRUE(answer["lost"]["certificate"].is_string());
+  EXPECT_FALSE(answer["lost"].contains("quality"));
 }
 
 }  // namespace

@@ -39,7 +39,9 @@ const kSpatial = [example("space-cup")];
 const kNoProof = { certificate: null, near: null };
 function undecided({ answer }) {
   const { verdict, twist, twist_float, contacts, near, proof, ...rest } = answer.decide;
-  return { decide: { ...rest, verdict: "undecided", limit: "the node limit of 1" }, ...kNoProof };
+  const quality = { ...answer.quality, verdict: "undecided", proved: "0", refuted: null };
+  delete quality.not_resisted;
+  return { decide: { ...rest, verdict: "undecided", limit: "the node limit of 1" }, quality, lost: null, ...kNoProof };
 }
 
 /** Everything is drawn, and nothing but what there is. */
@@ -103,6 +105,25 @@ for (const [name, grasp] of Object.entries({ "in the plane": kPlanar, "in space"
 test("an unstable grasp in the plane", () => {
   const made = pageOf(FIG1, "--wrench", "0,11/10,0");
   isWhole(openWith(made), made.answer, "unstable");
+});
+
+test("a ball of loads", () => {
+  const made = pageOf(FIG1, "--wrench", "0,11/10,0");
+  const proof = JSON.parse(made.answer.certificate);
+  proof.question.uncertain = { wrench: { ball: "1/100", length: 2, about: [1, 0] } };
+  proof.tree = [["part", "wrench", 2, "1/200"], ...proof.tree, ...proof.tree];
+  const opened = openWith(made, {
+    question: { ...made.answer.question, uncertain: "friction=0,wrench=ball:1/100:length=2:about=1:0" },
+    certificate: JSON.stringify(proof),
+  });
+  const { answer } = opened.page;
+  isWhole(opened, answer, "unstable");
+  assert.strictEqual(opened.page.checkProof().rule, "question-uncertain");
+  answer.question.uncertain = answer.question.uncertain.replace("friction=0,", "");
+  assert.strictEqual(opened.page.checkProof().answer, "accepted");
+  const { leaves } = opened.page.refutation();
+  assert.match(leaves[0].conditions[0], /the ball's z\[2\] at most/);
+  assert.strictEqual(opened.page.drift(leaves[0]).work, null);
 });
 
 test("an unstable grasp in space", () => {
@@ -321,4 +342,98 @@ test("how far the load may grow is a lower bound where nothing is known beyond",
   assert.doesNotMatch(marginOf([["0", "1"]], [["2", null]]).note, /no more will do/);
   assert.match(marginOf([["0", "2"], ["5", null]], [["3", "4"]]).note, /between 2 and 3, and between 4 and 5/);
   assert.match(marginOf([["0", "2"]], []).note, /above 2/);
+});
+
+// The quality.
+
+/** The points of a path, and from its middle how far it goes to the right and up. */
+function extent(element) {
+  const points = element.getAttribute("d").match(/-?[\d.]+ -?[\d.]+/g).map((pair) => pair.split(" ").map(Number));
+  const ends = [0, 1].map((j) => [Math.min(...points.map((p) => p[j])), Math.max(...points.map((p) => p[j]))]);
+  return { middle: ends.map(([low, high]) => (low + high) / 2), half: ends.map(([low, high]) => (high - low) / 2), points };
+}
+const isNear = (a, b, within) => assert.ok(Math.abs(a - b) <= within, a + " and " + b);
+
+test("balls of loads in the plane are where they are, also about another point", () => {
+  for (const [words, squeezed] of [
+    [[FIG1, "--wrench", "0,1/2,0"], 1],
+    // At the same torque about 0 a force (x, y) has the torque x / 2 about (0, 1/2).
+    [[example("jaw"), "--uncertain", "wrench=ball:1:about=0:1/2"], Math.sqrt(1.25)],
+  ]) {
+    const made = pageOf(...words);
+    const opened = openWith(made);
+    const { answer, find, page, root } = opened;
+    isWhole(opened, made.answer, "stable");
+    const { quality, decide } = made.answer;
+    const view = page.regionView();
+    const centre = view.place(made.answer.wrench.slice(0, 2));
+    const radii = { proved: quality.proved, refuted: quality.refuted, ...(decide.ball ? { asked: decide.ball.radius } : {}) };
+    assert.strictEqual(root.querySelectorAll("#region path.ball").length, Object.keys(radii).length);
+    for (const [name, radius] of Object.entries(radii)) {
+      const ball = find("#region path.ball." + name);
+      assert.strictEqual(ball.getAttribute("data-radius"), radius);
+      const { middle, half } = extent(ball);
+      const [top, bottom] = radius.split("/").map(Number);
+      const pixels = (top / (bottom || 1)) * view.scale;
+      for (const j of [0, 1]) isNear(middle[j], centre[j], 0.05);
+      isNear(half[0], pixels / squeezed, 0.02 * pixels);
+      isNear(half[1], pixels, 0.02 * pixels);
+      // Larger, beside the load alone: all of the larger ball, as wide as high, in the middle.
+      const near = extent(find("#quality-picture path.ball." + name));
+      isNear(near.half[1] / near.half[0], squeezed, 0.02);
+      assert.ok(near.half[1] > half[1] || name === "asked");
+    }
+    const words_ = opened.text("#quality");
+    assert.match(words_, /is resisted: one proof for all of them/);
+    assert.strictEqual(/about \(0, 1\/2\)/.test(words_), squeezed !== 1);
+    assert.strictEqual(/The box: every load that differs from w by/.test(opened.text("#why")), squeezed !== 1);
+    assert.doesNotMatch(opened.text("#why"), /wrench\[/);
+  }
+});
+
+test("the load that is not resisted is shown on the body, with its proof", () => {
+  for (const words of [[FIG1, "--wrench", "0,1/2,0"], [example("space-cup"), "--uncertain", "wrench=ball:1/10:length=4"]]) {
+    const made = pageOf(...words);
+    const opened = openWith(made);
+    const { page, find } = opened;
+    assert.ok(find("#region path.ball.proved"));
+    find("#show-lost").click();
+    isWhole(opened, made.answer.lost, "unstable");
+    assert.deepStrictEqual([...page.load()], made.answer.quality.not_resisted_float);
+    assert.match(opened.text("#verdict"), /near the load that was asked about/);
+    assert.strictEqual(page.checkProof().answer, "accepted");
+    page.showExample(null);
+    isWhole(opened, made.answer, "stable");
+    assert.strictEqual(page.checkProof().answer, "accepted");
+  }
+});
+
+test("a quality of nothing, of everything, and none", () => {
+  const made = pageOf(FIG1, "--wrench", "0,1/2,0");
+  const { quality } = made.answer;
+  const { not_resisted, not_resisted_float, ...without } = quality;
+  for (const [parts, expected] of [
+    [{ ...quality, verdict: "unstable", proved: "0", refuted: null }, /The load itself is not resisted/],
+    [{ ...without, refuted: null }, /No load that is not resisted was found/],
+    [{ ...without, proved: "0" }, /some load is not resisted/],
+  ]) {
+    const opened = openWith(made, { quality: parts, lost: null });
+    assert.match(opened.text("#quality"), expected);
+    assert.strictEqual(opened.find("#show-lost"), null);
+    assert.strictEqual(Boolean(opened.find("#region path.ball.proved")), parts.verdict === "stable" && parts.proved !== "0");
+  }
+  assert.strictEqual(openWith(made, { quality: null, lost: null }).find("#quality-panel").shown, false);
+});
+
+test("several bodies have the quality of the body that is asked about", () => {
+  const stack = [example("bodies-stack"), "--case", "pushed above"];
+  const plain = pageOf(...stack);
+  assert.strictEqual(plain.answer.quality, null);
+  assert.match(openWith(plain).text("#why"), /quality --body NAME/);
+  const made = pageOf(...stack, "--uncertain", "wrench=ball:1/10:body=up");
+  const opened = openWith(made);
+  isWhole(opened, made.answer, "stable");
+  assert.match(opened.text("#quality"), / on up with /);
+  opened.find("#show-lost").click();
+  assert.strictEqual(opened.find("#verdict").dataset.verdict, "unstable");
 });

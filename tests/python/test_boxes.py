@@ -20,7 +20,8 @@ def judged(tmp_path, proof):
     """What both checkers say of it, once they say the same."""
     (tmp_path / "g.json").write_text(proof.grasp)
     (tmp_path / "c.json").write_text(proof.certificate)
-    result = subprocess.run([sys.executable, "-B", CHECK_PY, tmp_path / "g.json", tmp_path / "c.json"],
+    option = ["--uncertain", proof.uncertain] if proof.uncertain else []
+    result = subprocess.run([sys.executable, "-B", CHECK_PY, tmp_path / "g.json", tmp_path / "c.json", *option],
                             capture_output=True, text=True, check=False, timeout=300)
     assert result.returncode == 0, result.stdout + result.stderr
     answer = proof.check()
@@ -98,6 +99,39 @@ def test_radius(fig1, tmp_path):
     rough = radius(fig1, LOAD, uncertain="friction=10%,wrench=5%", accuracy=0.5)
     assert rough.proved <= answer.refuted
     assert rough.refuted > answer.proved
+
+
+def test_balls_of_loads(fig1, tmp_path):
+    """Each proof says for which ball it is, which is part of the question."""
+    answer = decide(fig1, LOAD, uncertain="wrench=ball:1/20:length=2")
+    assert judged(tmp_path, answer.proof) == answer.verdict == "stable"
+    assert answer.proof.uncertain == "wrench=ball:1/20:length=2"
+    assert stickslip.check(tmp_path / "g.json", answer.certificate, uncertain=answer.uncertain)
+    other = stickslip.check(tmp_path / "g.json", answer.certificate, uncertain="wrench=ball:1/10:length=2")
+    assert other.rule == "question-uncertain"
+    with pytest.raises(InputError, match="ball:"):
+        stickslip.check(tmp_path / "g.json", answer.certificate, uncertain="wrench=ball:1:width=2")
+    far = radius(fig1, LOAD, uncertain="wrench=ball:1/20:length=2")
+    assert judged(tmp_path, far.proof) == "stable"
+    assert far.proof.uncertain == f"wrench=ball:{far.proved / 20}:length=2"
+    assert far.counterexample.uncertain == "" and judged(tmp_path, far.counterexample) == "unstable"
+
+
+def test_map_of_uncertain_numbers(fig1, tmp_path):
+    path = tmp_path / "g.json"
+    path.write_text(fig1.to_text())
+    axes = "friction[0]=1/4:1", "preload=1/2:2"
+    expected = program("map", path, "--wrench", "0,1/2,0", "--x", axes[0], "--y", axes[1],
+                       "--depth", "2", "--uncertain", "wrench=ball:1/10")
+    found = stability_map(fig1, *axes, LOAD, uncertain={"wrench": "ball:1/10"}, depth=2, proofs=True)
+    assert found.uncertain == expected["uncertain"] == "wrench=ball:1/10"
+    assert [c.verdict for c in found.cells] == [c["verdict"] for c in expected["cells"]]
+    assert any(c.verdict == "stable" for c in found.cells)
+    for cell in found.cells:
+        if cell.proof is not None:
+            assert judged(tmp_path, cell.proof) == cell.verdict
+    with pytest.raises(InputError, match="the axis load varies the load"):
+        stability_map(fig1, "load=0:1", axes[0], LOAD, uncertain="wrench=ball:1")
 
 
 def test_arguments(fig1):

@@ -66,7 +66,7 @@ def changed(files, change):
                 raise IndexError(place)
             inside.insert(last, copy.deepcopy(value))
         elif verb == "*":
-            inside[last:last + 1] = [inside[last]] * value
+            inside[last:last + 1] = [copy.deepcopy(inside[last]) for _ in range(value)]
         elif verb == "-":
             for _ in range(value):
                 del inside[last]

@@ -67,10 +67,18 @@ def judged_by_all(entry):
     return is_without(entry, "plane", "inertia")
 
 
+def ball_of(content):
+    """Of a certificate or a report; None if it states none."""
+    uncertain = content["question"].get("uncertain")
+    ball = uncertain.get("wrench") if isinstance(uncertain, dict) else None
+    return ball if isinstance(ball, dict) else None
+
+
 def is_proved(entry):
-    """The theorem of stickslip-proved is not about several bodies, and stability where normals in space are uncertain."""
+    """The theorem of stickslip-proved is not about stability where normals in space are uncertain, balls of loads, and several
+    bodies."""
     certificate = entry.certificate
-    if entry.kind in BODIES:
+    if entry.kind in BODIES or "wrench=ball:" in " ".join(entry.options) or ball_of(certificate) is not None:
         return False
     in_space = entry.kind.startswith("space")
     turns = "normal" in certificate["question"].get("uncertain", {}) or any(
@@ -99,12 +107,19 @@ def as_several(entry):
         return None
     several = {"bodies": [{"name": "it"}], **{key: grasp[key] for key in ("name", "units", "defaults") if key in grasp},
                "contacts": [{"of": "it", **contact} for contact in contacts]}
+    certificate, ball = entry.certificate, ball_of(entry.certificate)
+    if ball is not None:
+        if "body" in ball:  # malformed there, and another body here
+            return None
+        question = certificate["question"]
+        certificate = {**certificate, "question": {**question, "uncertain": {**question["uncertain"], "wrench": {**ball, "body": "it"}}}}
+    options = [re.sub("wrench=ball:[^,]*", r"\g<0>:body=it", word) for word in entry.options]
     loads = loads_of(grasp, "it")
     if loads is not None:
         several["loads"] = loads
     if "cases" in grasp:
         several["cases"] = [{"name": case["name"], "loads": loads_of(case, "it")} for case in cases]
-    return entry._replace(grasp={"format": "stickslip-grasp/3", **several})
+    return entry._replace(grasp={"format": "stickslip-grasp/3", **several}, certificate=certificate, options=options)
 
 
 def on_joints(entry):
@@ -116,7 +131,8 @@ def on_joints(entry):
     turns = [{"slide": unit[j][:3 if space else 2]} for j in range(3 if space else 2)]
     turns += [{"hinge": {"at": [0, 0, 0], "axis": axis}} for axis in unit] if space else [{"hinge": [0, 0]}]
     bodies = [{"name": str(j), **turn, **({"on": str(j - 1)} if j else {})} for j, turn in enumerate(turns)]
-    last, at = bodies[-1]["name"], [0] * (3 if space else 2)
+    last = bodies[-1]["name"] = "it"  # as the body of a ball of loads is named
+    at = [0] * (3 if space else 2)
 
     def moved(loads):
         for load in loads:
@@ -216,6 +232,8 @@ class RulesTest(unittest.TestCase):
         self.assertGreater(len(pairs), 1000)
         for (entry, other), report in zip(pairs, answers_to([other for _, other in pairs])):
             expected = self.check_py[entry[:2]][0]
+            if report["question"] is not None and ball_of(report) is not None:
+                self.assertEqual(ball_of(report).pop("body"), "it")
             same = set(expected) - ({"path", "found"} if expected["result"] == "malformed" else {"found"})
             self.assertEqual({key: report[key] for key in same}, {key: expected[key] for key in same}, (entry.name, other.grasp, report))
 

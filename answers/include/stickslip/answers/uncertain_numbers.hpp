@@ -25,7 +25,8 @@ struct UncertainNumber {
   std::string label() const { return place + (is_turn() ? ", slope" : ""); }
 };
 
-/// All of them, contact by contact, and then those of the wrench.
+/// All of them, contact by contact, and then those of the wrench: of a ball of loads the ends
+/// of a box around it.
 std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box);
 
 /// The value of each uncertain number of a box, in their order, in one grasp of it.
@@ -47,6 +48,8 @@ Json differences_json(const std::vector<Difference>& differences);
 
 /// A number, or two.
 Json interval_json(const Interval& interval);
+/// Radius, length, and perhaps point and body.
+Json ball_json(const LoadBall& ball);
 /// A list of places and intervals.
 Json uncertain_json(const std::vector<UncertainNumber>& numbers);
 

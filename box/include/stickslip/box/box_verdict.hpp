@@ -29,6 +29,9 @@ struct BoxDecision {
 /// a threshold on its border, for instance, have neither.
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options = {});
 
+/// The loads of a box; of a ball of loads the ends of a box around it.
+WrenchBox loads_of(const GraspBox& box);
+
 /// That one grasp in exact numbers is stable, as prove_by_degree() finds: Stable with
 /// one part. Nothing if no proof was found, which says nothing about the verdict.
 std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem);

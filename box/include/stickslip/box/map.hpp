@@ -46,22 +46,25 @@ struct MapCell {
   BoxDecision decision;  ///< stable or unstable throughout, or undecided
 };
 
-/// The box of grasps in a rectangle. Where all frictions (stiffnesses, preloads, components)
-/// change by one factor, or the load turns, it has more grasps than the rectangle; so it has
-/// along wrenches of several components.
+/// The box of grasps in a rectangle, each with all that are as near as `uncertain` says. Where
+/// all frictions (stiffnesses, preloads, components) change by one factor, or the load turns,
+/// it has more grasps than the rectangle; so it has along wrenches of several components.
+/// Throws InputError as GraspBox::widened().
 GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
-                     const Interval& x, const Interval& y);
+                     const Interval& x, const Interval& y, const Tolerances& uncertain);
 
 /// How finely to look.
 struct MapOptions {
-  unsigned depth = 6;  ///< the finest cells are a 2^depth-th of an axis
-  SearchOptions box;   ///< of each proof
+  unsigned depth = 6;      ///< the finest cells are a 2^depth-th of an axis
+  SearchOptions box;       ///< of each proof
+  Tolerances uncertain{};  ///< of the grasps of every cell
 };
 
 /// A quadtree: a cell without a proof is cut into four, down to the finest. `take` is called
 /// with each cell in turn, the largest first, which tile the rectangle of the axes; `progress`
 /// with the part of the rectangle that is done, from 0 to 1. Both are called by this thread,
-/// while others prove. Throws InputError if both axes vary the same number.
+/// while others prove. Throws InputError if both axes vary the same number, if one varies the
+/// load of which there is a ball, and as box_of_cell().
 void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
                   const MapAxis& y_axis, const MapOptions& options,
                   const std::function<void(MapCell)>& take,

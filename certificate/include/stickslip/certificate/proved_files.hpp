@@ -17,6 +17,7 @@ namespace stickslip {
 struct ProvedFiles {
   std::string grasp;        ///< a grasp file, of a box one with intervals
   std::string certificate;  ///< of its verdict
+  std::string uncertain{};  ///< what --uncertain is for a checker, of a ball of loads
 };
 
 /// Of one grasp, decided here once more. `producer` is a remark without meaning. Requires that

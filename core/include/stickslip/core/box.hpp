@@ -78,6 +78,21 @@ struct Tolerance {
   }
 };
 
+/// Loads around one that is certain (certificate/FORMAT.md, section 6): with it that of every
+/// force f and torque tau at a point of the body with |f|^2 + |tau|^2 / length^2 <= radius^2.
+struct LoadBall {
+  Rational radius;      ///< > 0, a force
+  Rational length{1};   ///< > 0
+  RationalRow about{};  ///< the point; empty: the origin
+  std::string body{};   ///< of several bodies that which is loaded; else empty
+
+  /// The same loads.
+  friend bool operator==(const LoadBall& a, const LoadBall& b) {
+    return a.radius == b.radius && a.length == b.length && a.about == b.about &&
+           a.body == b.body;
+  }
+};
+
 /// A tolerance for each kind of number; nothing: as it stands. That of normals is a slope, and
 /// not relative.
 struct Tolerances {
@@ -87,13 +102,16 @@ struct Tolerances {
   std::optional<Tolerance> position{};   ///< of each coordinate
   std::optional<Tolerance> normal{};     ///< of each slope
   std::optional<Tolerance> wrench{};     ///< of each component
+  std::optional<LoadBall> ball{};        ///< in place of `wrench`
 
   /// Whether any is given.
-  bool any() const { return friction || stiffness || preload || position || normal || wrench; }
+  bool any() const {
+    return friction || stiffness || preload || position || normal || wrench || ball;
+  }
   /// The same tolerances.
   friend bool operator==(const Tolerances& a, const Tolerances& b) {
     return a.friction == b.friction && a.stiffness == b.stiffness && a.preload == b.preload &&
-           a.position == b.position && a.normal == b.normal && a.wrench == b.wrench;
+           a.position == b.position && a.normal == b.normal && a.wrench == b.wrench && a.ball == b.ball;
   }
 };
 
@@ -103,12 +121,16 @@ struct NamedTolerance {
   Tolerance tolerance;  ///< of each number of that kind
 };
 
-/// Those that are given, in the order of the members of Tolerances.
+/// Those that are given, in the order of the members of Tolerances; a ball is none.
 std::vector<NamedTolerance> given(const Tolerances& tolerances);
 
-/// "friction=10%,normal=0.0175": decimals or fractions, each kind at most once. Throws
-/// InputError with the place "uncertain".
+/// "friction=10%,normal=0.0175": decimals or fractions, each kind at most once; that of
+/// `wrench` may be a ball, "wrench=ball:1/2:length=2:about=3:0:body=cup", of which all but the
+/// radius may be left out. Throws InputError with the place "uncertain".
 Tolerances parse_tolerances(std::string_view text);
+
+/// A ball as parse_tolerances() reads it, without "wrench=".
+std::string to_string(const LoadBall& ball);
 
 /// Contacts and a wrench with numbers in intervals, all in the plane or all in space.
 /// *Elements* are its contacts and then its springs, and a ContactId may be of either.
@@ -118,6 +140,7 @@ struct GraspBox {
   GraspDescription description{};                ///< an outline in the plane, a body in space
   std::shared_ptr<const Mechanism> mechanism{};  ///< of several bodies; null: there is one
   std::vector<Spring> springs{};                 ///< of several bodies: ratchets first
+  std::optional<LoadBall> ball{};                ///< beside a wrench that is certain
 
   /// Whether it has three coordinates.
   bool in_space() const { return mechanism ? mechanism->in_space : wrench.size() == 6; }
@@ -125,16 +148,23 @@ struct GraspBox {
   bool is_one_planar_body() const { return !mechanism && !in_space(); }
   /// How many contacts and springs.
   std::size_t elements() const { return contacts.size() + springs.size(); }
-  /// Whether every interval is one number and every slope 0.
+  /// How the body of the ball moves at its point: a row for each component of a force and a
+  /// torque there, as a function of motions. Requires that there is a ball.
+  std::vector<RationalRow> ball_motion() const;
+  /// How far each of these components may be from 0.
+  RationalRow ball_reach() const;
+  /// Whether every interval is one number and every slope 0, and there is no ball.
   bool is_point() const;
   /// Throws InputError naming "contacts[i].<member>" or "wrench[j]" for a normal of 0, a
   /// friction coefficient or preload that may be below 0, a stiffness that may be 0 or below, a
-  /// slope of 1 or more, or an interval whose ends are exchanged.
+  /// slope of 1 or more, or an interval whose ends are exchanged; and "uncertain" for a ball
+  /// that cannot be here.
   void check() const;
   /// Widened by the tolerances, and checked. Throws InputError as check() does.
   GraspBox widened(const Tolerances& tolerances) const;
   /// Each interval shrunk or grown about the value in `centre`, one grasp inside it: its ends
-  /// are centre + factor (end - centre); slopes times factor. factor >= 0. Throws as check().
+  /// are centre + factor (end - centre); slopes and the ball times factor. factor >= 0. Throws
+  /// as check().
   GraspBox scaled(const GraspBox& centre, const Rational& factor) const;
   /// The one grasp in the middle of every interval, with the normals n.
   GraspBox middle() const;
@@ -143,7 +173,7 @@ struct GraspBox {
 };
 
 /// Calls f of every number that may be an interval, in the order of a file. (The slope of a
-/// normal is none.)
+/// normal is none, and no ball.)
 template <class Box, class Function>
 void for_each_number(Box& box, Function f) {
   for (auto& c : box.contacts) {

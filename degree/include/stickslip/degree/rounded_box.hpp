@@ -3,6 +3,7 @@
 /// The grasps of a box in doubles: proposals come from them.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "stickslip/search/grasp_law.hpp"
@@ -63,7 +64,10 @@ class RoundedBox {
 
   const GraspLaw& law() const { return law_; }                          ///< of the box
   const std::vector<ParameterId>& numbers() const { return numbers_; }  ///< that are uncertain
-  Place middle() const;                                                 ///< of all
+  /// Of all numbers; of a ball of loads the load that is nearest to that in its centre.
+  Place middle() const;
+  /// Where a linear function of places is largest, or of a part of a ball large.
+  Place farthest(const Eigen::VectorXd& function) const;
   /// O(contacts).
   RoundedGrasp at(const Place& place) const;
   /// One of its contacts.
@@ -73,6 +77,9 @@ class RoundedBox {
 
  private:
   double multiple_at(const Place& place) const;
+  std::array<double, 2> ends_of_part(std::size_t component) const;
+  template <class Function>
+  Place with_loads(Place place, Function z) const;
 
   const GraspLaw& law_;
   bool has_multiples_;

@@ -41,7 +41,13 @@
 ///    as are `states` and `map`.
 ///  - `margin`: as `margin --json --floats` along the load.
 ///  - `map`: as `map --json --floats` over factors of friction and load, from 0 to 2.
-///  - `messages`: sentences for people.
+///  - `quality`: as `quality --json --floats`, to 5 %; of the ball's point and length and on
+///  its
+///    body, if the question has one. Of several bodies null without one.
+///  - `lost`: of a quality the answer about the load that is not resisted, with `decide` and
+///    what it brings; null where there is none.
+///  - `messages`: sentences for people. Where nothing but loads in a ball is uncertain,
+///    `region`, `margin` and `map` are about the load in the centre.
 #pragma once
 
 #include <chrono>
@@ -65,6 +71,7 @@ struct PageParts {
   bool region = true;    ///< what is resisted in a plane
   bool margin = true;    ///< along the load
   bool map = true;       ///< over friction and load
+  bool quality = true;   ///< brings `lost`
   bool warnings = true;  ///< of `decide`: the model's traps, which take longer than the verdict
 };
 

@@ -25,7 +25,7 @@ struct GrowthRates {
 };
 
 /// All parameters of grasps like this: contact by contact, spring by spring, and then those of
-/// the wrench.
+/// the wrench, or of the ball of loads beside it.
 std::vector<ParameterId> parameters_of(const GraspBox& box);
 
 /// The law of every grasp in a box, or in a part of it.
@@ -44,8 +44,8 @@ class GraspLaw : public Law {
   bool is_one_planar_body() const { return one_body_ && !in_space_; }
   /// The halves below and above a cut; not of a margin. Requires low < value < high.
   std::pair<GraspLaw, GraspLaw> halves(const PartSplit& split) const;
-  /// The one grasp with every parameter in the middle of its interval; of a margin with this
-  /// multiple.
+  /// The one grasp with every parameter in the middle of its interval, of a ball of loads with
+  /// that nearest to 0; of a margin with this multiple.
   GraspLaw middle(const Rational& multiple = 0) const;
   /// The same margin for other multiples.
   GraspLaw within(const MultipleRange& range) const;
@@ -55,6 +55,7 @@ class GraspLaw : public Law {
                    const Rational& rate, unsigned bits);
   void add_spring(const Spring& spring, const Rational& rate);
   void add_corners(LawContact& contact) const;
+  const Interval& load_interval(std::size_t component) const;
   void complete();
 
   bool in_space_ = false;

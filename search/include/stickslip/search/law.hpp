@@ -15,6 +15,7 @@
 #include "stickslip/core/row.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 #include "stickslip/motion/reals.hpp"
+#include "stickslip/search/ball_part.hpp"
 #include "stickslip/search/corner_work.hpp"
 #include "stickslip/search/load_hull.hpp"
 
@@ -152,6 +153,7 @@ struct Law {
   std::vector<LawContact> contacts{};      ///< by ContactId
   std::vector<Interval> wrench{};          ///< w
   std::optional<LoadHull> hull{};          ///< of loads that are added to w
+  std::optional<BallPart> ball{};          ///< likewise; w is certain
   RationalRow growth{};                    ///< u, of a margin
   bool is_family = false;                  ///< a margin: points have multiples
   MultipleRange multiples{};               ///< of a margin
@@ -173,7 +175,7 @@ struct Law {
   void complete_loads();
   /// How large the force of a = 1 is, in doubles.
   double force_size(const LawContact& contact) const;
-  /// The largest work of a load on a virtual twist.
+  /// The largest work of a load on a virtual twist, or, of a ball, a bound.
   Rational most_load_work(const Row& y) const;
   /// A sum of its entries' largest magnitudes, times those of y, at h = 1.
   double load_size(const Reals& y) const;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/answers/quality_answer.hpp"
+
+#include <algorithm>
+
+#include "stickslip/answers/uncertain_numbers.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
+
+namespace stickslip {
+
+LoadBall ball_shape(const std::string& length, const std::string& about,
+                    const std::string& body) {
+  LoadBall ball{1};
+  if (!length.empty()) ball.length = number_option("--length", length);
+  if (ball.length.sign() <= 0) {
+    throw InputError("", "--length", "the value is " + length,
+                     "torques are divided by it: give a number above 0");
+  }
+  if (!about.empty()) ball.about = numbers_option("--about", about);
+  const bool is_origin = std::all_of(ball.about.begin(), ball.about.end(),
+                                     [](const Rational& x) { return x.is_zero(); });
+  if (is_origin) ball.about.clear();
+  ball.body = body;
+  return ball;
+}
+
+Json quality_json(const Question& question, const Quality& quality) {
+  const GraspBox& grasp = quality.ball;
+  Json json;
+  json["verdict"] = !quality.stable ? "undecided" : *quality.stable ? "stable" : "unstable";
+  json["name"] = question.description().name;
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.description().units);
+  if (const Mechanism* mechanism = question.mechanism()) {
+    json["coordinates"] = coordinate_names(*mechanism);
+  }
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = wrench_json(grasp.wrench);
+  json["ball"] = ball_json(*grasp.ball);
+  json["ball"].erase("radius");
+  json["proved"] = number_json(quality.proved);
+  json["refuted"] = quality.refuted ? number_json(*quality.refuted) : Json();
+  json["limit"] = number_json(quality.limit);
+  if (quality.scales) json["scales"] = true;
+  if (quality.radii.example && quality.stable == true) {
+    json["not_resisted"] = wrench_json(quality.radii.example->wrench);
+  }
+  return json;
+}
+
+std::vector<std::pair<std::string, ProvedFiles>> proved_quality(const Question& question,
+                                                                const Quality& quality) {
+  require(quality.stable.has_value(), "the quality of a grasp with a verdict");
+  const std::string producer = "stickslip " STICKSLIP_VERSION ", quality";
+  const GraspBox centre = quality.ball.middle();
+  if (!*quality.stable) {
+    return {{"refuted", proved_grasp(centre, question.law, false, producer)}};
+  }
+  auto proofs = proved_radius(centre, quality.ball, question.law, quality.radii, producer);
+  std::vector<std::pair<std::string, ProvedFiles>> files{{"proved", std::move(proofs[0])}};
+  if (proofs.size() > 1) files.emplace_back("refuted", std::move(proofs[1]));
+  return files;
+}
+
+}  // namespace stickslip

@@ -13,6 +13,7 @@ type arguments = {
   help : bool;
   batch : bool;
   plane : bool;  (* a plane of loads is asked about, which is not judged here *)
+  ball : bool;  (* likewise *)
 }
 
 let nothing_asked =
@@ -105,7 +106,10 @@ let parse words =
         | "--preload-direction", _ ->
           valued (fun v ->
               { o with asked_growth = Some (if v = "scale" then Scale else By (list name v)) })
-        | "--uncertain", _ -> valued (fun v -> { o with asked_uncertain = tolerances name v })
+        | "--uncertain", _ ->
+          with_value (fun v ->
+              if List.exists (starts_with "wrench=ball:") (String.split_on_char ',' v) then { a with ball = true }
+              else { a with options = { o with asked_uncertain = tolerances name v } })
         | "--json", None -> go { a with json = true } ended rest
         | "--batch", None -> go { a with batch = true } ended rest
         | "--", None -> go a true rest
@@ -113,7 +117,7 @@ let parse words =
         | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
   let a =
     go { files = []; options = nothing_asked; json = false; help = false; batch = false;
-         plane = false } false words
+         plane = false; ball = false } false words
   in
   let count = List.length a.files in
   if (not a.help) && (not a.batch) && count <> 2 then

@@ -28,6 +28,7 @@ STICKSLIP_PROVED = os.environ.get("STICKSLIP_PROVED")
 NOT_JUDGED = 3  # by stickslip-proved: its theorem does not cover the question
 sys.path[:0] = [os.path.dirname(CHECK), os.path.join(HERE, "..", "rules"), os.path.join(HERE, "..", "support"), HERE]
 
+import batch  # noqa: E402
 import check  # noqa: E402
 import corpus  # noqa: E402, F401
 from in_process import in_process  # noqa: E402
@@ -114,12 +115,15 @@ def batch_process(*program):
     return process
 
 
+def question_of(grasp_file, certificate_file, options):
+    return {"grasp": as_bytes(grasp_file).decode("latin-1"), "certificate": as_bytes(certificate_file).decode("latin-1"),
+            "options": options}
+
+
 def in_batch(program, grasp_file, certificate_file, options):
     """The report of a checker that answers line by line."""
     process = batch_process(*program)
-    question = {"grasp": as_bytes(grasp_file).decode("latin-1"),
-                "certificate": as_bytes(certificate_file).decode("latin-1"), "options": options}
-    process.stdin.write(json.dumps(question) + "\n")
+    process.stdin.write(json.dumps(question_of(grasp_file, certificate_file, options)) + "\n")
     process.stdin.flush()
     return json.loads(process.stdout.readline())
 
@@ -140,8 +144,8 @@ class Case(unittest.TestCase):
             if program[0]:
                 self.compare(report, in_batch(program, grasp_file, certificate_file, options))
         # What is not judged is for tests/rules.
-        several = b"stickslip-grasp/3" in as_bytes(grasp_file)
-        if STICKSLIP_PROVED and not several:
+        question = question_of(grasp_file, certificate_file, options)
+        if STICKSLIP_PROVED and batch.is_covered(question):
             self.compare_proved(report, in_batch([STICKSLIP_PROVED], grasp_file, certificate_file, options))
         self.assertTrue((text + err).isascii() and (text + err).replace("\n", "").isprintable())
         return code, report, text, err

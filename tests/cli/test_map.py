@@ -80,8 +80,6 @@ class Map(Case):
                     continue
                 files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
                 for checker in checkers(files[1]):
-                    if ball and "stickslip-proved" in checker[0]:
-                        continue
                     code, out, err = run(*checker, *files, *option)
                     self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
                     self.assertRegex(out, rf"verdict +{verdict}\b")

@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Leaf Tree Witness Margin Parts.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Leaf Tree Witness Margin Parts Matrix Rigid RigidClass.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -153,11 +153,30 @@ Fixpoint check_claims (q : question) (s : setting) (claims : list claim) (before
         end
   end.
 
+(* Of rigid contacts: nothing may be uncertain. *)
+Definition check_class (q : question) (s : setting) (p : class_proof) : answer :=
+  match masses (inertia q), all_some rigid_of (rows s) with
+  | Some mass, Some xs =>
+      if Nat.eqb (List.length mass) (dimension q) && straight s && forallb certain (load_box (the_load s)) then
+        match class_fails (most_depth (rows s)) mass (map low (load_box (the_load s))) xs p with
+        | None => Class (class_of p)
+        | Some (rule, Some number) => Rejected rule (AtNode number)
+        | Some (rule, None) => Rejected rule Nowhere
+        end
+      else NotProvedHere "rigid contacts that are uncertain"
+  | _, _ => NotProvedHere "rigid contacts that are uncertain"
+  end.
+
 Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "numbers of the question"
   | Some s =>
       match body c, is_margin q with
+      | OfClass p, _ =>
+          match inertia q with
+          | [] => NotProvedHere "a proof of something else than was asked"
+          | _ => check_class q s p
+          end
       | StableByWitness w, false => check_witness q s w
       | UnstableByTree nodes, false => check_tree q s nodes
       | StableByParts parts, false => check_parts q s parts

@@ -2,7 +2,8 @@
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Leaf Tree Witness Margin
-  RowLimits ByDegree Parts Checker.
+  RowLimits ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
+  RigidClass RigidTrue.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -75,6 +76,9 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | Claims resisted refuted => forall s, choice_of q s -> forall l, 0 <= l ->
       (Exists (among l) resisted -> Rows.stable_at s l) /\
       (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)
+  | Class c => forall s, choice_of q s -> exists mass, masses (inertia q) = Some mass /\
+      List.length mass = Rows.dimension s /\
+      (good_mass (Rows.dimension s) (map real mass) -> is_of_class c (repeat 0 (Rows.dimension s)) (can_rows mass s))
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
@@ -90,6 +94,12 @@ Proof.
   - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
   - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
   - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
+  - destruct (H (grasp_rows g)) as (m & M & Lm & Cl); [left; now exists g|].
+    destruct (plane_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
+    apply (plane_class _ g i m E). apply Cl. rewrite E. now apply plane_mass_good.
+  - destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; now exists g|].
+    destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
+    apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
 Qed.
 
 Section Correct.
@@ -236,7 +246,25 @@ Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
   assert (P := fun s => choice_poses _ _ _ s S).
-  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims]; destruct (is_margin q); try exact I.
+  assert (Rigid_ : forall p, true_of_rows q (match inertia q with
+      | [] => NotProvedHere "a proof of something else than was asked"
+      | _ => check_class q st p
+      end)).
+  { intros p. assert (Go : true_of_rows q (check_class q st p)); [|destruct (inertia q); [exact I|exact Go]].
+    unfold check_class. destruct (masses (inertia q)) as [mass|] eqn:M; [|exact I].
+    destruct (all_some rigid_of (rows st)) as [xs|] eqn:X; [|exact I].
+    destruct (_ && _ && _) eqn:Ch; [|exact I]. rewrite !andb_true_iff in Ch. destruct Ch as [[Lm St] Ce].
+    destruct (class_fails _ _ _ _ p) as [[rule [k|]]|] eqn:Cf; try exact I.
+    intros s C. specialize (P s C). pose proof (posed_fits q st s P St) as Fi. destruct P. destruct posed_dimension0 as [_ D].
+    apply Nat.eqb_eq in Lm. exists mass. split; [exact M|]. split; [congruence|]. intros (_ & Sym & Pos).
+    apply (class_holds mass (map low (load_box (the_load st))) s xs) with (most := most_depth (rows st)); try assumption.
+    - now apply all_rigid with (rows st).
+    - rewrite posed_load0 in *. cbn [load_box make_load] in *. clear - posed_wrench0 Ce.
+      induction posed_wrench0 as [|i x is w W F IH]; cbn in *; [reflexivity|]. apply andb_true_iff in Ce as [C1 C2].
+      f_equal; [now apply certain_within|now apply IH].
+    - congruence. }
+  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p];
+    [| | | | |now apply Rigid_]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).

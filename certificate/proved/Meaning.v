@@ -2,7 +2,7 @@
 (* Which grasps (Model.v, SpaceModel.v) a question (Question.v) is about: one, or if numbers are uncertain a
    box of them (FORMAT.md section 6); and what an answer claims about them. *)
 From Coq Require Import Reals List QArith Qreals.
-From Proved Require Import Question.
+From Proved Require Import Question RigidModel.
 From Proved Require Model SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -70,6 +70,22 @@ Definition refuted_by (l : R) (r : Q * option Q * bool) :=
   let '(lo, hi, with_low) := r in
   (Q2R lo < l \/ with_low = true /\ l = Q2R lo) /\ match hi with Some h => l < Q2R h | None => True end.
 
+(* The inertia of a question about rigid contacts: its numbers. *)
+Definition inertia_of (numbers : list Q) (m : inertia_in_plane) : Prop :=
+  map Q2R numbers = [center_x m; center_y m; gyration_squared m].
+
+Definition inertia_of_space (numbers : list Q) (m : inertia_in_space) : Prop :=
+  let c := center m in
+  let t := about_center m in
+  map Q2R numbers = [SpaceModel.x c; SpaceModel.y c; SpaceModel.z c; xx t; yy t; zz t; xy t; xz t; yz t].
+
+Definition is_of_class {A : Type} (c : class) (at_rest : A) (can : A -> Prop) : Prop :=
+  match c with
+  | MustMove => must_move at_rest can
+  | MustHold => must_hold at_rest can
+  | Open => is_open at_rest can
+  end.
+
 (* What an answer says about a question.  That a certificate is rejected says nothing. *)
 Definition true_answer (q : question) (a : answer) : Prop :=
   match a with
@@ -90,6 +106,10 @@ Definition true_answer (q : question) (a : answer) : Prop :=
       (forall g, chosen_in_space q g -> forall l, 0 <= l ->
          (Exists (among l) resisted -> SpaceModel.stable_at g l) /\
          (Exists (refuted_by l) refuted -> ~ SpaceModel.stable_at g l))
+  | Class c =>
+      (forall g, chosen q g -> exists m, inertia_of (inertia q) m /\ is_of_class c Model.zero (can g m)) /\
+      (forall g, chosen_in_space q g -> exists m, inertia_of_space (inertia q) m /\
+         is_of_class c SpaceModel.no_screw (can_in_space g m))
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

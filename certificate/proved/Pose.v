@@ -2,7 +2,7 @@
 (** The question that is asked of a grasp file with the options of the command line: FORMAT.md
     section 1, the table and what follows it, and section 6. The certificate plays no part here. *)
 From Coq Require Import Bool List QArith Qabs String ZArith.
-From Proved Require Import Json Question ReadGrasp Root.
+From Proved Require Import Json Question ReadGrasp RigidClass Root.
 Import ListNotations.
 Local Open Scope string_scope.
 
@@ -20,6 +20,7 @@ Record options : Set := {
   asked_bilateral : bool;
   asked_direction : option (list Q);
   asked_growth : option growth;
+  asked_inertia : option (list Q);  (** in full *)
   asked_uncertain : list (string * tolerance)  (** by kind *) }.
 
 Definition uncertain_kinds : list string :=
@@ -27,6 +28,13 @@ Definition uncertain_kinds : list string :=
 
 Definition asks_margin (asked : options) : bool :=
   match asked_direction asked, asked_growth asked with None, None => false | _, _ => true end.
+
+Definition asks_class (asked : options) : bool :=
+  match asked_inertia asked with Some _ => true | None => false end.
+
+(** With xy, xz and yz, which may be left out. *)
+Definition in_full (numbers : list Q) : list Q :=
+  match numbers with [_; _; _; _; _; _] => (numbers ++ [0; 0; 0])%list%Q | _ => numbers end.
 
 (** The question as it is judged, and as it is printed. *)
 Record posed : Set := {
@@ -99,8 +107,8 @@ Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) :
   | [] => Fine tt
   | (kind, t) :: rest =>
       let here := of_question "uncertain" in
-      let* _ := check_that (negb (asks_margin asked)) here
-                  "a margin is about one grasp; expected no uncertainty" in
+      let* _ := check_that (negb (asks_margin asked || asks_class asked)) here
+                  "a margin or a class is about one grasp; expected no uncertainty" in
       let* _ := check_that (Qle_bool 0 (amount t)) here "expected tolerances of 0 or more" in
       let* _ := check_that (negb (String.eqb kind "normal" && percent t)) here
                   "of normals a slope is expected, such as 0.01" in
@@ -171,7 +179,19 @@ Definition pose (file : grasp) (asked : options) : result posed :=
         end
     | _ => Fine them
     end in
-  let margin := asks_margin asked in
+  let* _ :=
+    match asked_inertia asked with
+    | None => Fine tt
+    | Some numbers =>
+        let here := of_question "inertia" in
+        let* _ := check_that (negb (asks_margin asked)) here "a direction is given as well" in
+        let* _ := check_that (has_length (if in_space file then 9 else 3) numbers) here
+                    (if in_space file then "expected 6 or 9 numbers" else "expected 3 numbers") in
+        check_that (match masses numbers with Some _ => true | None => false end) here
+          (if in_space file then "the tensor is not positive definite"
+           else "the squared radius of gyration must be > 0")
+    end in
+  let margin := asks_margin asked || asks_class asked in
   let* boxes := each (check_contact margin (in_space file)) [Member "contacts"] them in
   let widened := map (widen (find_tolerance "wrench" asked)) stated in
   let certain := forallb is_exact widened in
@@ -182,7 +202,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
               | _ => them
               end in
   let u := match asked_direction asked with Some u => u | None => map (fun _ => 0%Q) stated end in
-  let* _ := check_that (negb margin || negb (forallb is_0 u)
+  let* _ := check_that (negb (asks_margin asked) || negb (forallb is_0 u)
                         || existsb (fun it => negb (is_0 (preload_growth it))) them)
               (of_question "direction")
               ("neither the wrench nor a preload changes; expected a direction other than 0, or to "
@@ -190,10 +210,11 @@ Definition pose (file : grasp) (asked : options) : result posed :=
   Fine {| the_question :=
             {| dimension := if in_space file then 6 else 3;
                bilateral := asked_bilateral asked;
-               is_margin := margin;
+               is_margin := asks_margin asked;
                contacts := them;
                wrench := widened;
-               direction := u |};
+               direction := u;
+               inertia := match asked_inertia asked with Some numbers => numbers | None => [] end |};
           stated_wrench := stated;
           the_options := asked;
           is_box := negb certain || existsb (fun box => box) boxes |}.

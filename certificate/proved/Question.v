@@ -32,7 +32,8 @@ Record question := Question {
   is_margin : bool;          (* a direction of either kind was given *)
   contacts : list contact;
   wrench : list interval;    (* w, after the table of FORMAT.md 1, widened *)
-  direction : list Q         (* u; as many zeros without a direction of wrenches *)
+  direction : list Q;        (* u; as many zeros without a direction of wrenches *)
+  inertia : list Q           (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
 }.
 
 (* The certificate, in the order of its text.  INDEX and CONTACT are whole numbers >= 0 of any
@@ -71,13 +72,33 @@ Inductive claim :=
   | ClaimStable (low : Q) (high : option Q) (evidence : part + list witness)
   | ClaimUnstable (low : Q) (high : option Q) (tree : list node).
 
+(* Nodes of a tree about rigid contacts. *)
+Inductive rigid_node :=
+  | RTouch (contact_index : Z)
+  | RSlip (contact_index : Z) (side : list Q)              (* in the plane without a side *)
+  | RLeaf (t : Q) (y : list Q) (along_N : list (Z * Q)) (along_slips : list (Z * list Q)).
+
+(* [i, a_i, f_i] *)
+Definition stated_forces := list (Z * (Q * list Q)).
+
+Inductive class_proof :=
+  | ByTwist (y : list Q)                                                              (* must move *)
+  | ByTree (rest : stated_forces) (tree : list rigid_node)                            (* must hold *)
+  | ByMotion (rest : stated_forces) (acceleration : list Q) (forces : stated_forces). (* open *)
+
+Inductive class := MustMove | MustHold | Open.
+
+Definition class_of (p : class_proof) : class :=
+  match p with ByTwist _ => MustMove | ByTree _ _ => MustHold | ByMotion _ _ _ => Open end.
+
 (* All after the member `question`. *)
 Inductive proof :=
   | StableByWitness (w : witness)
   | StableByParts (parts : list part)
   | UnstableByTree (tree : list node)
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
-  | MarginInSpace (claims : list claim).
+  | MarginInSpace (claims : list claim)
+  | OfClass (p : class_proof).
 
 Record certificate := Certificate {
   bits : Z;                           (* 128 if left out *)
@@ -103,6 +124,7 @@ Inductive answer :=
   (* These multiples, and not those between the numbers of these; where the flag is set, not at the low one
      either.  Nothing is claimed of others. *)
   | Claims (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool))
+  | Class (found : class)                          (* of rigid contacts *)
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 

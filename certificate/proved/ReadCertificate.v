@@ -13,7 +13,7 @@ Record statement : Set := {
   options_stated : options  (** without wrench and case *) }.
 
 (** What the numbers of a certificate depend on. *)
-Record shape : Set := { spatial : bool; of_margin : bool }.
+Record shape : Set := { spatial : bool; of_margin : bool; of_class : bool }.
 Definition size_of_twist (s : shape) : Z := if spatial s then 6 else 3.
 
 Definition read_numbers (count : Z) : path -> json -> result (list Q) :=
@@ -83,10 +83,16 @@ Definition read_tolerances (at_path : path) (value : json) : result (list (strin
   | _ => read_all_tolerances at_path members
   end.
 
+Definition read_inertia (in_space : bool) (at_path : path) (value : json) : result (list Q) :=
+  let* numbers := read_array "an array of numbers, as --inertia has them" read_fraction at_path value in
+  let* _ := check_that (if in_space then has_length 6 numbers || has_length 9 numbers else has_length 3 numbers) at_path
+              (if in_space then "expected 6 or 9 numbers" else "expected 3 numbers") in
+  Fine (in_full numbers).
+
 Definition read_statement (in_space : bool) (at_path : path) (value : json) : result statement :=
   let* members :=
     members_in_order ["contacts"; "wrench"; "preload"; "normal_law"; "direction";
-                      "preload_direction"; "uncertain"] at_path value in
+                      "preload_direction"; "inertia"; "uncertain"] at_path value in
   let count := if in_space then 6%Z else 3%Z in
   let* m := member "contacts" read_index at_path members in
   let* w := member "wrench" (read_sized count "an array of the components" read_stated_component)
@@ -95,12 +101,13 @@ Definition read_statement (in_space : bool) (at_path : path) (value : json) : re
   let* law := member "normal_law" read_law at_path members in
   let* u := optional_member "direction" (read_numbers count) at_path members in
   let* growing := optional_member "preload_direction" read_growth at_path members in
+  let* i := optional_member "inertia" (read_inertia in_space) at_path members in
   let* uncertain := optional_member "uncertain" read_tolerances at_path members in
   Fine {| stated_contacts := m;
           wrench_stated := w;
           options_stated :=
             {| asked_wrench := None; asked_case := None; asked_preload := p; asked_bilateral := law;
-               asked_direction := u; asked_growth := growing;
+               asked_direction := u; asked_growth := growing; asked_inertia := i;
                asked_uncertain := match uncertain with Some it => it | None => [] end |} |}.
 
 (** Nodes. *)
@@ -349,6 +356,54 @@ Definition read_claim (s : shape) (at_path : path) (value : json) : result claim
   | _ => expected what at_path value
   end.
 
+(** Rigid contacts: FORCES, nodes. *)
+Definition read_force (s : shape) (at_path : path) (value : json) : result (Z * (Q * list Q)) :=
+  match value with
+  | Array [contact; along; across] =>
+      let* i := read_index at_path contact in
+      let* a := read_fraction at_path along in
+      let* f := read_friction s at_path across in
+      Fine (i, (a, f))
+  | _ => expected "[contact, number, friction]" at_path value
+  end.
+
+Definition read_forces (s : shape) : path -> json -> result stated_forces :=
+  read_array "an array [[contact, number, friction], ...]" (read_force s).
+
+Definition read_multiplier (at_path : path) (value : json) : result (Z * Q) :=
+  match value with
+  | Array [contact; number] =>
+      let* i := read_index at_path contact in
+      let* x := read_fraction at_path number in
+      Fine (i, x)
+  | _ => expected "[contact, number]" at_path value
+  end.
+
+Definition read_rigid_node (s : shape) (at_path : path) (value : json) : result rigid_node :=
+  let problem := if spatial s then "touch and a contact, slip, a contact and a vector, or leaf, t, y and two lists"
+                 else "touch or slip and a contact, or leaf, t, y and two lists" in
+  match value with
+  | Array [Text kind; index] =>
+      if kind =? "touch" then let* i := read_index at_path index in Fine (RTouch i)
+      else if (kind =? "slip") && negb (spatial s) then let* i := read_index at_path index in Fine (RSlip i [])
+      else expected problem at_path value
+  | Array [Text kind; index; side] =>
+      if (kind =? "slip") && spatial s then
+        let* i := read_index at_path index in
+        let* d := read_numbers 3 at_path side in
+        Fine (RSlip i d)
+      else expected problem at_path value
+  | Array [Text kind; t; y; along; across] =>
+      if kind =? "leaf" then
+        let* t := read_fraction at_path t in
+        let* y := read_twist s at_path y in
+        let* g := read_array "an array [[contact, number], ...]" read_multiplier at_path along in
+        let* h := read_shares s at_path across in
+        Fine (RLeaf t y g h)
+      else expected problem at_path value
+  | _ => expected problem at_path value
+  end.
+
 (** The text, member by member. *)
 Definition next (name : string) (members : list (string * json))
   : result (json * list (string * json)) :=
@@ -417,6 +472,26 @@ Definition read_body (s : shape) (good : bool) (members : list (string * json)) 
     let* tree := finish it in
     Fine (UnstableByTree tree).
 
+(** The verdict about rigid contacts, and what proves it. *)
+Definition read_class (s : shape) (members : list (string * json)) : result proof :=
+  let* '(verdict, rest) := next "verdict" members in
+  if is_text "must move" verdict then
+    let* it := next_read "twist" (read_twist s) rest in
+    let* y := finish it in
+    Fine (OfClass (ByTwist y))
+  else if is_text "must hold" verdict then
+    let* '(f, rest) := next_read "rest" (read_forces s) rest in
+    let* it := next_read "tree" (read_array "an array of nodes" (read_rigid_node s)) rest in
+    let* tree := finish it in
+    Fine (OfClass (ByTree f tree))
+  else if is_text "open" verdict then
+    let* '(f, rest) := next_read "rest" (read_forces s) rest in
+    let* '(a, rest) := next_read "acceleration" (read_twist s) rest in
+    let* it := next_read "forces" (read_forces s) rest in
+    let* g := finish it in
+    Fine (OfClass (ByMotion f a g))
+  else expected "must move, must hold or open, as the question has an inertia" [Member "verdict"] verdict.
+
 Definition read_known_format (at_path : path) (value : json) : result unit :=
   if is_text "stickslip-certificate/2" value then Fine tt
   else expected """stickslip-certificate/2"", the only one that this program knows" at_path value.
@@ -430,14 +505,17 @@ Definition read_certificate (in_space : bool) (value : json) : result (statement
         then let* '(_, rest) := next_read "producer" read_any_text rest in Fine rest
         else Fine rest in
       let* '(stated, rest) := next_read "question" (read_statement in_space) rest in
-      let s := {| spatial := in_space; of_margin := asks_margin (options_stated stated) |} in
+      let s := {| spatial := in_space; of_margin := asks_margin (options_stated stated);
+                  of_class := asks_class (options_stated stated) && negb (asks_margin (options_stated stated)) |} in
       let* '(b, rest) :=
-        if begins_with "bits" rest && (negb (of_margin s) || in_space)
+        if begins_with "bits" rest && (negb (of_margin s) || in_space) && negb (of_class s)
         then next_read "bits" read_bits rest
         else Fine (default_bits, rest) in
-      let* '(good, rest) := next_read "verdict" (read_verdict s) rest in
-      let* it := read_body s good rest in
-      Fine (stated, Certificate b it)
+      if of_class s then let* it := read_class s rest in Fine (stated, Certificate b it)
+      else
+        let* '(good, rest) := next_read "verdict" (read_verdict s) rest in
+        let* it := read_body s good rest in
+        Fine (stated, Certificate b it)
   | _ => expected "an object {...}" [] value
   end.
 
@@ -483,6 +561,8 @@ Definition broken_question_rule (stated : statement) (asked : posed) : option st
   then Some "question-direction"
   else if negb (same_option same_growth (asked_growth said) (asked_growth options))
   then Some "question-preload-direction"
+  else if negb (same_option (same_list Qeq_bool) (asked_inertia said) (asked_inertia options))
+  then Some "question-inertia"
   else if negb (forallb (fun kind => same_option same_tolerance (find_tolerance kind said)
                                        (find_tolerance kind options)) uncertain_kinds)
   then Some "question-uncertain"

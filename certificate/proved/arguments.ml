@@ -14,12 +14,11 @@ type arguments = {
   batch : bool;
   plane : bool;  (* a plane of loads is asked about, which is not judged here *)
   ball : bool;  (* likewise *)
-  inertia : bool;  (* nor is the class of rigid contacts *)
 }
 
 let nothing_asked =
   { asked_wrench = None; asked_case = None; asked_preload = None; asked_bilateral = false;
-    asked_direction = None; asked_growth = None; asked_uncertain = [] }
+    asked_direction = None; asked_growth = None; asked_inertia = None; asked_uncertain = [] }
 
 let usage option text problem = raise (Usage (option ^ ": " ^ Print.quote text ^ problem))
 
@@ -91,10 +90,11 @@ let parse words =
                 usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches";
               { a with plane = true })
         | "--inertia", _ ->
-          with_value (fun v ->
-              if not (List.mem (List.length (list name v)) [ 3; 6; 9 ]) then
+          valued (fun v ->
+              let numbers = list name v in
+              if not (List.mem (List.length numbers) [ 3; 6; 9 ]) then
                 usage name v " is not X,Y,G2, such as 0,0,1";
-              { a with inertia = true })
+              { o with asked_inertia = Some (in_full numbers) })
         | "--case", _ -> valued (fun v -> { o with asked_case = Some v })
         | "--preload", _ -> valued (fun v -> { o with asked_preload = Some (number name v) })
         | "--normal-law", _ ->
@@ -117,7 +117,7 @@ let parse words =
         | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
   let a =
     go { files = []; options = nothing_asked; json = false; help = false; batch = false;
-         plane = false; inertia = false; ball = false } false words
+         plane = false; ball = false } false words
   in
   let count = List.length a.files in
   if (not a.help) && (not a.batch) && count <> 2 then

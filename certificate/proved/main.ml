@@ -29,7 +29,9 @@ the program that produced the certificate:
                            scale: f times the preloads, that is, which multiples of them hold
   --plane UX,UY,UT,VX,VY,VT
                            ask for the region of a plane of wrenches: not judged
-  --inertia X,Y,G2         ask for the class of rigid contacts: not judged
+  --inertia X,Y,G2         ask for the class of rigid contacts: must move, must hold or open; the
+                           centre of mass and the squared radius of gyration, in space
+                           X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], the centre and the tensor of inertia about it
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%
@@ -134,8 +136,6 @@ let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate
     Work.bytes := !Work.bytes + String.length text;
     tokens name limits text in
   if arguments.plane then Print.Not_judged "regions of a plane: stickslip-check judges them"
-  else if arguments.inertia then
-    Print.Not_judged "classes of rigid contacts: stickslip-check judges them"
   else if arguments.ball then Print.Not_judged "balls of loads: stickslip-check judges them"
   else try
     let file = read grasp_name Tokenise.of_grasp (grasp ()) in

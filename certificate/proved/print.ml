@@ -124,6 +124,12 @@ let size_of certificate =
       | ClaimStable (_, _, Inr _) -> size
       | ClaimUnstable (_, _, tree) -> size_of_tree { size with trees = size.trees + 1 } tree in
     List.fold_left add none claims
+  | OfClass (ByTree (_, tree)) ->
+    let leaves = List.length (List.filter (function RLeaf _ -> true | _ -> false) tree) in
+    { none with nodes = List.length tree; leaves }
+  | OfClass _ -> none
+
+let class_in_words = function MustMove -> "must move" | MustHold -> "must hold" | Open -> "open"
 
 let in_words place =
   match place with
@@ -152,6 +158,7 @@ let question asked =
   "\ncontacts    " ^ string_of_int (List.length asked.the_question.contacts)
   ^ "\nwrench      (" ^ separated (interval number) asked.stated_wrench ^ ")"
   ^ given "direction   " vector o.asked_direction
+  ^ given "inertia     " vector o.asked_inertia
   ^ "\npreload     "
   ^ (match o.asked_growth with Some Scale -> "f times " | _ -> "")
   ^ (match o.asked_preload with
@@ -178,6 +185,7 @@ let json_question asked =
   ^ ", \"direction\": " ^ or_null json_vector o.asked_direction
   ^ ", \"preload_direction\": "
   ^ or_null (function Scale -> "\"scale\"" | By numbers -> json_vector numbers) o.asked_growth
+  ^ (match o.asked_inertia with Some it -> ", \"inertia\": " ^ json_vector it | None -> "")
   ^ ", \"uncertain\": " ^ uncertain ^ "}"
 
 type report =
@@ -200,6 +208,9 @@ let proof answer size =
       (some size.rests (Printf.sprintf "at rest, parts: %d" size.rests)
        @ some size.parts (Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree))
   | Stable -> "an equilibrium"
+  | Class MustMove -> "a twist"
+  | Class MustHold -> "forces at rest, and a tree of " ^ tree
+  | Class Open -> "forces at rest, and others with an acceleration"
   | _ -> "a tree of " ^ tree
 
 let accepted asked answer certificate =
@@ -210,9 +221,10 @@ let accepted asked answer certificate =
       "resisted    " ^ or_none resisted_in_words resisted
       ^ "\nrefuted     " ^ or_none refuted_in_words refuted ^ "\nelsewhere   nothing is claimed"
     | Stable -> "verdict     stable"
+    | Class found -> "verdict     " ^ class_in_words found
     | _ -> "verdict     unstable" in
   let box = match answer with
-    | (Stable | Unstable) when asked.is_box -> ", for every grasp in the box"
+    | (Stable | Unstable | Class _) when asked.is_box -> ", for every grasp in the box"
     | _ -> "" in
   "accepted\n" ^ verdict ^ box ^ question asked
   ^ "\nproof       " ^ proof answer (size_of certificate) ^ "\n"
@@ -251,7 +263,8 @@ let as_json report =
     let size = size_of certificate in
     let tree = match certificate.body with StableByWitness _ -> false | _ -> true in
     line "accepted" ~box:asked.is_box ~asked
-      ~verdict:(match answer with Margin _ | Claims _ -> "margin" | Stable -> "stable" | _ -> "unstable")
+      ~verdict:(match answer with Margin _ | Claims _ -> "margin" | Stable -> "stable"
+                             | Class found -> class_in_words found | _ -> "unstable")
       ?size:(if tree then Some size else None)
       ?resisted:(match answer with Margin r | Claims (r, _) -> Some r | _ -> None)
       ?refuted:(match answer with Claims (_, r) -> Some r | _ -> None)

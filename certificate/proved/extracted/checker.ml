@@ -1203,7 +1203,7 @@ type contact = { position : interval list; normal : q list; slope : q;
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list }
+                  direction : q list; inertia : q list }
 
 type parameter =
 | PX
@@ -1242,12 +1242,38 @@ type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
 
+type rigid_node =
+| RTouch of Big_int_Z.big_int
+| RSlip of Big_int_Z.big_int * q list
+| RLeaf of q * q list * (Big_int_Z.big_int * q) list
+   * (Big_int_Z.big_int * q list) list
+
+type stated_forces = (Big_int_Z.big_int * (q * q list)) list
+
+type class_proof =
+| ByTwist of q list
+| ByTree of stated_forces * rigid_node list
+| ByMotion of stated_forces * q list * stated_forces
+
+type class0 =
+| MustMove
+| MustHold
+| Open
+
+(** val class_of : class_proof -> class0 **)
+
+let class_of = function
+| ByTwist _ -> MustMove
+| ByTree (_, _) -> MustHold
+| ByMotion (_, _, _) -> Open
+
 type proof =
 | StableByWitness of witness
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
+| OfClass of class_proof
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -1267,6 +1293,7 @@ type answer =
 | Unstable
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
+| Class of class0
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -1432,12 +1459,12 @@ let sum_of_rays rays0 terms =
     ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
     -> bool **)
 
-let reason_holds rays0 x factor terms =
+let reason_holds rays0 x factor0 terms =
   (&&)
-    ((&&) (Z.ltb Big_int_Z.zero_big_int factor)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int factor0)
       (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
     (all_zero
-      (combine0 factor x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+      (combine0 factor0 x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
         (sum_of_rays rays0 terms)))
 
 (** val unjustified :
@@ -1452,8 +1479,8 @@ let rec unjustified rays0 cs advices =
      | a :: advices' ->
        (match a with
         | Keep -> unjustified rays0 cs' advices'
-        | Drop (factor, terms) ->
-          if reason_holds rays0 (form_of c) factor terms
+        | Drop (factor0, terms) ->
+          if reason_holds rays0 (form_of c) factor0 terms
           then unjustified rays0 cs' advices'
           else (ray_of c) :: (unjustified rays0 cs' advices')))
 
@@ -1921,7 +1948,7 @@ type term =
 let value t x =
   match t with
   | Nothing -> Big_int_Z.zero_big_int
-  | Line (factor, f) -> Z.mul factor (dot f x)
+  | Line (factor0, f) -> Z.mul factor0 (dot f x)
   | Bend (n, d, forms0, mixed0) ->
     let most = largest (map (fun f -> dot f x) forms0) in
     up (Z.mul n (if mixed0 then Z.max Big_int_Z.zero_big_int most else most))
@@ -2125,7 +2152,7 @@ let friction_work row0 scale along zz mu =
 (** val corner_alpha :
     row -> q -> form -> form list -> bool -> form list -> q **)
 
-let corner_alpha row0 factor y gens moves t =
+let corner_alpha row0 factor0 y gens moves t =
   let z0 = slip_at t y in
   let zz = inner_of row0.metric z0 z0 in
   let along =
@@ -2133,7 +2160,7 @@ let corner_alpha row0 factor y gens moves t =
     then most_along row0.metric gens z0
     else ((false, zz), Big_int_Z.unit_big_int)
   in
-  let u = qmult (unit_of row0.forms_scale) factor in
+  let u = qmult (unit_of row0.forms_scale) factor0 in
   let scale =
     qmult (qmult row0.box.box_square (unit_of row0.metric_scale)) (qmult u u)
   in
@@ -2145,7 +2172,7 @@ let corner_alpha row0 factor y gens moves t =
 (** val alpha :
     form list list -> ray list -> bool -> row -> q -> form -> q **)
 
-let alpha strict0 rays0 slipping0 row0 factor y =
+let alpha strict0 rays0 slipping0 row0 factor0 y =
   let frictionless =
     qeq_bool row0.box.box_friction.high { qnum = Big_int_Z.zero_big_int;
       qden = Big_int_Z.unit_big_int }
@@ -2158,8 +2185,8 @@ let alpha strict0 rays0 slipping0 row0 factor y =
   reduced
     (qdiv
       (largest_q
-        (map (corner_alpha row0 factor y gens moves) (tips row0.forms)))
-      factor)
+        (map (corner_alpha row0 factor0 y gens moves) (tips row0.forms)))
+      factor0)
 
 (** val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term **)
 
@@ -2334,22 +2361,22 @@ type presser = { pressing : row; by_ : way; mixed : bool }
 (** val way_of :
     form list list -> ray list -> bool -> q -> form -> row -> way **)
 
-let way_of strict0 rays0 slipping0 factor y row0 =
+let way_of strict0 rays0 slipping0 factor0 y row0 =
   if row0.box.box_signed
   then Along (edges strict0 rays0 row0)
-  else Most (alpha strict0 rays0 slipping0 row0 factor y)
+  else Most (alpha strict0 rays0 slipping0 row0 factor0 y)
 
 (** val pressers :
     form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row
     list -> Big_int_Z.big_int -> presser list -> presser list **)
 
-let rec pressers strict0 rays0 slipping0 factor y rows0 number before =
+let rec pressers strict0 rays0 slipping0 factor0 y rows0 number before =
   match rows0 with
   | [] -> before
   | row0 :: rows' ->
     let vs = pull_tips row0 in
     let it = fun mixed0 -> { pressing = row0; by_ =
-      (way_of strict0 rays0 (existsb (Z.eqb number) slipping0) factor y row0);
+      (way_of strict0 rays0 (existsb (Z.eqb number) slipping0) factor0 y row0);
       mixed = mixed0 }
     in
     let now =
@@ -2359,7 +2386,7 @@ let rec pressers strict0 rays0 slipping0 factor y rows0 number before =
            then before
            else (it true) :: before
     in
-    pressers strict0 rays0 slipping0 factor y rows'
+    pressers strict0 rays0 slipping0 factor0 y rows'
       (Z.add number Big_int_Z.unit_big_int) now
 
 (** val term_of : Big_int_Z.big_int -> form -> presser -> term **)
@@ -4599,6 +4626,736 @@ let rec parts_fail advisor two_sided most_depth0 parts todo number =
                   parts_fail advisor two_sided most_depth0 parts' todo' (S
                     number))))
 
+type rigid = { r_N : vector; r_slips : matrix; r_friction : q; r_square : 
+               q; r_normal : vector }
+
+type knowledge = { touches : bool option; sides : matrix option }
+
+(** val slip_of : rigid -> vector -> vector **)
+
+let slip_of x y =
+  map (fun f -> inner f y) x.r_slips
+
+(** val cross : vector -> vector -> vector **)
+
+let cross a b =
+  match a with
+  | [] -> []
+  | a1 :: l ->
+    (match l with
+     | [] -> []
+     | a2 :: l0 ->
+       (match l0 with
+        | [] -> []
+        | a3 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match b with
+              | [] -> []
+              | b1 :: l2 ->
+                (match l2 with
+                 | [] -> []
+                 | b2 :: l3 ->
+                   (match l3 with
+                    | [] -> []
+                    | b3 :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         (qminus (qmult a2 b3) (qmult a3 b2)) :: ((qminus
+                                                                    (qmult a3
+                                                                    b1)
+                                                                    (qmult a1
+                                                                    b3)) :: (
+                           (qminus (qmult a1 b2) (qmult a2 b1)) :: []))
+                       | _ :: _ -> []))))
+           | _ :: _ -> [])))
+
+(** val root_at_least : q -> q -> q -> q -> bool **)
+
+let root_at_least a b c d =
+  if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int } a
+  then (||)
+         (qle_bool c { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int })
+         (qle_bool (qmult (qmult c c) d) (qmult (qmult a a) b))
+  else (&&)
+         (negb
+           (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } c))
+         (qle_bool (qmult (qmult a a) b) (qmult (qmult c c) d))
+
+(** val resists_all : rigid -> vector -> bool **)
+
+let resists_all x y =
+  root_at_least (inner x.r_N y) { qnum = Big_int_Z.unit_big_int; qden =
+    Big_int_Z.unit_big_int } x.r_friction
+    (qmult x.r_square (inner (slip_of x y) (slip_of x y)))
+
+(** val resists : rigid -> vector -> vector -> bool **)
+
+let resists x y side =
+  root_at_least (inner x.r_N y) (inner side side)
+    (qmult x.r_friction (inner side (slip_of x y))) x.r_square
+
+(** val good_sides : rigid -> vector -> vector -> bool **)
+
+let good_sides x u v =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&) (Nat.eqb (length x.r_normal) (S (S (S O))))
+              (Nat.eqb (length x.r_slips) (S (S (S O)))))
+            (forallb is_zero (of_rows x.r_normal x.r_slips)))
+          (is_zero (inner x.r_normal u))) (is_zero (inner x.r_normal v)))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } (inner u v)))
+    (negb
+      (qle_bool (inner x.r_normal (cross u v)) { qnum =
+        Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+
+(** val resists_against : rigid -> vector -> matrix option -> bool **)
+
+let resists_against x y = function
+| Some m ->
+  (match m with
+   | [] -> resists_all x y
+   | u :: l ->
+     (match l with
+      | [] -> resists x y u
+      | v :: l0 ->
+        (match l0 with
+         | [] ->
+           let z0 = slip_of x y in
+           if (&&)
+                (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int } (inner x.r_normal (cross u z0)))
+                (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int } (inner x.r_normal (cross z0 v)))
+           then resists_all x y
+           else (&&) ((&&) (good_sides x u v) (resists x y u)) (resists x y v)
+         | _ :: _ -> false)))
+| None -> resists_all x y
+
+(** val factor : vector -> vector -> q option **)
+
+let factor u v =
+  let c = qdiv (inner u v) (inner u u) in
+  if (&&) (negb (is_zero c)) (same_vectors v (map (qmult c) u))
+  then Some c
+  else None
+
+(** val is_positive_multiple : vector -> vector -> bool **)
+
+let is_positive_multiple u v =
+  match factor u v with
+  | Some c ->
+    qle_bool { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+      c
+  | None -> false
+
+(** val slip_factor : rigid -> rigid -> q option **)
+
+let slip_factor x y =
+  match x.r_slips with
+  | [] ->
+    if (&&) (same_matrices x.r_slips y.r_slips)
+         (is_positive_multiple x.r_normal y.r_normal)
+    then Some { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+    else None
+  | s :: l ->
+    (match l with
+     | [] ->
+       (match y.r_slips with
+        | [] ->
+          if (&&) (same_matrices x.r_slips y.r_slips)
+               (is_positive_multiple x.r_normal y.r_normal)
+          then Some { qnum = Big_int_Z.unit_big_int; qden =
+                 Big_int_Z.unit_big_int }
+          else None
+        | t :: l0 ->
+          (match l0 with
+           | [] -> factor s t
+           | _ :: _ ->
+             if (&&) (same_matrices x.r_slips y.r_slips)
+                  (is_positive_multiple x.r_normal y.r_normal)
+             then Some { qnum = Big_int_Z.unit_big_int; qden =
+                    Big_int_Z.unit_big_int }
+             else None))
+     | _ :: _ ->
+       if (&&) (same_matrices x.r_slips y.r_slips)
+            (is_positive_multiple x.r_normal y.r_normal)
+       then Some { qnum = Big_int_Z.unit_big_int; qden =
+              Big_int_Z.unit_big_int }
+       else None)
+
+(** val turned : q -> matrix -> matrix **)
+
+let turned c ss =
+  if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int } c
+  then ss
+  else map opposite0 ss
+
+type cell = (rigid * knowledge) list
+
+(** val with_touch :
+    rigid -> bool -> (rigid * knowledge) -> rigid * knowledge **)
+
+let with_touch x it p =
+  if is_positive_multiple x.r_N (fst p).r_N
+  then ((fst p), { touches = (Some it); sides = (snd p).sides })
+  else p
+
+(** val with_sides :
+    rigid -> matrix -> (rigid * knowledge) -> rigid * knowledge **)
+
+let with_sides x ss p =
+  match slip_factor x (fst p) with
+  | Some c ->
+    ((fst p), { touches = (snd p).touches; sides = (Some (turned c ss)) })
+  | None -> p
+
+(** val slip_children :
+    rigid -> matrix option -> vector -> (matrix list, string) sum **)
+
+let slip_children x known d =
+  match x.r_slips with
+  | [] ->
+    let n = x.r_normal in
+    if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n d))))
+         (negb (good_sides x d (cross n d)))
+    then Inr "class-slip"
+    else (match known with
+          | Some m ->
+            (match m with
+             | [] ->
+               let e = cross n d in
+               Inl
+               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+               (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+             | u :: l ->
+               (match l with
+                | [] ->
+                  let e = cross n d in
+                  Inl
+                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+                  (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+                | v :: l0 ->
+                  (match l0 with
+                   | [] ->
+                     if (&&)
+                          ((&&)
+                            (negb
+                              (qle_bool (inner n (cross u d)) { qnum =
+                                Big_int_Z.zero_big_int; qden =
+                                Big_int_Z.unit_big_int }))
+                            (negb
+                              (qle_bool (inner n (cross d v)) { qnum =
+                                Big_int_Z.zero_big_int; qden =
+                                Big_int_Z.unit_big_int }))) (good_sides x u v)
+                     then Inl ((u :: (d :: [])) :: ((d :: (v :: [])) :: []))
+                     else Inr "class-slip"
+                   | _ :: _ ->
+                     let e = cross n d in
+                     Inl
+                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+                     (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0
+                                                                    e) :: (d :: [])) :: []))))))))
+          | None ->
+            let e = cross n d in
+            Inl
+            ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+            (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: []))))))
+  | _ :: l ->
+    (match l with
+     | [] ->
+       Inl ((({ qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int } :: []) :: []) :: ([] :: ((((qopp { qnum =
+                                                               Big_int_Z.unit_big_int;
+                                                               qden =
+                                                               Big_int_Z.unit_big_int }) :: []) :: []) :: [])))
+     | _ :: _ ->
+       let n = x.r_normal in
+       if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n d))))
+            (negb (good_sides x d (cross n d)))
+       then Inr "class-slip"
+       else (match known with
+             | Some m ->
+               (match m with
+                | [] ->
+                  let e = cross n d in
+                  Inl
+                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+                  (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+                | u :: l0 ->
+                  (match l0 with
+                   | [] ->
+                     let e = cross n d in
+                     Inl
+                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+                     (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0
+                                                                    e) :: (d :: [])) :: [])))))
+                   | v :: l1 ->
+                     (match l1 with
+                      | [] ->
+                        if (&&)
+                             ((&&)
+                               (negb
+                                 (qle_bool (inner n (cross u d)) { qnum =
+                                   Big_int_Z.zero_big_int; qden =
+                                   Big_int_Z.unit_big_int }))
+                               (negb
+                                 (qle_bool (inner n (cross d v)) { qnum =
+                                   Big_int_Z.zero_big_int; qden =
+                                   Big_int_Z.unit_big_int })))
+                             (good_sides x u v)
+                        then Inl
+                               ((u :: (d :: [])) :: ((d :: (v :: [])) :: []))
+                        else Inr "class-slip"
+                      | _ :: _ ->
+                        let e = cross n d in
+                        Inl
+                        ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+                        (opposite0 d) :: ((opposite0 e) :: [])) :: ((
+                        (opposite0 e) :: (d :: [])) :: []))))))))
+             | None ->
+               let e = cross n d in
+               Inl
+               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
+               (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))))
+
+(** val ascending :
+    Big_int_Z.big_int -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list
+    -> bool **)
+
+let rec ascending count0 last = function
+| [] -> true
+| p :: rest ->
+  let (i, _) = p in
+  (&&) ((&&) (Z.ltb last i) (Z.ltb i count0)) (ascending count0 i rest)
+
+(** val count_of : 'a1 list -> Big_int_Z.big_int **)
+
+let count_of l =
+  fold_left (fun n _ -> Z.add n Big_int_Z.unit_big_int) l
+    Big_int_Z.zero_big_int
+
+(** val normal_sum : cell -> (Big_int_Z.big_int * q) list -> vector **)
+
+let normal_sum c gs =
+  fold_left (fun sum0 ig ->
+    match numbered c (fst ig) with
+    | Some p -> let (x, _) = p in plus_times sum0 (snd ig) x.r_N
+    | None -> sum0) gs []
+
+(** val normal_right : cell -> (Big_int_Z.big_int * q) -> bool **)
+
+let normal_right c ig =
+  match numbered c (fst ig) with
+  | Some p ->
+    let (_, k) = p in
+    let { touches = touches0; sides = _ } = k in
+    (match touches0 with
+     | Some b ->
+       if b
+       then true
+       else qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } (snd ig)
+     | None ->
+       qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } (snd ig))
+  | None -> false
+
+(** val slip_sum : cell -> (Big_int_Z.big_int * vector) list -> vector **)
+
+let slip_sum c hs =
+  fold_left (fun sum0 ih ->
+    match numbered c (fst ih) with
+    | Some p ->
+      let (x, _) = p in
+      plus_times sum0 { qnum = Big_int_Z.unit_big_int; qden =
+        Big_int_Z.unit_big_int } (of_rows (snd ih) x.r_slips)
+    | None -> sum0) hs []
+
+(** val slip_right : cell -> (Big_int_Z.big_int * vector) -> bool **)
+
+let slip_right c ih =
+  match numbered c (fst ih) with
+  | Some p ->
+    let (x, k) = p in
+    let { touches = _; sides = sides0 } = k in
+    (match sides0 with
+     | Some ss ->
+       (&&)
+         (match x.r_slips with
+          | [] -> is_zero (inner (snd ih) x.r_normal)
+          | _ :: l ->
+            (match l with
+             | [] -> true
+             | _ :: _ -> is_zero (inner (snd ih) x.r_normal)))
+         (forallb (fun s ->
+           qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } (inner (snd ih) s)) ss)
+     | None -> false)
+  | None -> false
+
+(** val rigid_leaf :
+    matrix -> vector -> cell -> q -> vector -> (Big_int_Z.big_int * q) list
+    -> (Big_int_Z.big_int * vector) list -> bool **)
+
+let rigid_leaf mass w c t y gs hs =
+  let yw = inner y w in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&)
+                  (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int } t)
+                  (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int } yw))
+                (negb ((&&) (is_zero t) (is_zero yw))))
+              (ascending (count_of c) (Big_int_Z.minus_big_int
+                Big_int_Z.unit_big_int) gs))
+            (ascending (count_of c) (Big_int_Z.minus_big_int
+              Big_int_Z.unit_big_int) hs)) (forallb (normal_right c) gs))
+        (forallb (slip_right c) hs))
+      (forallb (fun p ->
+        match (snd p).touches with
+        | Some b ->
+          if b then resists_against (fst p) y (snd p).sides else true
+        | None -> resists_against (fst p) y (snd p).sides) c))
+    (forallb is_zero
+      (plus_times
+        (plus_times
+          (plus_times (plus_times [] t w) { qnum = Big_int_Z.unit_big_int;
+            qden = Big_int_Z.unit_big_int } (map (fun r -> inner r y) mass))
+          { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+          (normal_sum c gs)) { qnum = Big_int_Z.unit_big_int; qden =
+        Big_int_Z.unit_big_int } (slip_sum c hs)))
+
+(** val rigid_split :
+    matrix -> vector -> cell -> rigid_node -> (cell list, string) sum **)
+
+let rigid_split mass w c = function
+| RTouch i ->
+  (match numbered c i with
+   | Some p ->
+     let (x, _) = p in
+     Inl
+     ((map_all (with_touch x true) c) :: ((map_all (with_touch x false) c) :: []))
+   | None -> Inr "node-contact")
+| RSlip (i, d) ->
+  (match numbered c i with
+   | Some p ->
+     let (x, k) = p in
+     (match slip_children x k.sides d with
+      | Inl them -> Inl (map (fun ss -> map_all (with_sides x ss) c) them)
+      | Inr rule -> Inr rule)
+   | None -> Inr "node-contact")
+| RLeaf (t, y, gs, hs) ->
+  if rigid_leaf mass w c t y gs hs then Inl [] else Inr "class-leaf"
+
+(** val rigid_walk :
+    Big_int_Z.big_int -> matrix -> vector -> rigid_node list ->
+    (cell * Big_int_Z.big_int) list -> nat -> (string * nat) option **)
+
+let rec rigid_walk most_depth0 mass w nodes todo number =
+  match nodes with
+  | [] -> (match todo with
+           | [] -> None
+           | _ :: _ -> Some ("tree-short", number))
+  | n :: nodes' ->
+    (match todo with
+     | [] -> Some ("tree-long", number)
+     | p :: todo' ->
+       let (c, depth0) = p in
+       if Z.ltb most_depth0 depth0
+       then Some ("node-depth", number)
+       else (match rigid_split mass w c n with
+             | Inl children ->
+               rigid_walk most_depth0 mass w nodes'
+                 (app
+                   (map (fun c0 -> (c0,
+                     (Z.add depth0 Big_int_Z.unit_big_int))) children) todo')
+                 (S number)
+             | Inr rule -> Some (rule, number)))
+
+(** val is_positive : q -> bool **)
+
+let is_positive q0 =
+  negb
+    (qle_bool q0 { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+
+(** val masses : q list -> matrix option **)
+
+let masses = function
+| [] -> None
+| p :: l ->
+  (match l with
+   | [] -> None
+   | q0 :: l0 ->
+     (match l0 with
+      | [] -> None
+      | r :: l1 ->
+        (match l1 with
+         | [] ->
+           if is_positive r
+           then Some (({ qnum = Big_int_Z.unit_big_int; qden =
+                  Big_int_Z.unit_big_int } :: ({ qnum =
+                  Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int } :: ((qopp q0) :: []))) :: (({ qnum =
+                  Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int } :: ({ qnum =
+                  Big_int_Z.unit_big_int; qden =
+                  Big_int_Z.unit_big_int } :: (p :: []))) :: (((qopp q0) :: (p :: (
+                  (qplus (qplus (qmult p p) (qmult q0 q0)) r) :: []))) :: [])))
+           else None
+         | xx :: l2 ->
+           (match l2 with
+            | [] -> None
+            | yy :: l3 ->
+              (match l3 with
+               | [] -> None
+               | zz :: l4 ->
+                 (match l4 with
+                  | [] -> None
+                  | xy :: l5 ->
+                    (match l5 with
+                     | [] -> None
+                     | xz :: l6 ->
+                       (match l6 with
+                        | [] -> None
+                        | yz :: l7 ->
+                          (match l7 with
+                           | [] ->
+                             if (&&)
+                                  ((&&) (is_positive xx)
+                                    (is_positive
+                                      (qminus (qmult xx yy) (qmult xy xy))))
+                                  (is_positive
+                                    (qplus
+                                      (qminus
+                                        (qminus
+                                          (qmult zz
+                                            (qminus (qmult xx yy)
+                                              (qmult xy xy)))
+                                          (qmult xx (qmult yz yz)))
+                                        (qmult yy (qmult xz xz)))
+                                      (qmult
+                                        (qmult
+                                          (qmult { qnum =
+                                            (Big_int_Z.mult_int_big_int 2
+                                            Big_int_Z.unit_big_int); qden =
+                                            Big_int_Z.unit_big_int } xy) xz)
+                                        yz)))
+                             then Some (({ qnum = Big_int_Z.unit_big_int;
+                                    qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: (r :: (
+                                    (qopp q0) :: [])))))) :: (({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.unit_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ((qopp r) :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: (p :: [])))))) :: (({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ({ qnum =
+                                    Big_int_Z.unit_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: (q0 :: (
+                                    (qopp p) :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ((qopp r) :: (q0 :: (
+                                    (qplus (qplus (qmult q0 q0) (qmult r r))
+                                      xx) :: ((qplus (qopp (qmult p q0)) xy) :: (
+                                    (qplus (qopp (qmult p r)) xz) :: [])))))) :: ((r :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ((qopp p) :: (
+                                    (qplus (qopp (qmult p q0)) xy) :: (
+                                    (qplus (qplus (qmult p p) (qmult r r)) yy) :: (
+                                    (qplus (qopp (qmult q0 r)) yz) :: [])))))) :: ((
+                                    (qopp q0) :: (p :: ({ qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int } :: ((qplus
+                                                                   (qopp
+                                                                    (qmult p
+                                                                    r)) xz) :: (
+                                    (qplus (qopp (qmult q0 r)) yz) :: (
+                                    (qplus (qplus (qmult p p) (qmult q0 q0))
+                                      zz) :: [])))))) :: []))))))
+                             else None
+                           | _ :: _ -> None)))))))))
+
+(** val rigid_of : row -> rigid option **)
+
+let rigid_of row0 =
+  let b = row0.box in
+  (match b.box_forms (map (fun i -> i.low) b.box_geometry) with
+   | [] -> None
+   | n :: ss ->
+     if (&&)
+          ((&&)
+            ((&&)
+              ((&&) (forallb certain b.box_geometry) (certain b.box_friction))
+              (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } b.box_friction.low))
+            (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } b.box_square))
+          (same_vectors b.box_weights
+            (map (fun _ -> { qnum = Big_int_Z.unit_big_int; qden =
+              Big_int_Z.unit_big_int }) ss))
+     then Some { r_N = n; r_slips = ss; r_friction = b.box_friction.low;
+            r_square = b.box_square; r_normal = b.box_normal }
+     else None)
+
+(** val force_right : rigid -> q -> vector -> bool **)
+
+let force_right x n f =
+  (&&)
+    ((&&)
+      ((&&)
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } n) (Nat.eqb (length f) (length x.r_slips)))
+      (match x.r_slips with
+       | [] -> is_zero (inner f x.r_normal)
+       | _ :: l ->
+         (match l with
+          | [] -> true
+          | _ :: _ -> is_zero (inner f x.r_normal))))
+    (qle_bool (inner f f)
+      (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square) (qmult n n)))
+
+type pressing0 = rigid * (q * vector)
+
+(** val pressing_contacts :
+    rigid list -> Big_int_Z.big_int -> stated_forces -> pressing0 list ->
+    pressing0 list option **)
+
+let rec pressing_contacts xs i them before =
+  match xs with
+  | [] -> (match them with
+           | [] -> Some (rev_append before [])
+           | _ :: _ -> None)
+  | x :: xs' ->
+    (match them with
+     | [] ->
+       pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) [] ((x,
+         ({ qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int },
+         [])) :: before)
+     | p :: rest ->
+       let (j, p0) = p in
+       let (n, f) = p0 in
+       if Z.eqb i j
+       then if force_right x n f
+            then pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) rest
+                   ((x, (n, f)) :: before)
+            else None
+       else pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) them ((x,
+              ({ qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int }, [])) :: before))
+
+(** val force_total : vector -> pressing0 list -> vector **)
+
+let force_total w ps =
+  fold_left (fun sum0 p ->
+    let (x, y) = p in
+    let (n, f) = y in
+    plus_times (plus_times sum0 n x.r_N) { qnum = Big_int_Z.unit_big_int;
+      qden = Big_int_Z.unit_big_int } (of_rows f x.r_slips)) ps w
+
+(** val balanced : matrix -> vector -> vector -> pressing0 list -> bool **)
+
+let balanced mass w a ps =
+  forallb is_zero
+    (plus_times (force_total w ps)
+      (qopp { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int })
+      (map (fun r -> inner r a) mass))
+
+(** val moves_right : vector -> pressing0 -> bool **)
+
+let moves_right a = function
+| (x, p0) ->
+  let (n, f) = p0 in
+  let slip = slip_of x a in
+  let power0 = inner f slip in
+  (&&)
+    ((&&)
+      ((&&)
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } (inner x.r_N a))
+        (is_zero (qmult n (inner x.r_N a))))
+      (qle_bool power0 { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+    (qeq_bool (qmult power0 power0)
+      (qmult
+        (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square)
+          (qmult n n)) (inner slip slip)))
+
+(** val forces_fail :
+    matrix -> vector -> vector -> rigid list -> stated_forces -> (pressing0
+    list, string) sum **)
+
+let forces_fail mass w a xs them =
+  match pressing_contacts xs Big_int_Z.zero_big_int them [] with
+  | Some ps -> if balanced mass w a ps then Inl ps else Inr "class-balance"
+  | None -> Inr "class-force"
+
+(** val class_fails :
+    Big_int_Z.big_int -> matrix -> vector -> rigid list -> class_proof ->
+    (string * nat option) option **)
+
+let class_fails most_depth0 mass w xs p =
+  let still =
+    map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int }) mass
+  in
+  (match p with
+   | ByTwist y ->
+     if (&&) (is_positive (inner y w)) (forallb (fun x -> resists_all x y) xs)
+     then None
+     else Some ("class-twist", None)
+   | ByTree (rest, nodes) ->
+     (match forces_fail mass w still xs rest with
+      | Inl _ ->
+        (match rigid_walk most_depth0 mass w nodes
+                 (((map_all (fun x -> (x, { touches = None; sides = None }))
+                     xs), Big_int_Z.zero_big_int) :: []) O with
+         | Some p0 -> let (rule, number) = p0 in Some (rule, (Some number))
+         | None -> None)
+      | Inr rule -> Some (rule, None))
+   | ByMotion (rest, a, forces) ->
+     (match forces_fail mass w still xs rest with
+      | Inl _ ->
+        (match forces_fail mass w a xs forces with
+         | Inl ps ->
+           if (&&)
+                ((&&) (negb (forallb is_zero a))
+                  (Nat.eqb (length a) (length mass)))
+                (forallb (moves_right a) ps)
+           then None
+           else Some ("class-motion", None)
+         | Inr rule -> Some (rule, None))
+      | Inr rule -> Some (rule, None)))
+
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
 let enlarge_all bits0 qs =
@@ -4829,6 +5586,27 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
                check_claims advisor q0 s rest hi (S number) resisted (((lo,
                  hi), with_low) :: refuted)))
 
+(** val check_class : question -> setting -> class_proof -> answer **)
+
+let check_class q0 s p =
+  match masses q0.inertia with
+  | Some mass ->
+    (match all_some rigid_of s.rows with
+     | Some xs ->
+       if (&&) ((&&) (Nat.eqb (length mass) q0.dimension) (straight s))
+            (forallb certain s.the_load.load_box)
+       then (match class_fails (most_depth s.rows) mass
+                     (map (fun i -> i.low) s.the_load.load_box) xs p with
+             | Some p0 ->
+               let (rule, o) = p0 in
+               (match o with
+                | Some number -> Rejected (rule, (AtNode number))
+                | None -> Rejected (rule, Nowhere))
+             | None -> Class (class_of p))
+       else NotProvedHere "rigid contacts that are uncertain"
+     | None -> NotProvedHere "rigid contacts that are uncertain")
+  | None -> NotProvedHere "rigid contacts that are uncertain"
+
 (** val check : 'a1 oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
@@ -4855,7 +5633,11 @@ let check advisor q0 c =
        if q0.is_margin
        then check_claims advisor q0 s claims (Some { qnum =
               Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
-       else NotProvedHere "a proof of something else than was asked")
+       else NotProvedHere "a proof of something else than was asked"
+     | OfClass p ->
+       (match q0.inertia with
+        | [] -> NotProvedHere "a proof of something else than was asked"
+        | _ :: _ -> check_class q0 s p))
   | None -> NotProvedHere "numbers of the question"
 
 (** val digit : char -> Big_int_Z.big_int option **)
@@ -5356,9 +6138,9 @@ let pairs items = match items with
 | [] -> []
 | first :: _ -> pairs_to first items []
 
-(** val cross : q list -> q list -> q **)
+(** val cross0 : q list -> q list -> q **)
 
-let cross a b =
+let cross0 a b =
   match a with
   | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
   | ax :: l ->
@@ -5434,14 +6216,14 @@ let read_ring v hole at_path value0 =
             (match l2 with
              | [] -> expected what at_path value0
              | _ :: _ -> Fine ()))) (fun _ ->
-      let sides = pairs ring in
+      let sides0 = pairs ring in
       bind
         (check_that
-          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides))
+          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides0))
           at_path "a vertex is the same as the next") (fun _ ->
         let area =
           fold_left (fun sum0 pat ->
-            let (a, b) = pat in qplus sum0 (cross a b)) sides { qnum =
+            let (a, b) = pat in qplus sum0 (cross0 a b)) sides0 { qnum =
             Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
         in
         bind (check_that (negb (is_0 area)) at_path "the ring has no area")
@@ -5450,7 +6232,7 @@ let read_ring v hole at_path value0 =
             inject_Z
               (if hole then Z.opp (Z.sgn area.qnum) else Z.sgn area.qnum)
           in
-          Fine (map (make_edge side) sides)))))
+          Fine (map (make_edge side) sides0)))))
 
 (** val read_polygon : version -> path -> json -> edge list result **)
 
@@ -6157,7 +6939,7 @@ type growth =
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option;
+                 asked_growth : growth option; asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list }
 
 (** val uncertain_kinds : string list **)
@@ -6173,6 +6955,43 @@ let asks_margin asked =
   | None -> (match asked.asked_growth with
              | Some _ -> true
              | None -> false)
+
+(** val asks_class : options -> bool **)
+
+let asks_class asked =
+  match asked.asked_inertia with
+  | Some _ -> true
+  | None -> false
+
+(** val in_full : q list -> q list **)
+
+let in_full numbers0 = match numbers0 with
+| [] -> numbers0
+| _ :: l ->
+  (match l with
+   | [] -> numbers0
+   | _ :: l0 ->
+     (match l0 with
+      | [] -> numbers0
+      | _ :: l1 ->
+        (match l1 with
+         | [] -> numbers0
+         | _ :: l2 ->
+           (match l2 with
+            | [] -> numbers0
+            | _ :: l3 ->
+              (match l3 with
+               | [] -> numbers0
+               | _ :: l4 ->
+                 (match l4 with
+                  | [] ->
+                    app numbers0 ({ qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int } :: ({ qnum =
+                      Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int } :: ({ qnum =
+                      Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int } :: [])))
+                  | _ :: _ -> numbers0))))))
 
 type posed = { the_question : question; stated_wrench : interval list;
                the_options : options; is_box : bool }
@@ -6287,8 +7106,9 @@ let rec check_tolerances asked = function
   let (kind, t) = p in
   let here = of_question "uncertain" in
   bind
-    (check_that (negb (asks_margin asked)) here
-      "a margin is about one grasp; expected no uncertainty") (fun _ ->
+    (check_that (negb ((||) (asks_margin asked) (asks_class asked))) here
+      "a margin or a class is about one grasp; expected no uncertainty")
+    (fun _ ->
     bind
       (check_that
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
@@ -6420,55 +7240,89 @@ let pose file asked =
                       | None ->
                         refuse (of_question "preload direction") problem))
                | None -> Fine them) (fun them0 ->
-              let margin = asks_margin asked in
               bind
-                (each (check_contact margin file.in_space) ((Member
-                  "contacts") :: []) them0) (fun boxes ->
-                let widened =
-                  map (widen (find_tolerance "wrench" asked)) stated
-                in
-                let certain0 = forallb is_exact widened in
+                (match asked.asked_inertia with
+                 | Some numbers0 ->
+                   let here = of_question "inertia" in
+                   bind
+                     (check_that (negb (asks_margin asked)) here
+                       "a direction is given as well") (fun _ ->
+                     bind
+                       (check_that
+                         (has_length
+                           (if file.in_space
+                            then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                   (Big_int_Z.mult_int_big_int 2
+                                   (Big_int_Z.mult_int_big_int 2
+                                   Big_int_Z.unit_big_int)))
+                            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                   Big_int_Z.unit_big_int)) numbers0) here
+                         (if file.in_space
+                          then "expected 6 or 9 numbers"
+                          else "expected 3 numbers")) (fun _ ->
+                       check_that
+                         (match masses numbers0 with
+                          | Some _ -> true
+                          | None -> false) here
+                         (if file.in_space
+                          then "the tensor is not positive definite"
+                          else "the squared radius of gyration must be > 0")))
+                 | None -> Fine ()) (fun _ ->
+                let margin = (||) (asks_margin asked) (asks_class asked) in
                 bind
-                  (check_that ((||) (negb margin) certain0) ((Member
-                    "wrench") :: [])
-                    "found an interval, but a margin is about one grasp; expected numbers")
-                  (fun _ ->
-                  let them1 =
-                    match asked.asked_growth with
-                    | Some g ->
-                      (match g with
-                       | Scale -> map_all scaled them0
-                       | By _ -> them0)
-                    | None -> them0
+                  (each (check_contact margin file.in_space) ((Member
+                    "contacts") :: []) them0) (fun boxes ->
+                  let widened =
+                    map (widen (find_tolerance "wrench" asked)) stated
                   in
-                  let u =
-                    match asked.asked_direction with
-                    | Some u -> u
-                    | None ->
-                      map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
-                        Big_int_Z.unit_big_int }) stated
-                  in
+                  let certain0 = forallb is_exact widened in
                   bind
-                    (check_that
-                      ((||) ((||) (negb margin) (negb (forallb is_0 u)))
-                        (existsb (fun it -> negb (is_0 it.preload_growth))
-                          them1)) (of_question "direction")
-                      ((^)
-                        "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                        "scale preloads some of which are not 0")) (fun _ ->
-                    Fine { the_question = { dimension =
-                    (if file.in_space
-                     then S (S (S (S (S (S O)))))
-                     else S (S (S O))); bilateral = asked.asked_bilateral;
-                    is_margin = margin; contacts = them1; wrench = widened;
-                    direction = u }; stated_wrench = stated; the_options =
-                    asked; is_box =
-                    ((||) (negb certain0) (existsb (fun box0 -> box0) boxes)) })))))))))
+                    (check_that ((||) (negb margin) certain0) ((Member
+                      "wrench") :: [])
+                      "found an interval, but a margin is about one grasp; expected numbers")
+                    (fun _ ->
+                    let them1 =
+                      match asked.asked_growth with
+                      | Some g ->
+                        (match g with
+                         | Scale -> map_all scaled them0
+                         | By _ -> them0)
+                      | None -> them0
+                    in
+                    let u =
+                      match asked.asked_direction with
+                      | Some u -> u
+                      | None ->
+                        map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+                          Big_int_Z.unit_big_int }) stated
+                    in
+                    bind
+                      (check_that
+                        ((||)
+                          ((||) (negb (asks_margin asked))
+                            (negb (forallb is_0 u)))
+                          (existsb (fun it -> negb (is_0 it.preload_growth))
+                            them1)) (of_question "direction")
+                        ((^)
+                          "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                          "scale preloads some of which are not 0"))
+                      (fun _ -> Fine { the_question = { dimension =
+                      (if file.in_space
+                       then S (S (S (S (S (S O)))))
+                       else S (S (S O))); bilateral = asked.asked_bilateral;
+                      is_margin = (asks_margin asked); contacts = them1;
+                      wrench = widened; direction = u; inertia =
+                      (match asked.asked_inertia with
+                       | Some numbers0 -> numbers0
+                       | None -> []) }; stated_wrench = stated; the_options =
+                      asked; is_box =
+                      ((||) (negb certain0)
+                        (existsb (fun box0 -> box0) boxes)) }))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool }
+type shape = { spatial : bool; of_margin : bool; of_class : bool }
 
 (** val size_of_twist : shape -> Big_int_Z.big_int **)
 
@@ -6597,12 +7451,35 @@ let read_tolerances at_path value0 =
     | [] -> expected "an object of one tolerance or more" at_path value0
     | _ :: _ -> read_all_tolerances at_path members)
 
+(** val read_inertia : bool -> path -> json -> q list result **)
+
+let read_inertia in_space0 at_path value0 =
+  bind
+    (read_array "an array of numbers, as --inertia has them" read_fraction
+      at_path value0) (fun numbers0 ->
+    bind
+      (check_that
+        (if in_space0
+         then (||)
+                (has_length (Big_int_Z.mult_int_big_int 2
+                  ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                  Big_int_Z.unit_big_int)) numbers0)
+                (has_length
+                  ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+                  Big_int_Z.unit_big_int))) numbers0)
+         else has_length
+                ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                Big_int_Z.unit_big_int) numbers0) at_path
+        (if in_space0 then "expected 6 or 9 numbers" else "expected 3 numbers"))
+      (fun _ -> Fine (in_full numbers0)))
+
 (** val read_statement : bool -> path -> json -> statement result **)
 
 let read_statement in_space0 at_path value0 =
   bind
     (members_in_order
-      ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: ("uncertain" :: [])))))))
+      ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: ("inertia" :: ("uncertain" :: []))))))))
       at_path value0) (fun members ->
     let count0 =
       if in_space0
@@ -6627,15 +7504,19 @@ let read_statement in_space0 at_path value0 =
                 (optional_member "preload_direction" read_growth at_path
                   members) (fun growing ->
                 bind
-                  (optional_member "uncertain" read_tolerances at_path
-                    members) (fun uncertain -> Fine { stated_contacts = m;
-                  wrench_stated = w; options_stated = { asked_wrench = None;
-                  asked_case = None; asked_preload = p; asked_bilateral =
-                  law; asked_direction = u; asked_growth = growing;
-                  asked_uncertain =
-                  (match uncertain with
-                   | Some it -> it
-                   | None -> []) } }))))))))
+                  (optional_member "inertia" (read_inertia in_space0) at_path
+                    members) (fun i ->
+                  bind
+                    (optional_member "uncertain" read_tolerances at_path
+                      members) (fun uncertain -> Fine { stated_contacts = m;
+                    wrench_stated = w; options_stated = { asked_wrench =
+                    None; asked_case = None; asked_preload = p;
+                    asked_bilateral = law; asked_direction = u;
+                    asked_growth = growing; asked_inertia = i;
+                    asked_uncertain =
+                    (match uncertain with
+                     | Some it -> it
+                     | None -> []) } })))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -7108,6 +7989,109 @@ let read_claim s at_path value0 =
                        else expected what at_path value0)))))
    | _ -> expected what at_path value0)
 
+(** val read_force :
+    shape -> path -> json -> (Big_int_Z.big_int * (q * q list)) result **)
+
+let read_force s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, number, friction]" at_path value0
+   | contact0 :: l ->
+     (match l with
+      | [] -> expected "[contact, number, friction]" at_path value0
+      | along :: l0 ->
+        (match l0 with
+         | [] -> expected "[contact, number, friction]" at_path value0
+         | across :: l1 ->
+           (match l1 with
+            | [] ->
+              bind (read_index at_path contact0) (fun i ->
+                bind (read_fraction at_path along) (fun a ->
+                  bind (read_friction s at_path across) (fun f -> Fine (i,
+                    (a, f)))))
+            | _ :: _ -> expected "[contact, number, friction]" at_path value0))))
+| _ -> expected "[contact, number, friction]" at_path value0
+
+(** val read_forces : shape -> path -> json -> stated_forces result **)
+
+let read_forces s =
+  read_array "an array [[contact, number, friction], ...]" (read_force s)
+
+(** val read_multiplier : path -> json -> (Big_int_Z.big_int * q) result **)
+
+let read_multiplier at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, number]" at_path value0
+   | contact0 :: l ->
+     (match l with
+      | [] -> expected "[contact, number]" at_path value0
+      | number :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_index at_path contact0) (fun i ->
+             bind (read_fraction at_path number) (fun x -> Fine (i, x)))
+         | _ :: _ -> expected "[contact, number]" at_path value0)))
+| _ -> expected "[contact, number]" at_path value0
+
+(** val read_rigid_node : shape -> path -> json -> rigid_node result **)
+
+let read_rigid_node s at_path value0 =
+  let problem =
+    if s.spatial
+    then "touch and a contact, slip, a contact and a vector, or leaf, t, y and two lists"
+    else "touch or slip and a contact, or leaf, t, y and two lists"
+  in
+  (match value0 with
+   | Array items ->
+     (match items with
+      | [] -> expected problem at_path value0
+      | j :: l ->
+        (match j with
+         | Text kind ->
+           (match l with
+            | [] -> expected problem at_path value0
+            | t :: l0 ->
+              (match l0 with
+               | [] ->
+                 if (=) kind "touch"
+                 then bind (read_index at_path t) (fun i -> Fine (RTouch i))
+                 else if (&&) ((=) kind "slip") (negb s.spatial)
+                      then bind (read_index at_path t) (fun i -> Fine (RSlip
+                             (i, [])))
+                      else expected problem at_path value0
+               | y :: l1 ->
+                 (match l1 with
+                  | [] ->
+                    if (&&) ((=) kind "slip") s.spatial
+                    then bind (read_index at_path t) (fun i ->
+                           bind
+                             (read_numbers
+                               ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                               Big_int_Z.unit_big_int) at_path y) (fun d ->
+                             Fine (RSlip (i, d))))
+                    else expected problem at_path value0
+                  | along :: l2 ->
+                    (match l2 with
+                     | [] -> expected problem at_path value0
+                     | across :: l3 ->
+                       (match l3 with
+                        | [] ->
+                          if (=) kind "leaf"
+                          then bind (read_fraction at_path t) (fun t0 ->
+                                 bind (read_twist s at_path y) (fun y0 ->
+                                   bind
+                                     (read_array
+                                       "an array [[contact, number], ...]"
+                                       read_multiplier at_path along)
+                                     (fun g ->
+                                     bind (read_shares s at_path across)
+                                       (fun h -> Fine (RLeaf (t0, y0, g, h))))))
+                          else expected problem at_path value0
+                        | _ :: _ -> expected problem at_path value0)))))
+         | _ -> expected problem at_path value0))
+   | _ -> expected problem at_path value0)
+
 (** val next :
     string -> (string * json) list -> (json * (string * json) list) result **)
 
@@ -7222,6 +8206,37 @@ let read_body0 s good members =
        else bind (next_read "tree" (read_nodes s) members) (fun it ->
               bind (finish it) (fun tree -> Fine (UnstableByTree tree)))
 
+(** val read_class : shape -> (string * json) list -> proof result **)
+
+let read_class s members =
+  bind (next "verdict" members) (fun pat ->
+    let (verdict, rest) = pat in
+    if is_text "must move" verdict
+    then bind (next_read "twist" (read_twist s) rest) (fun it ->
+           bind (finish it) (fun y -> Fine (OfClass (ByTwist y))))
+    else if is_text "must hold" verdict
+         then bind (next_read "rest" (read_forces s) rest) (fun pat0 ->
+                let (f, rest0) = pat0 in
+                bind
+                  (next_read "tree"
+                    (read_array "an array of nodes" (read_rigid_node s))
+                    rest0) (fun it ->
+                  bind (finish it) (fun tree -> Fine (OfClass (ByTree (f,
+                    tree))))))
+         else if is_text "open" verdict
+              then bind (next_read "rest" (read_forces s) rest) (fun pat0 ->
+                     let (f, rest0) = pat0 in
+                     bind (next_read "acceleration" (read_twist s) rest0)
+                       (fun pat1 ->
+                       let (a, rest1) = pat1 in
+                       bind (next_read "forces" (read_forces s) rest1)
+                         (fun it ->
+                         bind (finish it) (fun g -> Fine (OfClass (ByMotion
+                           (f, a, g)))))))
+              else expected
+                     "must move, must hold or open, as the question has an inertia"
+                     ((Member "verdict") :: []) verdict)
+
 (** val read_known_format : path -> json -> unit result **)
 
 let read_known_format at_path value0 =
@@ -7247,18 +8262,24 @@ let read_certificate in_space0 value0 = match value0 with
         (fun pat0 ->
         let (stated, rest1) = pat0 in
         let s = { spatial = in_space0; of_margin =
-          (asks_margin stated.options_stated) }
+          (asks_margin stated.options_stated); of_class =
+          ((&&) (asks_class stated.options_stated)
+            (negb (asks_margin stated.options_stated))) }
         in
         bind
-          (if (&&) (begins_with "bits" rest1)
-                ((||) (negb s.of_margin) in_space0)
+          (if (&&)
+                ((&&) (begins_with "bits" rest1)
+                  ((||) (negb s.of_margin) in_space0)) (negb s.of_class)
            then next_read "bits" read_bits rest1
            else Fine (default_bits, rest1)) (fun pat1 ->
           let (b, rest2) = pat1 in
-          bind (next_read "verdict" (read_verdict s) rest2) (fun pat2 ->
-            let (good, rest3) = pat2 in
-            bind (read_body0 s good rest3) (fun it -> Fine (stated, { bits =
-              b; body = it })))))))
+          if s.of_class
+          then bind (read_class s rest2) (fun it -> Fine (stated, { bits = b;
+                 body = it }))
+          else bind (next_read "verdict" (read_verdict s) rest2) (fun pat2 ->
+                 let (good, rest3) = pat2 in
+                 bind (read_body0 s good rest3) (fun it -> Fine (stated,
+                   { bits = b; body = it })))))))
 | _ -> expected "an object {...}" [] value0
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
@@ -7335,13 +8356,18 @@ let broken_question_rule stated asked =
                                   options0.asked_growth)
                            then Some "question-preload-direction"
                            else if negb
-                                     (forallb (fun kind ->
-                                       same_option same_tolerance
-                                         (find_tolerance kind said)
-                                         (find_tolerance kind options0))
-                                       uncertain_kinds)
-                                then Some "question-uncertain"
-                                else None
+                                     (same_option (same_list qeq_bool)
+                                       said.asked_inertia
+                                       options0.asked_inertia)
+                                then Some "question-inertia"
+                                else if negb
+                                          (forallb (fun kind ->
+                                            same_option same_tolerance
+                                              (find_tolerance kind said)
+                                              (find_tolerance kind options0))
+                                            uncertain_kinds)
+                                     then Some "question-uncertain"
+                                     else None
 
 (** val ask : options -> json -> posed result **)
 

@@ -314,7 +314,7 @@ type contact = { position : interval list; normal : q list; slope : q;
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list }
+                  direction : q list; inertia : q list }
 
 type parameter =
 | PX
@@ -353,12 +353,33 @@ type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
 
+type rigid_node =
+| RTouch of Big_int_Z.big_int
+| RSlip of Big_int_Z.big_int * q list
+| RLeaf of q * q list * (Big_int_Z.big_int * q) list
+   * (Big_int_Z.big_int * q list) list
+
+type stated_forces = (Big_int_Z.big_int * (q * q list)) list
+
+type class_proof =
+| ByTwist of q list
+| ByTree of stated_forces * rigid_node list
+| ByMotion of stated_forces * q list * stated_forces
+
+type class0 =
+| MustMove
+| MustHold
+| Open
+
+val class_of : class_proof -> class0
+
 type proof =
 | StableByWitness of witness
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
+| OfClass of class_proof
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -378,6 +399,7 @@ type answer =
 | Unstable
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
+| Class of class0
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -1095,6 +1117,95 @@ val parts_fail :
   'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
   (setting * Big_int_Z.big_int) list -> nat -> (string * place) option
 
+type rigid = { r_N : vector; r_slips : matrix; r_friction : q; r_square : 
+               q; r_normal : vector }
+
+type knowledge = { touches : bool option; sides : matrix option }
+
+val slip_of : rigid -> vector -> vector
+
+val cross : vector -> vector -> vector
+
+val root_at_least : q -> q -> q -> q -> bool
+
+val resists_all : rigid -> vector -> bool
+
+val resists : rigid -> vector -> vector -> bool
+
+val good_sides : rigid -> vector -> vector -> bool
+
+val resists_against : rigid -> vector -> matrix option -> bool
+
+val factor : vector -> vector -> q option
+
+val is_positive_multiple : vector -> vector -> bool
+
+val slip_factor : rigid -> rigid -> q option
+
+val turned : q -> matrix -> matrix
+
+type cell = (rigid * knowledge) list
+
+val with_touch : rigid -> bool -> (rigid * knowledge) -> rigid * knowledge
+
+val with_sides : rigid -> matrix -> (rigid * knowledge) -> rigid * knowledge
+
+val slip_children :
+  rigid -> matrix option -> vector -> (matrix list, string) sum
+
+val ascending :
+  Big_int_Z.big_int -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list ->
+  bool
+
+val count_of : 'a1 list -> Big_int_Z.big_int
+
+val normal_sum : cell -> (Big_int_Z.big_int * q) list -> vector
+
+val normal_right : cell -> (Big_int_Z.big_int * q) -> bool
+
+val slip_sum : cell -> (Big_int_Z.big_int * vector) list -> vector
+
+val slip_right : cell -> (Big_int_Z.big_int * vector) -> bool
+
+val rigid_leaf :
+  matrix -> vector -> cell -> q -> vector -> (Big_int_Z.big_int * q) list ->
+  (Big_int_Z.big_int * vector) list -> bool
+
+val rigid_split :
+  matrix -> vector -> cell -> rigid_node -> (cell list, string) sum
+
+val rigid_walk :
+  Big_int_Z.big_int -> matrix -> vector -> rigid_node list ->
+  (cell * Big_int_Z.big_int) list -> nat -> (string * nat) option
+
+val is_positive : q -> bool
+
+val masses : q list -> matrix option
+
+val rigid_of : row -> rigid option
+
+val force_right : rigid -> q -> vector -> bool
+
+type pressing0 = rigid * (q * vector)
+
+val pressing_contacts :
+  rigid list -> Big_int_Z.big_int -> stated_forces -> pressing0 list ->
+  pressing0 list option
+
+val force_total : vector -> pressing0 list -> vector
+
+val balanced : matrix -> vector -> vector -> pressing0 list -> bool
+
+val moves_right : vector -> pressing0 -> bool
+
+val forces_fail :
+  matrix -> vector -> vector -> rigid list -> stated_forces -> (pressing0
+  list, string) sum
+
+val class_fails :
+  Big_int_Z.big_int -> matrix -> vector -> rigid list -> class_proof ->
+  (string * nat option) option
+
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
@@ -1132,6 +1243,8 @@ val joined : (q * q option) list -> q -> q option -> (q * q option) list
 val check_claims :
   'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
   (q * q option) list -> ((q * q option) * bool) list -> answer
+
+val check_class : question -> setting -> class_proof -> answer
 
 val check : 'a1 oracle -> question -> certificate -> answer
 
@@ -1230,7 +1343,7 @@ val pairs_to : 'a1 -> 'a1 list -> ('a1 * 'a1) list -> ('a1 * 'a1) list
 
 val pairs : 'a1 list -> ('a1 * 'a1) list
 
-val cross : q list -> q list -> q
+val cross0 : q list -> q list -> q
 
 val with_length_1 : q list -> q list
 
@@ -1310,12 +1423,16 @@ type growth =
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option;
+                 asked_growth : growth option; asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list }
 
 val uncertain_kinds : string list
 
 val asks_margin : options -> bool
+
+val asks_class : options -> bool
+
+val in_full : q list -> q list
 
 type posed = { the_question : question; stated_wrench : interval list;
                the_options : options; is_box : bool }
@@ -1352,7 +1469,7 @@ val pose : grasp -> options -> posed result
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool }
+type shape = { spatial : bool; of_margin : bool; of_class : bool }
 
 val size_of_twist : shape -> Big_int_Z.big_int
 
@@ -1376,6 +1493,8 @@ val read_all_tolerances :
   path -> (string * json) list -> (string * tolerance) list result
 
 val read_tolerances : path -> json -> (string * tolerance) list result
+
+val read_inertia : bool -> path -> json -> q list result
 
 val read_statement : bool -> path -> json -> statement result
 
@@ -1432,6 +1551,15 @@ val is_point0 : json -> bool
 
 val read_claim : shape -> path -> json -> claim result
 
+val read_force :
+  shape -> path -> json -> (Big_int_Z.big_int * (q * q list)) result
+
+val read_forces : shape -> path -> json -> stated_forces result
+
+val read_multiplier : path -> json -> (Big_int_Z.big_int * q) result
+
+val read_rigid_node : shape -> path -> json -> rigid_node result
+
 val next :
   string -> (string * json) list -> (json * (string * json) list) result
 
@@ -1450,6 +1578,8 @@ val read_bits : path -> json -> Big_int_Z.big_int result
 val read_verdict : shape -> path -> json -> bool result
 
 val read_body0 : shape -> bool -> (string * json) list -> proof result
+
+val read_class : shape -> (string * json) list -> proof result
 
 val read_known_format : path -> json -> unit result
 

@@ -377,9 +377,10 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   command->footer(footer_text(
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
-      "grasp file. The node limit holds for each grasp. Memory does not grow with the file.\n"
-      "An interruption (Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two\n"
-      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n"
+      "grasp file, that of a ball of loads with the result's uncertain as --uncertain. The\n"
+      "node limit holds for each grasp. Memory does not grow with the file. An interruption\n"
+      "(Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two lines: FILE\n"
+      "then ends in a whole line, and the same command with --resume goes on.\n"
       "On many machines: docs/batch.md.\n",
       "0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
       "within the limit",

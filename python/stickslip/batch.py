@@ -51,7 +51,8 @@ EPILOG = """\
 Each line gives one line of JSON, the same byte for byte as by stickslip batch, and in the same
 order: line, key (of the question), name and verdict, or the error that it has. A line that
 ends the process of whoever decides it, as for want of memory, has that as its error; the rest
-goes on.
+goes on. Certificates are checked with the line as grasp file, that of a ball of loads with the
+result's uncertain as --uncertain.
 
 FILE and DIR must be on a file system that all workers share. Without --scheduler the workers
 are processes of this machine. Memory does not grow with the file. When a worker dies, others

@@ -72,15 +72,6 @@ std::string rounded_text(const Rational& number, Round round, bool all_digits) {
   return round == Round::kDown ? near.lower : near.upper;
 }
 
-Rational accuracy_option(const std::string& value) {
-  const bool percent = !value.empty() && value.back() == '%';
-  const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));
-  const Rational accuracy = number_option("--accuracy", number) / (percent ? 100 : 1);
-  if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
-  throw InputError("", "--accuracy", "the value is " + value,
-                   "it is a part of the radius: give more than 0 and less than 100%");
-}
-
 std::string short_table(std::vector<std::vector<std::string>> rows) {
   constexpr std::size_t kMostRows = 12;
   const std::size_t left_out = rows.size() - 1 > kMostRows ? rows.size() - 1 - kMostRows : 0;

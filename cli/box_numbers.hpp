@@ -32,9 +32,6 @@ enum class Round { kDown, kUp };
 /// Four digits of a number, or all of them.
 std::string rounded_text(const Rational& number, Round round, bool all_digits);
 
-/// A part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
-Rational accuracy_option(const std::string& value);
-
 /// The first rows of a table, its heading not counted.
 std::string short_table(std::vector<std::vector<std::string>> rows);
 

@@ -84,6 +84,32 @@ void add_uncertain_option(CLI::App& command, std::string& uncertain,
   command.add_option("--uncertain", uncertain, description)->type_name("KIND=T,...");
 }
 
+std::vector<CLI::Option*> add_ball_options(CLI::App& command, QualityText& text) {
+  return {
+      command
+          .add_option("--length", text.length,
+                      "Characteristic length of the object, by which torques are divided; "
+                      "else 1")
+          ->type_name("L"),
+      command
+          .add_option("--about", text.about,
+                      "The point about which torques are, in space of three coordinates; else "
+                      "the origin")
+          ->type_name("X,Y"),
+      command
+          .add_option("--body", text.body, "Of several bodies the one that the loads are on")
+          ->type_name("NAME"),
+      command
+          .add_option("--at-most", text.at_most,
+                      "No larger ball is of interest; else 64 times a typical force")
+          ->type_name("R"),
+      command
+          .add_option("--accuracy", text.accuracy,
+                      "Stop when what is proved and what is refuted differ by this part of it")
+          ->type_name("A")
+          ->capture_default_str()};
+}
+
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
   add_count_option(
       command, "--node-limit", node_limit,

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/answers/quality_answer.hpp"
 #include "stickslip/answers/question_text.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
@@ -122,6 +123,9 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
 /// --uncertain.
 void add_uncertain_option(CLI::App& command, std::string& uncertain,
                           const std::string& description);
+
+/// --length, --about, --body, --at-most and --accuracy, of what asks about a quality.
+std::vector<CLI::Option*> add_ball_options(CLI::App& command, QualityText& text);
 
 /// --node-limit, of every command that searches by cones.
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit);

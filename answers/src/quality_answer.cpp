@@ -10,20 +10,50 @@
 
 namespace stickslip {
 
-LoadBall ball_shape(const std::string& length, const std::string& about,
-                    const std::string& body) {
-  LoadBall ball{1};
-  if (!length.empty()) ball.length = number_option("--length", length);
-  if (ball.length.sign() <= 0) {
-    throw InputError("", "--length", "the value is " + length,
-                     "torques are divided by it: give a number above 0");
+namespace {
+
+/// Above 0.
+Rational positive_option(const std::string& option, const std::string& value,
+                         const char* meaning) {
+  Rational number = number_option(option, value);
+  if (number.sign() > 0) return number;
+  throw InputError("", option, "the value is " + value,
+                   std::string(meaning) + ": give a number above 0");
+}
+
+}  // namespace
+
+QualityAsked quality_asked(const QualityText& text) {
+  QualityAsked asked;
+  LoadBall& ball = asked.shape;
+  if (!text.length.empty()) {
+    ball.length = positive_option("--length", text.length, "torques are divided by it");
   }
-  if (!about.empty()) ball.about = numbers_option("--about", about);
+  if (!text.about.empty()) ball.about = numbers_option("--about", text.about);
   const bool is_origin = std::all_of(ball.about.begin(), ball.about.end(),
                                      [](const Rational& x) { return x.is_zero(); });
   if (is_origin) ball.about.clear();
-  ball.body = body;
-  return ball;
+  ball.body = text.body;
+  if (!text.at_most.empty()) {
+    asked.options.at_most =
+        positive_option("--at-most", text.at_most, "it is the radius of a ball of loads");
+  }
+  if (!text.accuracy.empty()) asked.options.radius.accuracy = accuracy_option(text.accuracy);
+  return asked;
+}
+
+GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
+                        const std::string& file) {
+  GraspBox grasp = box_of(question.grasp);
+  if (!grasp.is_point()) {
+    throw InputError(file, "", "some numbers are uncertain",
+                     "a quality is that of one grasp: give one number for each, or ask "
+                     "radius --uncertain wrench=ball:R");
+  }
+  GraspBox ball = grasp;
+  ball.ball = shape;
+  ball.check();
+  return grasp;
 }
 
 Json quality_json(const Question& question, const Quality& quality) {

@@ -63,6 +63,13 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
       spell(number);
     }
   }
+  if (auto& quality = options_.quality) {
+    options_text_ += "quality;";
+    spell(quality->options.radius.accuracy);
+    spell(quality->options.at_most);
+    options_text_ += to_string(quality->shape) + "\n";
+    quality->options.radius.box.node_limit = options_.node_limit;
+  }
 }
 
 std::string LineDecider::key(const std::string& line) const {
@@ -85,6 +92,25 @@ LineResult LineDecider::failed(const BatchLine& line, const InputError& error) c
   return {line.number, text_of(result), LineOutcome::kUnreadable};
 }
 
+std::string LineDecider::add_quality(Json& result, const Question& question,
+                                     const std::string& line) const {
+  const auto& [shape, options] = *options_.quality;
+  const Quality quality = find_quality(box_of(question.grasp), question.law, shape, options);
+  const Json found = finished(quality_json(question, quality), false);
+  for (const char* field : {"proved", "refuted", "scales", "not_resisted"}) {
+    if (found.contains(field)) result[field] = found[field];
+  }
+  const std::optional<BoxDecision>& proof = quality.radii.proof;
+  if (!proof || options_.certificates.empty()) return "";
+  // A checker is asked about the line, and told of the ball.
+  QuestionOptions asked = options_.question;
+  asked.uncertain.ball = shape;
+  asked.uncertain.ball->radius = quality.proved;
+  result["uncertain"] = "wrench=" + to_string(*asked.uncertain.ball);
+  return certificate_text(ask_with_options(parse_any_grasp(line, ""), asked, "", true),
+                          proof->verdict, kProducer, proof->bits);
+}
+
 LineResult LineDecider::decide(const BatchLine& line) const {
   if (line.unreadable) return failed(line, *line.unreadable);
   LineOutcome outcome = LineOutcome::kDecided;
@@ -95,6 +121,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
         parse_any_grasp(line.text, "",
                         options_.inertia ? Intervals::kRefused : Intervals::kAllowed),
         options_.question, "", !options_.inertia);
+    if (options_.quality) grasp_for_ball(question, options_.quality->shape, "");
     result["name"] = question.description().name;
     const auto answer = [&](const char* field, const auto& verdict) {
       result[field] = name_of(verdict);
@@ -109,7 +136,10 @@ LineResult LineDecider::decide(const BatchLine& line) const {
     if (!options_.inertia) {
       const Answer found = answer_to(question, {Engine::kAuto, options_.node_limit, false});
       answer("verdict", found.verdict);
-      if (wants_certificate() && is_stable(found.verdict)) {
+      if (options_.quality && is_stable(found.verdict) == true) {
+        certificate = add_quality(result, question, line.text);
+      }
+      if (certificate.empty() && wants_certificate() && is_stable(found.verdict)) {
         certificate = certificate_text(found.question, found.verdict, kProducer, found.bits);
       }
     } else {

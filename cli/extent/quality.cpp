@@ -21,11 +21,7 @@ namespace {
 
 struct QualityArguments {
   QuestionArguments question;
-  std::string length;
-  std::string about;
-  std::string body;
-  std::string at_most;
-  std::string accuracy = "1%";
+  QualityText quality;
   std::string certificates;
   std::size_t node_limit = 0;
   NumberOptions numbers;
@@ -105,24 +101,10 @@ struct QualityFound {
 };
 
 QualityFound find(const QualityArguments& arguments) {
-  QualityOptions options;
-  options.radius.accuracy = accuracy_option(arguments.accuracy);
+  auto [shape, options] = quality_asked(arguments.quality);
   options.radius.box.node_limit = arguments.node_limit;
-  if (!arguments.at_most.empty()) {
-    options.at_most = number_option("--at-most", arguments.at_most);
-    if (options.at_most->sign() <= 0) {
-      throw InputError("", "--at-most", "the value is " + arguments.at_most,
-                       "it is the radius of a ball of loads: give a number above 0");
-    }
-  }
-  const LoadBall shape = ball_shape(arguments.length, arguments.about, arguments.body);
   Question question = arguments.question.any_question();
-  const GraspBox grasp = box_of(question.grasp);
-  if (!grasp.is_point()) {
-    throw InputError(arguments.question.name_of_file(), "", "some numbers are uncertain",
-                     "a quality is that of one grasp: give one number for each, or ask "
-                     "radius --uncertain wrench=ball:R");
-  }
+  const GraspBox grasp = grasp_for_ball(question, shape, arguments.question.name_of_file());
   Progress progress;
   Quality found = find_quality(grasp, question.law, shape, options, [&](const Quality& so_far) {
     progress.show(
@@ -195,27 +177,7 @@ int draw_quality(const QualityArguments& arguments) {
 /// What the command and its picture have.
 void add_quality_options(CLI::App& command, QualityArguments& arguments) {
   arguments.question.add_with_enclosures_to(command);
-  command
-      .add_option("--length", arguments.length,
-                  "Characteristic length of the object, by which torques are divided; else 1")
-      ->type_name("L");
-  command
-      .add_option("--about", arguments.about,
-                  "The point about which torques are, in space of three coordinates; else the "
-                  "origin")
-      ->type_name("X,Y");
-  command
-      .add_option("--body", arguments.body, "Of several bodies the one that the loads are on")
-      ->type_name("NAME");
-  command
-      .add_option("--at-most", arguments.at_most,
-                  "No larger ball is of interest; else 64 times a typical force")
-      ->type_name("R");
-  command
-      .add_option("--accuracy", arguments.accuracy,
-                  "Stop when what is proved and what is refuted differ by this part of it")
-      ->type_name("A")
-      ->capture_default_str();
+  add_ball_options(command, arguments.quality);
   add_node_limit_option(command, arguments.node_limit);
 }
 

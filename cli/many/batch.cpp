@@ -44,6 +44,8 @@ struct BatchArguments {
   bool resume = false;
   bool asks_class = false;
   std::string inertia;
+  bool asks_quality = false;
+  QualityText quality;
   std::size_t node_limit = 0;
   int threads = 0;
 };
@@ -56,8 +58,10 @@ struct Item {
 BatchOptions batch_options(const BatchArguments& arguments) {
   std::optional<RationalRow> inertia;
   if (arguments.asks_class) inertia = inertia_numbers(arguments.inertia);
-  return {arguments.question.options(), arguments.node_limit, inertia, arguments.certificates,
-          arguments.certificates};
+  std::optional<QualityAsked> quality;
+  if (arguments.asks_quality) quality = quality_asked(arguments.quality);
+  return {arguments.question.options(), arguments.node_limit,  inertia, quality,
+          arguments.certificates,       arguments.certificates};
 }
 
 /// Some lines were unreadable, some undecided, or all is well; said on standard error.
@@ -343,6 +347,16 @@ void add_batch_command(CLI::App& app, int& exit_code) {
                    "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], as of compare; default: 0,0,0,1,1,1")
       ->type_name("INERTIA")
       ->needs(asks_class);
+  CLI::Option* asks_quality =
+      command
+          ->add_flag("--quality", arguments->asks_quality,
+                     "Ask also for the quality of each grasp that is stable, as quality does: "
+                     "how large a ball of loads does it resist? The certificate is then that "
+                     "of the ball")
+          ->excludes(asks_class);
+  for (CLI::Option* option : add_ball_options(*command, arguments->quality)) {
+    option->needs(asks_quality);
+  }
   CLI::Option* shard =
       command
           ->add_option("--shard", arguments->shard,
@@ -363,9 +377,10 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   command->footer(footer_text(
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
-      "grasp file. The node limit holds for each grasp. Memory does not grow with the file.\n"
-      "An interruption (Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two\n"
-      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n"
+      "grasp file, that of a ball of loads with the result's uncertain as --uncertain. The\n"
+      "node limit holds for each grasp. Memory does not grow with the file. An interruption\n"
+      "(Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two lines: FILE\n"
+      "then ends in a whole line, and the same command with --resume goes on.\n"
       "On many machines: docs/batch.md.\n",
       "0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
       "within the limit",

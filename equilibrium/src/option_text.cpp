@@ -38,6 +38,15 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
   return wrench_of(numbers);
 }
 
+Rational accuracy_option(const std::string& value) {
+  const bool percent = !value.empty() && value.back() == '%';
+  const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));
+  const Rational accuracy = number_option("--accuracy", number) / (percent ? 100 : 1);
+  if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
+  throw InputError("", "--accuracy", "the value is " + value,
+                   "it is a part of the radius: give more than 0 and less than 100%");
+}
+
 InputError in_options(const InputError& error, const std::string& name) {
   for (const std::string option :
        {"--wrench", "--preload", "--direction", "--preload-direction"}) {

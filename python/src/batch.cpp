@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of a batch for stickslip.batch (batch/line.hpp).
+#include <array>
+#include <optional>
+#include <string>
+
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/batch/line.hpp"
@@ -19,8 +23,8 @@ constexpr const char* kGraspLines = "a file of grasps, one a line";
 LineDecider make_decider(const std::string& wrench, const std::string& case_name,
                          const std::string& preload, bool bilateral, std::size_t node_limit,
                          bool asks_class, const std::string& inertia,
-                         const std::string& certificates,
-                         const std::string& certificate_folder) {
+                         const std::string& certificates, const std::string& certificate_folder,
+                         const std::optional<std::array<std::string, 5>>& quality) {
   BatchOptions options;
   if (!wrench.empty()) options.question.wrench = row_of(wrench_option("--wrench", wrench));
   if (!case_name.empty()) options.question.case_name = case_name;
@@ -28,6 +32,10 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
   options.question.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   options.node_limit = node_limit;
   if (asks_class) options.inertia = inertia_numbers(inertia);
+  if (quality) {
+    const auto& [length, about, body, at_most, accuracy] = *quality;
+    options.quality = quality_asked({length, about, body, at_most, accuracy});
+  }
   options.certificates = certificates;
   options.certificate_folder = certificate_folder;
   return LineDecider(options);

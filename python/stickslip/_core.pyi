@@ -294,6 +294,7 @@ class LineDecider:
         inertia: str,
         certificates: str,
         certificate_folder: str,
+        quality: Optional[Tuple[str, str, str, str, str]],
     ) -> None: ...
     def decide(
         self, file: str, begin: int, end: int, lines_before: int

@@ -22,7 +22,7 @@ import time
 from typing import Any, BinaryIO, Dict, List, NoReturn, Optional, Tuple, Union
 
 from . import _core, batch_chunk
-from .batch_chunk import Asked, Chunk, Decided
+from .batch_chunk import Asked, Chunk, Decided, QualityAsked
 from .batch_cluster import Cluster
 from .batch_files import Cutter, Interrupted, Interruption, Output
 from .errors import InputError
@@ -51,7 +51,8 @@ EPILOG = """\
 Each line gives one line of JSON, the same byte for byte as by stickslip batch, and in the same
 order: line, key (of the question), name and verdict, or the error that it has. A line that
 ends the process of whoever decides it, as for want of memory, has that as its error; the rest
-goes on.
+goes on. Certificates are checked with the line as grasp file, that of a ball of loads with the
+result's uncertain as --uncertain.
 
 FILE and DIR must be on a file system that all workers share. Without --scheduler the workers
 are processes of this machine. Memory does not grow with the file. When a worker dies, others
@@ -106,6 +107,20 @@ def parser() -> Parser:
     add("--inertia", metavar="X,Y,G2", default="",
         help="of the objects, for --class: the centre of mass and the squared radius of gyration "
         "about it; default: 0,0,1. Of grasps in space X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]; default: 0,0,0,1,1,1")
+    add("--quality", dest="asks_quality", action="store_true",
+        help="ask also for the quality of each grasp that is stable, as stickslip quality does: how large "
+        "a ball of loads does it resist? The certificate is then that of the ball")
+    add("--length", metavar="L", default="",
+        help="for --quality: by which torques are divided; default: 1")
+    add("--about", metavar="X,Y", default="",
+        help="for --quality: the point about which torques are; default: the origin")
+    add("--body", metavar="NAME", default="",
+        help="for --quality: of several bodies the one that the loads are on")
+    add("--at-most", metavar="R", default="",
+        help="for --quality: no larger ball is of interest; default: 64 times a typical force")
+    add("--accuracy", metavar="A", default="",
+        help="for --quality: stop when what is proved and what is refuted differ by this part of it; "
+        "default: 1%%")
     add("--node-limit", metavar="N", type=whole_number, default=0,
         help="of each grasp: undecided after N nodes of the search; 0 is no limit")
     add("--scheduler", metavar="ADDRESS", default="",
@@ -118,7 +133,7 @@ def parser() -> Parser:
 def arguments(words: List[str]) -> argparse.Namespace:
     joined: List[str] = []
     for word in words:  # a wrench may begin with a minus
-        if joined and joined[-1] in ("--wrench", "--preload", "--inertia"):
+        if joined and joined[-1] in ("--wrench", "--preload", "--inertia", "--about"):
             joined[-1] += "=" + word
         else:
             joined.append(word)
@@ -127,6 +142,12 @@ def arguments(words: List[str]) -> argparse.Namespace:
         raise InputError("", "--case", "there is a --wrench as well", "give one of the two")
     if given.inertia and not given.asks_class:
         raise InputError("", "--inertia", "no verdict depends on it", "ask for the --class")
+    if given.asks_quality and given.asks_class:
+        raise InputError("", "--quality", "there is --class as well", "ask for one of the two")
+    for name in QualityAsked._fields:
+        if getattr(given, name) and not given.asks_quality:
+            raise InputError("", "--" + name.replace("_", "-"), "no verdict depends on it",
+                             "ask for the --quality")
     if given.resume and given.output == "-":
         raise InputError("", "--resume", "there is no output file", "name it: --output FILE")
     if given.scheduler and given.workers:
@@ -205,10 +226,12 @@ class Batch:
         self._given = given
         self._interruption = interruption
         self.path = os.path.abspath(given.file)
+        quality = QualityAsked(*(getattr(given, name) for name in QualityAsked._fields))
         self.asked = Asked(given.wrench, given.case, given.preload, given.normal_law == "bilateral",
                            given.node_limit, given.asks_class, given.inertia,
                            given.certificates,
-                           os.path.abspath(given.certificates) if given.certificates else "")
+                           os.path.abspath(given.certificates) if given.certificates else "",
+                           quality if given.asks_quality else None)
         self._decider = self.asked.decider()
         self.tally = _core.BatchTally()
         self._file = self._open_input()

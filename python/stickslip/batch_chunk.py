@@ -25,6 +25,16 @@ from .errors import InputError
 BLOCK = 1 << 20
 
 
+class QualityAsked(NamedTuple):
+    """What balls of loads are meant, as the command line spells it; empty where it says nothing."""
+
+    length: str
+    about: str
+    body: str
+    at_most: str
+    accuracy: str
+
+
 class Asked(NamedTuple):
     """What is asked about each line, as the command line spells it; empty where it says nothing."""
 
@@ -40,6 +50,8 @@ class Asked(NamedTuple):
     """The folder, as results name it."""
     certificate_folder: str
     """The same folder, by its absolute path."""
+    quality: Optional[QualityAsked] = None
+    """Beside the verdict; not with a class."""
 
     def decider(self) -> _core.LineDecider:
         return _core.LineDecider(*self)

@@ -5,8 +5,9 @@ import json
 import os
 import random
 import unittest
+from fractions import Fraction as F
 
-from test_cli import BAD_INPUT, CHECK, DONE, UNDECIDED, Case, run, stickslip
+from test_cli import BAD_INPUT, CHECK, DONE, UNDECIDED, Case, checkers, run, stickslip
 
 
 def grasp(seed):
@@ -72,6 +73,121 @@ class Batch(Case):
             code, out, err = run(CHECK, one, result["certificate"], "--inertia", "0,1,2")
             self.assertEqual(code, DONE, out + err)
             self.assertIn(f"verdict     {result['class']}\n", out)
+
+    def pinch(self, preload, load=0, in_space=False, **more):
+        """Two fingers with friction 1/2. In the plane one slips where (force y +- torque) / 2 = (P - force x / 2) / 2."""
+        zero = [0] if in_space else []
+        return {"format": "stickslip-grasp/2", "defaults": {"friction": "1/2", "preload": preload},
+                "contacts": [{"position": [side, 0, *zero], "normal": [-side, 0, *zero]} for side in (-1, 1)],
+                "wrench": [0, load, *zero, *zero, *zero, 0], **more}
+
+    def assert_proved(self, line, result, *options):
+        """By each checker, about the line itself; of a larger ball the certificate is none."""
+        file = self.write("one.json", line)
+        ball = result.get("uncertain")
+        said = result["verdict"] + (", for every grasp in the box" if ball else "")
+        for checker in checkers(result["certificate"], file):
+            words = (*checker, file, result["certificate"], *options)
+            code, out, err = run(*words, *(("--uncertain", ball) if ball else ()))
+            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+            self.assertRegex(out, f"\nverdict +{said}\n")
+            if ball:
+                code, out, err = run(*words, "--uncertain", ball.replace("ball:", "ball:1"))
+                self.assertNotEqual(code, DONE, out + err)
+
+    def test_qualities_beside_verdicts(self):
+        preloads = [F(1), F(1, 3), F(5)]
+        path = self.write("pinches.jsonl", "".join(json.dumps(self.pinch(str(p))) + "\n" for p in preloads))
+        asked = ("--quality", "--length", "3/2", "--accuracy", "2%")
+        proofs = self.path("proofs")
+        for more, seen in (((), preloads), (("--preload", "2"), [F(2)] * 3)):
+            for p, line, result in zip(seen, preloads, self.results(path, *asked, *more, "--certificates", proofs)):
+                proved, refuted = F(result["proved"]), F(result["refuted"])
+                square = p ** 2 / (1 + F(3, 2) ** 2 + F(1, 4))
+                self.assertLessEqual(proved ** 2, square)
+                self.assertLessEqual(square, refuted ** 2)
+                self.assertLess(refuted, F(104, 100) * proved)
+                x, y, torque = map(F, result["not_resisted"])
+                self.assertLessEqual(x ** 2 + y ** 2 + torque ** 2 / F(9, 4), refuted ** 2)
+                self.assertLess(2 * p, max(y, -y) * 2 + max(torque, -torque) * 2 + x)  # a finger slips
+                self.assertEqual(result["uncertain"], f"wrench=ball:{result['proved']}:length=3/2")
+                self.assert_proved(self.pinch(str(line)), result, *more)
+        one = self.json("quality", self.write("one.json", self.pinch("1")), *asked[1:])
+        first = self.results(path, *asked)[0]
+        self.assertEqual(set(first), {"line", "key", "name", "verdict", "proved", "refuted", "not_resisted"})
+        for field in ("verdict", "proved", "refuted", "not_resisted"):
+            self.assertEqual(first[field], one[field])
+
+    def test_lines_with_no_ball_of_loads(self):
+        held, lost = self.pinch(1), self.pinch(1, load="3/2")
+        foot = {**self.pinch(0), "contacts": [{"position": [0, 0], "normal": [0, 1]}]}  # a load that pulls is not resisted
+        wide = self.pinch({"min": 1, "max": 2})
+        path = self.write("g.jsonl", "".join(json.dumps(g) + "\n" for g in (held, lost, foot, wide)))
+        found = self.results(path, "--quality", "--at-most", "1/4", "--certificates", self.path("proofs"), code=BAD_INPUT,
+                             said=f"stickslip: {path}: 1 of 4 lines could not be read, the first is line 4; their results say why\n")
+        self.assertEqual([r.get("verdict") for r in found], ["stable", "unstable", "stable", None])
+        self.assertEqual((found[0]["proved"], found[0]["refuted"]), ("1/4", None))
+        self.assertNotIn("proved", found[1])
+        self.assertEqual((found[2]["proved"], found[2]["scales"]), ("0", True))
+        self.assertEqual([("uncertain" in r) for r in found], [True, False, False, False])
+        self.assertIn("one grasp", found[3]["error"]["remedy"])
+        for line, result in zip((held, lost, foot), found):
+            self.assert_proved(line, result)
+
+    def test_qualities_in_space_and_of_several_bodies(self):
+        solid = self.pinch(1, in_space=True)
+        solid["contacts"] += [{"position": [0, side, 0], "normal": [0, -side, 0]} for side in (-1, 1)]
+        blocks = {"format": "stickslip-grasp/3", "bodies": [{"name": "lower"}, {"name": "upper"}],
+                  "contacts": [{"position": [x, y], "normal": [0, 1], "friction": mu, "of": of, **by}
+                               for x, y, mu, of, by in ((-4, 0, 9, "lower", {}), (4, 0, 9, "lower", {}),
+                                                        (-1, 1, "1/3", "upper", {"by": "lower"}), (1, 1, "1/3", "upper", {"by": "lower"}))],
+                  "loads": [{"body": "lower", "weight": 100, "at": [0, 0]}, {"body": "upper", "weight": 2, "at": [0, 1]}]}
+        path = self.write("g.jsonl", json.dumps(solid) + "\n" + json.dumps(blocks) + "\n")
+        words = (path, "--quality", "--certificates", self.path("proofs"))
+        said = f"stickslip: {path}: 1 of 2 lines could not be read, the first is line %s; their results say why\n"
+        first = self.results(*words, code=BAD_INPUT, said=said % 2)[0]  # the other is asked which body
+        self.assertGreater(F(first["proved"]), 0)
+        self.assertLess(F(first["proved"]), F(first["refuted"]))
+        self.assert_proved(solid, first)
+        second = self.results(*words, "--body", "upper", "--about", "0,1", "--length", "1/2", code=BAD_INPUT, said=said % 1)[1]
+        slides = F(2, 3) ** 2 / (1 + F(1, 9))
+        self.assertLessEqual(F(second["proved"]) ** 2, slides)
+        self.assertLessEqual(slides, F(second["refuted"]) ** 2)
+        self.assertLess(F(second["refuted"]), F(102, 100) * F(second["proved"]))
+        self.assert_proved(blocks, second)
+
+    def test_every_option_of_a_quality_is_in_the_key(self):
+        path, out = self.write("g.jsonl", json.dumps(self.pinch(1)) + "\n"), self.path("out.jsonl")
+        questions = [(), ("--quality",), *(("--quality", *more) for more in (
+            ("--length", 2), ("--about", "0,2"), ("--about", "2,0"), ("--at-most", 2), ("--at-most", "1/2"),
+            ("--accuracy", "2%"), ("--accuracy", "1/2"), ("--node-limit", 10 ** 6)))]
+        keys = {self.results(path, *words)[0]["key"] for words in questions}
+        said = f"stickslip: {path}: 1 of 1 line could not be read, the first is line 1; their results say why\n"
+        keys |= {self.results(path, "--quality", "--body", name, code=BAD_INPUT, said=said)[0]["key"] for name in ("cup", "lid")}
+        self.assertEqual(len(keys), len(questions) + 2)
+        self.assertEqual(self.results(path, "--quality", "--about", "0,0", "--length", "1.0", "--accuracy", "1/100"),
+                         self.results(path, "--quality"))
+        self.assertEqual(stickslip("batch", path, "--quality", "-o", out), (DONE, "", ""))
+        self.assertEqual(stickslip("batch", path, "--quality", "-o", out, "--resume"), (DONE, "", ""))
+        self.fails("batch", path, "-o", out, "--resume", naming=["options"])
+        self.fails("batch", path, "--quality", "--length", 2, "-o", out, "--resume", naming=["options"])
+
+    def test_an_undecided_line_has_no_quality(self):
+        path, out = self.lines([20]), self.path("out.jsonl")
+        words = ("batch", path, "--quality", "--node-limit", 1, "-o", out)
+        self.assertEqual(stickslip(*words), (UNDECIDED, "", ""))
+        with open(out, encoding="utf-8") as file:
+            self.assertEqual(set(json.load(file)), {"line", "key", "name", "verdict", "limit"})
+        self.assertEqual(stickslip(*words, "--resume"), (UNDECIDED, "", ""))
+
+    def test_options_of_a_quality_that_make_no_sense(self):
+        path = self.lines([1])
+        for words, naming in ((("--length", "0"), "--length"), (("--at-most", "-1"), "--at-most"), (("--accuracy", "2"), "--accuracy"),
+                              (("--about", "x"), "--about")):
+            self.fails("batch", path, "--quality", *words, naming=[naming])
+        for words in (("--length", "1"), ("--about", "0,0"), ("--body", "cup"), ("--at-most", "1"), ("--accuracy", "1%"),
+                      ("--class", "--quality")):
+            self.fails("batch", path, *words, naming=[words[0], "--quality"])
 
     def test_space_and_boxes_among_others(self):
         """Two fingers press with 1 each, friction 1/2: in space as in the plane they hold 1, and no more."""

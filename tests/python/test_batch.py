@@ -232,9 +232,11 @@ def test_exit_codes(cluster, tmp_path):
         UNDECIDED, reference(path, "--node-limit", 1)[1], "")
 
 
-def test_certificates(cluster, tmp_path):
-    (tmp_path / "grasps.jsonl").write_text("".join(lines_of(60)))
-    words, proofs = ("grasps.jsonl", "--certificates", "proofs"), tmp_path / "proofs"
+@pytest.mark.parametrize("lines, options", [
+    (lines_of(60), ()), (lines_of(13)[9:], ("--quality", "--about", "-1/7,2", "--length", "2", "--at-most", "1/4", "--accuracy", "1/2"))])
+def test_certificates(cluster, tmp_path, lines, options):
+    (tmp_path / "grasps.jsonl").write_text("".join(lines))
+    words, proofs = ("grasps.jsonl", "--certificates", "proofs", *options), tmp_path / "proofs"
     program = subprocess.run([os.environ["STICKSLIP"], "batch", *words], cwd=tmp_path,
                              capture_output=True, check=True, text=True)
     before = {file.name: file.read_text() for file in proofs.iterdir()}
@@ -543,6 +545,10 @@ def test_usage(tmp_path, grasps):
     fails(grasps, "--wrench", "0,1", naming=["--wrench", "2 numbers", "torque"])
     fails(grasps, "--preload", "x", naming=["--preload", "3/5"])
     fails(grasps, "--wrench", "0,1,0", "--case", "x", naming=["--wrench", "--case"])
+    fails(grasps, "--quality", "--class", naming=["--quality", "--class"])
+    fails(grasps, "--quality", "--length", 0, naming=["--length", "above 0"])
+    for option in ("--length", "--about", "--body", "--at-most", "--accuracy"):
+        fails(grasps, option, 1, naming=[option, "--quality"])
     fails(grasps, "--resume", naming=["--resume", "--output"])
     fails(grasps, "--workers", 2, "--scheduler", "x", naming=["--workers", "--scheduler"])
     fails(grasps, "-o", grasps, naming=["written over the input"])

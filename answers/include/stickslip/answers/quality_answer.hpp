@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The quality of a passive grasp as JSON, and its proofs.
+/// What is asked about the quality of a passive grasp; the answer as JSON, and its proofs.
 #pragma once
 
 #include <string>
@@ -14,10 +14,28 @@
 
 namespace stickslip {
 
-/// The ball of --length, --about and --body as they are spelled; what is empty is left out.
-/// Its radius is 1. Throws InputError that names the option.
-LoadBall ball_shape(const std::string& length, const std::string& about,
-                    const std::string& body);
+/// The values of options, empty where they are not given.
+struct QualityText {
+  std::string length;           ///< by which torques are divided
+  std::string about;            ///< the point of the torques, "X,Y"
+  std::string body;             ///< of several bodies that which is loaded
+  std::string at_most;          ///< the largest radius of interest
+  std::string accuracy = "1%";  ///< of the two radii
+};
+
+/// A question about a quality, but for the grasp.
+struct QualityAsked {
+  LoadBall shape{1};         ///< of the ball; its radius is of no matter
+  QualityOptions options{};  ///< of the search
+};
+
+/// What they say. Throws InputError naming the option.
+QualityAsked quality_asked(const QualityText& text);
+
+/// The one grasp, of that file, whose quality is asked for. Throws InputError if numbers are
+/// uncertain, or if there can be no such ball of loads.
+GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
+                        const std::string& file);
 
 /// The two radii, what the ball is, and the load that is not resisted.
 Json quality_json(const Question& question, const Quality& quality);

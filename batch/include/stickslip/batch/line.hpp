@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "stickslip/answers/quality_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/earlier/load_classes.hpp"
@@ -67,6 +68,8 @@ struct BatchOptions {
   /// Asks for the class of rigid contacts, not the verdict: the numbers of inertia_of; or none,
   /// for a centre of mass in the origin and a radius of gyration of 1.
   std::optional<RationalRow> inertia{};
+  /// Asks for the quality beside the verdict; of balls of this shape. Not with `inertia`.
+  std::optional<QualityAsked> quality{};
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it
 };
@@ -91,6 +94,11 @@ class LineDecider {
   LineResult failed(const BatchLine& line, const InputError& error) const;
 
  private:
+  /// Of a question that is stable: adds to the result what is known of its quality. The
+  /// certificate of the ball of loads that is resisted; empty if there is none.
+  std::string add_quality(Json& result, const Question& question,
+                          const std::string& line) const;
+
   BatchOptions options_;
   std::string options_text_;
 };

@@ -20,6 +20,9 @@ std::vector<Rational> numbers_option(const std::string& option, const std::strin
 /// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
 Wrench wrench_option(const std::string& option, const std::string& value);
 
+/// A part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
+Rational accuracy_option(const std::string& value);
+
 /// An error of ask() in the words of the command line, about the grasp `name`.
 InputError in_options(const InputError& error, const std::string& name);
 

@@ -239,7 +239,11 @@ int ball(const PreloadArguments& arguments) {
     throw InputError("", "--budget", "the value is " + arguments.budget,
                      "it is the sum of preloads: give a number above 0");
   }
-  const LoadBall shape = ball_shape(arguments.length, arguments.about, arguments.body);
+  QualityText text;
+  text.length = arguments.length;
+  text.about = arguments.about;
+  text.body = arguments.body;
+  const LoadBall shape = quality_asked(text).shape;
   const Question question = arguments.question.any_question();
   if (question.uncertain.any()) {
     throw InputError("", "--uncertain", "the ball is what is sought with --budget",

@@ -50,9 +50,25 @@ GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
                      "a quality is that of one grasp: give one number for each, or ask "
                      "radius --uncertain wrench=ball:R");
   }
-  GraspBox ball = grasp;
-  ball.ball = shape;
-  ball.check();
+  // As GraspBox::check() would say of a tolerance, of the options.
+  const std::size_t coordinates = grasp.in_space() ? 3 : 2;
+  if (!shape.about.empty() && shape.about.size() != coordinates) {
+    throw InputError("", "--about",
+                     "there are " + std::to_string(shape.about.size()) + " coordinates",
+                     "give " + std::to_string(coordinates) + ", as in " +
+                         (coordinates == 3 ? "1,0,0" : "1,0"));
+  }
+  if (!grasp.mechanism) {
+    if (shape.body.empty()) return grasp;
+    throw InputError("", "--body", "the grasp has one body", "leave the option out");
+  }
+  if (shape.body.empty() || shape.body == "ground") {
+    throw InputError("", "--body",
+                     shape.body.empty() ? "nobody says which body the loads are on"
+                                        : "the ground bears all loads",
+                     "name one, as in --body " + grasp.mechanism->bodies.front().name);
+  }
+  grasp.mechanism->body_named(shape.body, "--body");
   return grasp;
 }
 

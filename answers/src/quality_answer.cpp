@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/answers/quality_answer.hpp"
 
-#include <algorithm>
-
 #include "stickslip/answers/uncertain_numbers.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/error.hpp"
@@ -29,10 +27,7 @@ QualityAsked quality_asked(const QualityText& text) {
   if (!text.length.empty()) {
     ball.length = positive_option("--length", text.length, "torques are divided by it");
   }
-  if (!text.about.empty()) ball.about = numbers_option("--about", text.about);
-  const bool is_origin = std::all_of(ball.about.begin(), ball.about.end(),
-                                     [](const Rational& x) { return x.is_zero(); });
-  if (is_origin) ball.about.clear();
+  if (!text.about.empty()) ball.set_about(numbers_option("--about", text.about));
   ball.body = text.body;
   if (!text.at_most.empty()) {
     asked.options.at_most =
@@ -75,7 +70,7 @@ GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
 Json quality_json(const Question& question, const Quality& quality) {
   const GraspBox& grasp = quality.ball;
   Json json;
-  json["verdict"] = !quality.stable ? "undecided" : *quality.stable ? "stable" : "unstable";
+  json["verdict"] = verdict_name(quality.stable);
   json["name"] = question.description().name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.description().units);

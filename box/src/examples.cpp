@@ -128,7 +128,7 @@ GraspBox Examples::at(const Place& place) const {
 void Examples::load(GraspBox& chosen, RationalRow z) const {
   if (!box_.ball) return;
   const BallPart ball = BallPart::all_of(box_);
-  const Rational square = ball.squared_norm(z);
+  const Rational square = box_.ball->squared_norm(z);
   if (square > ball.radius * ball.radius) {
     constexpr unsigned kBits = 24;
     const Rational grain(1, 1 << kBits);

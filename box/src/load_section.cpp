@@ -6,27 +6,15 @@
 
 #include "stickslip/core/number.hpp"
 #include "stickslip/motion/exact_system.hpp"
+#include "stickslip/search/ball_part.hpp"
 
 namespace stickslip {
 namespace {
 
-Rational squared_norm_of(const RationalRow& z, const LoadBall& ball) {
-  const std::size_t forces = z.size() == 6 ? 3 : 2;
-  Rational sum = 0;
-  for (std::size_t j = 0; j < z.size(); ++j) {
-    sum += j < forces ? Rational(z[j] * z[j])
-                      : Rational(z[j] * z[j] / (ball.length * ball.length));
-  }
-  return sum;
-}
-
 class Sections {
  public:
   explicit Sections(const Quality& quality)
-      : grasp_(quality.ball),
-        ball_(*quality.ball.ball),
-        motion_(quality.ball.ball_motion()),
-        forces_(quality.ball.in_space() ? 3 : 2) {
+      : grasp_(quality.ball), ball_(*quality.ball.ball), part_(BallPart::all_of(quality.ball)) {
     const Rational radius = quality.refuted.value_or(quality.proved);
     reach_ = radius * kSectionReach;
     if (quality.radii.example) find_lost(quality.radii.example->wrench, radius);
@@ -35,34 +23,27 @@ class Sections {
   std::vector<LoadSection> all() const {
     std::vector<LoadSection> sections;
     if (reach_.is_zero()) return sections;
-    for (std::size_t i = 0; i < forces_; ++i) {
-      for (std::size_t j = i + 1; j < forces_; ++j) {
+    for (std::size_t i = 0; i < part_.forces; ++i) {
+      for (std::size_t j = i + 1; j < part_.forces; ++j) {
         sections.push_back(section({unit_along(i), unit_along(j)}));
       }
     }
     if (lost_.empty()) return sections;
-    RationalRow force(motion_.size());
-    RationalRow torque(motion_.size());
-    for (std::size_t j = 0; j < lost_.size(); ++j) (j < forces_ ? force : torque)[j] = lost_[j];
-    if (squared_norm_of(force, ball_).is_zero()) force = unit_along(0);
-    if (squared_norm_of(torque, ball_).is_zero()) torque = unit_along(motion_.size() - 1);
+    RationalRow force(part_.motion.size());
+    RationalRow torque(part_.motion.size());
+    for (std::size_t j = 0; j < lost_.size(); ++j)
+      (j < part_.forces ? force : torque)[j] = lost_[j];
+    if (ball_.squared_norm(force).is_zero()) force = unit_along(0);
+    if (ball_.squared_norm(torque).is_zero()) torque = unit_along(part_.motion.size() - 1);
     sections.push_back(section({std::move(force), std::move(torque)}));
     return sections;
   }
 
  private:
   RationalRow unit_along(std::size_t component) const {
-    RationalRow z(motion_.size());
+    RationalRow z(part_.motion.size());
     z[component] = 1;
     return z;
-  }
-
-  RationalRow load_of(const RationalRow& z) const {
-    RationalRow load(grasp_.wrench.size());
-    for (std::size_t k = 0; k < z.size(); ++k) {
-      for (std::size_t j = 0; j < load.size(); ++j) load[j] += z[k] * motion_[k][j];
-    }
-    return load;
   }
 
   /// By which force and torque the load differs. A link does not feel all of them: then the one
@@ -72,10 +53,10 @@ class Sections {
     for (std::size_t j = 0; j < load.size(); ++j) {
       off(static_cast<Eigen::Index>(j)) = load[j].low - grasp_.wrench[j].low;
     }
-    const auto z = solve_exactly(matrix_of(motion_, load.size()).transpose(), off);
+    const auto z = solve_exactly(matrix_of(part_.motion, load.size()).transpose(), off);
     if (!z) return;
     RationalRow found(z->data(), z->data() + z->size());
-    if (squared_norm_of(found, ball_) <= radius * radius) lost_ = std::move(found);
+    if (ball_.squared_norm(found) <= radius * radius) lost_ = std::move(found);
   }
 
   LoadSection section(std::array<RationalRow, 2> along) const {
@@ -83,17 +64,18 @@ class Sections {
     std::array<Rational, 2> at{0, 0};
     for (std::size_t k = 0; k < 2; ++k) {
       const RationalRow& z = result.along[k];
-      const Rational square = squared_norm_of(z, ball_);
+      const Rational square = ball_.squared_norm(z);
       constexpr int kDigits = 9;
       const Rational most = parse_rational(enclose_sqrt(reach_, 1 / square, kDigits).upper);
       MapAxis& axis = result.axes[k];
       axis.name = k == 0 ? "s" : "t";
       axis.kind = AxisKind::kAlong;
       axis.range = {-most, most};
-      axis.along = load_of(z);
+      axis.along = part_.load(z);
       if (lost_.empty()) continue;
       for (std::size_t j = 0; j < z.size(); ++j) {
-        at[k] += lost_[j] * z[j] / (j < forces_ ? Rational(1) : ball_.length * ball_.length);
+        at[k] +=
+            lost_[j] * z[j] / (j < part_.forces ? Rational(1) : ball_.length * ball_.length);
       }
       at[k] /= square;
     }
@@ -108,8 +90,7 @@ class Sections {
 
   const GraspBox& grasp_;
   const LoadBall& ball_;
-  std::vector<RationalRow> motion_;
-  std::size_t forces_;  ///< components of z that are of a force
+  BallPart part_;
   Rational reach_;
   RationalRow lost_;  ///< a force and a torque; or empty
 };
@@ -117,7 +98,7 @@ class Sections {
 }  // namespace
 
 Rational LoadSection::squared_norm(std::size_t axis, const LoadBall& ball) const {
-  return squared_norm_of(along[axis], ball);
+  return ball.squared_norm(along[axis]);
 }
 
 std::vector<LoadSection> load_sections(const Quality& quality) {

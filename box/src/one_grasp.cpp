@@ -9,6 +9,13 @@
 
 namespace stickslip::box_detail {
 
+Rational power_of_two_above(const Rational& size) {
+  Rational power = 1;
+  while (power < size) power *= 2;
+  while (!size.is_zero() && power / 2 >= size) power /= 2;
+  return power;
+}
+
 Problem problem_of(const GraspLaw& point) {
   const auto as_wrench = [](const RationalRow& row) { return Wrench{row[0], row[1], row[2]}; };
   std::vector<ContactRow> rows;

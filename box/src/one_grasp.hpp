@@ -14,6 +14,9 @@
 
 namespace stickslip::box_detail {
 
+/// The least power of two that is not below a number >= 0; of 0 it is 1.
+Rational power_of_two_above(const Rational& size);
+
 /// The problem of a law of one grasp in the plane.
 Problem problem_of(const GraspLaw& point);
 

@@ -83,11 +83,7 @@ std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box) {
 Rational size_of(const WrenchBox& wrench) {
   Rational most = 0;
   for (const Interval& component : wrench) most = std::max<Rational>(most, abs(component.low));
-  if (most.is_zero()) return 1;
-  Rational power = 1;
-  while (power < most) power *= 2;
-  while (power / 2 >= most) power /= 2;
-  return power;
+  return power_of_two_above(most);
 }
 
 bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "one_grasp.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -18,11 +19,7 @@ Rational typical_force(const GraspBox& grasp) {
   for (const Interval& component : grasp.wrench) consider(component);
   for (const UncertainContact& c : grasp.contacts) consider(c.preload);
   for (const Spring& spring : grasp.springs) consider(spring.force);
-  if (most.is_zero()) return 1;
-  Rational power = 1;
-  while (power < most) power *= 2;
-  while (power / 2 >= most) power /= 2;
-  return power;
+  return box_detail::power_of_two_above(most);
 }
 
 bool is_without_forces(const GraspBox& grasp) {
@@ -44,6 +41,7 @@ Quality find_quality(const GraspBox& grasp, NormalLaw law, LoadBall shape,
   quality.scales = is_without_forces(grasp);
   shape.radius = typical_force(grasp);
   RadiusOptions of_radius = options.radius;
+  of_radius.only_stable = true;
   if (quality.scales) of_radius.most = 1;
   if (options.at_most) of_radius.most = *options.at_most / shape.radius;
   quality.ball = grasp;

@@ -102,7 +102,7 @@ class RadiusSearch {
   Radius run() {
     result_.limit = valid_limit(centre_, box_, options_.most);
     result_.stable = is_stable(centre_, law_, options_.box);
-    if (!result_.stable) return result_;
+    if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     refute();
     prove(0);
     prove(kMostParts);

@@ -67,11 +67,8 @@ void print_ball(const Quality& quality, NumberText& text, bool all_digits) {
 void print(const Question& question, const Quality& quality,
            const QualityArguments& arguments) {
   NumberText text(arguments.numbers);
-  std::cout << heading(question)
-            << (!quality.stable   ? "undecided"
-                : *quality.stable ? "stable"
-                                  : "unstable")
-            << "\n\n  load w    " << load_text(quality.ball.wrench, text) << '\n';
+  std::cout << heading(question) << verdict_name(quality.stable) << "\n\n  load w    "
+            << load_text(quality.ball.wrench, text) << '\n';
   if (quality.stable == true) {
     print_ball(quality, text, arguments.numbers.exact);
   } else {

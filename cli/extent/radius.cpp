@@ -51,10 +51,6 @@ class Report {
   NumberText text_;
 };
 
-const char* verdict_of(const Radius& radius) {
-  return !radius.stable ? "undecided" : *radius.stable ? "stable" : "unstable";
-}
-
 /// What the factors make of each tolerance of --uncertain.
 std::string Report::tolerances_table() const {
   std::vector<std::vector<std::string>> rows{{""}, {"asked"}, {"proved"}, {"refuted"}};
@@ -105,7 +101,7 @@ std::string Report::meaning() const {
 }
 
 void Report::print() {
-  std::cout << heading(asked_.question) << verdict_of(radius_) << "\n\n"
+  std::cout << heading(asked_.question) << verdict_name(radius_.stable) << "\n\n"
             << "  load w    " << load_text(asked_.centre.wrench, text_) << "\n\n";
   if (radius_.stable) {
     std::cout << tolerances_table() << '\n' << meaning();
@@ -119,7 +115,7 @@ void Report::print() {
 
 void print_json(const RadiusQuestion& asked, const Radius& radius, bool floats) {
   Json json;
-  json["verdict"] = verdict_of(radius);
+  json["verdict"] = verdict_name(radius.stable);
   json["name"] = asked.box.description.name;
   if (!asked.question.case_name.empty()) json["case"] = asked.question.case_name;
   add_units(json, asked.box.description.units);

@@ -164,14 +164,14 @@ LoadBall parse_ball(std::string_view text) {
       break;
     }
     if (name == "length") ball.length = ball_number(name, next());
-    while (name == "about" && !text.empty() &&
+    if (name != "about") continue;
+    RationalRow point;
+    while (!text.empty() &&
            text.substr(0, text.find(':')).find('=') == std::string_view::npos) {
-      ball.about.push_back(ball_number("point", next()));
+      point.push_back(ball_number("point", next()));
     }
+    ball.set_about(std::move(point));
   }
-  const bool is_origin = std::all_of(ball.about.begin(), ball.about.end(),
-                                     [](const Rational& x) { return x.is_zero(); });
-  if (is_origin && (ball.about.size() == 2 || ball.about.size() == 3)) ball.about.clear();
   return ball;
 }
 
@@ -279,6 +279,23 @@ Tolerances parse_tolerances(std::string_view text) {
     if (!last) text.remove_prefix(comma + 1);
   }
   return tolerances;
+}
+
+void LoadBall::set_about(RationalRow point) {
+  const bool is_origin =
+      (point.size() == 2 || point.size() == 3) &&
+      std::all_of(point.begin(), point.end(), [](const Rational& x) { return x.is_zero(); });
+  about = is_origin ? RationalRow{} : std::move(point);
+}
+
+Rational LoadBall::squared_norm(const RationalRow& z) const {
+  const std::size_t forces = z.size() == 6 ? 3 : 2;
+  Rational sum = 0;
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    const Rational size = j < forces ? z[j] : Rational(z[j] / length);
+    sum += size * size;
+  }
+  return sum;
 }
 
 std::string to_string(const LoadBall& ball) {

@@ -80,6 +80,10 @@ Vector2 force_vector(const Vector2& normal, const ContactForce& force) {
           force.normal * normal.y + force.tangential * normal.x};
 }
 
+const char* verdict_name(std::optional<bool> stable) {
+  return !stable ? "undecided" : *stable ? "stable" : "unstable";
+}
+
 const char* name_of(const Verdict& verdict) {
   constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
   return kNames[verdict.index()];

@@ -82,8 +82,7 @@ py::dict radius(const GraspFile& grasp, const std::string& uncertain, const py::
     }
     return std::pair(std::move(radius), std::move(proved));
   });
-  const char* verdict = !found.stable ? "undecided" : *found.stable ? "stable" : "unstable";
-  py::dict result = fields_of(asked, verdict, preload);
+  py::dict result = fields_of(asked, verdict_name(found.stable), preload);
   result["proved"] = fraction(found.proved);
   result["limit"] = fraction(found.limit);
   if (!proofs.empty()) result["proof"] = files(proofs[0]);
@@ -109,7 +108,7 @@ py::dict quality(const GraspFile& grasp, const py::object& length, const py::obj
   if (!at_most.is_none()) options.at_most = positive(at_most, "at_most");
   LoadBall shape{1};
   shape.length = positive(length, "length");
-  if (!about.is_none()) shape.about = numbers(about, 0, "about");
+  if (!about.is_none()) shape.set_about(numbers(about, 0, "about"));
   shape.body = body;
   const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
   const auto [found, proofs] = without_gil([&] {
@@ -118,8 +117,7 @@ py::dict quality(const GraspFile& grasp, const py::object& length, const py::obj
     if (known.stable) proved = proved_quality(asked, known);
     return std::pair(std::move(known), std::move(proved));
   });
-  const char* verdict = !found.stable ? "undecided" : *found.stable ? "stable" : "unstable";
-  py::dict result = fields_of(asked, verdict, preload);
+  py::dict result = fields_of(asked, verdict_name(found.stable), preload);
   result["length"] = fraction(shape.length);
   result["proved"] = fraction(found.proved);
   result["limit"] = fraction(found.limit);

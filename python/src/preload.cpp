@@ -81,7 +81,7 @@ py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::o
                        "it is the sum of preloads: give a number above 0");
     }
     LoadBall shape{1, exact(length, "length")};
-    for (const py::handle& x : about) shape.about.push_back(exact(x, "about"));
+    shape.set_about(numbers(about, 0, "about"));
     shape.body = body;
     found = without_gil([&] { return largest_ball(asked.front(), shape, most, options); });
   }

@@ -40,19 +40,31 @@ double BallPart::unit(std::size_t component) const {
   return component < forces ? 1 : to_double(length);
 }
 
+namespace {
+
+/// Where a linear function of z is largest in all of the ball.
+Eigen::VectorXd farthest_in_ball(const BallPart& ball, const Eigen::VectorXd& function) {
+  Eigen::VectorXd z = function;
+  const auto scale = [&] {
+    for (Eigen::Index k = 0; k < z.size(); ++k) z[k] *= ball.unit(static_cast<std::size_t>(k));
+  };
+  scale();
+  const double size = z.norm();
+  if (size > 0) z *= to_double(ball.radius) / size;
+  scale();
+  return z;
+}
+
+}  // namespace
+
 Eigen::VectorXd BallPart::worst(const Reals& y) const {
   const Eigen::VectorXd along = rounded * y;
   Eigen::VectorXd corner(along.size());
-  Eigen::VectorXd round(along.size());
   for (Eigen::Index k = 0; k < along.size(); ++k) {
-    const auto component = static_cast<std::size_t>(k);
-    corner[k] = to_double(along[k] > 0 ? parts[component].high : parts[component].low);
-    round[k] = along[k] * unit(component);
+    const Interval& part = parts[static_cast<std::size_t>(k)];
+    corner[k] = to_double(along[k] > 0 ? part.high : part.low);
   }
-  const double size = round.norm();
-  for (Eigen::Index k = 0; size > 0 && k < along.size(); ++k) {
-    round[k] *= to_double(radius) / size * unit(static_cast<std::size_t>(k));
-  }
+  const Eigen::VectorXd round = farthest_in_ball(*this, along);
   return corner.dot(along) < round.dot(along) ? corner : round;
 }
 
@@ -78,18 +90,10 @@ Eigen::VectorXd BallPart::pulled_in(const Eigen::VectorXd& z) const {
 }
 
 Eigen::VectorXd BallPart::farthest(const Eigen::VectorXd& function) const {
-  const auto n = static_cast<Eigen::Index>(parts.size());
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(n);
-  double size = 0;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    size = std::hypot(size, function[k] * unit(static_cast<std::size_t>(k)));
-  }
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const auto component = static_cast<std::size_t>(k);
-    const double scale = unit(component);
-    if (size > 0) result[k] = to_double(radius) * function[k] * scale / size * scale;
-    result[k] = std::clamp(result[k], to_double(parts[component].low),
-                           to_double(parts[component].high));
+  Eigen::VectorXd result = farthest_in_ball(*this, function);
+  for (Eigen::Index k = 0; k < result.size(); ++k) {
+    const Interval& part = parts[static_cast<std::size_t>(k)];
+    result[k] = std::clamp(result[k], to_double(part.low), to_double(part.high));
   }
   return pulled_in(result);
 }
@@ -100,14 +104,6 @@ RationalRow BallPart::nearest() const {
     z.push_back(part.low.sign() > 0 ? part.low : part.high.sign() < 0 ? part.high : 0);
   }
   return z;
-}
-
-Rational BallPart::squared_norm(const RationalRow& z) const {
-  Rational sum = 0;
-  for (std::size_t k = 0; k < z.size(); ++k) {
-    sum += k < forces ? Rational(z[k] * z[k]) : Rational(z[k] * z[k] / (length * length));
-  }
-  return sum;
 }
 
 }  // namespace stickslip

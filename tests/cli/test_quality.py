@@ -179,7 +179,7 @@ class Quality(Case):
     def test_errors_say_what_would_be_right(self):
         file = self.write("g.json", pinch(F(1, 2), 1))
         for words, said in ((("--length", "0"), "--length: the value is 0; torques are divided by it"),
-                            (("--about", "1,2,3"), "--about: there are 3 coordinates; give 2"),
+                            (("--about", "1,2,3"), "--about: there are 3 coordinates; give 2"), (("--about", "0"), "--about: there are 1"),
                             (("--body", "cup"), "--body: the grasp has one body; leave the option out"),
                             (("--at-most", "0"), "--at-most"), (("--accuracy", "2"), "--accuracy")):
             code, _, err = stickslip("quality", file, *words)

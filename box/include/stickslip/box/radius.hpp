@@ -15,6 +15,7 @@ struct RadiusOptions {
   SearchOptions box;          ///< of each proof
   Rational accuracy{1, 100};  ///< stops when the two radii differ by this part of the larger
   Rational most{64};          ///< no factor beyond this is tried
+  bool only_stable = false;   ///< nothing is sought about a centre that is unstable
 };
 
 /// For factors of the tolerances, about the grasp in the centre.

@@ -86,6 +86,10 @@ struct LoadBall {
   RationalRow about{};  ///< the point; empty: the origin
   std::string body{};   ///< of several bodies that which is loaded; else empty
 
+  /// Sets the point; one of two or three coordinates that are 0 is the origin.
+  void set_about(RationalRow point);
+  /// |f|^2 + |tau|^2 / length^2 of z = (f, tau), of three numbers in the plane, six in space.
+  Rational squared_norm(const RationalRow& z) const;
   /// The same loads.
   friend bool operator==(const LoadBall& a, const LoadBall& b) {
     return a.radius == b.radius && a.length == b.length && a.about == b.about &&

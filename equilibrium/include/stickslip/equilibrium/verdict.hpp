@@ -100,6 +100,8 @@ using Verdict = std::variant<Stable, Unstable, Fragile, Undecided>;
 
 /// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const Verdict& verdict);
+/// The same of what is_stable() says; nothing is "undecided".
+const char* verdict_name(std::optional<bool> stable);
 /// Whether what was asked about is stable, or unstable; nothing if neither is proved.
 std::optional<bool> is_stable(const Verdict& verdict);
 

@@ -40,8 +40,6 @@ struct BallPart {
   Eigen::VectorXd pulled_in(const Eigen::VectorXd& z) const;
   /// The z of the box that is nearest to 0, which is in the ball if any is.
   RationalRow nearest() const;
-  /// |f|^2 + |tau|^2 / length^2.
-  Rational squared_norm(const RationalRow& z) const;
   /// A typical size over that of a force, of a component of z: 1 or the length.
   double unit(std::size_t component) const;
 };

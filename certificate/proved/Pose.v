@@ -12,6 +12,13 @@ Record tolerance : Set := { amount : Q; percent : bool }.
 (** How preloads grow: in proportion to themselves, or by these numbers, one for each contact. *)
 Inductive growth : Set := Scale | By (numbers : list Q).
 
+(** A ball of loads, in place of the tolerance of the wrench; no point stands for 0. *)
+Record stated_ball : Set := {
+  stated_radius : Q;
+  stated_length : Q;
+  stated_point : list Q;
+  stated_body : option string }.
+
 (** What is not given is that of the grasp file, or none. *)
 Record options : Set := {
   asked_wrench : option (list Q);
@@ -21,7 +28,8 @@ Record options : Set := {
   asked_direction : option (list Q);
   asked_growth : option growth;
   asked_inertia : option (list Q);  (** in full *)
-  asked_uncertain : list (string * tolerance)  (** by kind *) }.
+  asked_uncertain : list (string * tolerance);  (** by kind *)
+  asked_ball : option stated_ball }.
 
 Definition uncertain_kinds : list string :=
   ["friction"; "stiffness"; "preload"; "position"; "normal"; "wrench"].
@@ -40,7 +48,7 @@ Definition in_full (numbers : list Q) : list Q :=
 Record posed : Set := {
   the_question : question;
   stated_wrench : list interval;  (** before it was widened *)
-  the_options : options;
+  the_options : options;  (** a ball with its point *)
   is_box : bool }.
 
 (** Places that are about the question and not about the file begin so. *)
@@ -101,6 +109,31 @@ Definition asked_contact (asked : options) (it : contact) : contact :=
      stiffness := widen (by_ "stiffness") (stiffness it);
      preload := widen (by_ "preload") given;
      preload_growth := preload_growth it |}.
+
+(** The ball, with its point. *)
+Definition ball_asked (file : grasp) (asked : options) (stated : list interval) : result (option stated_ball) :=
+  match asked_ball asked with
+  | None => Fine None
+  | Some b =>
+      let here := of_question "uncertain" in
+      let point := match stated_point b with
+                   | [] => repeat 0%Q (if in_space file then 3 else 2)
+                   | p => p
+                   end in
+      let* _ := check_that (negb (asks_margin asked || asks_class asked)) here
+                  "a margin or a class is about one grasp; expected no uncertainty" in
+      let* _ := check_that (is_below 0 (stated_radius b)) here "expected a radius above 0" in
+      let* _ := check_that (is_below 0 (stated_length b)) here "expected a length above 0" in
+      let* _ := check_that (has_length (if in_space file then 3 else 2) point) here
+                  (if in_space file then "expected a point of three coordinates, as the grasp is in space"
+                   else "expected a point of two coordinates, as the grasp is planar") in
+      let* _ := check_that (forallb (fun it => Qeq_bool (low it) (high it)) stated) here
+                  "expected a load without intervals" in
+      let* _ := check_that (match stated_body b with None => true | Some _ => false end) here
+                  "expected no body, as the grasp has one only" in
+      Fine (Some {| stated_radius := stated_radius b; stated_length := stated_length b; stated_point := point;
+                    stated_body := None |})
+  end.
 
 Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) : result unit :=
   match them with
@@ -167,6 +200,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
               (of_question "preload") "expected 0 or more" in
   let* stated := wrench_asked file asked in
   let* _ := check_tolerances asked (asked_uncertain asked) in
+  let* ball := ball_asked file asked stated in
   let them := map_all (asked_contact asked) (all_contacts file) in
   let* them :=
     match asked_growth asked with
@@ -213,8 +247,18 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                is_margin := asks_margin asked;
                contacts := them;
                wrench := widened;
+               load_ball := match ball with
+                            | Some b => Some (Ball (stated_radius b) (stated_length b) (stated_point b))
+                            | None => None
+                            end;
                direction := u;
                inertia := match asked_inertia asked with Some numbers => numbers | None => [] end |};
           stated_wrench := stated;
-          the_options := asked;
-          is_box := negb certain || existsb (fun box => box) boxes |}.
+          the_options :=
+            {| asked_wrench := asked_wrench asked; asked_case := asked_case asked;
+               asked_preload := asked_preload asked; asked_bilateral := asked_bilateral asked;
+               asked_direction := asked_direction asked; asked_growth := asked_growth asked;
+               asked_inertia := asked_inertia asked; asked_uncertain := asked_uncertain asked;
+               asked_ball := ball |};
+          is_box := negb certain || (match ball with Some _ => true | None => false end)
+                    || existsb (fun box => box) boxes |}.

@@ -26,12 +26,17 @@ Record contact := Contact {
   preload_growth : Q         (* P^u; 0 without a preload direction *)
 }.
 
+(* A ball of loads: those of a force and a torque at a point whose size, with torques divided by a length, is at most
+   its radius. *)
+Record ball := Ball { radius : Q; torque_length : Q; about : list Q }.
+
 Record question := Question {
   dimension : nat;           (* of motions: 3 in the plane, 6 in space *)
   bilateral : bool;          (* the normal law *)
   is_margin : bool;          (* a direction of either kind was given *)
   contacts : list contact;
   wrench : list interval;    (* w, after the table of FORMAT.md 1, widened *)
+  load_ball : option ball;   (* of which any load is added to w *)
   direction : list Q;        (* u; as many zeros without a direction of wrenches *)
   inertia : list Q           (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
 }.

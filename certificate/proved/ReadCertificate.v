@@ -66,21 +66,39 @@ Definition read_tolerance (at_path : path) (value : json) : result tolerance :=
   | None => let* x := read_fraction at_path value in Fine {| amount := x; percent := false |}
   end.
 
-Fixpoint read_all_tolerances (at_path : path) (members : list (string * json))
-  : result (list (string * tolerance)) :=
+(** BALL. *)
+Definition read_ball (in_space : bool) (at_path : path) (value : json) : result stated_ball :=
+  let coordinates := if in_space then 3%Z else 2%Z in
+  let* members := members_in_order ["ball"; "length"; "about"] at_path value in
+  let* r := member "ball" read_fraction at_path members in
+  let* l := member "length" read_fraction at_path members in
+  let* c := optional_member "about" (read_sized coordinates "an array of the coordinates of a point" read_fraction)
+              at_path members in
+  Fine {| stated_radius := r; stated_length := l; stated_body := None;
+          stated_point := match c with Some c => c | None => repeat 0%Q (Z.to_nat coordinates) end |}.
+
+(** Tolerances, and the ball that may stand in place of that of the wrench. *)
+Fixpoint read_all_tolerances (in_space : bool) (at_path : path) (members : list (string * json))
+  : result (list (string * tolerance) * option stated_ball) :=
   match members with
-  | [] => Fine []
+  | [] => Fine ([], None)
   | (kind, value) :: rest =>
-      let* t := read_tolerance (Member kind :: at_path) value in
-      let* others := read_all_tolerances at_path rest in
-      Fine ((kind, t) :: others)
+      if (kind =? "wrench") && (match value with Object _ => true | _ => false end) then
+        let* b := read_ball in_space (Member kind :: at_path) value in
+        let* '(others, _) := read_all_tolerances in_space at_path rest in
+        Fine (others, Some b)
+      else
+        let* t := read_tolerance (Member kind :: at_path) value in
+        let* '(others, b) := read_all_tolerances in_space at_path rest in
+        Fine ((kind, t) :: others, b)
   end.
 
-Definition read_tolerances (at_path : path) (value : json) : result (list (string * tolerance)) :=
+Definition read_tolerances (in_space : bool) (at_path : path) (value : json)
+  : result (list (string * tolerance) * option stated_ball) :=
   let* members := members_in_order uncertain_kinds at_path value in
   match members with
   | [] => expected "an object of one tolerance or more" at_path value
-  | _ => read_all_tolerances at_path members
+  | _ => read_all_tolerances in_space at_path members
   end.
 
 Definition read_inertia (in_space : bool) (at_path : path) (value : json) : result (list Q) :=
@@ -102,13 +120,14 @@ Definition read_statement (in_space : bool) (at_path : path) (value : json) : re
   let* u := optional_member "direction" (read_numbers count) at_path members in
   let* growing := optional_member "preload_direction" read_growth at_path members in
   let* i := optional_member "inertia" (read_inertia in_space) at_path members in
-  let* uncertain := optional_member "uncertain" read_tolerances at_path members in
+  let* uncertain := optional_member "uncertain" (read_tolerances in_space) at_path members in
   Fine {| stated_contacts := m;
           wrench_stated := w;
           options_stated :=
             {| asked_wrench := None; asked_case := None; asked_preload := p; asked_bilateral := law;
                asked_direction := u; asked_growth := growing; asked_inertia := i;
-               asked_uncertain := match uncertain with Some it => it | None => [] end |} |}.
+               asked_uncertain := match uncertain with Some (it, _) => it | None => [] end;
+               asked_ball := match uncertain with Some (_, b) => b | None => None end |} |}.
 
 (** Nodes. *)
 Definition read_parameter (s : shape) (at_path : path) (value : json) : result parameter :=
@@ -547,6 +566,11 @@ Definition same_growth (a b : growth) : bool :=
 Definition same_tolerance (a b : tolerance) : bool :=
   Qeq_bool (amount a) (amount b) && Bool.eqb (percent a) (percent b).
 
+Definition same_ball (a b : stated_ball) : bool :=
+  Qeq_bool (stated_radius a) (stated_radius b) && Qeq_bool (stated_length a) (stated_length b)
+  && same_list Qeq_bool (stated_point a) (stated_point b)
+  && same_option String.eqb (stated_body a) (stated_body b).
+
 Definition broken_question_rule (stated : statement) (asked : posed) : option string :=
   let said := options_stated stated in
   let options := the_options asked in
@@ -564,6 +588,7 @@ Definition broken_question_rule (stated : statement) (asked : posed) : option st
   else if negb (same_option (same_list Qeq_bool) (asked_inertia said) (asked_inertia options))
   then Some "question-inertia"
   else if negb (forallb (fun kind => same_option same_tolerance (find_tolerance kind said)
-                                       (find_tolerance kind options)) uncertain_kinds)
+                                       (find_tolerance kind options)) uncertain_kinds
+                  && same_option same_ball (asked_ball said) (asked_ball options))
   then Some "question-uncertain"
   else None.

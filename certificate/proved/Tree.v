@@ -3,7 +3,8 @@
    `refuted_multiple`: where trees about ranges are accepted, no multiple in a range has an
    equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk Matrix.
+From Proved Require Import Matrix Load.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -28,7 +29,7 @@ Record range := Range {
 }.
 
 (* The box that a tree is about: the dimension of motions, rows, load, the contacts whose slip is strict; and
-   two numbers M for leaves, a short one and one that makes them exact but for what with_alphas adds.  Solutions
+   two numbers M for leaves, a short one and one that makes them exact but for what with_all adds.  Solutions
    may need some multiple of `pushes` in addition, forms of the point for a wrench (in proofs by degree). *)
 Record setting := Setting {
   dimension_of : nat; rows : list row; the_load : load; pushes : matrix; slipping : list Z; short : Z; exact : Z
@@ -37,10 +38,9 @@ Record setting := Setting {
 Section Numbers.
 Open Scope Z_scope.
 
-(* A multiple of all denominators of leaves, but for those of alphas; and a power of two with which every term
-   of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
-Definition common_multiple (rows : list row) (ld : load) : Z :=
-  fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
+(* A multiple of all denominators of leaves, but for those of loads and of alphas; and a power of two with which
+   every term of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
+Definition common_multiple (rows : list row) : Z := fold_left (fun m r => Z.lcm m (over_weight r)) rows 1.
 
 Definition short_multiple (rows : list row) (multiple : Z) : Z :=
   let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
@@ -50,7 +50,7 @@ Definition short_multiple (rows : list row) (multiple : Z) : Z :=
 End Numbers.
 
 Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : matrix) : setting :=
-  let m := common_multiple rows ld in
+  let m := common_multiple rows in
   Setting dimension rows ld pushes [] (short_multiple rows m) m.
 
 (* ---- Nodes ---- *)
@@ -62,8 +62,9 @@ Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray
   if barred strict rays then None
   else
     let them := pressers strict rays (slipping s) (unit_of sc) y' (rows s) 0 [] in
-    let holds m := leaf_holds_by m them (the_load s) strict rays y' in
-    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_alphas (exact s) them) then
+    let works := load_works (the_load s) (unit_of sc) y' in
+    let holds m := leaf_holds_by m them works strict rays y' in
+    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_all (exact s) works them) then
       let along := of_rows y (pushes s) in
       if nowhere_negative rays (map (to_integer (scaling_of along)) along) then None
       else Some "leaf-direction"%string
@@ -124,21 +125,32 @@ Definition set_row (s : setting) (index : Z) (b : cbox) : setting :=
   Setting (dimension_of s) (replace (rows s) index row) (the_load s) (pushes s) (slipping s) (short s)
     (Z.lcm (exact s) (over_weight row)).
 
-Definition set_load (s : setting) (w : list interval) : setting :=
-  let ld := make_load w (load_growth (the_load s)) in
-  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (Z.lcm (exact s) (over (load_scaling ld))).
+Definition set_load (s : setting) (ld : load) : setting :=
+  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (exact s).
+
+(* What is uncertain of the load: numbers of a ball if there are any, else components. *)
+Definition numbers_of (ld : load) : list interval :=
+  match ball_numbers (load_added ld) with [] => load_box ld | zs => zs end.
+
+Definition with_numbers (ld : load) (is : list interval) : load :=
+  let a := load_added ld in
+  match ball_numbers a with
+  | [] => Load is (load_growth ld) a
+  | _ => Load (load_box ld) (load_growth ld) (Addition is (ball_ways a) (ball_squares a))
+  end.
 
 (* The two halves of a box, or the rule that fails. *)
 Definition halves (s : setting) (name : parameter) (index : Z) (c : Q)
     : (setting * setting) + string :=
   match name with
   | PWrench =>
-      match numbered (load_box (the_load s)) index with
+      let ld := the_load s in
+      match numbered (numbers_of ld) index with
       | None => inr "part-contact"%string
       | Some i =>
           if is_inside i c then
-            inl (set_load s (replace (load_box (the_load s)) index (low_half i c)),
-                 set_load s (replace (load_box (the_load s)) index (high_half i c)))
+            inl (set_load s (with_numbers ld (replace (numbers_of ld) index (low_half i c))),
+                 set_load s (with_numbers ld (replace (numbers_of ld) index (high_half i c))))
           else inr "part-inside"%string
       end
   | _ =>
@@ -365,10 +377,23 @@ Proof.
     destruct (Keep (low_half i c)) as [K1 K2], (Keep (high_half i c)) as [K3 K4]; rewrite ?K1, ?K2, ?K3, ?K4; auto.
 Qed.
 
+Lemma with_numbers_either ld w i iv c : is_load ld w -> numbered (numbers_of ld) i = Some iv ->
+  is_load (with_numbers ld (replace (numbers_of ld) i (low_half iv c))) w \/
+  is_load (with_numbers ld (replace (numbers_of ld) i (high_half iv c))) w.
+Proof.
+  intros (w0 & e & B & L & A & E) N. unfold with_numbers, numbers_of in *.
+  assert (Ends : forall x, within iv x -> within (low_half iv c) x \/ within (high_half iv c) x)
+    by (intros; now apply within_halves).
+  destruct (ball_numbers (load_added ld)) as [|z zs] eqn:Z.
+  - destruct (numbered_replace_either within _ _ _ _ _ _ B N Ends) as [F|F]; [left|right]; now exists w0, e.
+  - rewrite <- Z in *. destruct A as [P W Le Nu I].
+    destruct (numbered_replace_either within _ _ _ _ _ _ Nu N Ends) as [F|F]; [left|right];
+      (exists w0, e; split; [exact B|split; [exact L|split; [constructor; assumption|exact E]]]).
+Qed.
+
 (* A system in the box; or one for whose rows others stand. *)
 Definition contains_by (P : row -> Rows.row -> Prop) (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
-  Forall2 P rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
-  Forall2 within (load_box ld) (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
+  Forall2 P rows (Rows.rows sys) /\ is_load ld (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
 
 Definition contains := contains_by fits.
 
@@ -385,7 +410,7 @@ Lemma halves_contain_by s name i c lo hi sys : halves s name i c = inl (lo, hi) 
      dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
   (contains_by P (rows lo) (the_load lo) sys \/ contains_by P (rows hi) (the_load hi) sys).
 Proof.
-  intros H (F & LE & LW & LU).
+  intros H (F & LW & LU).
   assert (Row : match numbered (rows s) i with
       | None => inr "part-contact"%string
       | Some row => match get (box row) name with
@@ -409,10 +434,10 @@ Proof.
       as [F'|F']; [|left; now repeat split|right; now repeat split].
     intros k [_ Ik]. destruct (set_keeps _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
   destruct name; cbn [halves] in H; try (apply Row; exact H).
-  destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
+  destruct (numbered (numbers_of (the_load s)) i) as [iv|] eqn:N; [|discriminate].
   destruct (is_inside iv c); [|discriminate]. injection H as <- <-. split; [intros t [-> | ->]; auto|].
-  destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
-    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right]; now repeat split.
+  destruct (with_numbers_either (the_load s) (Rows.wrench sys) i iv c LW N) as [F'|F']; [left|right]; repeat split;
+    try assumption; cbn [set_load the_load]; unfold with_numbers; destruct (ball_numbers _); exact LU.
 Qed.
 
 End Halves.
@@ -429,10 +454,10 @@ Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl 
   (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
   (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
 Proof.
-  intros H [F LE LW LU H0 L0 E Bal].
+  intros H [F LW LU H0 L0 E Bal].
   destruct (halves_contain_by seen_in set_seen s name i c lo hi sys H) as [S C]; [now repeat split|].
   destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
-  split; [auto|]. destruct C as [(F' & LE' & LW' & LU')|(F' & LE' & LW' & LU')]; [left|right]; constructor; assumption.
+  split; [auto|]. destruct C as [(F' & LW' & LU')|(F' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
 
 Definition in_range (g : range) (lambda : R) :=
@@ -591,7 +616,7 @@ Proof.
     - rewrite <- Matrix.dot_of_rows. fold along. unfold real. rewrite <- qdot_is, (qdot_to_integers along) by auto.
       apply Rmult_le_pos; lra.
     - unfold real, Rows.scaled. rewrite !map_map. apply map_ext_in. intros q Hq. now apply to_integer_exact. }
-  assert (L : forall m, leaf_holds_by m them (the_load s) strict rays y' = true -> False).
+  assert (L : forall m, leaf_holds_by m them (load_works (the_load s) (unit_of (scaling_of y)) y') strict rays y' = true -> False).
   { intros m Hm. assert (Hm' := Hm). unfold leaf_holds_by in Hm'.
     apply andb_true_iff in Hm' as [M _]. apply Z.ltb_lt in M. unfold them in Hm.
     rewrite (leaf_refutes strict rays d h l G T ws W Sp y' _ FP m M (rows s) (the_load s) _ (slipping s) sys fs S SL P)
@@ -622,11 +647,11 @@ Proof.
   constructor; cbn [branch_setting conditions new_strict new_moving root_branch];
     [| |exact T|constructor].
   { exists sys, d, 1, lambda, fs, 0. split; [reflexivity|]. split; [lra|]. split; [|exact SL].
-    destruct S as [S1 S2 S3 S4 S5 S6 S7 S8]. constructor; try assumption. intros y. rewrite NP, not_pushed. apply S8. }
+    destruct S as [S1 S2 S3 S4 S5 S6 S7]. constructor; try assumption. intros y. rewrite NP, not_pushed. apply S7. }
   rewrite map_all_is. apply Forall_map.
   destruct two_sided; [|exact C].
   apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
-  intros row f Hr E Sp. destruct S as [F _ _ _ _ _ Ob _]. rewrite Law in Ob.
+  intros row f Hr E Sp. destruct S as [F _ _ _ _ Ob _]. rewrite Law in Ob.
   apply In_nth_error in Hr as (k & Hr).
   destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er (r' & j & p & G & mu & t & I & St & _)]).
   destruct (fits_at _ _ _ _ _ Ob Nr) as ([a g] & _ & (La & _)).

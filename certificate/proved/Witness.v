@@ -3,6 +3,7 @@
    mode.  `point_is_equilibrium`: a point that is accepted is an equilibrium for the wrench h w + l u and the
    preloads h P + l P^u.  `mixture`: so is every mixture of two points of one mode. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
+From Proved Require Import Matrix Load.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Tree.
 From Proved Require Rows Model.
 Import ListNotations.
@@ -775,21 +776,19 @@ Qed.
 
 (* The question is one grasp: what its load is. *)
 Record exact_load (ld : load) (s : Rows.system) : Prop := ExactLoad {
-  load_certain : forallb certain (load_box ld) = true;
-  load_is : Forall2 within (load_box ld) (Rows.wrench s);
+  load_certain : one_load ld = true;
+  load_fits : is_load ld (Rows.wrench s);
   growth_is : map Q2R (load_growth ld) = Rows.direction s;
   growth_length : List.length (Rows.direction s) = List.length (Rows.wrench s)
 }.
 
 Lemma load_at_is ld s h l y : exact_load ld s -> qdot (load_at ld h l) y = Rows.load s (IZR h) (IZR l) y.
 Proof.
-  intros [C W G L]. unfold load_at, Rows.load. rewrite <- G in *. rewrite map_length in L.
-  revert C y L. generalize (load_growth ld) as us.
-  induction W as [|i x box w Wi W IH]; intros us C y L; destruct us as [|u us]; try discriminate; cbn; [ring|].
-  cbn in C. apply andb_true_iff in C as [Ci C]. destruct y as [|z y]; cbn; [ring|].
-  rewrite IH by (exact C || (cbn in L; congruence)). rewrite reduced_same, Q2R_plus, !Q2R_mult.
+  intros [C W G L]. apply (one_load_is _ _ C) in W. unfold load_at, Rows.load. rewrite W, <- G in *. clear C W G.
+  unfold Matrix.real in *. rewrite !map_length in L. revert y L. generalize (load_growth ld) as us.
   assert (J : forall z, Q2R (inject_Z z) = IZR z) by (intros; unfold Q2R; cbn; field).
-  rewrite !J, <- (certain_within _ _ Ci Wi). ring.
+  induction (load_box ld) as [|i box IH]; intros us y L; destruct us as [|u us]; try discriminate; cbn; [ring|].
+  destruct y as [|z y]; cbn; [ring|]. rewrite IH by now injection L. rewrite reduced_same, Q2R_plus, !Q2R_mult, !J. ring.
 Qed.
 
 Theorem point_is_equilibrium (two_sided : bool) rows ld s h l ds shares ss :

@@ -34,7 +34,10 @@ the program that produced the certificate:
                            X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], the centre and the tensor of inertia about it
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
-                           position=0.001,normal=0.0175,wrench=2%
+                           position=0.001,normal=0.0175,wrench=2%;
+                           wrench=ball:R[:length=L][:about=X:Y[:Z]] is every load that differs
+                           from the wrench by a force f and a torque t at that point with
+                           |f|^2 + |t|^2/L^2 <= R^2
 
   --json                   answer as one JSON object
   --batch                  answer many: each line of standard input is a JSON object
@@ -52,8 +55,8 @@ Answers and exit codes:
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability where normals in space are uncertain, of balls of loads, of regions
-                  and of several bodies; or it takes more work than the files' length allows
+                  stability where normals in space are uncertain, of regions and of several
+                  bodies; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -136,7 +139,6 @@ let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate
     Work.bytes := !Work.bytes + String.length text;
     tokens name limits text in
   if arguments.plane then Print.Not_judged "regions of a plane: stickslip-check judges them"
-  else if arguments.ball then Print.Not_judged "balls of loads: stickslip-check judges them"
   else try
     let file = read grasp_name Tokenise.of_grasp (grasp ()) in
     if is_of_several_bodies file then Print.Not_judged "several bodies: stickslip-check judges them"

@@ -52,11 +52,19 @@ let interval between { low; high } =
 
 let tolerance { amount; percent } = number amount ^ if percent then "%" else ""
 
-(* Those given, in the order of kinds. *)
-let tolerances asked =
+let ball { stated_radius; stated_length; stated_point; _ } =
+  "ball:" ^ number stated_radius ^ ", length " ^ number stated_length ^ ", about " ^ vector stated_point
+
+let json_ball { stated_radius; stated_length; stated_point; _ } =
+  "{\"ball\": " ^ json_number stated_radius ^ ", \"length\": " ^ json_number stated_length
+  ^ ", \"about\": " ^ json_vector stated_point ^ "}"
+
+(* Those given, in the order of kinds, a ball last; as they are shown. *)
+let tolerances show show_ball asked =
   List.filter_map
-    (fun kind -> Option.map (fun t -> (kind, t)) (find_tolerance kind asked))
+    (fun kind -> Option.map (fun t -> (kind, show t)) (find_tolerance kind asked))
     uncertain_kinds
+  @ match asked.asked_ball with Some b -> [ ("wrench", show_ball b) ] | None -> []
 
 let law asked = if asked.asked_bilateral then "bilateral" else "unilateral"
 
@@ -166,17 +174,17 @@ let question asked =
      | None -> "as in the grasp file")
   ^ numbers o.asked_growth
   ^ "\nnormal law  " ^ law o
-  ^ match tolerances o with
+  ^ match tolerances tolerance ball o with
     | [] -> ""
-    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ tolerance t) them
+    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them
 
 let json_question asked =
   let o = asked.the_options in
   let or_null show = function Some it -> show it | None -> "null" in
-  let uncertain = match tolerances o with
+  let uncertain = match tolerances (fun t -> json_string (tolerance t)) json_ball o with
     | [] -> "null"
     | them ->
-      let one (kind, t) = json_string kind ^ ": " ^ json_string (tolerance t) in
+      let one (kind, t) = json_string kind ^ ": " ^ t in
       "{" ^ separated one them ^ "}" in
   "{\"contacts\": " ^ string_of_int (List.length asked.the_question.contacts)
   ^ ", \"wrench\": [" ^ separated (interval json_number) asked.stated_wrench ^ "]"

@@ -50,6 +50,15 @@ module Coq__1 = struct
 end
 include Coq__1
 
+(** val sub : nat -> nat -> nat **)
+
+let rec sub n m =
+  match n with
+  | O -> n
+  | S k -> (match m with
+            | O -> n
+            | S l -> sub k l)
+
 (** val eqb : bool -> bool -> bool **)
 
 let eqb b1 b2 =
@@ -507,6 +516,23 @@ module Coq_Pos =
 
   let gcd a b =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
+
+  (** val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1 **)
+
+  let rec iter_op op p a =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> op a (iter_op op p0 (op a a)))
+      (fun p0 -> iter_op op p0 (op a a))
+      (fun _ -> a)
+      p
+
+  (** val to_nat : Big_int_Z.big_int -> nat **)
+
+  let to_nat x =
+    iter_op Coq__1.add x (S O)
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -795,6 +821,17 @@ module Z =
   (** val abs : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
   let abs = Big_int_Z.abs_big_int
+
+  (** val to_nat : Big_int_Z.big_int -> nat **)
+
+  let to_nat z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> O)
+      (fun p -> Coq_Pos.to_nat p)
+      (fun _ -> O)
+      z0
 
   (** val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -1201,9 +1238,12 @@ type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
                  preload : interval; preload_growth : q }
 
+type ball = { radius : q; torque_length : q; about : q list }
+
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list }
+                  load_ball : ball option; direction : q list;
+                  inertia : q list }
 
 type parameter =
 | PX
@@ -2219,6 +2259,283 @@ let alpha_term m a mixed0 row0 =
 let alpha_over a row0 =
   Z.mul a.qden row0.pull_scale.over
 
+type vector = q list
+
+type matrix = vector list
+
+(** val inner : vector -> vector -> q **)
+
+let rec inner a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
+
+(** val plus_times : vector -> q -> vector -> vector **)
+
+let rec plus_times a s b =
+  match a with
+  | [] ->
+    (match b with
+     | [] -> a
+     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
+  | x :: a' ->
+    (match b with
+     | [] -> a
+     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
+
+(** val is_zero : q -> bool **)
+
+let is_zero q0 =
+  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val unit_vector : nat -> nat -> vector **)
+
+let unit_vector n i =
+  map (fun j ->
+    if Nat.eqb i j
+    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    (seq O n)
+
+(** val identity : nat -> matrix **)
+
+let identity n =
+  map (unit_vector n) (seq O n)
+
+(** val of_rows : vector -> matrix -> vector **)
+
+let rec of_rows a m =
+  match a with
+  | [] -> []
+  | x :: a' ->
+    (match m with
+     | [] -> []
+     | r :: m' -> plus_times (of_rows a' m') x r)
+
+(** val pivot : nat -> matrix -> (vector * matrix) option **)
+
+let rec pivot column0 = function
+| [] -> None
+| r :: m' ->
+  if is_zero
+       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int })
+  then (match pivot column0 m' with
+        | Some p -> let (found, others) = p in Some (found, (r :: others))
+        | None -> None)
+  else Some (r, m')
+
+(** val eliminate :
+    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
+
+let rec eliminate columns column0 m done0 =
+  match columns with
+  | O -> done0
+  | S columns' ->
+    (match pivot column0 m with
+     | Some p ->
+       let (r, others) = p in
+       let r0 =
+         plus_times []
+           (qinv
+             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r
+       in
+       let without = fun a ->
+         plus_times a
+           (qopp
+             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r0
+       in
+       eliminate columns' (S column0) (map without others)
+         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
+           ((column0, r0) :: []))
+     | None -> eliminate columns' (S column0) m done0)
+
+(** val kernel : nat -> matrix -> matrix **)
+
+let kernel n m =
+  let done0 = eliminate n O m [] in
+  flat_map (fun j ->
+    if existsb (fun p -> Nat.eqb (fst p) j) done0
+    then []
+    else (fold_right (fun p a ->
+           plus_times a
+             (qopp
+               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int })) (unit_vector n (fst p)))
+           (unit_vector n j) done0) :: []) (seq O n)
+
+(** val inverse_of : nat -> matrix -> matrix **)
+
+let inverse_of n m =
+  map (fun p -> skipn n (snd p))
+    (eliminate n O
+      (map (fun p -> app (fst p) (snd p)) (combine m (identity n))) [])
+
+(** val same_vectors : vector -> vector -> bool **)
+
+let rec same_vectors a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
+
+(** val same_matrices : matrix -> matrix -> bool **)
+
+let rec same_matrices a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
+
+(** val is_inverse : nat -> matrix -> matrix -> bool **)
+
+let is_inverse n left m =
+  same_matrices (map (fun a -> of_rows a m) left) (identity n)
+
+(** val all_of_length : nat -> 'a1 list list -> bool **)
+
+let all_of_length n m =
+  forallb (fun r -> Nat.eqb (length r) n) m
+
+(** val middle : interval -> q **)
+
+let middle i =
+  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+
+(** val only_middle : interval -> interval **)
+
+let only_middle i =
+  exactly (middle i)
+
+(** val middle_box : cbox -> cbox **)
+
+let middle_box b =
+  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
+    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
+    box_preload = (only_middle b.box_preload); box_growth =
+    (only_middle b.box_growth); box_stiffness =
+    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val friction_sound : cbox -> bool **)
+
+let friction_sound b =
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } b.box_friction.low)
+    ((||) (negb b.box_spring)
+      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+type addition = { ball_numbers : interval list; ball_ways : matrix;
+                  ball_squares : q list }
+
+(** val nothing_added : addition **)
+
+let nothing_added =
+  { ball_numbers = []; ball_ways = []; ball_squares = [] }
+
+type load = { load_box : interval list; load_growth : q list;
+              load_added : addition }
+
+(** val work_of_box : interval list -> vector -> interval **)
+
+let rec work_of_box box0 y =
+  match box0 with
+  | [] ->
+    exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | i :: box' ->
+    (match y with
+     | [] ->
+       exactly { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int }
+     | q0 :: y' ->
+       let { low = least; high = most } = work_of_box box' y' in
+       if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0
+       then let a = i.low in
+            let b = i.high in
+            { low = (reduced (qplus (qmult q0 a) least)); high =
+            (reduced (qplus (qmult q0 b) most)) }
+       else let a = i.high in
+            let b = i.low in
+            { low = (reduced (qplus (qmult q0 a) least)); high =
+            (reduced (qplus (qmult q0 b) most)) })
+
+(** val sum_of_squares : vector -> vector -> q **)
+
+let rec sum_of_squares weights a =
+  match weights with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | w :: ws ->
+    (match a with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | x :: a' -> reduced (qplus (qmult w (qmult x x)) (sum_of_squares ws a')))
+
+(** val work_of_addition : addition -> vector -> interval **)
+
+let work_of_addition it y =
+  match it.ball_ways with
+  | [] ->
+    exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | _ :: _ ->
+    let along = map (fun b -> inner b y) it.ball_ways in
+    let in_box = work_of_box it.ball_numbers along in
+    let root0 = root_above (sum_of_squares it.ball_squares along) in
+    { low = (qmax in_box.low (qopp root0)); high = (qmin in_box.high root0) }
+
+(** val work_of : load -> vector -> interval **)
+
+let work_of ld y =
+  let a = work_of_box ld.load_box y in
+  let b = work_of_addition ld.load_added y in
+  { low = (reduced (qplus a.low b.low)); high =
+  (reduced (qplus a.high b.high)) }
+
+(** val one_load : load -> bool **)
+
+let one_load ld =
+  (&&) (forallb certain ld.load_box)
+    (match ld.load_added.ball_numbers with
+     | [] -> true
+     | _ :: _ -> false)
+
+(** val nearest_to_zero : interval -> q **)
+
+let nearest_to_zero i =
+  if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int } i.low
+  then i.low
+  else if qle_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int }
+       then i.high
+       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val middle_load : load -> load **)
+
+let middle_load ld =
+  let a = ld.load_added in
+  { load_box = (map only_middle ld.load_box); load_growth = ld.load_growth;
+  load_added = { ball_numbers =
+  (map (fun i -> exactly (nearest_to_zero i)) a.ball_numbers); ball_ways =
+  a.ball_ways; ball_squares = a.ball_squares } }
+
 (** val edges : form list list -> ray list -> row -> form multi list **)
 
 let edges strict0 rays0 row0 =
@@ -2314,43 +2631,18 @@ let edges_term m y es mixed0 row0 =
         then mixed_forms row0 (work_tree y e)
         else products_with row0 (work_tree y e)) es) mixed0
 
-type load = { load_box : interval list; load_growth : q list;
-              lows_of_w : form; highs_of_w : form; form_of_u : form;
-              load_scaling : scaling }
+(** val load_works : load -> q -> form -> q * q **)
 
-(** val make_load : interval list -> q list -> load **)
+let load_works ld factor0 y =
+  let y0 = map (fun c -> qmult factor0 (inject_Z c)) y in
+  ((reduced (qdiv (work_of ld y0).high factor0)),
+  (reduced (qdiv (inner ld.load_growth y0) factor0)))
 
-let make_load w u =
-  let s =
-    scaling_of
-      (app (map (fun i -> i.low) w) (app (map (fun i -> i.high) w) u))
-  in
-  let z0 = map (to_integer s) in
-  { load_box = w; load_growth = u; lows_of_w = (z0 (map (fun i -> i.low) w));
-  highs_of_w = (z0 (map (fun i -> i.high) w)); form_of_u = (z0 u);
-  load_scaling = s }
+(** val load_term : Big_int_Z.big_int -> (q * q) -> form **)
 
-(** val most_work : form -> form -> form -> Big_int_Z.big_int **)
-
-let rec most_work y lows0 highs0 =
-  match y with
-  | [] -> Big_int_Z.zero_big_int
-  | c :: y' ->
-    (match lows0 with
-     | [] -> Big_int_Z.zero_big_int
-     | l :: lows' ->
-       (match highs0 with
-        | [] -> Big_int_Z.zero_big_int
-        | h :: highs' ->
-          Z.add (Z.mul c (if Z.ltb Big_int_Z.zero_big_int c then h else l))
-            (most_work y' lows' highs')))
-
-(** val load_term : Big_int_Z.big_int -> form -> load -> form **)
-
-let load_term m y ld =
-  let t = Z.mul m ld.load_scaling.times in
-  (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) ld.load_scaling.over) :: (
-  (up (Z.mul t (dot ld.form_of_u y)) ld.load_scaling.over) :: [])
+let load_term m = function
+| (a, b) ->
+  (up (Z.mul m a.qnum) a.qden) :: ((up (Z.mul m b.qnum) b.qden) :: [])
 
 type way =
 | Along of form multi list
@@ -2396,22 +2688,24 @@ let term_of m y p =
   | Along es -> edges_term m y es p.mixed p.pressing
   | Most a -> alpha_term m a p.mixed p.pressing
 
-(** val with_alphas :
-    Big_int_Z.big_int -> presser list -> Big_int_Z.big_int **)
+(** val with_all :
+    Big_int_Z.big_int -> (q * q) -> presser list -> Big_int_Z.big_int **)
 
-let with_alphas m them =
+let with_all m works them =
   fold_left (fun m0 p ->
     match p.by_ with
     | Along _ -> m0
-    | Most a -> Z.lcm m0 (alpha_over a p.pressing)) them m
+    | Most a -> Z.lcm m0 (alpha_over a p.pressing)) them
+    (Z.lcm (Z.lcm m (fst works).qden) (snd works).qden)
 
 (** val leaf_holds_by :
-    Big_int_Z.big_int -> presser list -> load -> form list list -> ray list
-    -> form -> bool **)
+    Big_int_Z.big_int -> presser list -> (q * q) -> form list list -> ray
+    list -> form -> bool **)
 
-let leaf_holds_by m them ld strict0 rays0 y =
+let leaf_holds_by m them works strict0 rays0 y =
   (&&) (Z.ltb Big_int_Z.zero_big_int m)
-    (let (linear, bends) = collect (term_of m y) them (load_term m y ld) [] in
+    (let (linear, bends) = collect (term_of m y) them (load_term m works) []
+     in
      positive_at_home strict0 rays0 (fun x ->
        Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
 
@@ -2906,157 +3200,6 @@ let everywhere advisor n s =
 let root advisor n b =
   child advisor (everywhere advisor n b.branch_setting) b
 
-type vector = q list
-
-type matrix = vector list
-
-(** val inner : vector -> vector -> q **)
-
-let rec inner a b =
-  match a with
-  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-  | x :: a' ->
-    (match b with
-     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
-
-(** val plus_times : vector -> q -> vector -> vector **)
-
-let rec plus_times a s b =
-  match a with
-  | [] ->
-    (match b with
-     | [] -> a
-     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
-  | x :: a' ->
-    (match b with
-     | [] -> a
-     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
-
-(** val is_zero : q -> bool **)
-
-let is_zero q0 =
-  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-
-(** val unit_vector : nat -> nat -> vector **)
-
-let unit_vector n i =
-  map (fun j ->
-    if Nat.eqb i j
-    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
-    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-    (seq O n)
-
-(** val identity : nat -> matrix **)
-
-let identity n =
-  map (unit_vector n) (seq O n)
-
-(** val of_rows : vector -> matrix -> vector **)
-
-let rec of_rows a m =
-  match a with
-  | [] -> []
-  | x :: a' ->
-    (match m with
-     | [] -> []
-     | r :: m' -> plus_times (of_rows a' m') x r)
-
-(** val pivot : nat -> matrix -> (vector * matrix) option **)
-
-let rec pivot column0 = function
-| [] -> None
-| r :: m' ->
-  if is_zero
-       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
-         Big_int_Z.unit_big_int })
-  then (match pivot column0 m' with
-        | Some p -> let (found, others) = p in Some (found, (r :: others))
-        | None -> None)
-  else Some (r, m')
-
-(** val eliminate :
-    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
-
-let rec eliminate columns column0 m done0 =
-  match columns with
-  | O -> done0
-  | S columns' ->
-    (match pivot column0 m with
-     | Some p ->
-       let (r, others) = p in
-       let r0 =
-         plus_times []
-           (qinv
-             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) r
-       in
-       let without = fun a ->
-         plus_times a
-           (qopp
-             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) r0
-       in
-       eliminate columns' (S column0) (map without others)
-         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
-           ((column0, r0) :: []))
-     | None -> eliminate columns' (S column0) m done0)
-
-(** val kernel : nat -> matrix -> matrix **)
-
-let kernel n m =
-  let done0 = eliminate n O m [] in
-  flat_map (fun j ->
-    if existsb (fun p -> Nat.eqb (fst p) j) done0
-    then []
-    else (fold_right (fun p a ->
-           plus_times a
-             (qopp
-               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int })) (unit_vector n (fst p)))
-           (unit_vector n j) done0) :: []) (seq O n)
-
-(** val inverse_of : nat -> matrix -> matrix **)
-
-let inverse_of n m =
-  map (fun p -> skipn n (snd p))
-    (eliminate n O
-      (map (fun p -> app (fst p) (snd p)) (combine m (identity n))) [])
-
-(** val same_vectors : vector -> vector -> bool **)
-
-let rec same_vectors a b =
-  match a with
-  | [] -> (match b with
-           | [] -> true
-           | _ :: _ -> false)
-  | x :: a' ->
-    (match b with
-     | [] -> false
-     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
-
-(** val same_matrices : matrix -> matrix -> bool **)
-
-let rec same_matrices a b =
-  match a with
-  | [] -> (match b with
-           | [] -> true
-           | _ :: _ -> false)
-  | x :: a' ->
-    (match b with
-     | [] -> false
-     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
-
-(** val is_inverse : nat -> matrix -> matrix -> bool **)
-
-let is_inverse n left m =
-  same_matrices (map (fun a -> of_rows a m) left) (identity n)
-
-(** val all_of_length : nat -> 'a1 list list -> bool **)
-
-let all_of_length n m =
-  forallb (fun r -> Nat.eqb (length r) n) m
-
 (** val replace_after :
     'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
 
@@ -3080,10 +3223,10 @@ type setting = { dimension_of : nat; rows : row list; the_load : load;
                  pushes : matrix; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
-(** val common_multiple : row list -> load -> Big_int_Z.big_int **)
+(** val common_multiple : row list -> Big_int_Z.big_int **)
 
-let common_multiple rows0 ld =
-  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 ld.load_scaling.over
+let common_multiple rows0 =
+  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 Big_int_Z.unit_big_int
 
 (** val short_multiple :
     row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
@@ -3108,7 +3251,7 @@ let short_multiple rows0 multiple0 =
 (** val make_setting : nat -> row list -> load -> matrix -> setting **)
 
 let make_setting dimension0 rows0 ld pushes0 =
-  let m = common_multiple rows0 ld in
+  let m = common_multiple rows0 in
   { dimension_of = dimension0; rows = rows0; the_load = ld; pushes = pushes0;
   slipping = []; short = (short_multiple rows0 m); exact = m }
 
@@ -3124,10 +3267,10 @@ let leaf_fails s strict0 rays0 y =
          pressers strict0 rays0 s.slipping (unit_of sc) y' s.rows
            Big_int_Z.zero_big_int []
        in
-       let holds = fun m -> leaf_holds_by m them s.the_load strict0 rays0 y'
-       in
+       let works = load_works s.the_load (unit_of sc) y' in
+       let holds = fun m -> leaf_holds_by m them works strict0 rays0 y' in
        if (||) ((&&) (negb (Z.eqb s.short s.exact)) (holds s.short))
-            (holds (with_alphas s.exact them))
+            (holds (with_all s.exact works them))
        then let along = of_rows y s.pushes in
             if nowhere_negative rays0
                  (map (to_integer (scaling_of along)) along)
@@ -3263,13 +3406,29 @@ let set_row s index b =
   the_load = s.the_load; pushes = s.pushes; slipping = s.slipping; short =
   s.short; exact = (Z.lcm s.exact row0.over_weight) }
 
-(** val set_load : setting -> interval list -> setting **)
+(** val set_load : setting -> load -> setting **)
 
-let set_load s w =
-  let ld = make_load w s.the_load.load_growth in
+let set_load s ld =
   { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
-  s.pushes; slipping = s.slipping; short = s.short; exact =
-  (Z.lcm s.exact ld.load_scaling.over) }
+    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact }
+
+(** val numbers_of : load -> interval list **)
+
+let numbers_of ld =
+  match ld.load_added.ball_numbers with
+  | [] -> ld.load_box
+  | i :: l -> i :: l
+
+(** val with_numbers : load -> interval list -> load **)
+
+let with_numbers ld is =
+  let a = ld.load_added in
+  (match a.ball_numbers with
+   | [] -> { load_box = is; load_growth = ld.load_growth; load_added = a }
+   | _ :: _ ->
+     { load_box = ld.load_box; load_growth = ld.load_growth; load_added =
+       { ball_numbers = is; ball_ways = a.ball_ways; ball_squares =
+       a.ball_squares } })
 
 (** val halves :
     setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -3278,12 +3437,17 @@ let set_load s w =
 let halves s name index c =
   match name with
   | PWrench ->
-    (match numbered s.the_load.load_box index with
+    let ld = s.the_load in
+    (match numbered (numbers_of ld) index with
      | Some i ->
        if is_inside i c
        then Inl
-              ((set_load s (replace s.the_load.load_box index (low_half i c))),
-              (set_load s (replace s.the_load.load_box index (high_half i c))))
+              ((set_load s
+                 (with_numbers ld
+                   (replace (numbers_of ld) index (low_half i c)))),
+              (set_load s
+                (with_numbers ld
+                  (replace (numbers_of ld) index (high_half i c)))))
        else Inr "part-inside"
      | None -> Inr "part-contact")
   | _ ->
@@ -4006,39 +4170,6 @@ let inverted n free a =
   then Some (m, inverse)
   else None
 
-(** val middle : interval -> q **)
-
-let middle i =
-  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
-    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
-
-(** val only_middle : interval -> interval **)
-
-let only_middle i =
-  exactly (middle i)
-
-(** val middle_box : cbox -> cbox **)
-
-let middle_box b =
-  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
-    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
-    box_preload = (only_middle b.box_preload); box_growth =
-    (only_middle b.box_growth); box_stiffness =
-    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
-    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
-    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
-    b.box_slack }
-
-(** val friction_sound : cbox -> bool **)
-
-let friction_sound b =
-  (&&)
-    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int } b.box_friction.low)
-    ((||) (negb b.box_spring)
-      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
-
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
                       is_a_simplex : bool; wall_rows : matrix;
@@ -4126,8 +4257,7 @@ let strict_form g =
 let middle_setting g s =
   make_setting s.dimension_of
     (map_all (fun r -> make_row (middle_box r.box)) s.rows)
-    (make_load (map only_middle s.the_load.load_box) s.the_load.load_growth)
-    (map (relative g) g.direction_rows)
+    (middle_load s.the_load) (map (relative g) g.direction_rows)
 
 (** val middle_conditions : degree_proof -> (form * bool) list **)
 
@@ -4151,8 +4281,7 @@ let point_box b =
 (** val is_point : setting -> bool **)
 
 let is_point s =
-  (&&) (forallb (fun r -> point_box r.box) s.rows)
-    (forallb certain s.the_load.load_box)
+  (&&) (forallb (fun r -> point_box r.box) s.rows) (one_load s.the_load)
 
 (** val row_free : vector -> cbox -> bool **)
 
@@ -4165,27 +4294,19 @@ let row_free z0 b =
         (forallb (fun f -> is_zero (inner f z0)) (tl fs))))
     (tips (geometry_tree b))
 
-(** val load_free : vector -> interval list -> bool **)
+(** val load_free : vector -> load -> bool **)
 
-let rec load_free z0 w =
-  match z0 with
-  | [] -> true
-  | q0 :: z' ->
-    (match w with
-     | [] -> true
-     | i :: w' -> (&&) ((||) (certain i) (is_zero q0)) (load_free z' w'))
+let load_free z0 ld =
+  (&&) ((&&) (is_zero (work_of ld z0).low) (is_zero (work_of ld z0).high))
+    (is_zero (inner ld.load_growth z0))
 
 (** val all_free : matrix -> setting -> bool **)
 
 let all_free free s =
   (&&) (forallb (fun r -> friction_sound r.box) s.rows)
     (forallb (fun z0 ->
-      (&&)
-        ((&&)
-          ((&&) (forallb (fun r -> row_free z0 r.box) s.rows)
-            (load_free z0 s.the_load.load_box))
-          (is_zero (inner (map (fun i -> i.low) s.the_load.load_box) z0)))
-        (is_zero (inner s.the_load.load_growth z0))) free)
+      (&&) (forallb (fun r -> row_free z0 r.box) s.rows)
+        (load_free z0 s.the_load)) free)
 
 (** val range_sound : degree_proof -> setting -> bool **)
 
@@ -4374,8 +4495,12 @@ let pressures b lambda =
 (** val loads_at : setting -> q -> interval list **)
 
 let loads_at s lambda =
-  map (fun p -> shifted (fst p) (qmult lambda (snd p)))
-    (combine s.the_load.load_box s.the_load.load_growth)
+  let n = s.dimension_of in
+  map (fun k ->
+    shifted (work_of s.the_load (unit_vector n k))
+      (qmult lambda
+        (nth k s.the_load.load_growth { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }))) (seq O n)
 
 (** val left_over : nat -> setting -> resting list -> q -> interval list **)
 
@@ -4562,8 +4687,8 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
 
 let unloaded s =
   (&&)
-    (forallb (fun i -> (&&) (is_zero i.low) (is_zero i.high))
-      s.the_load.load_box)
+    ((&&) (one_load s.the_load)
+      (forallb is_zero (map (fun i -> i.low) s.the_load.load_box)))
     (forallb (fun r ->
       (&&) (is_zero r.box.box_preload.low) (is_zero r.box.box_preload.high))
       s.rows)
@@ -5375,19 +5500,132 @@ let most_depth rows0 =
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     Big_int_Z.unit_big_int))))))))
 
+(** val unit_loads : q list -> matrix option **)
+
+let unit_loads = function
+| [] -> None
+| x :: l ->
+  (match l with
+   | [] -> None
+   | y :: l0 ->
+     (match l0 with
+      | [] ->
+        Some (({ qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int } :: ((qopp y) :: []))) :: (({ qnum =
+          Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+          qden = Big_int_Z.unit_big_int } :: (x :: []))) :: (({ qnum =
+          Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int } :: ({ qnum =
+          Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } :: []))) :: [])))
+      | z0 :: l1 ->
+        (match l1 with
+         | [] ->
+           Some (({ qnum = Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden =
+             Big_int_Z.unit_big_int } :: (z0 :: ((qopp y) :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ((qopp z0) :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: (x :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: (y :: ((qopp x) :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: []))))))
+         | _ :: _ -> None)))
+
+(** val addition_of : ball -> addition option **)
+
+let addition_of b =
+  let forces = length b.about in
+  (match unit_loads b.about with
+   | Some ways ->
+     if (||)
+          (qle_bool b.radius { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+          (qle_bool b.torque_length { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+     then None
+     else let most =
+            app (repeat b.radius forces)
+              (repeat (qmult b.radius b.torque_length)
+                (sub (length ways) forces))
+          in
+          Some { ball_numbers =
+          (map (fun m -> { low = (qopp m); high = m }) most); ball_ways =
+          ways; ball_squares = (map (fun m -> qmult m m) most) }
+   | None -> None)
+
+(** val load_of : question -> load option **)
+
+let load_of q0 =
+  match q0.load_ball with
+  | Some b ->
+    (match addition_of b with
+     | Some it ->
+       if Nat.eqb (length it.ball_ways) q0.dimension
+       then Some { load_box = q0.wrench; load_growth = q0.direction;
+              load_added = it }
+       else None
+     | None -> None)
+  | None ->
+    Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
+      nothing_added }
+
 (** val setting_of : Big_int_Z.big_int -> question -> setting option **)
 
 let setting_of bits0 q0 =
   match enlarge_all bits0 q0.contacts with
   | Some rows0 ->
-    Some
-      (make_setting q0.dimension rows0 (make_load q0.wrench q0.direction) [])
+    (match load_of q0 with
+     | Some ld -> Some (make_setting q0.dimension rows0 ld [])
+     | None -> None)
   | None -> None
 
 (** val is_one_grasp : setting -> bool **)
 
 let is_one_grasp s =
-  (&&) (exact_rows s.rows) (forallb certain s.the_load.load_box)
+  (&&) (exact_rows s.rows) (one_load s.the_load)
 
 (** val straight : setting -> bool **)
 
@@ -5594,7 +5832,7 @@ let check_class q0 s p =
     (match all_some rigid_of s.rows with
      | Some xs ->
        if (&&) ((&&) (Nat.eqb (length mass) q0.dimension) (straight s))
-            (forallb certain s.the_load.load_box)
+            (one_load s.the_load)
        then (match class_fails (most_depth s.rows) mass
                      (map (fun i -> i.low) s.the_load.load_box) xs p with
              | Some p0 ->
@@ -6041,9 +6279,9 @@ let is_0 x =
 let is_below x y =
   negb (qle_bool y x)
 
-(** val sum_of_squares : q list -> q **)
+(** val sum_of_squares0 : q list -> q **)
 
-let sum_of_squares v =
+let sum_of_squares0 v =
   fold_right (fun x sum0 -> qplus (qmult x x) sum0) { qnum =
     Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } v
 
@@ -6169,7 +6407,7 @@ let cross0 a b =
 (** val with_length_1 : q list -> q list **)
 
 let with_length_1 n =
-  match exact_root (sum_of_squares n) with
+  match exact_root (sum_of_squares0 n) with
   | Some length0 -> map (fun x -> qdiv x length0) n
   | None -> n
 
@@ -6381,7 +6619,7 @@ let read_pull v at_path members =
         (fun direction0 ->
         match direction0 with
         | Some d ->
-          (match exact_root (sum_of_squares d) with
+          (match exact_root (sum_of_squares0 d) with
            | Some length0 ->
              bind
                (check_that (negb (is_0 length0)) ((Member
@@ -6936,11 +7174,15 @@ type growth =
 | Scale
 | By of q list
 
+type stated_ball = { stated_radius : q; stated_length : q;
+                     stated_point : q list; stated_body : string option }
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
                  asked_growth : growth option; asked_inertia : q list option;
-                 asked_uncertain : (string * tolerance) list }
+                 asked_uncertain : (string * tolerance) list;
+                 asked_ball : stated_ball option }
 
 (** val uncertain_kinds : string list **)
 
@@ -7097,6 +7339,61 @@ let asked_contact asked it =
   stiffness = (widen (by_0 "stiffness") it.stiffness); preload =
   (widen (by_0 "preload") given); preload_growth = it.preload_growth }
 
+(** val ball_asked :
+    grasp -> options -> interval list -> stated_ball option result **)
+
+let ball_asked file asked stated =
+  match asked.asked_ball with
+  | Some b ->
+    let here = of_question "uncertain" in
+    let point0 =
+      match b.stated_point with
+      | [] ->
+        repeat { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }
+          (if file.in_space then S (S (S O)) else S (S O))
+      | q0 :: l -> q0 :: l
+    in
+    bind
+      (check_that (negb ((||) (asks_margin asked) (asks_class asked))) here
+        "a margin or a class is about one grasp; expected no uncertainty")
+      (fun _ ->
+      bind
+        (check_that
+          (is_below { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } b.stated_radius) here
+          "expected a radius above 0") (fun _ ->
+        bind
+          (check_that
+            (is_below { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } b.stated_length) here
+            "expected a length above 0") (fun _ ->
+          bind
+            (check_that
+              (has_length
+                (if file.in_space
+                 then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                        Big_int_Z.unit_big_int)
+                 else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
+                point0) here
+              (if file.in_space
+               then "expected a point of three coordinates, as the grasp is in space"
+               else "expected a point of two coordinates, as the grasp is planar"))
+            (fun _ ->
+            bind
+              (check_that
+                (forallb (fun it -> qeq_bool it.low it.high) stated) here
+                "expected a load without intervals") (fun _ ->
+              bind
+                (check_that
+                  (match b.stated_body with
+                   | Some _ -> false
+                   | None -> true) here
+                  "expected no body, as the grasp has one only") (fun _ ->
+                Fine (Some { stated_radius = b.stated_radius; stated_length =
+                b.stated_length; stated_point = point0; stated_body = None })))))))
+  | None -> Fine None
+
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
 
@@ -7136,7 +7433,7 @@ let is_one_point it =
 
 let has_irrational_preload it =
   (&&) ((||) (negb (is_0 it.preload.high)) (negb (is_0 it.preload_growth)))
-    (match exact_root (sum_of_squares it.normal) with
+    (match exact_root (sum_of_squares0 it.normal) with
      | Some _ -> false
      | None -> true)
 
@@ -7219,105 +7516,125 @@ let pose file asked =
         (fun _ ->
         bind (wrench_asked file asked) (fun stated ->
           bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
-            let them = map_all (asked_contact asked) file.all_contacts in
-            bind
-              (match asked.asked_growth with
-               | Some g ->
-                 (match g with
-                  | Scale -> Fine them
-                  | By numbers0 ->
-                    let problem =
-                      "expected numbers of 0 or more, one for each contact"
-                    in
-                    bind
-                      (check_that
-                        (forallb
-                          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                            Big_int_Z.unit_big_int }) numbers0)
-                        (of_question "preload direction") problem) (fun _ ->
-                      match with_growths them numbers0 [] with
-                      | Some them0 -> Fine them0
-                      | None ->
-                        refuse (of_question "preload direction") problem))
-               | None -> Fine them) (fun them0 ->
+            bind (ball_asked file asked stated) (fun ball0 ->
+              let them = map_all (asked_contact asked) file.all_contacts in
               bind
-                (match asked.asked_inertia with
-                 | Some numbers0 ->
-                   let here = of_question "inertia" in
-                   bind
-                     (check_that (negb (asks_margin asked)) here
-                       "a direction is given as well") (fun _ ->
-                     bind
-                       (check_that
-                         (has_length
-                           (if file.in_space
-                            then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                   (Big_int_Z.mult_int_big_int 2
-                                   (Big_int_Z.mult_int_big_int 2
-                                   Big_int_Z.unit_big_int)))
-                            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                   Big_int_Z.unit_big_int)) numbers0) here
-                         (if file.in_space
-                          then "expected 6 or 9 numbers"
-                          else "expected 3 numbers")) (fun _ ->
-                       check_that
-                         (match masses numbers0 with
-                          | Some _ -> true
-                          | None -> false) here
-                         (if file.in_space
-                          then "the tensor is not positive definite"
-                          else "the squared radius of gyration must be > 0")))
-                 | None -> Fine ()) (fun _ ->
-                let margin = (||) (asks_margin asked) (asks_class asked) in
+                (match asked.asked_growth with
+                 | Some g ->
+                   (match g with
+                    | Scale -> Fine them
+                    | By numbers0 ->
+                      let problem =
+                        "expected numbers of 0 or more, one for each contact"
+                      in
+                      bind
+                        (check_that
+                          (forallb
+                            (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                              Big_int_Z.unit_big_int }) numbers0)
+                          (of_question "preload direction") problem)
+                        (fun _ ->
+                        match with_growths them numbers0 [] with
+                        | Some them0 -> Fine them0
+                        | None ->
+                          refuse (of_question "preload direction") problem))
+                 | None -> Fine them) (fun them0 ->
                 bind
-                  (each (check_contact margin file.in_space) ((Member
-                    "contacts") :: []) them0) (fun boxes ->
-                  let widened =
-                    map (widen (find_tolerance "wrench" asked)) stated
-                  in
-                  let certain0 = forallb is_exact widened in
+                  (match asked.asked_inertia with
+                   | Some numbers0 ->
+                     let here = of_question "inertia" in
+                     bind
+                       (check_that (negb (asks_margin asked)) here
+                         "a direction is given as well") (fun _ ->
+                       bind
+                         (check_that
+                           (has_length
+                             (if file.in_space
+                              then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                     (Big_int_Z.mult_int_big_int 2
+                                     (Big_int_Z.mult_int_big_int 2
+                                     Big_int_Z.unit_big_int)))
+                              else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                     Big_int_Z.unit_big_int)) numbers0) here
+                           (if file.in_space
+                            then "expected 6 or 9 numbers"
+                            else "expected 3 numbers")) (fun _ ->
+                         check_that
+                           (match masses numbers0 with
+                            | Some _ -> true
+                            | None -> false) here
+                           (if file.in_space
+                            then "the tensor is not positive definite"
+                            else "the squared radius of gyration must be > 0")))
+                   | None -> Fine ()) (fun _ ->
+                  let margin = (||) (asks_margin asked) (asks_class asked) in
                   bind
-                    (check_that ((||) (negb margin) certain0) ((Member
-                      "wrench") :: [])
-                      "found an interval, but a margin is about one grasp; expected numbers")
-                    (fun _ ->
-                    let them1 =
-                      match asked.asked_growth with
-                      | Some g ->
-                        (match g with
-                         | Scale -> map_all scaled them0
-                         | By _ -> them0)
-                      | None -> them0
+                    (each (check_contact margin file.in_space) ((Member
+                      "contacts") :: []) them0) (fun boxes ->
+                    let widened =
+                      map (widen (find_tolerance "wrench" asked)) stated
                     in
-                    let u =
-                      match asked.asked_direction with
-                      | Some u -> u
-                      | None ->
-                        map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
-                          Big_int_Z.unit_big_int }) stated
-                    in
+                    let certain0 = forallb is_exact widened in
                     bind
-                      (check_that
+                      (check_that ((||) (negb margin) certain0) ((Member
+                        "wrench") :: [])
+                        "found an interval, but a margin is about one grasp; expected numbers")
+                      (fun _ ->
+                      let them1 =
+                        match asked.asked_growth with
+                        | Some g ->
+                          (match g with
+                           | Scale -> map_all scaled them0
+                           | By _ -> them0)
+                        | None -> them0
+                      in
+                      let u =
+                        match asked.asked_direction with
+                        | Some u -> u
+                        | None ->
+                          map (fun _ -> { qnum = Big_int_Z.zero_big_int;
+                            qden = Big_int_Z.unit_big_int }) stated
+                      in
+                      bind
+                        (check_that
+                          ((||)
+                            ((||) (negb (asks_margin asked))
+                              (negb (forallb is_0 u)))
+                            (existsb (fun it ->
+                              negb (is_0 it.preload_growth)) them1))
+                          (of_question "direction")
+                          ((^)
+                            "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                            "scale preloads some of which are not 0"))
+                        (fun _ -> Fine { the_question = { dimension =
+                        (if file.in_space
+                         then S (S (S (S (S (S O)))))
+                         else S (S (S O))); bilateral =
+                        asked.asked_bilateral; is_margin =
+                        (asks_margin asked); contacts = them1; wrench =
+                        widened; load_ball =
+                        (match ball0 with
+                         | Some b ->
+                           Some { radius = b.stated_radius; torque_length =
+                             b.stated_length; about = b.stated_point }
+                         | None -> None); direction = u; inertia =
+                        (match asked.asked_inertia with
+                         | Some numbers0 -> numbers0
+                         | None -> []) }; stated_wrench = stated;
+                        the_options = { asked_wrench = asked.asked_wrench;
+                        asked_case = asked.asked_case; asked_preload =
+                        asked.asked_preload; asked_bilateral =
+                        asked.asked_bilateral; asked_direction =
+                        asked.asked_direction; asked_growth =
+                        asked.asked_growth; asked_inertia =
+                        asked.asked_inertia; asked_uncertain =
+                        asked.asked_uncertain; asked_ball = ball0 }; is_box =
                         ((||)
-                          ((||) (negb (asks_margin asked))
-                            (negb (forallb is_0 u)))
-                          (existsb (fun it -> negb (is_0 it.preload_growth))
-                            them1)) (of_question "direction")
-                        ((^)
-                          "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                          "scale preloads some of which are not 0"))
-                      (fun _ -> Fine { the_question = { dimension =
-                      (if file.in_space
-                       then S (S (S (S (S (S O)))))
-                       else S (S (S O))); bilateral = asked.asked_bilateral;
-                      is_margin = (asks_margin asked); contacts = them1;
-                      wrench = widened; direction = u; inertia =
-                      (match asked.asked_inertia with
-                       | Some numbers0 -> numbers0
-                       | None -> []) }; stated_wrench = stated; the_options =
-                      asked; is_box =
-                      ((||) (negb certain0)
-                        (existsb (fun box0 -> box0) boxes)) }))))))))))
+                          ((||) (negb certain0)
+                            (match ball0 with
+                             | Some _ -> true
+                             | None -> false))
+                          (existsb (fun box0 -> box0) boxes)) })))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
@@ -7432,24 +7749,60 @@ let read_tolerance at_path value0 =
      bind (read_fraction at_path value0) (fun x -> Fine { amount = x;
        percent = false }))
 
-(** val read_all_tolerances :
-    path -> (string * json) list -> (string * tolerance) list result **)
+(** val read_ball : bool -> path -> json -> stated_ball result **)
 
-let rec read_all_tolerances at_path = function
-| [] -> Fine []
+let read_ball in_space0 at_path value0 =
+  let coordinates1 =
+    if in_space0
+    then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+           Big_int_Z.unit_big_int)
+    else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+  in
+  bind
+    (members_in_order ("ball" :: ("length" :: ("about" :: []))) at_path
+      value0) (fun members ->
+    bind (member "ball" read_fraction at_path members) (fun r ->
+      bind (member "length" read_fraction at_path members) (fun l ->
+        bind
+          (optional_member "about"
+            (read_sized coordinates1 "an array of the coordinates of a point"
+              read_fraction) at_path members) (fun c -> Fine
+          { stated_radius = r; stated_length = l; stated_point =
+          (match c with
+           | Some c0 -> c0
+           | None ->
+             repeat { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int } (Z.to_nat coordinates1));
+          stated_body = None }))))
+
+(** val read_all_tolerances :
+    bool -> path -> (string * json) list -> ((string * tolerance)
+    list * stated_ball option) result **)
+
+let rec read_all_tolerances in_space0 at_path = function
+| [] -> Fine ([], None)
 | p :: rest ->
   let (kind, value0) = p in
-  bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
-    bind (read_all_tolerances at_path rest) (fun others -> Fine ((kind,
-      t) :: others)))
+  if (&&) ((=) kind "wrench")
+       (match value0 with
+        | Object _ -> true
+        | _ -> false)
+  then bind (read_ball in_space0 ((Member kind) :: at_path) value0) (fun b ->
+         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+           let (others, _) = pat in Fine (others, (Some b))))
+  else bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
+         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+           let (others, b) = pat in Fine (((kind, t) :: others), b)))
 
-(** val read_tolerances : path -> json -> (string * tolerance) list result **)
+(** val read_tolerances :
+    bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+    result **)
 
-let read_tolerances at_path value0 =
+let read_tolerances in_space0 at_path value0 =
   bind (members_in_order uncertain_kinds at_path value0) (fun members ->
     match members with
     | [] -> expected "an object of one tolerance or more" at_path value0
-    | _ :: _ -> read_all_tolerances at_path members)
+    | _ :: _ -> read_all_tolerances in_space0 at_path members)
 
 (** val read_inertia : bool -> path -> json -> q list result **)
 
@@ -7507,16 +7860,19 @@ let read_statement in_space0 at_path value0 =
                   (optional_member "inertia" (read_inertia in_space0) at_path
                     members) (fun i ->
                   bind
-                    (optional_member "uncertain" read_tolerances at_path
-                      members) (fun uncertain -> Fine { stated_contacts = m;
-                    wrench_stated = w; options_stated = { asked_wrench =
-                    None; asked_case = None; asked_preload = p;
-                    asked_bilateral = law; asked_direction = u;
-                    asked_growth = growing; asked_inertia = i;
-                    asked_uncertain =
+                    (optional_member "uncertain" (read_tolerances in_space0)
+                      at_path members) (fun uncertain -> Fine
+                    { stated_contacts = m; wrench_stated = w;
+                    options_stated = { asked_wrench = None; asked_case =
+                    None; asked_preload = p; asked_bilateral = law;
+                    asked_direction = u; asked_growth = growing;
+                    asked_inertia = i; asked_uncertain =
                     (match uncertain with
-                     | Some it -> it
-                     | None -> []) } })))))))))
+                     | Some p0 -> let (it, _) = p0 in it
+                     | None -> []); asked_ball =
+                    (match uncertain with
+                     | Some p0 -> let (_, b) = p0 in b
+                     | None -> None) } })))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -8327,6 +8683,16 @@ let same_growth a b =
 let same_tolerance a b =
   (&&) (qeq_bool a.amount b.amount) (eqb a.percent b.percent)
 
+(** val same_ball : stated_ball -> stated_ball -> bool **)
+
+let same_ball a b =
+  (&&)
+    ((&&)
+      ((&&) (qeq_bool a.stated_radius b.stated_radius)
+        (qeq_bool a.stated_length b.stated_length))
+      (same_list qeq_bool a.stated_point b.stated_point))
+    (same_option (=) a.stated_body b.stated_body)
+
 (** val broken_question_rule : statement -> posed -> string option **)
 
 let broken_question_rule stated asked =
@@ -8361,11 +8727,15 @@ let broken_question_rule stated asked =
                                        options0.asked_inertia)
                                 then Some "question-inertia"
                                 else if negb
-                                          (forallb (fun kind ->
-                                            same_option same_tolerance
-                                              (find_tolerance kind said)
-                                              (find_tolerance kind options0))
-                                            uncertain_kinds)
+                                          ((&&)
+                                            (forallb (fun kind ->
+                                              same_option same_tolerance
+                                                (find_tolerance kind said)
+                                                (find_tolerance kind options0))
+                                              uncertain_kinds)
+                                            (same_option same_ball
+                                              said.asked_ball
+                                              options0.asked_ball))
                                      then Some "question-uncertain"
                                      else None
 

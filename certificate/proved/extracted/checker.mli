@@ -24,6 +24,8 @@ type comparison =
 
 val add : nat -> nat -> nat
 
+val sub : nat -> nat -> nat
+
 val eqb : bool -> bool -> bool
 
 val gmax : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1
@@ -106,6 +108,10 @@ module Coq_Pos :
     nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1
+
+  val to_nat : Big_int_Z.big_int -> nat
  end
 
 val tl : 'a1 list -> 'a1 list
@@ -181,6 +187,8 @@ module Z :
   val max : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val abs : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val to_nat : Big_int_Z.big_int -> nat
 
   val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int
 
@@ -312,9 +320,12 @@ type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
                  preload : interval; preload_growth : q }
 
+type ball = { radius : q; torque_length : q; about : q list }
+
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list }
+                  load_ball : ball option; direction : q list;
+                  inertia : q list }
 
 type parameter =
 | PX
@@ -650,6 +661,69 @@ val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term
 
 val alpha_over : q -> row -> Big_int_Z.big_int
 
+type vector = q list
+
+type matrix = vector list
+
+val inner : vector -> vector -> q
+
+val plus_times : vector -> q -> vector -> vector
+
+val is_zero : q -> bool
+
+val unit_vector : nat -> nat -> vector
+
+val identity : nat -> matrix
+
+val of_rows : vector -> matrix -> vector
+
+val pivot : nat -> matrix -> (vector * matrix) option
+
+val eliminate :
+  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
+
+val kernel : nat -> matrix -> matrix
+
+val inverse_of : nat -> matrix -> matrix
+
+val same_vectors : vector -> vector -> bool
+
+val same_matrices : matrix -> matrix -> bool
+
+val is_inverse : nat -> matrix -> matrix -> bool
+
+val all_of_length : nat -> 'a1 list list -> bool
+
+val middle : interval -> q
+
+val only_middle : interval -> interval
+
+val middle_box : cbox -> cbox
+
+val friction_sound : cbox -> bool
+
+type addition = { ball_numbers : interval list; ball_ways : matrix;
+                  ball_squares : q list }
+
+val nothing_added : addition
+
+type load = { load_box : interval list; load_growth : q list;
+              load_added : addition }
+
+val work_of_box : interval list -> vector -> interval
+
+val sum_of_squares : vector -> vector -> q
+
+val work_of_addition : addition -> vector -> interval
+
+val work_of : load -> vector -> interval
+
+val one_load : load -> bool
+
+val nearest_to_zero : interval -> q
+
+val middle_load : load -> load
+
 val edges : form list list -> ray list -> row -> form multi list
 
 val work_tree : form -> form multi -> Big_int_Z.big_int multi
@@ -663,15 +737,9 @@ val bent : Big_int_Z.big_int -> row -> form list -> bool -> term
 val edges_term :
   Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
 
-type load = { load_box : interval list; load_growth : q list;
-              lows_of_w : form; highs_of_w : form; form_of_u : form;
-              load_scaling : scaling }
+val load_works : load -> q -> form -> q * q
 
-val make_load : interval list -> q list -> load
-
-val most_work : form -> form -> form -> Big_int_Z.big_int
-
-val load_term : Big_int_Z.big_int -> form -> load -> form
+val load_term : Big_int_Z.big_int -> (q * q) -> form
 
 type way =
 | Along of form multi list
@@ -687,11 +755,12 @@ val pressers :
 
 val term_of : Big_int_Z.big_int -> form -> presser -> term
 
-val with_alphas : Big_int_Z.big_int -> presser list -> Big_int_Z.big_int
+val with_all :
+  Big_int_Z.big_int -> (q * q) -> presser list -> Big_int_Z.big_int
 
 val leaf_holds_by :
-  Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
-  form -> bool
+  Big_int_Z.big_int -> presser list -> (q * q) -> form list list -> ray list
+  -> form -> bool
 
 val is_enclosure : interval -> q -> bool
 
@@ -767,39 +836,6 @@ val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region
 
 val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
 
-type vector = q list
-
-type matrix = vector list
-
-val inner : vector -> vector -> q
-
-val plus_times : vector -> q -> vector -> vector
-
-val is_zero : q -> bool
-
-val unit_vector : nat -> nat -> vector
-
-val identity : nat -> matrix
-
-val of_rows : vector -> matrix -> vector
-
-val pivot : nat -> matrix -> (vector * matrix) option
-
-val eliminate :
-  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
-
-val kernel : nat -> matrix -> matrix
-
-val inverse_of : nat -> matrix -> matrix
-
-val same_vectors : vector -> vector -> bool
-
-val same_matrices : matrix -> matrix -> bool
-
-val is_inverse : nat -> matrix -> matrix -> bool
-
-val all_of_length : nat -> 'a1 list list -> bool
-
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
 
@@ -812,7 +848,7 @@ type setting = { dimension_of : nat; rows : row list; the_load : load;
                  pushes : matrix; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
-val common_multiple : row list -> load -> Big_int_Z.big_int
+val common_multiple : row list -> Big_int_Z.big_int
 
 val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
@@ -843,7 +879,11 @@ val set : cbox -> parameter -> interval -> cbox
 
 val set_row : setting -> Big_int_Z.big_int -> cbox -> setting
 
-val set_load : setting -> interval list -> setting
+val set_load : setting -> load -> setting
+
+val numbers_of : load -> interval list
+
+val with_numbers : load -> interval list -> load
 
 val halves :
   setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -982,14 +1022,6 @@ val plus_square : vector -> matrix -> matrix
 
 val inverted : nat -> matrix -> matrix -> (matrix * matrix) option
 
-val middle : interval -> q
-
-val only_middle : interval -> interval
-
-val middle_box : cbox -> cbox
-
-val friction_sound : cbox -> bool
-
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
                       is_a_simplex : bool; wall_rows : matrix;
@@ -1023,7 +1055,7 @@ val is_point : setting -> bool
 
 val row_free : vector -> cbox -> bool
 
-val load_free : vector -> interval list -> bool
+val load_free : vector -> load -> bool
 
 val all_free : matrix -> setting -> bool
 
@@ -1210,6 +1242,12 @@ val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
 
+val unit_loads : q list -> matrix option
+
+val addition_of : ball -> addition option
+
+val load_of : question -> load option
+
 val setting_of : Big_int_Z.big_int -> question -> setting option
 
 val is_one_grasp : setting -> bool
@@ -1316,7 +1354,7 @@ val is_0 : q -> bool
 
 val is_below : q -> q -> bool
 
-val sum_of_squares : q list -> q
+val sum_of_squares0 : q list -> q
 
 val read_interval : version -> path -> json -> interval result
 
@@ -1420,11 +1458,15 @@ type growth =
 | Scale
 | By of q list
 
+type stated_ball = { stated_radius : q; stated_length : q;
+                     stated_point : q list; stated_body : string option }
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
                  asked_growth : growth option; asked_inertia : q list option;
-                 asked_uncertain : (string * tolerance) list }
+                 asked_uncertain : (string * tolerance) list;
+                 asked_ball : stated_ball option }
 
 val uncertain_kinds : string list
 
@@ -1448,6 +1490,9 @@ val wrench_asked : grasp -> options -> interval list result
 val widen : tolerance option -> interval -> interval
 
 val asked_contact : options -> contact -> contact
+
+val ball_asked :
+  grasp -> options -> interval list -> stated_ball option result
 
 val check_tolerances : options -> (string * tolerance) list -> unit result
 
@@ -1489,10 +1534,15 @@ val before_percent : string -> string option
 
 val read_tolerance : path -> json -> tolerance result
 
-val read_all_tolerances :
-  path -> (string * json) list -> (string * tolerance) list result
+val read_ball : bool -> path -> json -> stated_ball result
 
-val read_tolerances : path -> json -> (string * tolerance) list result
+val read_all_tolerances :
+  bool -> path -> (string * json) list -> ((string * tolerance)
+  list * stated_ball option) result
+
+val read_tolerances :
+  bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+  result
 
 val read_inertia : bool -> path -> json -> q list result
 
@@ -1594,6 +1644,8 @@ val same_interval : interval -> interval -> bool
 val same_growth : growth -> growth -> bool
 
 val same_tolerance : tolerance -> tolerance -> bool
+
+val same_ball : stated_ball -> stated_ball -> bool
 
 val broken_question_rule : statement -> posed -> string option
 

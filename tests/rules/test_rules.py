@@ -75,10 +75,9 @@ def ball_of(content):
 
 
 def is_proved(entry):
-    """The theorem of stickslip-proved is not about stability where normals in space are uncertain, balls of loads, and several
-    bodies."""
+    """The theorem of stickslip-proved is not about stability where normals in space are uncertain, and several bodies."""
     certificate = entry.certificate
-    if entry.kind in BODIES or "wrench=ball:" in " ".join(entry.options) or ball_of(certificate) is not None:
+    if entry.kind in BODIES:
         return False
     in_space = entry.kind.startswith("space")
     turns = "normal" in certificate["question"].get("uncertain", {}) or any(

@@ -62,7 +62,7 @@ Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_
 Definition middle_setting (s : setting) : setting :=
   make_setting (dimension_of s) (map_all (fun r => make_row (middle_box (box r))) (rows s))
     (middle_load (the_load s))
-    (map relative (direction_rows g)).
+    (Pushing (map relative (direction_rows g)) []).
 
 (* s = t. *)
 Definition middle_conditions : list (form * bool) :=
@@ -146,7 +146,7 @@ Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : d
         | Some _ =>
             if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
             else
-              match walk memory advisor setting split leaf_fails most_depth nodes
+              match walk memory advisor setting split (end_fails no_pieces) most_depth nodes
                       (root_regions g s) 0 with
               | None => None
               | Some (rule, number) => Some (rule, Some number)
@@ -584,7 +584,7 @@ Record in_setting : Prop := InSetting {
   its_proper : Forall (proper D) (Rows.rows sys);
   its_lengths : List.length (Rows.wrench sys) = D /\ List.length (Rows.direction sys) = D;
   nothing_slips : slipping s = [];
-  nothing_pushes : pushes s = []
+  nothing_pushes : pushes s = no_push
 }.
 Hypothesis fit : in_setting.
 
@@ -683,8 +683,8 @@ Proof.
     Exists (fun f => Rows.dot (real f) (listed D e) = 1) (walls g)).
   { intros e [K X]. unfold in_K in K. rewrite Forall_map in K. rewrite Exists_map in X. split; assumption. }
   (* A point at home in a root does not exist. *)
-  apply (walk_refutes memory advisor setting split leaf_fails solves) in W;
-    [|intros s' n bs x; apply split_covers|intros s' st rs y x; apply leaf_refuted
+  apply (walk_refutes memory advisor setting split (end_fails no_pieces) solves (fun _ => False)) in W;
+    [|intros s' n bs x; apply split_covers|intros s' st rs n x; apply end_without_pieces
      |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|];
        apply walls_good].
   rewrite Forall_forall in W.
@@ -716,7 +716,8 @@ Proof.
     pushed (pushes (middle_setting g s)) c (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 +
       e i)) y =
     c * Rows.dot y (times (map real (direction_rows g)) (listed D e))).
-  { intros t e T y c. unfold pushed. cbn [pushes middle_setting make_setting]. do 2 f_equal. unfold times.
+  { intros t e T y c. unfold pushed. cbn [pushes middle_setting make_setting a_multiple known_push map times].
+    rewrite dot_nil, Rminus_0_r. do 2 f_equal. unfold times.
     rewrite !map_map. apply map_ext_in. intros f Hf. apply relative_at; try assumption.
     rewrite Forall_forall in AL. now apply AL. }
   assert (InMiddle : forall q e fs c, (clamp q = 0 \/ is_point s = true) -> 0 <= c ->

@@ -44,7 +44,7 @@ Definition load_of (q : question) : option load :=
 (* The box that the question is about. *)
 Definition setting_of (bits : Z) (q : question) : option setting :=
   match enlarge_all bits (contacts q), load_of q with
-  | Some rows, Some ld => Some (make_setting (dimension q) rows ld [])
+  | Some rows, Some ld => Some (make_setting (dimension q) rows ld no_push)
   | _, _ => None
   end.
 
@@ -61,7 +61,7 @@ Variable advisor : oracle memory.
 
 Definition refute (q : question) (s : setting) (ranges : list range) (nodes : list node)
     : option (string * nat) :=
-  walk_ranges memory advisor (most_depth (rows s)) (bilateral q) s ranges nodes.
+  walk_ranges memory advisor no_pieces (most_depth (rows s)) (bilateral q) s ranges nodes.
 
 Definition at_zero : range := Range 0 (Some 0%Q) false false.
 

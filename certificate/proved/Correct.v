@@ -39,7 +39,7 @@ Definition shaped_row (D : nat) (r : Rows.row) : Prop :=
 (* All that the proofs need to know of a choice. *)
 Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_rows : Forall2 suits (rows st) (Rows.rows s);
-  posed_slipping : slipping st = [] /\ pushes st = [];
+  posed_slipping : slipping st = [] /\ pushes st = no_push;
   posed_dimension : dimension_of st = Rows.dimension s /\ dimension q = Rows.dimension s;
   posed_wrench : is_load (the_load st) (Rows.wrench s);
   posed_direction : map Q2R (load_growth (the_load st)) = Rows.direction s;
@@ -49,9 +49,6 @@ Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
 }.
 
 (* ---- Loads ---- *)
-
-Lemma nothing_is_added n : is_addition nothing_added n [].
-Proof. constructor; cbn; try constructor. lra. Qed.
 
 (* A number of a ball, over m^2. *)
 Lemma number_in_ball m z : 0 < Q2R m -> z * z <= Q2R m * Q2R m ->

@@ -56,7 +56,8 @@ Definition term_of (m : Z) (y : form) (p : presser) : term :=
   end.
 
 (* A multiple of a multiple of the denominators of edges, of the others too. *)
-Definition with_all (m : Z) (works : Q * Q) (them : list presser) : Z :=
+Definition with_all (m : Z) (works : Q * Q) (more : list Q) (them : list presser) : Z :=
+  let m := fold_left (fun m q => Z.lcm m (Zpos (Qden q))) more m in
   fold_left (fun m p => match by_ p with
                         | Along _ => m
                         | Most a => Z.lcm m (alpha_over a (pressing p))
@@ -64,10 +65,12 @@ Definition with_all (m : Z) (works : Q * Q) (them : list presser) : Z :=
 
 (* ---- The leaf ---- *)
 
-Definition leaf_holds_by (m : Z) (them : list presser) (works : Q * Q) (strict : list (list form))
+(* `more`: a form that is added to g, exactly. *)
+Definition leaf_holds_by (m : Z) (them : list presser) (works : Q * Q) (more : list Q) (strict : list (list form))
     (rays : list ray) (y : form) : bool :=
-  (0 <? m) &&
-  let (linear, bends) := collect (term_of m y) them (load_term m works) [] in
+  (0 <? m) && forallb (fun q => (m * Qnum q) mod Zpos (Qden q) =? 0) more &&
+  let form := combine 1 (load_term m works) 1 (map (fun q => m * Qnum q / Zpos (Qden q)) more) in
+  let (linear, bends) := collect (term_of m y) them form [] in
   positive_at_home strict rays (fun x => - fold_left (fun s t => s + value t x) bends (dot linear x)).
 
 End Checker.
@@ -278,12 +281,25 @@ Proof.
     rewrite (open_works w (box row) r a g I Oc Sp Open). lra.
 Qed.
 
-Theorem leaf_refutes rows ld push slipping s fs :
-  solution rows ld push s d h l fs -> slips_at slipping (Rows.rows s) d -> 0 <= push yv ->
-  leaf_holds_by m (pressers strict rays slipping factor y rows 0 []) (load_works ld factor y) strict rays y = false.
+Lemma exact_form more : forallb (fun q => (m * Qnum q) mod Zpos (Qden q) =? 0)%Z more = true ->
+  rdot (map (fun q => m * Qnum q / Zpos (Qden q))%Z more) x = IZR m * Rows.dot (real more) x.
+Proof.
+  generalize x. induction more as [|q more IH]; intros [|t z] H; cbn in *; try ring.
+  apply andb_true_iff in H as [H1 H2]. unfold real in IH. rewrite IH by exact H2. apply Z.eqb_eq in H1.
+  assert (E : (m * Qnum q = Zpos (Qden q) * (m * Qnum q / Zpos (Qden q)))%Z) by (apply Z_div_exact_full_2; lia).
+  apply (f_equal IZR) in E. rewrite !mult_IZR in E. set (k := (_ / _)%Z) in *.
+  replace (IZR k) with (IZR m * Q2R q); [ring|]. unfold Q2R.
+  assert (P : 0 < IZR (Zpos (Qden q))) by (apply IZR_lt; lia).
+  apply Rmult_eq_reg_l with (IZR (Zpos (Qden q))); [|lra]. rewrite <- E. field. lra.
+Qed.
+
+Theorem leaf_refutes rows ld push slipping s fs more :
+  solution rows ld push s d h l fs -> slips_at slipping (Rows.rows s) d ->
+  0 <= push yv + Rows.dot (real more) x ->
+  leaf_holds_by m (pressers strict rays slipping factor y rows 0 []) (load_works ld factor y) more strict rays y = false.
 Proof.
   intros [F LW LU H0 L0 Ob Bal] SL P. apply not_true_is_false. intros H.
-  unfold leaf_holds_by in H. apply andb_true_iff in H as [_ H].
+  unfold leaf_holds_by in H. apply andb_true_iff in H as [Ex H]. apply andb_true_iff in Ex as [_ Ex].
   destruct (collect _ _ _ []) as [linear bends] eqn:C in H.
   apply (positive_at_home_positive strict rays _ rays_know strict_at_x ws W spanned) in H.
   rewrite (sum_of_values _ ws spanned) in H.
@@ -291,7 +307,8 @@ Proof.
   pose proof (forces_bound _ slipping rows (Rows.rows s) fs 0%Z [] F Ob SL) as FB. cbn [map bounds] in FB.
   pose proof (load_bound ld s LW LU H0 L0) as LB. specialize (Bal yv).
   set (A := Rows.load s h l yv) in *. set (B := Rows.works (Rows.rows s) fs yv) in *.
-  apply IZR_lt in m_positive as MP. assert (0 <= IZR m * (A + B)) by (rewrite Bal; apply Rmult_le_pos; lra). lra.
+  rewrite rdot_combine, (exact_form more Ex) in Sum. set (C' := Rows.dot (real more) x) in *.
+  apply IZR_lt in m_positive as MP. assert (0 <= IZR m * (A + B + C')) by (rewrite Bal; apply Rmult_le_pos; lra). lra.
 Qed.
 
 End Leaf.

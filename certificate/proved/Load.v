@@ -89,6 +89,15 @@ Definition is_load (ld : load) (w : list R) : Prop := exists w0 e,
   is_addition (load_added ld) (List.length w0) e /\
   forall y, Rows.dot w y = Rows.dot w0 y + work_added (load_added ld) e y.
 
+Lemma nothing_is_added n : is_addition nothing_added n [].
+Proof. constructor; cbn; try constructor. lra. Qed.
+
+Lemma box_is_load box u w : Forall2 within box w -> is_load (Load box u nothing_added) w.
+Proof.
+  intros F. exists w, []. split; [exact F|]. split; [reflexivity|]. split; [apply nothing_is_added|].
+  intros y. unfold work_added. cbn. ring.
+Qed.
+
 (* ---- The work of loads ---- *)
 
 Lemma work_of_box_within box w y : Forall2 within box w -> within (work_of_box box y) (Rows.dot w (real y)).

@@ -106,6 +106,20 @@ Definition is_of_class {A : Type} (c : class) (at_rest : A) (can : A -> Prop) : 
   | Open => is_open at_rest can
   end.
 
+(* The grasp under the load of s and t in the plane of a question. *)
+Definition in_plane (q : question) (g : Model.grasp) (s t : R) (g' : Model.grasp) : Prop :=
+  exists u v, load_plane q = Some (u, v) /\ exists u' v', map Q2R u = three_numbers u' /\ map Q2R v = three_numbers v' /\
+    g' = Model.Grasp (Model.contacts g)
+           (Model.add (Model.wrench g) (Model.add (Model.scale s u') (Model.scale t v'))) (Model.direction g) (Model.normal g).
+
+(* Sums of multiples >= 0 of points; a piece of the plane is where (1, s, t) is such a sum. *)
+Inductive sum_of (points : list (Q * Q * Q)) : R -> R -> R -> Prop :=
+  | nothing : sum_of points 0 0 0
+  | one_more c a b e h s t : 0 <= c -> In (a, b, e) points -> sum_of points h s t ->
+      sum_of points (c * Q2R a + h) (c * Q2R b + s) (c * Q2R e + t).
+
+Definition in_piece (s t : R) (points : list (Q * Q * Q)) := sum_of points 1 s t.
+
 (* What an answer says about a question.  That a certificate is rejected says nothing. *)
 Definition true_answer (q : question) (a : answer) : Prop :=
   match a with
@@ -130,6 +144,9 @@ Definition true_answer (q : question) (a : answer) : Prop :=
       (forall g, chosen q g -> exists m, inertia_of (inertia q) m /\ is_of_class c Model.zero (can g m)) /\
       (forall g, chosen_in_space q g -> exists m, inertia_of_space (inertia q) m /\
          is_of_class c SpaceModel.no_screw (can_in_space g m))
+  | Region pieces =>
+      forall g, chosen q g -> forall s t g', in_plane q g s t g' ->
+        (Model.stable g' <-> Exists (in_piece s t) pieces)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

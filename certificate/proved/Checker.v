@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -62,8 +62,6 @@ Variable advisor : oracle memory.
 Definition refute (q : question) (s : setting) (ranges : list range) (nodes : list node)
     : option (string * nat) :=
   walk_ranges memory advisor no_pieces (most_depth (rows s)) (bilateral q) s ranges nodes.
-
-Definition at_zero : range := Range 0 (Some 0%Q) false false.
 
 Definition check_witness (q : question) (s : setting) (w : witness) : answer :=
   if is_one_grasp s then
@@ -197,11 +195,33 @@ Definition check_class (q : question) (s : setting) (p : class_proof) : answer :
   | _, _ => NotProvedHere "rigid contacts that are uncertain"
   end.
 
+(* Of a plane of loads. *)
+Definition check_region (q : question) (s : setting) (pieces : list (list load_point)) (nodes : list node) : answer :=
+  match load_plane q with
+  | Some (u, v) =>
+      let n := dimension q in
+      let w := load_box (the_load s) in
+      if Nat.eqb n 3 && is_one_grasp s && Nat.eqb (List.length w) n && Nat.eqb (List.length u) n &&
+         Nat.eqb (List.length v) n && forallb (fun r => does_not_grow (box r)) (rows s) then
+        match pieces_fail (bilateral q) n (rows s) w u v pieces 0 with
+        | Some (rule, found_at) => Rejected rule found_at
+        | None =>
+            let parts := map (map load_part) pieces in
+            match plane_fails memory advisor (most_depth (rows s)) (bilateral q) n (rows s) w u v parts nodes with
+            | None => Region parts
+            | Some (rule, number) => Rejected rule (AtNode number)
+            end
+        end
+      else NotProvedHere "a plane of loads of a box"
+  | None => NotProvedHere "a proof of something else than was asked"
+  end.
+
 Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "numbers of the question"
   | Some s =>
       match body c, is_margin q with
+      | RegionBy pieces nodes, _ => check_region q s pieces nodes
       | OfClass p, _ =>
           match inertia q with
           | [] => NotProvedHere "a proof of something else than was asked"

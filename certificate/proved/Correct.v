@@ -3,7 +3,7 @@
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Load Leaf Tree Witness Margin
   RowLimits ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
-  RigidClass RigidTrue.
+  RigidClass RigidTrue Plane.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -192,13 +192,17 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | Class c => forall s, choice_of q s -> exists mass, masses (inertia q) = Some mass /\
       List.length mass = Rows.dimension s /\
       (good_mass (Rows.dimension s) (map real mass) -> is_of_class c (repeat 0 (Rows.dimension s)) (can_rows mass s))
+  | Region pieces => forall s, choice_of q s -> forall u v, load_plane q = Some (u, v) -> Rows.dimension s = 3%nat ->
+      forall a b w, (forall y, Rows.dot w y = Rows.dot (Rows.wrench s) y + a * Rows.dot (real u) y + b * Rows.dot (real v) y) ->
+      (Rows.stable_at (loaded s w) 0 <-> Exists (in_piece a b) pieces)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
 
 Lemma true_of_grasps q a : true_of_rows q a -> true_answer q a.
 Proof.
-  destruct a; cbn; intros H; try exact I; split; intros g C.
+  destruct a as [| |intervals|resisted refuted|c|pieces| |]; cbn; intros H; try exact I;
+    [split; intros g C..|intros g C a b g' (u & v & Pl & u' & v' & Eu & Ev & ->)].
   - apply stable_as_rows. apply H. left. now exists g.
   - apply space_stable_as_rows. apply H. right. now exists g.
   - intros St. apply (H (grasp_rows g)); [left; now exists g|]. now apply stable_as_rows.
@@ -213,6 +217,12 @@ Proof.
   - destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; now exists g|].
     destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
     apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
+  - unfold Model.stable. rewrite stable_as_rows.
+    apply (H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl))) u v Pl eq_refl a b
+      (motion_list (Model.add (Model.wrench g) (Model.add (Model.scale a u') (Model.scale b v'))))).
+    intros y. unfold real. rewrite Eu, Ev. change (three_numbers u') with (motion_list u').
+    change (three_numbers v') with (motion_list v'). cbn [grasp_rows Rows.wrench]. rewrite !dot_motion.
+    unfold Model.work, Model.add, Model.scale; cbn. ring.
 Qed.
 
 Section Correct.
@@ -374,8 +384,25 @@ Proof.
     - now apply all_rigid with (rows st).
     - exact (one_load_is _ _ Ce posed_wrench0).
     - congruence. }
-  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p];
-    [| | | | |now apply Rigid_]; destruct (is_margin q); try exact I.
+  assert (Region_ : forall pieces nodes, true_of_rows q (check_region memory advisor q st pieces nodes)).
+  { intros pieces nodes. unfold check_region. destruct (load_plane q) as [[u v]|] eqn:Pl; [|exact I].
+    destruct (_ && _) eqn:Ch; [|exact I]. rewrite !andb_true_iff in Ch. destruct Ch as [[[[[D3 X] Lw] Lu] Lv] G].
+    destruct (pieces_fail _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Pf; [exact I|].
+    destruct (plane_fails _ _ _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Tf; [exact I|].
+    apply Nat.eqb_eq in D3, Lw, Lu, Lv.
+    intros s C u' v' Pl' _ a b w Ew. rewrite Pl in Pl'. injection Pl' as <- <-. specialize (P s C).
+    destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P.
+    destruct posed_dimension0 as [_ D]. rewrite D in *. destruct Lo as [L1 L2 _ _].
+    pose proof (one_load_is _ _ L1 L2) as W. pose proof (one_load_box _ _ L1 L2) as Wb.
+    unfold one_load in L1. apply andb_true_iff in L1 as [L1 _].
+    split; intros H.
+    - refine (plane_covered memory advisor (most_depth (rows st)) (bilateral q) (rows st) (load_box (the_load st)) u v s
+        (map (map load_part) pieces) nodes a b w Fi Wb _ _ posed_law0 Tf Ew H); [|congruence].
+      destruct posed_shapes0 as [_ Sh]. eapply Forall_impl; [|exact Sh]. intros r (A & B & _). now split.
+    - refine (piece_resisted _ (rows st) (load_box (the_load st)) u v s Fi E L1 W Wb _ _ posed_law0 pieces 0 a b w Pf _ Ew H);
+        [congruence|congruence|]. now apply (nothing_grows (rows st)). }
+  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p|pieces nodes];
+    [| | | | |now apply Rigid_|now apply Region_]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).

@@ -190,6 +190,12 @@ Proof.
   rewrite E, (no_addition _ _ _ _ Nu A). ring.
 Qed.
 
+Lemma one_load_box ld w : one_load ld = true -> is_load ld w -> Forall2 within (load_box ld) w.
+Proof.
+  intros C I. pose proof (one_load_is ld w C I) as E. destruct I as (w0 & e & B & _).
+  unfold one_load in C. apply andb_true_iff in C as [C _]. now rewrite E, <- (certain_box _ _ C B).
+Qed.
+
 Lemma nearest_within i x : within i x -> within i (Q2R (nearest_to_zero i)) /\
   Q2R (nearest_to_zero i) * Q2R (nearest_to_zero i) <= x * x.
 Proof.

@@ -67,14 +67,15 @@ Definition is_sum_of (rays : list ray) (q : form) : bool :=
 
 (* ---- Pieces ---- *)
 
-Definition part := (Q * Q * Q)%type.
+(* h, s and t. *)
+Definition homogeneous := (Q * Q * Q)%type.
 
 (* (h, s, t) of a point. *)
-Definition load_part (p : load_point) : part := ((if is_at p then 1 else 0)%Q, along_u p, along_v p).
+Definition load_part (p : load_point) : homogeneous := ((if is_at p then 1 else 0)%Q, along_u p, along_v p).
 
-Definition part_list (a : part) : list Q := let '(h, s, t) := a in [h; s; t].
+Definition part_list (a : homogeneous) : list Q := let '(h, s, t) := a in [h; s; t].
 
-Definition ray_of_part (a : part) : ray := Ray (map (to_integer (scaling_of (part_list a))) (part_list a)) [].
+Definition ray_of_part (a : homogeneous) : ray := Ray (map (to_integer (scaling_of (part_list a))) (part_list a)) [].
 
 (* (h, s, t) of a ray of a tree, where motions have so many coordinates without s and t. *)
 Definition part_of_ray (n : nat) (x : form) : form := [nth 0 x 0; nth (2 + n) x 0; nth (3 + n) x 0].
@@ -86,6 +87,9 @@ Definition held_by (n : nat) (pieces : list (list ray)) (k : Z) (rays : list ray
       if forallb (fun r => is_sum_of piece (part_of_ray n (coordinates r))) rays then None
       else Some "held-inside"%string
   end.
+
+(* A contact whose preload does not grow. *)
+Definition does_not_grow (b : cbox) : bool := is_zero (low (box_growth b)) && is_zero (high (box_growth b)).
 
 (* The load s u + t v. *)
 Definition load_in_plane (u v : vector) (s t : Q) : vector := plus_times (plus_times [] s u) t v.
@@ -163,7 +167,7 @@ Notation real := (map Q2R).
 Definition real_part (b : form) (h s t : R) : R := rdot b [h; s; t].
 
 (* What integer rays span, their parts do. *)
-Lemma spanned_parts (points : list part) (h s t : R) :
+Lemma spanned_parts (points : list homogeneous) (h s t : R) :
   spans (map coordinates (map ray_of_part points)) (fun b => rdot b [h; s; t]) -> sum_of points h s t.
 Proof.
   intros (ws & W & E).
@@ -424,6 +428,15 @@ Proof.
     constructor; [exists ss0; split; [exact C|now rewrite rev_append_rev, app_nil_r]|]. now apply (IH (S number)).
 Qed.
 
+Lemma nothing_grows : forallb (fun r => does_not_grow (box r)) rows = true ->
+  Forall (fun r => Rows.growth r = 0) (Rows.rows sys).
+Proof.
+  clear - F. induction F as [|row r rows rs [_ (p & G & mu & t & I)] F' IH]; intros H; constructor; cbn in H;
+    apply andb_true_iff in H as [H1 H2]; [|now apply IH].
+  unfold does_not_grow in H1. apply andb_true_iff in H1 as [Z1 Z2]. apply ByDegree.is_zero_real in Z1, Z2.
+  rewrite (in_growth _ _ _ _ _ _ I), Z1, Z2. ring.
+Qed.
+
 Theorem piece_resisted pieces number s t wst : pieces_fail two_sided n rows w u v pieces number = None ->
   Forall (fun r => Rows.growth r = 0) (Rows.rows sys) ->
   (forall y, Rows.dot wst y = Rows.dot (Rows.wrench sys) y + s * Rows.dot (real u) y + t * Rows.dot (real v) y) ->
@@ -474,7 +487,7 @@ Variable advisor : oracle memory.
 Definition at_zero : range := Range 0 (Some 0%Q) false false.
 
 Definition plane_fails (most : Z) (two_sided : bool) (n : nat) (rows : list row) (w : list interval) (u v : vector)
-    (pieces : list (list part)) (nodes : list node) : option (string * nat) :=
+    (pieces : list (list homogeneous)) (nodes : list node) : option (string * nat) :=
   walk_ranges memory advisor (held_by n (map (map ray_of_part) pieces)) most two_sided (plane_setting n rows w u v)
     [at_zero] (map (plane_node n) nodes).
 

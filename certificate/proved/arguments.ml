@@ -12,12 +12,11 @@ type arguments = {
   json : bool;
   help : bool;
   batch : bool;
-  plane : bool;  (* a plane of loads is asked about, which is not judged here *)
 }
 
 let nothing_asked =
   { asked_wrench = None; asked_case = None; asked_preload = None; asked_bilateral = false;
-    asked_direction = None; asked_growth = None; asked_inertia = None; asked_uncertain = []; asked_ball = None }
+    asked_direction = None; asked_growth = None; asked_plane = None; asked_inertia = None; asked_uncertain = []; asked_ball = None }
 
 let starts_with prefix word =
   String.length word >= String.length prefix
@@ -106,22 +105,22 @@ let parse words =
           | Some at when starts_with "--" word ->
             (String.sub word 0 at, Some (String.sub word (at + 1) (String.length word - at - 1)))
           | _ -> (word, None) in
-        let with_value use =
+        let valued set =
+          let use value = { a with options = set value } in
           match attached, rest with
           | Some value, _ -> go (use value) ended rest
           | None, value :: others -> go (use value) ended others
           | None, [] -> raise (Usage (name ^ " needs a value")) in
-        let valued set = with_value (fun value -> { a with options = set value }) in
         let o = a.options in
         match name, attached with
         | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench name v) })
         | "--torque", _ ->
           valued (fun v -> { o with asked_wrench = Some (List.map (number name) [ "0"; "0"; v ]) })
         | "--plane", _ ->
-          with_value (fun v ->
-              if List.length (list name v) <> 6 then
-                usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches";
-              { a with plane = true })
+          valued (fun v ->
+              match list name v with
+              | [ a; b; c; d; e; f ] -> { o with asked_plane = Some ([ a; b; c ], [ d; e; f ]) }
+              | _ -> usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0")
         | "--inertia", _ ->
           valued (fun v ->
               let numbers = list name v in
@@ -149,8 +148,7 @@ let parse words =
         | _ when help && attached = None -> { a with help = true }
         | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
   let a =
-    go { files = []; options = nothing_asked; json = false; help = false; batch = false;
-         plane = false } false words
+    go { files = []; options = nothing_asked; json = false; help = false; batch = false } false words
   in
   let count = List.length a.files in
   if (not a.help) && (not a.batch) && count <> 2 then

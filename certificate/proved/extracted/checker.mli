@@ -202,6 +202,8 @@ module Z :
 
   val div : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val modulo : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
   val div2 : Big_int_Z.big_int -> Big_int_Z.big_int
 
   val log2 : Big_int_Z.big_int -> Big_int_Z.big_int
@@ -325,7 +327,7 @@ type ball = { radius : q; torque_length : q; about : q list }
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
-                  inertia : q list }
+                  load_plane : (q list * q list) option; inertia : q list }
 
 type parameter =
 | PX
@@ -344,6 +346,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
@@ -363,6 +366,9 @@ type part =
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
+
+type load_point = { is_at : bool; along_u : q; along_v : q;
+                    load_witness : witness }
 
 type rigid_node =
 | RTouch of Big_int_Z.big_int
@@ -391,6 +397,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -404,6 +411,7 @@ type place =
 | AtPart of nat * nat option
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
+| AtPiece of nat * nat option
 
 type answer =
 | Stable
@@ -411,6 +419,7 @@ type answer =
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
+| Region of ((q * q) * q) list list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -756,11 +765,11 @@ val pressers :
 val term_of : Big_int_Z.big_int -> form -> presser -> term
 
 val with_all :
-  Big_int_Z.big_int -> (q * q) -> presser list -> Big_int_Z.big_int
+  Big_int_Z.big_int -> (q * q) -> q list -> presser list -> Big_int_Z.big_int
 
 val leaf_holds_by :
-  Big_int_Z.big_int -> presser list -> (q * q) -> form list list -> ray list
-  -> form -> bool
+  Big_int_Z.big_int -> presser list -> (q * q) -> q list -> form list list ->
+  ray list -> form -> bool
 
 val is_enclosure : interval -> q -> bool
 
@@ -818,16 +827,18 @@ val cut_by :
 
 val child : 'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region
 
+val is_leaf : node -> bool
+
 val at_leaf : ('a1, 'a2) region -> form list list * ray list
 
 val visit :
   'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-  form list list -> ray list -> q list -> string option) -> Big_int_Z.big_int
+  form list list -> ray list -> node -> string option) -> Big_int_Z.big_int
   -> node -> ('a1, 'a2) region -> (('a1, 'a2) region list, string) sum
 
 val walk :
   'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-  form list list -> ray list -> q list -> string option) -> Big_int_Z.big_int
+  form list list -> ray list -> node -> string option) -> Big_int_Z.big_int
   -> node list -> ('a1, 'a2) region list -> nat -> (string * nat) option
 
 val basis : nat -> nat -> form list
@@ -844,18 +855,28 @@ val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
+type pushing = { a_multiple : matrix; known_push : matrix }
+
+val no_push : pushing
+
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 pushes : matrix; slipping : Big_int_Z.big_int list;
+                 pushes : pushing; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
 val common_multiple : row list -> Big_int_Z.big_int
 
 val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
-val make_setting : nat -> row list -> load -> matrix -> setting
+val make_setting : nat -> row list -> load -> pushing -> setting
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
+
+val end_fails :
+  (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
+  list -> ray list -> node -> string option
+
+val no_pieces : Big_int_Z.big_int -> ray list -> string option
 
 val is_inside : interval -> q -> bool
 
@@ -914,8 +935,9 @@ val separating : row list -> form list -> form list
 val root_branch : bool -> setting -> range -> setting branch
 
 val walk_ranges :
-  'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
-  list -> (string * nat) option
+  'a1 oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+  Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
+  (string * nat) option
 
 val exact_box : cbox -> bool
 
@@ -969,11 +991,11 @@ val check_point :
   bool -> nat -> row list -> load -> form -> (Big_int_Z.big_int * q list)
   list -> (state list, string) sum
 
-val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
-
 val aligned : form -> form -> form -> bool
 
-val one_mode : state -> state -> bool
+val first_slip : state list -> form
+
+val contact_mode : state list -> bool
 
 val same_mode : state list -> state list -> bool
 
@@ -1002,7 +1024,7 @@ val gaps_from : q -> bool -> (q * q option) list -> range list -> range list
 
 val gaps : (q * q option) list -> range list
 
-val opposite0 : vector -> vector
+val opposite : vector -> vector
 
 val walls_of : bool -> matrix -> matrix
 
@@ -1238,6 +1260,79 @@ val class_fails :
   Big_int_Z.big_int -> matrix -> vector -> rigid list -> class_proof ->
   (string * nat option) option
 
+val cross_product : form -> form -> form
+
+val det : form -> form -> form -> Big_int_Z.big_int
+
+val first_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 option
+
+val advise_if :
+  Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_three :
+  form -> (nat * form) -> (nat * form) -> (nat * form) ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_two :
+  form -> (nat * form) -> (nat * form) ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_one :
+  form -> (nat * form) -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int)
+  list) option
+
+val sum_found :
+  ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
+  option
+
+val is_sum_of : ray list -> form -> bool
+
+type homogeneous = (q * q) * q
+
+val load_part : load_point -> homogeneous
+
+val part_list : homogeneous -> q list
+
+val ray_of_part : homogeneous -> ray
+
+val part_of_ray : nat -> form -> form
+
+val held_by :
+  nat -> ray list list -> Big_int_Z.big_int -> ray list -> string option
+
+val does_not_grow : cbox -> bool
+
+val load_in_plane : vector -> vector -> q -> q -> vector
+
+val point_of_plane : load_point -> q list
+
+val check_load_point :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  -> (state list, string) sum
+
+val point_states :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  list -> nat -> (state list list, string * nat) sum
+
+val share_one_mode : row list -> state list list -> bool
+
+val pieces_fail :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  list list -> nat -> (string * place) option
+
+val plane_node : nat -> node -> node
+
+val plane_setting :
+  nat -> row list -> interval list -> vector -> vector -> setting
+
+val at_zero : range
+
+val plane_fails :
+  'a1 oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list
+  -> vector -> vector -> homogeneous list list -> node list -> (string * nat)
+  option
+
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
@@ -1257,8 +1352,6 @@ val straight : setting -> bool
 val refute :
   'a1 oracle -> question -> setting -> range list -> node list ->
   (string * nat) option
-
-val at_zero : range
 
 val check_witness : question -> setting -> witness -> answer
 
@@ -1283,6 +1376,10 @@ val check_claims :
   (q * q option) list -> ((q * q option) * bool) list -> answer
 
 val check_class : question -> setting -> class_proof -> answer
+
+val check_region :
+  'a1 oracle -> question -> setting -> load_point list list -> node list ->
+  answer
 
 val check : 'a1 oracle -> question -> certificate -> answer
 
@@ -1464,7 +1561,9 @@ type stated_ball = { stated_radius : q; stated_length : q;
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option; asked_inertia : q list option;
+                 asked_growth : growth option;
+                 asked_plane : (q list * q list) option;
+                 asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list;
                  asked_ball : stated_ball option }
 
@@ -1472,7 +1571,11 @@ val uncertain_kinds : string list
 
 val asks_margin : options -> bool
 
+val asks_plane : options -> bool
+
 val asks_class : options -> bool
+
+val asks_one : options -> bool
 
 val in_full : q list -> q list
 
@@ -1509,12 +1612,15 @@ val with_growths :
 
 val scaled : contact -> contact
 
+val check_plane : grasp -> options -> unit result
+
 val pose : grasp -> options -> posed result
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool; of_class : bool }
+type shape = { spatial : bool; of_margin : bool; of_plane : bool;
+               of_class : bool }
 
 val size_of_twist : shape -> Big_int_Z.big_int
 
@@ -1545,6 +1651,8 @@ val read_tolerances :
   result
 
 val read_inertia : bool -> path -> json -> q list result
+
+val read_plane : path -> json -> (q list * q list) result
 
 val read_statement : bool -> path -> json -> statement result
 
@@ -1628,6 +1736,10 @@ val read_bits : path -> json -> Big_int_Z.big_int result
 val read_verdict : shape -> path -> json -> bool result
 
 val read_body0 : shape -> bool -> (string * json) list -> proof result
+
+val read_load_point : shape -> path -> json -> load_point result
+
+val read_region : shape -> (string * json) list -> proof result
 
 val read_class : shape -> (string * json) list -> proof result
 

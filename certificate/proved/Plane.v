@@ -47,20 +47,19 @@ Definition by_two (q : form) (a b : nat * form) : option (Z * list (nat * Z)) :=
 Definition by_one (q : form) (a : nat * form) : option (Z * list (nat * Z)) :=
   if all_zero (cross_product (snd a) q) then advise_if (dot (snd a) (snd a)) [(fst a, dot q (snd a))] else None.
 
+Definition or_else {A} (a : option A) (b : Datatypes.unit -> option A) : option A := match a with Some _ => a | None => b tt end.
+
+(* A ray with h > 0 may be in every sum of three: as much of it can be taken away as leaves a sum of two others. *)
 Definition sum_found (rays : list ray) (q : form) : option (Z * list (nat * Z)) :=
   let them := List.combine (seq 0 (List.length rays)) (map coordinates rays) in
-  let with_apex a := first_some (fun b => first_some (by_three q a b) them) them in
-  let with_pairs := first_some (fun a => first_some (by_two q a) them) them in
+  let all_of {B} (f : nat * form -> option B) := first_some f them in
   if all_zero q then Some (1, [])
   else
-    (* One ray that is no line may be in every sum of three. *)
-    match find (fun a => match snd a with h :: _ => 0 <? h | [] => false end) them with
-    | Some a => match with_apex a with
-                | Some found => Some found
-                | None => match with_pairs with Some found => Some found | None => first_some (by_one q) them end
-                end
-    | None => match with_pairs with Some found => Some found | None => first_some (by_one q) them end
-    end.
+    or_else (match find (fun a => match snd a with h :: _ => 0 <? h | [] => false end) them with
+             | Some a => all_of (fun b => all_of (by_three q a b))
+             | None => None
+             end)
+      (fun _ => or_else (all_of (fun a => all_of (by_two q a))) (fun _ => all_of (by_one q))).
 
 Definition is_sum_of (rays : list ray) (q : form) : bool :=
   match sum_found rays q with Some (factor, terms) => reason_holds rays q factor terms | None => false end.
@@ -163,8 +162,6 @@ Section Sums.
 Open Scope R_scope.
 
 Notation real := (map Q2R).
-
-Definition real_part (b : form) (h s t : R) : R := rdot b [h; s; t].
 
 (* What integer rays span, their parts do. *)
 Lemma spanned_parts (points : list homogeneous) (h s t : R) :
@@ -384,14 +381,6 @@ Proof.
   - rewrite X by (cbn; auto). apply Q2R_1.
   - intros y. specialize (B y). unfold Rows.load in B. cbn [its Rows.wrench Rows.direction Rows.rows] in B.
     unfold g in B. rewrite load_in_plane_is in B. exact B.
-Qed.
-
-Lemma row_facts : Forall2 (fun row r => Rows.positive (Rows.weights r) /\ 0 <= Rows.rho r) rows (Rows.rows sys).
-Proof.
-  clear - F E. revert E. induction F as [|row r rows rs Fr F' IH]; intros E; constructor; cbn in E;
-    apply andb_true_iff in E as [Er E]; [|now apply IH].
-  split; [now apply (positive_weights row)|]. destruct (exact_friction row r Fr Er) as (M0 & -> & _).
-  apply Rmult_le_pos; [exact M0|apply sqrt_pos].
 Qed.
 
 (* States that share a mode: it, and that all are in it. *)

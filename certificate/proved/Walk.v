@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
-(* Trees (FORMAT.md section 4), the same in the plane and in space: regions, and the walk over a list of
-   nodes.  What a node's children are and when a leaf holds are arguments here, given by Tree.v for
-   the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
+(* Trees (FORMAT.md section 4): regions, and the walk over a list of nodes.  What a node's children are and when a
+   leaf holds are arguments here, given by Tree.v; so is which points are solutions.  `walk_refutes`: if a
    list of nodes is accepted for some roots, no solution is at home in any of them, unless a leaf holds it. *)
 From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Box Terms.

@@ -5630,6 +5630,13 @@ let by_one q0 a =
   then advise_if (dot (snd a) (snd a)) (((fst a), (dot q0 (snd a))) :: [])
   else None
 
+(** val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option **)
+
+let or_else a b =
+  match a with
+  | Some _ -> a
+  | None -> b ()
+
 (** val sum_found :
     ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
     option **)
@@ -5638,27 +5645,18 @@ let sum_found rays0 q0 =
   let them =
     combine (seq O (length rays0)) (map (fun r -> r.coordinates) rays0)
   in
-  let with_apex = fun a ->
-    first_some (fun b -> first_some (by_three q0 a b) them) them
-  in
-  let with_pairs = first_some (fun a -> first_some (by_two q0 a) them) them in
+  let all_of = fun f -> first_some f them in
   if all_zero q0
   then Some (Big_int_Z.unit_big_int, [])
-  else (match find (fun a ->
-                match snd a with
-                | [] -> false
-                | h :: _ -> Z.ltb Big_int_Z.zero_big_int h) them with
-        | Some a ->
-          (match with_apex a with
-           | Some found -> Some found
-           | None ->
-             (match with_pairs with
-              | Some found -> Some found
-              | None -> first_some (by_one q0) them))
-        | None ->
-          (match with_pairs with
-           | Some found -> Some found
-           | None -> first_some (by_one q0) them))
+  else or_else
+         (match find (fun a ->
+                  match snd a with
+                  | [] -> false
+                  | h :: _ -> Z.ltb Big_int_Z.zero_big_int h) them with
+          | Some a -> all_of (fun b -> all_of (by_three q0 a b))
+          | None -> None) (fun _ ->
+         or_else (all_of (fun a -> all_of (by_two q0 a))) (fun _ ->
+           all_of (by_one q0)))
 
 (** val is_sum_of : ray list -> form -> bool **)
 

@@ -1282,6 +1282,8 @@ val by_one :
   form -> (nat * form) -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int)
   list) option
 
+val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option
+
 val sum_found :
   ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
   option

@@ -191,6 +191,12 @@ Proof.
   - intros; split; reflexivity.
 Qed.
 
+Lemma middle_seen_as b F G len k : seen_as b F G len k -> seen_as (middle_box b) F G len k.
+Proof.
+  intros [S L Sl C St]. constructor; cbn [middle_box box_geometry box_square box_slack box_turns];
+    rewrite ?map_length; assumption.
+Qed.
+
 Lemma fits_suits row r : fits row r -> suits row r.
 Proof. intros [E I]. split; [exact E|now apply inside_seen]. Qed.
 
@@ -221,6 +227,24 @@ Proof.
   - rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos].
   - intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp.
     rewrite (is_rho _ _ _ _ _ _ I), (spring_smooth _ _ _ _ _ _ I Sp). ring.
+Qed.
+
+(* What does not slip for one does not for the other. *)
+Lemma stands_free k r r' z : stands k r r' -> List.length (Rows.weights r) = List.length (Rows.slips r) ->
+  Forall (fun s => Rows.dot s z = 0) (Rows.slips r') -> Forall (fun s => Rows.dot s z = 0) (Rows.slips r).
+Proof.
+  intros St L F.
+  assert (Z' : Rows.size (Rows.weights r') (Rows.slip r' z) = 0).
+  { unfold Rows.size, Rows.slip. replace (Rows.product _ _ _) with 0; [apply sqrt_0|]. symmetry.
+    generalize (Rows.weights r'). clear - F. induction F as [|s ss Hs F IH]; intros [|w ws]; cbn; try reflexivity.
+    rewrite Hs, IH. ring. }
+  assert (Z : Rows.size (Rows.weights r) (Rows.slip r z) = 0).
+  { destruct (Rle_lt_or_eq_dec 0 _ (Rows.size_nonneg (Rows.weights r) (Rows.slip r z))) as [P|P]; [|now symmetry].
+    apply (slides _ _ _ St) in P. lra. }
+  apply Forall_forall. intros s Hs. apply In_nth with (d := []) in Hs as (j & Hj & <-).
+  transitivity (nth j (Rows.slip r z) 0).
+  - symmetry. unfold Rows.slip. exact (map_nth (fun f => Rows.dot f z) (Rows.slips r) [] j).
+  - apply (Rows.size_zero_nth (Rows.weights r)); [apply St|exact Z|lia].
 Qed.
 
 Section Way.
@@ -399,8 +423,7 @@ Qed.
 Lemma true_at_middle : seen_in (middle_box b) (true_at 0).
 Proof.
   exists (row_at 0), (mixed 0 center p), F, (friction_at 0), (mix 0 (1 / 2) t), G, len, k.
-  split; [apply row_at_middle|]. split; [|reflexivity]. destruct seen as [S L Sl C St].
-  constructor; cbn [middle_box box_geometry box_square box_slack box_turns]; rewrite ?map_length; assumption.
+  split; [apply row_at_middle|]. split; [now apply middle_seen_as|reflexivity].
 Qed.
 
 Lemma true_at_proper s : 0 <= s <= 1 -> proper D (true_at s).

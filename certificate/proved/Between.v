@@ -220,13 +220,22 @@ Qed.
 (* So is the row of the box that stands for a proper row. *)
 Lemma stands_proper D b k r r' p F mu t : stands k r r' -> inside_at b r' p F mu t -> proper D r -> proper D r'.
 Proof.
-  intros St I P. apply (proper_alike D r); [exact P| | | | |].
-  - symmetry. apply St.
-  - symmetry. apply St.
-  - symmetry. apply St.
+  intros St I P. apply (proper_alike D r); [exact P|symmetry; apply St|symmetry; apply St|symmetry; apply St| |].
   - rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos].
   - intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp.
     rewrite (is_rho _ _ _ _ _ _ I), (spring_smooth _ _ _ _ _ _ I Sp). ring.
+Qed.
+
+(* And a row of a box with forms of D numbers. *)
+Lemma seen_proper D b r : seen_in b r -> List.length (Rows.N r) = D ->
+  Forall (fun f => List.length f = D) (Rows.slips r) -> List.length (Rows.weights r) = List.length (Rows.slips r) ->
+  proper D r.
+Proof.
+  intros (r' & p & F & mu & t & G & len & k & I & Se & ->) N S W.
+  pose proof (true_row_stands _ _ _ _ _ _ _ _ _ I Se) as St.
+  constructor; try assumption; [apply St| |]; cbn.
+  - apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply (len_nonneg _ _ _ _ _ Se)].
+  - intros Sp. rewrite (spring_smooth _ _ _ _ _ _ I Sp). ring.
 Qed.
 
 (* What does not slip for one does not for the other. *)

@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: MIT *)
 (* A contact in space whose normal n is not the n0 of the file (FORMAT.md section 7, "Why, where n is not n0").  Its
    motion seen along n is multilinear in n, where the motion across n is not.  `turned_stands`: a row of the motion seen
-   along n stands for the contact. *)
+   along n stands for the contact.  `turning_continuous`: the contact's own row changes continuously. *)
 From Coq Require Import Reals List Lra Lia.
-From Proved Require Import RowsOfModels Slips Leaf.
+From Proved Require Import Brouwer Homotopy RowLimits RowsOfModels Slips Leaf.
 From Proved Require Rows SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -326,3 +326,73 @@ Proof.
 Qed.
 
 End Turned.
+
+(* ---- As the normal turns ---- *)
+
+Definition cv_vector (vs : nat -> vector) (v : vector) : Prop :=
+  Un_cv (fun i => x (vs i)) (x v) /\ Un_cv (fun i => y (vs i)) (y v) /\ Un_cv (fun i => z (vs i)) (z v).
+
+(* Sums, differences and products of what converges. *)
+Ltac converge :=
+  lazymatch goal with
+  | |- Un_cv (fun _ => ?c) ?c => apply cv_constant
+  | |- Un_cv (fun i => @?f i + @?g i) (?a + ?b) => apply (CV_plus f g a b); converge
+  | |- Un_cv (fun i => @?f i - @?g i) (?a - ?b) => apply (CV_minus f g a b); converge
+  | |- Un_cv (fun i => @?f i * @?g i) (?a * ?b) => apply (CV_mult f g a b); converge
+  | |- Un_cv (fun i => - @?f i) (- ?a) => apply (CV_opp f a); converge
+  | |- _ => assumption
+  end.
+
+Lemma cv_dots us u vs v : cv_vector us u -> cv_vector vs v -> Un_cv (fun i => dot (us i) (vs i)) (dot u v).
+Proof. intros (U1 & U2 & U3) (V1 & V2 & V3). unfold dot. converge. Qed.
+
+Lemma cv_across ns n e : 0 < dot n n -> cv_vector ns n -> cv_vector (fun i => across (ns i) e) (across n e).
+Proof.
+  intros P N. assert (E : cv_vector (fun _ => e) e) by (repeat split; apply cv_constant).
+  pose proof (cv_dots _ _ _ _ E N) as D. pose proof (cv_dots _ _ _ _ N N) as Q.
+  apply cv_inverse in Q; [|lra]. destruct N as (N1 & N2 & N3).
+  unfold across, cv_vector, add, scale, Rdiv; cbn [x y z]. repeat split; converge.
+Qed.
+
+Lemma cv_force ps p fs f : cv_vector ps p -> cv_vector fs f ->
+  cv_list (fun i => screw_list (force_at (ps i) (fs i))) (screw_list (force_at p f)).
+Proof.
+  intros (P1 & P2 & P3) (F1 & F2 & F3). unfold screw_list, force_at, cross; cbn [linear angular x y z].
+  apply (cv_cons (fun i => x (fs i))); [assumption|]. apply (cv_cons (fun i => y (fs i))); [assumption|].
+  apply (cv_cons (fun i => z (fs i))); [assumption|].
+  apply (cv_cons (fun i => y (ps i) * z (fs i) - z (ps i) * y (fs i))); [converge|].
+  apply (cv_cons (fun i => z (ps i) * x (fs i) - x (ps i) * z (fs i))); [converge|].
+  apply (cv_cons (fun i => x (ps i) * y (fs i) - y (ps i) * x (fs i))); [converge|constructor].
+Qed.
+
+(* The contact at p with the normal n that has these numbers in its row. *)
+Definition contact_with (p n : vector) (mu preload growth stiffness : R) : contact :=
+  Contact p n mu (stiffness * (norm n * norm n)) (preload * norm n) (growth * norm n).
+
+(* N, and the slip's forms: nothing else of a contact's row depends on p and n but rho. *)
+Definition own_forms (p n : vector) : list (list R) :=
+  let c := contact_with p n 0 0 0 0 in screw_list (N c) :: slip_rows c.
+
+Lemma turning_continuous ps p ns n : 0 < dot n n -> cv_vector ps p -> cv_vector ns n ->
+  cv_lists (fun i => own_forms (ps i) (ns i)) (own_forms p n) /\ Un_cv (fun i => norm (ns i)) (norm n).
+Proof.
+  intros Pn P Ns. split.
+  - unfold own_forms, contact_with, N, slip_rows. cbn [position normal map].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (ns i)))); [now apply cv_force|].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (across (ns i) (Vector 1 0 0)))));
+      [apply cv_force; [exact P|now apply cv_across]|].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (across (ns i) (Vector 0 1 0)))));
+      [apply cv_force; [exact P|now apply cv_across]|].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (across (ns i) (Vector 0 0 1)))));
+      [apply cv_force; [exact P|now apply cv_across]|constructor].
+  - apply cv_root; [intros i; apply dot_nonneg|now apply cv_dots].
+Qed.
+
+Lemma contact_with_row p n mu pr u k : 0 < dot n n ->
+  space_contact_row (contact_with p n mu pr u k) =
+  Rows.Row (hd [] (own_forms p n)) (tl (own_forms p n)) [1; 1; 1] (mu * norm n) pr u k false.
+Proof.
+  intros P. assert (0 < norm n) by now apply sqrt_lt_R0.
+  unfold space_contact_row, own_forms, contact_with, length, N, slip_rows. cbn [position normal friction preload growth
+    stiffness hd tl]. f_equal; field; lra.
+Qed.

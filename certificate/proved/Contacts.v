@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
 (* The contacts of a question as boxes (FORMAT.md sections 1 and 6), in the plane and in space.
-   `enlarge_plane`, `enlarge_space`: every choice of the question has its row in the box. *)
+   `enlarge_plane`: every choice of the question has its row in the box; `enlarge_space`: or is seen in it. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels RowLimits Turned Between.
 From Proved Require Rows Model SpaceModel.
@@ -490,6 +490,7 @@ Let uu := S.dot U U.
 Hypothesis cases : (u1, u2, u3) = (0, a3, - a2) \/ (u1, u2, u3) = (- a3, 0, a1) \/ (u1, u2, u3) = (a2, - a1, 0).
 Hypothesis long : 0 < aa.
 
+(* Where it is, and its normal, by its geometry: x, y, z, e and f. *)
 Definition place_at (p : list R) : S.vector :=
   match p with [x; y; z; _; _] => S.Vector x y z | _ => S.zero end.
 
@@ -498,7 +499,7 @@ Definition turn_at (p : list R) : S.vector :=
 
 Definition normal_at (p : list R) : S.vector := S.add n0 (turn_at p).
 
-(* What they are, in the row seen along n0. *)
+(* The forms of the row that is seen along n0. *)
 Lemma seen_forms c p : List.length p = 5%nat -> S.position c = place_at p -> S.normal c = normal_at p ->
   screw_list (S.N c) :: seen_rows n0 c =
   space_reals (a1, a2, a3) (u1, u2, u3) (S.x V, S.y V, S.z V) aa p.

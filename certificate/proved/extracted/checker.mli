@@ -693,6 +693,14 @@ val leaf_holds_by :
   Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
   form -> bool
 
+val middle : interval -> q
+
+val only_middle : interval -> interval
+
+val middle_box : cbox -> cbox
+
+val friction_sound : cbox -> bool
+
 val is_enclosure : interval -> q -> bool
 
 val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
@@ -981,14 +989,6 @@ val free_motions : nat -> bool -> matrix -> matrix option
 val plus_square : vector -> matrix -> matrix
 
 val inverted : nat -> matrix -> matrix -> (matrix * matrix) option
-
-val middle : interval -> q
-
-val only_middle : interval -> interval
-
-val middle_box : cbox -> cbox
-
-val friction_sound : cbox -> bool
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;

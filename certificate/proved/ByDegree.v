@@ -3,7 +3,7 @@
    `stable_by_degree_in_box`: where they hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Walk Tree.
-From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between.
+From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between Ways.
 From Proved Require Rows Model.
 Import ListNotations.
 

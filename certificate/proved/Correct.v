@@ -2,7 +2,7 @@
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Leaf Tree Witness Margin
-  RowLimits Between ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
+  RowLimits Ways ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
   RigidClass RigidTrue.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.

@@ -3,7 +3,7 @@
    the load.  `stable_at_rest`: where the rules hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Qminmax Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree.
-From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between ByDegree.
+From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between Ways ByDegree.
 From Proved Require Rows Model.
 Import ListNotations.
 

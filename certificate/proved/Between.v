@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: MIT *)
 (* From the middle of a contact's box (Box.v) to a choice in it there is a straight way, on which its row
-   changes continuously and stays in the box: `way_to`. *)
+   changes continuously and stays in the box: `row_at_inside`, `row_at_continuous`. *)
 From Coq Require Import List Arith ZArith QArith Qreals Reals Lra Lia Bool FunctionalExtensionality.
 From Proved Require Import Question Meaning Numbers Root Box Brouwer Homotopy RowLimits Degree.
 From Proved Require Rows.
@@ -151,11 +151,32 @@ Proof. unfold within; cbn. lra. Qed.
 Definition friction_sound (b : cbox) : bool :=
   Qle_bool 0 (low (box_friction b)) && (negb (box_spring b) || Qle_bool (high (box_friction b)) 0).
 
-Lemma nth_0 {A} (l : list (list A)) : nth 0 l [] = hd [] l.
-Proof. now destruct l. Qed.
+(* The forms of rows in a box are continuous. *)
+Lemma forms_continuous b r p F mu t qs q : inside_at b r p F mu t -> List.length q = List.length (box_geometry b) ->
+  cv_list qs q -> cv_lists (fun i => F (qs i)) (F q).
+Proof.
+  intros I L C.
+  assert (Shape : forall i, map (@List.length R) (F (qs i)) = map (@List.length R) (F q)).
+  { intros i. apply (forms_shape _ _ _ _ _ _ I); [|exact L]. now rewrite (cv_list_length _ _ i C). }
+  apply (cv_lists_by_members (List.length (F q))).
+  - intros i. specialize (Shape i). apply (f_equal (@List.length nat)) in Shape. now rewrite !map_length in Shape.
+  - reflexivity.
+  - intros j _. set (n := List.length (nth j (F q) [])).
+    assert (Len : forall i, List.length (nth j (F (qs i)) []) = n).
+    { intros i. unfold n. rewrite <- !(map_nth (@List.length R)). cbn [List.length]. now rewrite Shape. }
+    apply (cv_list_by_numbers n); [exact Len|reflexivity|]. intros i Hi.
+    rewrite <- (dot_unit _ n i Hi).
+    apply cv_same with (fun k => Rows.dot (nth j (F (qs k)) []) (basis_vector n i)).
+    + intros k. now rewrite dot_unit.
+    + apply (multiaffine_cv _ _ (fun q => Rows.dot (nth j (F q) []) (basis_vector n i))); [|exact C].
+      rewrite L. apply (forms_affine _ _ _ _ _ _ I).
+Qed.
 
-Lemma nth_S {A} (l : list (list A)) j : nth (S j) l [] = nth j (tl l) [].
-Proof. destruct l; [now destruct j|reflexivity]. Qed.
+Lemma cv_lists_head us x : cv_lists us x -> cv_list (fun i => hd [] (us i)) (hd [] x).
+Proof. intros C. destruct C; [constructor|assumption]. Qed.
+
+Lemma cv_lists_tail us x : cv_lists us x -> cv_lists (fun i => tl (us i)) (tl x).
+Proof. intros C. destruct C; [constructor|assumption]. Qed.
 
 Section Way.
 Variable D : nat.
@@ -184,6 +205,9 @@ Proof. symmetry. apply (same_length within). apply I. Qed.
 
 Lemma center_length : List.length center = List.length p.
 Proof. unfold center. now rewrite map_length, p_length. Qed.
+
+Lemma mixed_geometry s : List.length (mixed s center p) = List.length (box_geometry b).
+Proof. rewrite mixed_length, center_length; [apply p_length|apply center_length]. Qed.
 
 (* Rows on the way have the shape of the last. *)
 Lemma shape_at s : map (@List.length R) (F (mixed s center p)) = D :: map (@List.length R) (Rows.slips r).
@@ -273,10 +297,9 @@ Proof.
 Qed.
 
 (* The beginning is in the middle of the box. *)
-Lemma row_at_middle : inside (middle_box b) (row_at 0).
+Lemma row_at_middle : inside_at (middle_box b) (row_at 0) (mixed 0 center p) F (friction_at 0) (mix 0 (1 / 2) t).
 Proof.
   pose proof (row_at_inside 0 ltac:(lra)) as I0.
-  exists (mixed 0 center p), F, (friction_at 0), (mix 0 (1 / 2) t).
   assert (M : forall x y, mix 0 x y = x) by (intros; unfold mix; ring).
   constructor; try apply I0; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth
     box_stiffness].
@@ -295,33 +318,12 @@ Lemma row_at_continuous s s' : Un_cv s s' -> cv_row (fun k => row_at (s k)) (row
 Proof.
   intros Cs. assert (Cp : cv_list (fun k => mixed (s k) center p) (mixed s' center p))
     by (apply cv_mixed; [apply center_length|exact Cs]).
-  assert (Forms : forall j, cv_list (fun k => nth j (F (mixed (s k) center p)) []) (nth j (F (mixed s' center
-    p)) [])).
-  { intros j. assert (Len : forall q, List.length (nth j (F (mixed q center p)) []) =
-      nth j (D :: map (@List.length R) (Rows.slips r)) O).
-    { intros q. rewrite <- (shape_at q). change O with (List.length (@nil R)). now rewrite map_nth. }
-    apply (cv_list_by_numbers (nth j (D :: map (@List.length R) (Rows.slips r)) O)); [intros; apply Len|apply Len|].
-    intros i Hi. set (n := nth j (D :: map _ _) O) in *.
-    assert (E : forall q, nth i (nth j (F (mixed q center p)) []) 0 =
-      Rows.dot (nth j (F (mixed q center p)) []) (basis_vector n i)) by (intros; now rewrite dot_unit).
-    rewrite E. apply cv_same with (fun k => Rows.dot (nth j (F (mixed (s k) center p)) []) (basis_vector n i));
-      [intros; apply E|].
-    apply (multiaffine_cv _ _ (fun q => Rows.dot (nth j (F q) []) (basis_vector n i))); [|exact Cp].
-    rewrite mixed_length, center_length, p_length by apply center_length. apply (forms_affine _ _ _ _ _ _ I). }
+  assert (Forms : cv_lists (fun k => F (mixed (s k) center p)) (F (mixed s' center p))).
+  { apply (forms_continuous b r p F mu t); [exact I| |exact Cp].
+    rewrite mixed_length, center_length; [apply p_length|apply center_length]. }
   constructor; cbn.
-  - specialize (Forms O). rewrite nth_0 in Forms.
-    replace (fun k => hd [] (F (mixed (s k) center p))) with (fun k => nth 0 (F (mixed (s k) center p)) []);
-      [exact Forms|].
-    apply functional_extensionality. intros k. apply nth_0.
-  - assert (Len : forall q, List.length (tl (F (mixed q center p))) = List.length (Rows.slips r)).
-    { intros q. destruct (forms_at q) as (n & ss & E & _ & Ls). rewrite E. cbn.
-      apply (f_equal (@List.length nat)) in Ls. now rewrite !map_length in Ls. }
-    apply (cv_lists_by_members (List.length (Rows.slips r))); [intros; apply Len|apply Len|].
-    intros j _. specialize (Forms (S j)). rewrite nth_S in Forms.
-    replace (fun k => nth j (tl (F (mixed (s k) center p))) []) with (fun k => nth (S j) (F (mixed (s k) center
-      p)) []);
-      [exact Forms|].
-    apply functional_extensionality. intros k. apply nth_S.
+  - now apply cv_lists_head.
+  - now apply cv_lists_tail.
   - reflexivity.
   - apply CV_mult; [now apply cv_mix|apply cv_constant].
   - apply (cv_mix (fun k => mix (s k) (1 / 2) t)). now apply cv_mix.
@@ -331,16 +333,3 @@ Proof.
 Qed.
 
 End Way.
-
-(* The way, from the time 0 to the time 1. *)
-Theorem way_to D b r : inside b r -> proper D r -> friction_sound b = true -> exists way : R -> Rows.row,
-  way 1 = r /\ inside (middle_box b) (way 0) /\
-  (forall s, 0 <= s <= 1 -> inside b (way s) /\ proper D (way s)) /\
-  (forall s s', Un_cv s s' -> cv_row (fun k => way (s k)) (way s')).
-Proof.
-  intros (p & F & mu & t & I) P S. exists (row_at b r p F mu t). split; [|split; [|split]].
-  - now apply (row_at_end D).
-  - now apply (row_at_middle D).
-  - intros s Hs. split; [|now apply (row_at_proper D)]. eexists _, _, _, _. now apply (row_at_inside D).
-  - intros s s' C. now apply (row_at_continuous D).
-Qed.

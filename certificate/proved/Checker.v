@@ -36,7 +36,7 @@ Definition load_of (q : question) : option load :=
   | None => Some (Load (wrench q) (direction q) nothing_added)
   | Some b =>
       match addition_of b with
-      | Some it => if Nat.eqb (List.length (ball_ways it)) (dimension q) then Some (Load (wrench q) (direction q) it) else None
+      | Some it => Some (Load (wrench q) (direction q) it)
       | None => None
       end
   end.
@@ -78,7 +78,6 @@ Definition check_tree (q : question) (s : setting) (nodes : list node) : answer 
   end.
 
 Definition check_parts (q : question) (s : setting) (parts : list part) : answer :=
-  if negb (straight s) then NotProvedHere "stability where normals in space are uncertain" else
   match parts_fail memory advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
   | None => Stable
   | Some (rule, found_at) => Rejected rule found_at
@@ -121,7 +120,6 @@ Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (h
   let low := match hi with None => 1%Q | Some _ => lo end in
   let high := match hi with None => 1%Q | Some h => h end in
   let failing rule second := Some (Rejected rule (AtPointOf number second)) in
-  if negb (straight s) then Some (NotProvedHere "stability where normals in space are uncertain") else
   match evidence with
   | inl p =>
       match part_fails memory advisor (bilateral q) (most_depth (rows s)) low high s p with

@@ -7,7 +7,7 @@
    that is pushed with. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Matrix Load Lists Question Cone Meaning Numbers Root Box Terms Leaf Walk Tree Witness.
-From Proved Require Rows Degree ByDegree Model.
+From Proved Require Rows Degree Ways ByDegree Model.
 Import ListNotations.
 
 Section Checker.
@@ -534,7 +534,7 @@ Proof.
   - intros k rays x He Sp l d' s' t' Ld' ->. exact (held_is n pieces k rays 1 l d' s' t' Ld' He Sp).
   - rewrite app_length, Ld. cbn. fold n. lia.
   - constructor; cbn [plane_setting make_setting Tree.rows the_load pushes its Rows.rows Rows.wrench Rows.direction Rows.normal load_growth].
-    + now apply ByDegree.all_suit.
+    + clear - F. induction F; constructor; [now apply Ways.fits_suits|assumption].
     + now apply box_is_load.
     + reflexivity.
     + lra.

@@ -57,9 +57,8 @@ Answers and exit codes:
                   others; of a plane, that exactly the wrenches of the pieces are resisted
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
-  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability where normals in space are uncertain, and of several bodies; or it
-                  takes more work than the files' length allows
+  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of several
+                  bodies; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json

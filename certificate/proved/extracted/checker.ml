@@ -1940,9 +1940,9 @@ let make_row b =
   slip_certain =
   (if b.box_signed
    then same_forms (map primitive (tips tau0))
-   else (&&) (Nat.eqb n O) (negb b.box_turns)); tau = tau0; minus_tau =
-  (mmap negative tau0); edges_plus = (edges0 (minus_ends b.box_friction));
-  edges_minus = (edges0 (ends b.box_friction)); edges_none =
+   else Nat.eqb n O); tau = tau0; minus_tau = (mmap negative tau0);
+  edges_plus = (edges0 (minus_ends b.box_friction)); edges_minus =
+  (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
   separates =
   (match vs with
@@ -5941,10 +5941,8 @@ let load_of q0 =
   | Some b ->
     (match addition_of b with
      | Some it ->
-       if Nat.eqb (length it.ball_ways) q0.dimension
-       then Some { load_box = q0.wrench; load_growth = q0.direction;
-              load_added = it }
-       else None
+       Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
+         it }
      | None -> None)
   | None ->
     Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
@@ -6001,12 +5999,10 @@ let check_tree advisor q0 s nodes =
     'a1 oracle -> question -> setting -> part list -> answer **)
 
 let check_parts advisor q0 s parts =
-  if negb (straight s)
-  then NotProvedHere "stability where normals in space are uncertain"
-  else (match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
-                Big_int_Z.zero_big_int) :: []) O with
-        | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
-        | None -> Stable)
+  match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
+          Big_int_Z.zero_big_int) :: []) O with
+  | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
+  | None -> Stable
 
 (** val check_margin :
     'a1 oracle -> question -> setting -> (q * q option) list -> segment list
@@ -6063,38 +6059,35 @@ let holding_fails advisor q0 s number lo hi evidence =
   let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
     second))))
   in
-  if negb (straight s)
-  then Some (NotProvedHere "stability where normals in space are uncertain")
-  else (match evidence with
-        | Inl p ->
-          (match part_fails advisor q0.bilateral (most_depth s.rows) low0
-                   high0 s p with
-           | Some p0 ->
-             let (rule, node0) = p0 in
-             Some (Rejected (rule, (AtProofOf (number, node0))))
-           | None -> None)
-        | Inr points ->
-          if negb (is_one_grasp s)
-          then failing "witness-box" false
-          else (match points with
-                | [] -> Some (NotProvedHere "no points")
-                | w :: more ->
-                  (match at_ low0 w with
-                   | Inl ss ->
-                     (match more with
-                      | [] ->
-                        if qeq_bool low0 high0
-                        then None
-                        else Some (NotProvedHere "one point of two")
-                      | w' :: _ ->
-                        (match at_ high0 w' with
-                         | Inl ss' ->
-                           if same_mode ss ss'
-                           then None
-                           else Some (Rejected ("segment-mode", (AtInterval
-                                  number)))
-                         | Inr rule -> failing rule true))
-                   | Inr rule -> failing rule false)))
+  (match evidence with
+   | Inl p ->
+     (match part_fails advisor q0.bilateral (most_depth s.rows) low0 high0 s p with
+      | Some p0 ->
+        let (rule, node0) = p0 in
+        Some (Rejected (rule, (AtProofOf (number, node0))))
+      | None -> None)
+   | Inr points ->
+     if negb (is_one_grasp s)
+     then failing "witness-box" false
+     else (match points with
+           | [] -> Some (NotProvedHere "no points")
+           | w :: more ->
+             (match at_ low0 w with
+              | Inl ss ->
+                (match more with
+                 | [] ->
+                   if qeq_bool low0 high0
+                   then None
+                   else Some (NotProvedHere "one point of two")
+                 | w' :: _ ->
+                   (match at_ high0 w' with
+                    | Inl ss' ->
+                      if same_mode ss ss'
+                      then None
+                      else Some (Rejected ("segment-mode", (AtInterval
+                             number)))
+                    | Inr rule -> failing rule true))
+              | Inr rule -> failing rule false)))
 
 (** val joined :
     (q * q option) list -> q -> q option -> (q * q option) list **)

@@ -860,8 +860,7 @@ Proof.
   destruct (standing_rows _ _ _ Su P) as (rs' & Fi & St & P').
   set (sys' := Rows.System (Rows.dimension sys) rs' (Rows.wrench sys) (Rows.direction sys) (Rows.normal sys)).
   assert (Fit : in_setting s sys').
-  { constructor; try assumption. split; [|now repeat split]. clear - Fi. cbn.
-    induction Fi; constructor; [now apply fits_suits|assumption]. }
+  { constructor; try assumption. split; [now apply all_suit|now repeat split]. }
   destruct (rests_in_box s sys' alpha beta p lambda Fit Fi H L) as (fs' & Ld & O & B).
   destruct (holds_at_rest _ _ _ _ _ _ St O) as (fs & Of & Wf).
   exists (listed (dimension_of s) (fun _ => 0%R)), fs. split; [exact Ld|]. split; [exact Of|].

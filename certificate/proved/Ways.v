@@ -29,6 +29,9 @@ Qed.
 Lemma fits_suits row r : fits row r -> suits row r.
 Proof. intros [E I]. split; [exact E|now apply inside_seen]. Qed.
 
+Lemma all_suit rows rs : Forall2 fits rows rs -> Forall2 suits rows rs.
+Proof. induction 1; constructor; [now apply fits_suits|assumption]. Qed.
+
 (* Rows of one shape are proper together. *)
 Lemma proper_alike D r r' : proper D r -> Rows.N r = Rows.N r' ->
   map (@List.length R) (Rows.slips r) = map (@List.length R) (Rows.slips r') -> Rows.weights r = Rows.weights r' ->

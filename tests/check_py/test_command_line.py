@@ -324,39 +324,5 @@ class ExchangeTest(Case):
                 self.assertEqual([report[key] for key in ("verdict", "resisted", "question")],
                                  [right[key] for key in ("verdict", "resisted", "question")])
 
-    def test_contradictory_snapped_certificates(self):
-        """Version 1 accepted both of these about one file: u was the author's choice."""
-        file = {"format": "stickslip-grasp/1", "normals": {"snap": "1/10"},
-                "contacts": [{"position": [0, 0], "normal": [1, 1], "friction": 0, "preload": 1}],
-                "wrench": ["-20/29", "-21/29", 0]}
-        question = {"contacts": 1, "wrench": file["wrench"], "normal_law": "unilateral"}
-        stable = {"format": "stickslip-certificate/1",
-                  "question": {**question, "normals": [[0, "20/29", "21/29"]]},
-                  "verdict": "stable", "twist": [0, 0, 0], "forces": [[1, 0]]}
-        unstable = {**stable, "question": {**question, "normals": [[0, "21/29", "20/29"]]},
-                    "verdict": "unstable", "tree": [["leaf", 1, -1, 0]]}
-        del unstable["twist"], unstable["forces"]
-        kept = {k: v for k, v in file.items() if k != "normals"}
-        for proof in (stable, unstable):
-            self.malformed("stickslip snap GRASP -o FILE", file, proof)
-            self.malformed("format: must be", kept, proof)
-            self.malformed("question", kept, {**proof, "format": "stickslip-certificate/2"})
-        # Now P / |n| is enclosed (§6), and nobody chooses.
-        w = file["wrench"]
-        self.rejects("witness-box", kept, certificate(1, w, twist=[0, 0, 0]))
-        self.rejects("leaf-bound", kept, certificate(1, w, tree=[["leaf", 1, -1, 0]]), node=0,
-                     path="root")
-        self.accepts(kept, certificate(1, w, tree=[["leaf", -1, 1, 0]]))
-        # What the command would write has one verdict.
-        for u, verdict in (((20, 21), "stable"), ((21, 20), "unstable")):
-            snapped = {**kept, "contacts": [{**kept["contacts"][0],
-                                             "normal": [f"{c}/29" for c in u]}]}
-            for proof, name in ((certificate(1, file["wrench"], twist=[0, 0, 0]), "stable"),
-                                (certificate(1, file["wrench"], tree=[["leaf", 20, -21, 0]]), "un")):
-                code, _, _, _ = self.run_both(snapped, proof)
-                if name == "stable":
-                    self.assertEqual(code, 0 if verdict == "stable" else 1)
-
-
 if __name__ == "__main__":
     unittest.main()

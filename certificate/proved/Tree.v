@@ -38,14 +38,16 @@ Section Numbers.
 Open Scope Z_scope.
 
 (* A multiple of all denominators of leaves, but for those of alphas; and a power of two with which every term
-   of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
+   of a leaf keeps about 64 bits, if that is shorter, or if there are alphas. *)
 Definition common_multiple (rows : list row) (ld : load) : Z :=
   fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
 
 Definition short_multiple (rows : list row) (multiple : Z) : Z :=
-  let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
+  let size (r : row) := if box_signed (box r) then over_weight r / weight r
+                        else over (pull_scale r) / times (pull_scale r) in
+  let most := fold_left (fun b r => Z.max b (size r)) rows 1 in
   let short := Z.shiftl 1 (Z.log2 most + 65) in
-  if (short <? multiple) && forallb (fun r => box_signed (box r)) rows then short else multiple.
+  if (short <? multiple) || negb (forallb (fun r => box_signed (box r)) rows) then short else multiple.
 
 End Numbers.
 
@@ -612,13 +614,12 @@ Qed.
 End Proofs.
 
 Section Refuting.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 Definition walk_ranges (most_depth : Z) (two_sided : bool) (s : setting) (ranges : list range)
     (nodes : list node) : option (string * nat) :=
-  walk memory advisor setting split leaf_fails most_depth nodes
-    (map_all (fun g => root memory advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
+  walk advisor setting split leaf_fails most_depth nodes
+    (map_all (fun g => root advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
 
 Theorem refuted_multiple most (two_sided : bool) s ranges nodes sys lambda d fs :
   slipping s = [] -> pushes s = [] -> List.length d = dimension_of s ->
@@ -629,10 +630,10 @@ Theorem refuted_multiple most (two_sided : bool) s ranges nodes sys lambda d fs 
 Proof.
   intros SE PE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
   unfold walk_ranges in W. rewrite map_all_is in W.
-  apply (walk_refutes memory advisor setting split leaf_fails solves) in W.
+  apply (walk_refutes advisor setting split leaf_fails solves) in W.
   - rewrite Forall_forall in W. eapply W.
     + apply in_map_iff. now exists rng.
-    + apply (root_home _ _ _ _ _ _ (1 :: lambda :: d)).
+    + apply (root_home _ _ _ _ _ (1 :: lambda :: d)).
       * cbn. now rewrite D.
       * eapply root_takes; try eassumption. intros k r H. rewrite SE in H. discriminate.
   - intros s' n bs x. apply split_covers.

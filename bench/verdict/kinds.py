@@ -84,7 +84,7 @@ def main():
     parser.add_argument("--against", default="stickslip-check", help="a checker of that folder, or the path of one")
     parser.add_argument("--proved", default="stickslip-proved")
     parser.add_argument("--save")
-    parser.add_argument("--seconds", type=float, default=0.1, help="for each question and checker")
+    parser.add_argument("--seconds", type=float, default=0.05, help="for each question and checker")
     options = parser.parse_args()
     asked = []
     for name in options.inputs:

@@ -1995,9 +1995,9 @@ let make_row b =
   slip_certain =
   (if b.box_signed
    then same_forms (map primitive (tips tau0))
-   else (&&) (Nat.eqb n0 O) (negb b.box_turns)); tau = tau0; minus_tau =
-  (mmap negative tau0); edges_plus = (edges0 (minus_ends b.box_friction));
-  edges_minus = (edges0 (ends b.box_friction)); edges_none =
+   else Nat.eqb n0 O); tau = tau0; minus_tau = (mmap negative tau0);
+  edges_plus = (edges0 (minus_ends b.box_friction)); edges_minus =
+  (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
   separates =
   (match vs with
@@ -2538,6 +2538,39 @@ let leaf_holds_by m them ld strict0 rays0 y =
     (let (linear, bends) = collect (term_of m y) them (load_term m y ld) [] in
      positive_at_home strict0 rays0 (fun x ->
        Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
+
+(** val middle : interval -> q **)
+
+let middle i =
+  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+
+(** val only_middle : interval -> interval **)
+
+let only_middle i =
+  exactly (middle i)
+
+(** val middle_box : cbox -> cbox **)
+
+let middle_box b =
+  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
+    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
+    box_preload = (only_middle b.box_preload); box_growth =
+    (only_middle b.box_growth); box_stiffness =
+    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val friction_sound : cbox -> bool **)
+
+let friction_sound b =
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } b.box_friction.low)
+    ((||) (negb b.box_spring)
+      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
 
 (** val is_enclosure : interval -> q -> bool **)
 
@@ -4251,39 +4284,6 @@ let inverted n0 free a =
   then Some (m, inverse)
   else None
 
-(** val middle : interval -> q **)
-
-let middle i =
-  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
-    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
-
-(** val only_middle : interval -> interval **)
-
-let only_middle i =
-  exactly (middle i)
-
-(** val middle_box : cbox -> cbox **)
-
-let middle_box b =
-  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
-    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
-    box_preload = (only_middle b.box_preload); box_growth =
-    (only_middle b.box_growth); box_stiffness =
-    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
-    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
-    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
-    b.box_slack }
-
-(** val friction_sound : cbox -> bool **)
-
-let friction_sound b =
-  (&&)
-    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int } b.box_friction.low)
-    ((||) (negb b.box_spring)
-      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
-
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
                       is_a_simplex : bool; wall_rows : matrix;
@@ -5676,12 +5676,10 @@ let check_tree advisor q0 s nodes =
 (** val check_parts : oracle -> question -> setting -> part list -> answer **)
 
 let check_parts advisor q0 s parts =
-  if negb (straight s)
-  then NotProvedHere "stability where normals in space are uncertain"
-  else (match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
-                Big_int_Z.zero_big_int) :: []) O with
-        | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
-        | None -> Stable)
+  match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
+          Big_int_Z.zero_big_int) :: []) O with
+  | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
+  | None -> Stable
 
 (** val check_margin :
     oracle -> question -> setting -> (q * q option) list -> segment list ->
@@ -5738,38 +5736,35 @@ let holding_fails advisor q0 s number lo hi evidence =
   let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
     second))))
   in
-  if negb (straight s)
-  then Some (NotProvedHere "stability where normals in space are uncertain")
-  else (match evidence with
-        | Inl p ->
-          (match part_fails advisor q0.bilateral (most_depth s.rows) low0
-                   high0 s p with
-           | Some p0 ->
-             let (rule, node0) = p0 in
-             Some (Rejected (rule, (AtProofOf (number, node0))))
-           | None -> None)
-        | Inr points ->
-          if negb (is_one_grasp s)
-          then failing "witness-box" false
-          else (match points with
-                | [] -> Some (NotProvedHere "no points")
-                | w :: more ->
-                  (match at_ low0 w with
-                   | Inl ss ->
-                     (match more with
-                      | [] ->
-                        if qeq_bool low0 high0
-                        then None
-                        else Some (NotProvedHere "one point of two")
-                      | w' :: _ ->
-                        (match at_ high0 w' with
-                         | Inl ss' ->
-                           if same_mode ss ss'
-                           then None
-                           else Some (Rejected ("segment-mode", (AtInterval
-                                  number)))
-                         | Inr rule -> failing rule true))
-                   | Inr rule -> failing rule false)))
+  (match evidence with
+   | Inl p ->
+     (match part_fails advisor q0.bilateral (most_depth s.rows) low0 high0 s p with
+      | Some p0 ->
+        let (rule, node0) = p0 in
+        Some (Rejected (rule, (AtProofOf (number, node0))))
+      | None -> None)
+   | Inr points ->
+     if negb (is_one_grasp s)
+     then failing "witness-box" false
+     else (match points with
+           | [] -> Some (NotProvedHere "no points")
+           | w :: more ->
+             (match at_ low0 w with
+              | Inl ss ->
+                (match more with
+                 | [] ->
+                   if qeq_bool low0 high0
+                   then None
+                   else Some (NotProvedHere "one point of two")
+                 | w' :: _ ->
+                   (match at_ high0 w' with
+                    | Inl ss' ->
+                      if same_mode ss ss'
+                      then None
+                      else Some (Rejected ("segment-mode", (AtInterval
+                             number)))
+                    | Inr rule -> failing rule true))
+              | Inr rule -> failing rule false)))
 
 (** val joined :
     (q * q option) list -> q -> q option -> (q * q option) list **)

@@ -26,7 +26,8 @@ let units = ref ([], [||])
 let units_of conditions =
   if fst !units != conditions then
     units := (conditions,
-              Array.of_list (List.map (fun (form, equality) -> if equality then [||] else unit form) conditions));
+              Array.map (fun (form, equality) -> if equality then [||] else unit form)
+                (Array.of_list conditions));
   snd !units
 
 (* Where many forms cut, as those of the bilateral law do at a root, those first that cut deepest: with few of them the

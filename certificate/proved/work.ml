@@ -16,7 +16,7 @@ let begin_question () =
   words_before := Gc.minor_words ()
 
 (* Both grow with the square of the files' length. *)
-let most_combinations () = 80_000 + (!bytes * !bytes / 1500)
+let most_combinations () = 800_000 + (!bytes * !bytes / 150)
 let most_words () = 5e8 +. (5. *. float_of_int !bytes *. float_of_int !bytes)
 
 let refuse most what =

@@ -3,7 +3,7 @@
    by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits
-  ByDegree Rest.
+  Load ByDegree Rest.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -29,7 +29,7 @@ Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string
 (* A segment by degree of a margin, from a multiple to another or without end; where w and P are 0, what holds
    from 1 on holds from 0 on. *)
 Definition unloaded (s : setting) : bool :=
-  forallb (fun i => is_zero (low i) && is_zero (high i)) (load_box (the_load s)) &&
+  one_load (the_load s) && forallb is_zero (map low (load_box (the_load s))) &&
   forallb (fun r => is_zero (low (box_preload (box r))) && is_zero (high (box_preload (box r)))) (rows s).
 
 Definition segment_by_degree_fails (s : setting) (alpha : Q) (beta : option Q) (d1 d2 : list Q)
@@ -85,12 +85,11 @@ Qed.
 Lemma unloaded_stable s lambda : in_setting s sys -> unloaded s = true -> 0 <= lambda ->
   Rows.stable_at sys 1 -> Rows.stable_at sys lambda.
 Proof.
-  intros I U L (d & fs & Ld & O & B). unfold unloaded in U. apply andb_true_iff in U as [Uw Up].
-  destruct (its_box _ _ I) as (Fr & _ & Fw & _).
+  intros I U L (d & fs & Ld & O & B). unfold unloaded in U. rewrite !andb_true_iff in U. destruct U as [[Uo Uw] Up].
+  destruct (its_box _ _ I) as (Fr & Fw & _). apply (one_load_is _ _ Uo) in Fw.
   assert (W : forall y, Rows.dot (Rows.wrench sys) y = 0).
-  { clear - Fw Uw. revert Uw. induction Fw as [|i x is w [W1 W2] Fw IH]; intros Uw y; [reflexivity|].
-    cbn in Uw. rewrite !andb_true_iff in Uw. destruct Uw as [[U1 U2] Uw]. apply is_zero_real in U1, U2.
-    destruct y as [|t y]; [reflexivity|]. cbn. rewrite IH by exact Uw. replace x with 0 by lra. ring. }
+  { rewrite Fw. clear - Uw. induction (map low _) as [|q w IH]; intros [|t y]; cbn in *; try reflexivity.
+    apply andb_true_iff in Uw as [U Uw]. apply is_zero_real in U. unfold real in IH. rewrite U, IH by exact Uw. ring. }
   assert (P : Forall (fun r => Rows.preload r = 0) (Rows.rows sys)).
   { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ Se] Fr IH]; intros Up; constructor;
       cbn in Up; rewrite !andb_true_iff in Up; destruct Up as [[U1 U2] Up]; [|now apply IH].

@@ -26,13 +26,19 @@ Record contact := Contact {
   preload_growth : Q         (* P^u; 0 without a preload direction *)
 }.
 
+(* A ball of loads: those of a force and a torque at a point whose size, with torques divided by a length, is at most
+   its radius. *)
+Record ball := Ball { radius : Q; torque_length : Q; about : list Q }.
+
 Record question := Question {
   dimension : nat;           (* of motions: 3 in the plane, 6 in space *)
   bilateral : bool;          (* the normal law *)
   is_margin : bool;          (* a direction of either kind was given *)
   contacts : list contact;
   wrench : list interval;    (* w, after the table of FORMAT.md 1, widened *)
+  load_ball : option ball;   (* of which any load is added to w *)
   direction : list Q;        (* u; as many zeros without a direction of wrenches *)
+  load_plane : option (list Q * list Q);   (* u and v, if it is about w + s u + t v *)
   inertia : list Q           (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
 }.
 
@@ -45,7 +51,8 @@ Inductive node :=
   | Separation (contact_index : Z)
   | Plane (numbers : list Q)          (* without the number of l in a verdict: as in the file *)
   | Cut (name : parameter) (index : Z) (at_number : Q)             (* `part` *)
-  | Leaf (y : list Q).
+  | Leaf (y : list Q)
+  | Held (piece : Z).                 (* a leaf, of a plane of loads *)
 
 Record witness := Witness {
   twist : list Q;
@@ -71,6 +78,9 @@ Inductive part :=
 Inductive claim :=
   | ClaimStable (low : Q) (high : option Q) (evidence : part + list witness)
   | ClaimUnstable (low : Q) (high : option Q) (tree : list node).
+
+(* POINT of a piece of a plane of loads: `at` or `towards` s, t. *)
+Record load_point := LoadPoint { is_at : bool; along_u : Q; along_v : Q; load_witness : witness }.
 
 (* Nodes of a tree about rigid contacts. *)
 Inductive rigid_node :=
@@ -98,7 +108,8 @@ Inductive proof :=
   | UnstableByTree (tree : list node)
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
   | MarginInSpace (claims : list claim)
-  | OfClass (p : class_proof).
+  | OfClass (p : class_proof)
+  | RegionBy (pieces : list (list load_point)) (tree : list node).
 
 Record certificate := Certificate {
   bits : Z;                           (* 128 if left out *)
@@ -115,7 +126,8 @@ Inductive place :=
   | AtPoint (segment : nat) (second : bool)
   | AtPart (number : nat) (node : option nat)    (* and the number in the part's own tree *)
   | AtPointOf (interval : nat) (second : bool)
-  | AtProofOf (interval : nat) (node : option nat).
+  | AtProofOf (interval : nat) (node : option nat)
+  | AtPiece (number : nat) (point : option nat).
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)
@@ -125,6 +137,8 @@ Inductive answer :=
      either.  Nothing is claimed of others. *)
   | Claims (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool))
   | Class (found : class)                          (* of rigid contacts *)
+  (* Exactly the (s, t) in these pieces, of which each is known by points (1, s, t), or towards (0, s, t). *)
+  | Region (pieces : list (list (Q * Q * Q)))
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 

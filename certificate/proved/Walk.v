@@ -1,8 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
-(* Trees (FORMAT.md section 4), the same in the plane and in space: regions, and the walk over a list of
-   nodes.  What a node's children are and when a leaf holds are arguments here, given by Tree.v for
-   the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
-   list of nodes is accepted for some roots, no solution is at home in any of them. *)
+(* Trees (FORMAT.md section 4): regions, and the walk over a list of nodes.  What a node's children are and when a
+   leaf holds are arguments here, given by Tree.v; so is which points are solutions.  `walk_refutes`: if a
+   list of nodes is accepted for some roots, no solution is at home in any of them, unless a leaf holds it. *)
 From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Cutting Box Terms.
 Import ListNotations.
@@ -72,7 +71,9 @@ Definition child (r : region) (b : branch) : region :=
 (* The children's branches, or the rule that fails. *)
 Variable split : setting -> node -> list branch + string.
 (* The rule that fails, at a leaf with these strict functions and rays. *)
-Variable leaf_fails : setting -> list (list form) -> list ray -> list Q -> option string.
+Variable leaf_fails : setting -> list (list form) -> list ray -> node -> option string.
+
+Definition is_leaf (n : node) : bool := match n with Leaf _ | Held _ => true | _ => false end.
 
 Definition at_leaf (r : region) : list (list form) * list ray :=
   fold_left (fun sr fs => (fs :: fst sr, map (add_strict fs) (snd sr))) (moving r)
@@ -81,19 +82,17 @@ Definition at_leaf (r : region) : list (list form) * list ray :=
 Definition visit (most_depth : Z) (n : node) (r : region) : list region + string :=
   if Z.ltb most_depth (depth r) then inr "node-depth"%string
   else
-    match n with
-    | Leaf y =>
-        let (strict', rays') := at_leaf r in
-        match leaf_fails (around r) strict' rays' y with
-        | None => inl []
-        | Some rule => inr rule
-        end
-    | _ =>
-        match split (around r) n with
-        | inl bs => inl (map (child r) bs)
-        | inr rule => inr rule
-        end
-    end.
+    if is_leaf n then
+      let (strict', rays') := at_leaf r in
+      match leaf_fails (around r) strict' rays' n with
+      | None => inl []
+      | Some rule => inr rule
+      end
+    else
+      match split (around r) n with
+      | inl bs => inl (map (child r) bs)
+      | inr rule => inr rule
+      end.
 
 (* The regions that nodes still have to be about, the next one first. *)
 Fixpoint walk (most_depth : Z) (nodes : list node) (todo : list region) (number : nat)
@@ -131,8 +130,9 @@ End Roots.
 
 Open Scope R_scope.
 
-(* Which points are solutions of a choice in a box. *)
+(* Which points are solutions of a choice in a box; and what leaves show of these, False where they only refute. *)
 Variable solves : setting -> list R -> Prop.
+Variable shown : list R -> Prop.
 
 Definition meets (x : list R) (c : form * bool) :=
   if snd c then rdot (fst c) x = 0 else 0 <= rdot (fst c) x.
@@ -162,13 +162,13 @@ Proof.
   - split; [right; now left|]. apply takes_above; [exact S|]. rewrite rdot_negative. lra.
 Qed.
 
-Hypothesis split_covers : forall s n bs x, (forall y, n <> Leaf y) ->
+Hypothesis split_covers : forall s n bs x, is_leaf n = false ->
   split s n = inl bs -> solves s x -> exists b, In b bs /\ takes b x.
 
-Hypothesis leaf_refutes : forall s strict' rays' y x,
-  leaf_fails s strict' rays' y = None -> Forall (knows strict') rays' ->
+Hypothesis leaf_refutes : forall s strict' rays' n x, is_leaf n = true ->
+  leaf_fails s strict' rays' n = None -> Forall (knows strict') rays' ->
   spans (map coordinates rays') (fun a => rdot a x) -> Forall (not_zero x) strict' ->
-  solves s x -> False.
+  solves s x -> shown x.
 
 Record at_home (r : region) (x : list R) : Prop := AtHome {
   home_solves : solves (around r) x;
@@ -188,7 +188,7 @@ Proof.
   intros [_ D] [_ L I _ _]. rewrite Forall_forall in I. now apply (all_spanned _ _ _ D).
 Qed.
 
-Definition refuted (r : region) := forall x, ~ at_home r x.
+Definition refuted (r : region) := forall x, at_home r x -> shown x.
 
 Lemma cut_above_good r f : good r -> good (cut_above r f).
 Proof.
@@ -299,8 +299,7 @@ Proof.
   intros G H. unfold visit in H. destruct (Z.ltb most (depth r)); [discriminate|].
   assert (C : forall bs, Forall good (map (child r) bs)).
   { intros bs. apply Forall_map, Forall_forall. intros b _. now apply child_good. }
-  destruct n; try (destruct (split (around r) _) as [bs|]; [|discriminate];
-    injection H as <-; apply C).
+  destruct (is_leaf n); [|destruct (split (around r) _) as [bs|]; [|discriminate]; injection H as <-; apply C].
   destruct (at_leaf r). destruct (leaf_fails _ _ _ _); [discriminate|]. injection H as <-. constructor.
 Qed.
 
@@ -309,12 +308,10 @@ Lemma visit_refutes most n r children : good r -> visit most n r = inl children 
 Proof.
   intros G H RF x Home. unfold visit in H. destruct (Z.ltb most (depth r)); [discriminate|].
   rewrite Forall_forall in RF.
-  assert (C : forall n bs, (forall y, n <> Leaf y) -> split (around r) n = inl bs ->
-    children = map (child r) bs -> False).
-  { intros n' bs NL E ->. destruct (split_covers _ _ _ x NL E (home_solves _ _ Home)) as (b & Hb & T).
-    apply (RF (child r b) (in_map _ _ _ Hb) x). now apply child_home. }
-  destruct n; try (destruct (split (around r) _) as [bs|] eqn:E; [|discriminate];
-    injection H as <-; eapply C; [|exact E|reflexivity]; discriminate).
+  destruct (is_leaf n) eqn:NL.
+  2:{ destruct (split (around r) n) as [bs|] eqn:E; [|discriminate]. injection H as <-.
+      destruct (split_covers _ _ _ x NL E (home_solves _ _ Home)) as (b & Hb & T).
+      apply (RF (child r b) (in_map _ _ _ Hb) x). now apply child_home. }
   destruct (at_leaf r) as [strict' rays'] eqn:AL.
   destruct (leaf_fails _ _ _ _) eqn:L; [discriminate|].
   destruct (at_leaf_good r x _ _ G Home AL) as (K & Sp & T).

@@ -89,9 +89,8 @@ def check_js(lines):
 
 
 def is_covered(question):
-    """Whether stickslip-proved judges this: not several bodies and balls of loads."""
-    # Whatever else is wrong.
-    return "stickslip-grasp/3" not in question["grasp"] and "wrench=ball:" not in " ".join(question["options"])
+    """Whether stickslip-proved judges this: not several bodies."""
+    return "stickslip-grasp/3" not in question["grasp"]  # whatever else is wrong
 
 
 def check_proved(lines):

@@ -50,6 +50,15 @@ module Coq__1 = struct
 end
 include Coq__1
 
+(** val sub : nat -> nat -> nat **)
+
+let rec sub n0 m =
+  match n0 with
+  | O -> n0
+  | S k -> (match m with
+            | O -> n0
+            | S l -> sub k l)
+
 (** val eqb : bool -> bool -> bool **)
 
 let eqb b1 b2 =
@@ -658,6 +667,23 @@ module Coq_Pos =
         q0)
       p
 
+  (** val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1 **)
+
+  let rec iter_op op p a =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> op a (iter_op op p0 (op a a)))
+      (fun p0 -> iter_op op p0 (op a a))
+      (fun _ -> a)
+      p
+
+  (** val to_nat : Big_int_Z.big_int -> nat **)
+
+  let to_nat x =
+    iter_op Coq__1.add x (S O)
+
   (** val of_succ_nat : nat -> Big_int_Z.big_int **)
 
   let rec of_succ_nat = function
@@ -731,6 +757,16 @@ let rec nth n0 l default =
   | S m -> (match l with
             | [] -> default
             | _ :: t -> nth m t default)
+
+(** val nth_error : 'a1 list -> nat -> 'a1 option **)
+
+let rec nth_error l = function
+| O -> (match l with
+        | [] -> None
+        | x :: _ -> Some x)
+| S n1 -> (match l with
+           | [] -> None
+           | _ :: l0 -> nth_error l0 n1)
 
 (** val removelast : 'a1 list -> 'a1 list **)
 
@@ -992,6 +1028,17 @@ module Z =
 
   let abs = Big_int_Z.abs_big_int
 
+  (** val to_nat : Big_int_Z.big_int -> nat **)
+
+  let to_nat z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> O)
+      (fun p -> Coq_Pos.to_nat p)
+      (fun _ -> O)
+      z0
+
   (** val of_nat : nat -> Big_int_Z.big_int **)
 
   let of_nat = function
@@ -1068,6 +1115,15 @@ module Z =
   | 0 -> zero_big_int
   | 1 -> div_big_int x y
   | _ -> add_int_big_int (-1) (div_big_int (add_int_big_int (-1) x) y))
+
+  (** val modulo :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let modulo = Big_int_Z.(fun x y ->
+  match sign_big_int y with
+  | 0 -> x
+  | 1 -> mod_big_int x y
+  | _ -> add_big_int y (add_int_big_int 1 (mod_big_int (add_int_big_int (-1) x) y)))
 
   (** val div2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -1417,9 +1473,12 @@ type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
                  preload : interval; preload_growth : q }
 
+type ball = { radius : q; torque_length : q; about : q list }
+
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list }
+                  load_ball : ball option; direction : q list;
+                  load_plane : (q list * q list) option; inertia : q list }
 
 type parameter =
 | PX
@@ -1438,6 +1497,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
@@ -1457,6 +1517,9 @@ type part =
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
+
+type load_point = { is_at : bool; along_u : q; along_v : q;
+                    load_witness : witness }
 
 type rigid_node =
 | RTouch of Big_int_Z.big_int
@@ -1490,6 +1553,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -1503,6 +1567,7 @@ type place =
 | AtPart of nat * nat option
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
+| AtPiece of nat * nat option
 
 type answer =
 | Stable
@@ -1510,6 +1575,7 @@ type answer =
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
+| Region of ((q * q) * q) list list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -2343,6 +2409,283 @@ let alpha_term m a mixed0 row0 =
 let alpha_over a row0 =
   Z.mul a.qden row0.pull_scale.over
 
+type vector = q list
+
+type matrix = vector list
+
+(** val inner : vector -> vector -> q **)
+
+let rec inner a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
+
+(** val plus_times : vector -> q -> vector -> vector **)
+
+let rec plus_times a s b =
+  match a with
+  | [] ->
+    (match b with
+     | [] -> a
+     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
+  | x :: a' ->
+    (match b with
+     | [] -> a
+     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
+
+(** val is_zero : q -> bool **)
+
+let is_zero q0 =
+  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val unit_vector : nat -> nat -> vector **)
+
+let unit_vector n0 i =
+  map (fun j ->
+    if Nat.eqb i j
+    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    (seq O n0)
+
+(** val identity : nat -> matrix **)
+
+let identity n0 =
+  map (unit_vector n0) (seq O n0)
+
+(** val of_rows : vector -> matrix -> vector **)
+
+let rec of_rows a m =
+  match a with
+  | [] -> []
+  | x :: a' ->
+    (match m with
+     | [] -> []
+     | r :: m' -> plus_times (of_rows a' m') x r)
+
+(** val pivot : nat -> matrix -> (vector * matrix) option **)
+
+let rec pivot column0 = function
+| [] -> None
+| r :: m' ->
+  if is_zero
+       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int })
+  then (match pivot column0 m' with
+        | Some p -> let (found, others) = p in Some (found, (r :: others))
+        | None -> None)
+  else Some (r, m')
+
+(** val eliminate :
+    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
+
+let rec eliminate columns column0 m done0 =
+  match columns with
+  | O -> done0
+  | S columns' ->
+    (match pivot column0 m with
+     | Some p ->
+       let (r, others) = p in
+       let r0 =
+         plus_times []
+           (qinv
+             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r
+       in
+       let without = fun a ->
+         plus_times a
+           (qopp
+             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r0
+       in
+       eliminate columns' (S column0) (map without others)
+         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
+           ((column0, r0) :: []))
+     | None -> eliminate columns' (S column0) m done0)
+
+(** val kernel : nat -> matrix -> matrix **)
+
+let kernel n0 m =
+  let done0 = eliminate n0 O m [] in
+  flat_map (fun j ->
+    if existsb (fun p -> Nat.eqb (fst p) j) done0
+    then []
+    else (fold_right (fun p a ->
+           plus_times a
+             (qopp
+               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int })) (unit_vector n0 (fst p)))
+           (unit_vector n0 j) done0) :: []) (seq O n0)
+
+(** val inverse_of : nat -> matrix -> matrix **)
+
+let inverse_of n0 m =
+  map (fun p -> skipn n0 (snd p))
+    (eliminate n0 O
+      (map (fun p -> app (fst p) (snd p)) (combine m (identity n0))) [])
+
+(** val same_vectors : vector -> vector -> bool **)
+
+let rec same_vectors a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
+
+(** val same_matrices : matrix -> matrix -> bool **)
+
+let rec same_matrices a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
+
+(** val is_inverse : nat -> matrix -> matrix -> bool **)
+
+let is_inverse n0 left m =
+  same_matrices (map (fun a -> of_rows a m) left) (identity n0)
+
+(** val all_of_length : nat -> 'a1 list list -> bool **)
+
+let all_of_length n0 m =
+  forallb (fun r -> Nat.eqb (length r) n0) m
+
+(** val middle : interval -> q **)
+
+let middle i =
+  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+
+(** val only_middle : interval -> interval **)
+
+let only_middle i =
+  exactly (middle i)
+
+(** val middle_box : cbox -> cbox **)
+
+let middle_box b =
+  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
+    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
+    box_preload = (only_middle b.box_preload); box_growth =
+    (only_middle b.box_growth); box_stiffness =
+    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val friction_sound : cbox -> bool **)
+
+let friction_sound b =
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } b.box_friction.low)
+    ((||) (negb b.box_spring)
+      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+type addition = { ball_numbers : interval list; ball_ways : matrix;
+                  ball_squares : q list }
+
+(** val nothing_added : addition **)
+
+let nothing_added =
+  { ball_numbers = []; ball_ways = []; ball_squares = [] }
+
+type load = { load_box : interval list; load_growth : q list;
+              load_added : addition }
+
+(** val work_of_box : interval list -> vector -> interval **)
+
+let rec work_of_box box0 y =
+  match box0 with
+  | [] ->
+    exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | i :: box' ->
+    (match y with
+     | [] ->
+       exactly { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int }
+     | q0 :: y' ->
+       let { low = least; high = most } = work_of_box box' y' in
+       if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0
+       then let a = i.low in
+            let b = i.high in
+            { low = (reduced (qplus (qmult q0 a) least)); high =
+            (reduced (qplus (qmult q0 b) most)) }
+       else let a = i.high in
+            let b = i.low in
+            { low = (reduced (qplus (qmult q0 a) least)); high =
+            (reduced (qplus (qmult q0 b) most)) })
+
+(** val sum_of_squares : vector -> vector -> q **)
+
+let rec sum_of_squares weights a =
+  match weights with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | w :: ws ->
+    (match a with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | x :: a' -> reduced (qplus (qmult w (qmult x x)) (sum_of_squares ws a')))
+
+(** val work_of_addition : addition -> vector -> interval **)
+
+let work_of_addition it y =
+  match it.ball_ways with
+  | [] ->
+    exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | _ :: _ ->
+    let along = map (fun b -> inner b y) it.ball_ways in
+    let in_box = work_of_box it.ball_numbers along in
+    let root0 = root_above (sum_of_squares it.ball_squares along) in
+    { low = (qmax in_box.low (qopp root0)); high = (qmin in_box.high root0) }
+
+(** val work_of : load -> vector -> interval **)
+
+let work_of ld y =
+  let a = work_of_box ld.load_box y in
+  let b = work_of_addition ld.load_added y in
+  { low = (reduced (qplus a.low b.low)); high =
+  (reduced (qplus a.high b.high)) }
+
+(** val one_load : load -> bool **)
+
+let one_load ld =
+  (&&) (forallb certain ld.load_box)
+    (match ld.load_added.ball_numbers with
+     | [] -> true
+     | _ :: _ -> false)
+
+(** val nearest_to_zero : interval -> q **)
+
+let nearest_to_zero i =
+  if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int } i.low
+  then i.low
+  else if qle_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int }
+       then i.high
+       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val middle_load : load -> load **)
+
+let middle_load ld =
+  let a = ld.load_added in
+  { load_box = (map only_middle ld.load_box); load_growth = ld.load_growth;
+  load_added = { ball_numbers =
+  (map (fun i -> exactly (nearest_to_zero i)) a.ball_numbers); ball_ways =
+  a.ball_ways; ball_squares = a.ball_squares } }
+
 (** val edges : form list list -> ray list -> row -> form multi list **)
 
 let edges strict0 rays0 row0 =
@@ -2438,43 +2781,18 @@ let edges_term m y es mixed0 row0 =
         then mixed_forms row0 (work_tree y e)
         else products_with row0 (work_tree y e)) es) mixed0
 
-type load = { load_box : interval list; load_growth : q list;
-              lows_of_w : form; highs_of_w : form; form_of_u : form;
-              load_scaling : scaling }
+(** val load_works : load -> q -> form -> q * q **)
 
-(** val make_load : interval list -> q list -> load **)
+let load_works ld factor0 y =
+  let y0 = map (fun c -> qmult factor0 (inject_Z c)) y in
+  ((reduced (qdiv (work_of ld y0).high factor0)),
+  (reduced (qdiv (inner ld.load_growth y0) factor0)))
 
-let make_load w u =
-  let s =
-    scaling_of
-      (app (map (fun i -> i.low) w) (app (map (fun i -> i.high) w) u))
-  in
-  let z0 = map (to_integer s) in
-  { load_box = w; load_growth = u; lows_of_w = (z0 (map (fun i -> i.low) w));
-  highs_of_w = (z0 (map (fun i -> i.high) w)); form_of_u = (z0 u);
-  load_scaling = s }
+(** val load_term : Big_int_Z.big_int -> (q * q) -> form **)
 
-(** val most_work : form -> form -> form -> Big_int_Z.big_int **)
-
-let rec most_work y lows0 highs0 =
-  match y with
-  | [] -> Big_int_Z.zero_big_int
-  | c :: y' ->
-    (match lows0 with
-     | [] -> Big_int_Z.zero_big_int
-     | l :: lows' ->
-       (match highs0 with
-        | [] -> Big_int_Z.zero_big_int
-        | h :: highs' ->
-          Z.add (Z.mul c (if Z.ltb Big_int_Z.zero_big_int c then h else l))
-            (most_work y' lows' highs')))
-
-(** val load_term : Big_int_Z.big_int -> form -> load -> form **)
-
-let load_term m y ld =
-  let t = Z.mul m ld.load_scaling.times in
-  (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) ld.load_scaling.over) :: (
-  (up (Z.mul t (dot ld.form_of_u y)) ld.load_scaling.over) :: [])
+let load_term m = function
+| (a, b) ->
+  (up (Z.mul m a.qnum) a.qden) :: ((up (Z.mul m b.qnum) b.qden) :: [])
 
 type way =
 | Along of form multi list
@@ -2520,57 +2838,36 @@ let term_of m y p =
   | Along es -> edges_term m y es p.mixed p.pressing
   | Most a -> alpha_term m a p.mixed p.pressing
 
-(** val with_alphas :
-    Big_int_Z.big_int -> presser list -> Big_int_Z.big_int **)
+(** val with_all :
+    Big_int_Z.big_int -> (q * q) -> q list -> presser list ->
+    Big_int_Z.big_int **)
 
-let with_alphas m them =
-  fold_left (fun m0 p ->
+let with_all m works more them =
+  let m0 = fold_left (fun m0 q0 -> Z.lcm m0 q0.qden) more m in
+  fold_left (fun m1 p ->
     match p.by_ with
-    | Along _ -> m0
-    | Most a -> Z.lcm m0 (alpha_over a p.pressing)) them m
+    | Along _ -> m1
+    | Most a -> Z.lcm m1 (alpha_over a p.pressing)) them
+    (Z.lcm (Z.lcm m0 (fst works).qden) (snd works).qden)
 
 (** val leaf_holds_by :
-    Big_int_Z.big_int -> presser list -> load -> form list list -> ray list
-    -> form -> bool **)
+    Big_int_Z.big_int -> presser list -> (q * q) -> q list -> form list list
+    -> ray list -> form -> bool **)
 
-let leaf_holds_by m them ld strict0 rays0 y =
-  (&&) (Z.ltb Big_int_Z.zero_big_int m)
-    (let (linear, bends) = collect (term_of m y) them (load_term m y ld) [] in
+let leaf_holds_by m them works more strict0 rays0 y =
+  (&&)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int m)
+      (forallb (fun q0 ->
+        Z.eqb (Z.modulo (Z.mul m q0.qnum) q0.qden) Big_int_Z.zero_big_int)
+        more))
+    (let form0 =
+       combine0 Big_int_Z.unit_big_int (load_term m works)
+         Big_int_Z.unit_big_int
+         (map (fun q0 -> Z.div (Z.mul m q0.qnum) q0.qden) more)
+     in
+     let (linear, bends) = collect (term_of m y) them form0 [] in
      positive_at_home strict0 rays0 (fun x ->
        Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
-
-(** val middle : interval -> q **)
-
-let middle i =
-  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
-    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
-
-(** val only_middle : interval -> interval **)
-
-let only_middle i =
-  exactly (middle i)
-
-(** val middle_box : cbox -> cbox **)
-
-let middle_box b =
-  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
-    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
-    box_preload = (only_middle b.box_preload); box_growth =
-    (only_middle b.box_growth); box_stiffness =
-    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
-    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
-    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
-    b.box_slack }
-
-(** val friction_sound : cbox -> bool **)
-
-let friction_sound b =
-  (&&)
-    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int } b.box_friction.low)
-    ((||) (negb b.box_spring)
-      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
 
 (** val is_enclosure : interval -> q -> bool **)
 
@@ -3110,6 +3407,13 @@ let child advisor r b =
   moving = (app b.new_moving r0.moving); around = b.branch_setting; depth =
   (Z.add r0.depth Big_int_Z.unit_big_int) }
 
+(** val is_leaf : node -> bool **)
+
+let is_leaf = function
+| Leaf _ -> true
+| Held _ -> true
+| _ -> false
+
 (** val at_leaf : 'a1 region -> form list list * ray list **)
 
 let at_leaf r =
@@ -3118,26 +3422,24 @@ let at_leaf r =
 
 (** val visit :
     oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
-    list list -> ray list -> q list -> string option) -> Big_int_Z.big_int ->
+    list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
     node -> 'a1 region -> ('a1 region list, string) sum **)
 
 let visit advisor split0 leaf_fails0 most_depth0 n0 r =
   if Z.ltb most_depth0 r.depth
   then Inr "node-depth"
-  else (match n0 with
-        | Leaf y ->
-          let (strict', rays') = at_leaf r in
-          (match leaf_fails0 r.around strict' rays' y with
-           | Some rule -> Inr rule
-           | None -> Inl [])
-        | _ ->
-          (match split0 r.around n0 with
-           | Inl bs -> Inl (map (child advisor r) bs)
-           | Inr rule -> Inr rule))
+  else if is_leaf n0
+       then let (strict', rays') = at_leaf r in
+            (match leaf_fails0 r.around strict' rays' n0 with
+             | Some rule -> Inr rule
+             | None -> Inl [])
+       else (match split0 r.around n0 with
+             | Inl bs -> Inl (map (child advisor r) bs)
+             | Inr rule -> Inr rule)
 
 (** val walk :
     oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
-    list list -> ray list -> q list -> string option) -> Big_int_Z.big_int ->
+    list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
     node list -> 'a1 region list -> nat -> (string * nat) option **)
 
 let rec walk advisor split0 leaf_fails0 most_depth0 nodes todo number =
@@ -3179,157 +3481,6 @@ let everywhere n0 s =
 let root advisor n0 b =
   child advisor (everywhere n0 b.branch_setting) b
 
-type vector = q list
-
-type matrix = vector list
-
-(** val inner : vector -> vector -> q **)
-
-let rec inner a b =
-  match a with
-  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-  | x :: a' ->
-    (match b with
-     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
-
-(** val plus_times : vector -> q -> vector -> vector **)
-
-let rec plus_times a s b =
-  match a with
-  | [] ->
-    (match b with
-     | [] -> a
-     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
-  | x :: a' ->
-    (match b with
-     | [] -> a
-     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
-
-(** val is_zero : q -> bool **)
-
-let is_zero q0 =
-  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-
-(** val unit_vector : nat -> nat -> vector **)
-
-let unit_vector n0 i =
-  map (fun j ->
-    if Nat.eqb i j
-    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
-    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-    (seq O n0)
-
-(** val identity : nat -> matrix **)
-
-let identity n0 =
-  map (unit_vector n0) (seq O n0)
-
-(** val of_rows : vector -> matrix -> vector **)
-
-let rec of_rows a m =
-  match a with
-  | [] -> []
-  | x :: a' ->
-    (match m with
-     | [] -> []
-     | r :: m' -> plus_times (of_rows a' m') x r)
-
-(** val pivot : nat -> matrix -> (vector * matrix) option **)
-
-let rec pivot column0 = function
-| [] -> None
-| r :: m' ->
-  if is_zero
-       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
-         Big_int_Z.unit_big_int })
-  then (match pivot column0 m' with
-        | Some p -> let (found, others) = p in Some (found, (r :: others))
-        | None -> None)
-  else Some (r, m')
-
-(** val eliminate :
-    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
-
-let rec eliminate columns column0 m done0 =
-  match columns with
-  | O -> done0
-  | S columns' ->
-    (match pivot column0 m with
-     | Some p ->
-       let (r, others) = p in
-       let r0 =
-         plus_times []
-           (qinv
-             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) r
-       in
-       let without = fun a ->
-         plus_times a
-           (qopp
-             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) r0
-       in
-       eliminate columns' (S column0) (map without others)
-         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
-           ((column0, r0) :: []))
-     | None -> eliminate columns' (S column0) m done0)
-
-(** val kernel : nat -> matrix -> matrix **)
-
-let kernel n0 m =
-  let done0 = eliminate n0 O m [] in
-  flat_map (fun j ->
-    if existsb (fun p -> Nat.eqb (fst p) j) done0
-    then []
-    else (fold_right (fun p a ->
-           plus_times a
-             (qopp
-               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int })) (unit_vector n0 (fst p)))
-           (unit_vector n0 j) done0) :: []) (seq O n0)
-
-(** val inverse_of : nat -> matrix -> matrix **)
-
-let inverse_of n0 m =
-  map (fun p -> skipn n0 (snd p))
-    (eliminate n0 O
-      (map (fun p -> app (fst p) (snd p)) (combine m (identity n0))) [])
-
-(** val same_vectors : vector -> vector -> bool **)
-
-let rec same_vectors a b =
-  match a with
-  | [] -> (match b with
-           | [] -> true
-           | _ :: _ -> false)
-  | x :: a' ->
-    (match b with
-     | [] -> false
-     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
-
-(** val same_matrices : matrix -> matrix -> bool **)
-
-let rec same_matrices a b =
-  match a with
-  | [] -> (match b with
-           | [] -> true
-           | _ :: _ -> false)
-  | x :: a' ->
-    (match b with
-     | [] -> false
-     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
-
-(** val is_inverse : nat -> matrix -> matrix -> bool **)
-
-let is_inverse n0 left m =
-  same_matrices (map (fun a -> of_rows a m) left) (identity n0)
-
-(** val all_of_length : nat -> 'a1 list list -> bool **)
-
-let all_of_length n0 m =
-  forallb (fun r -> Nat.eqb (length r) n0) m
-
 (** val replace_after :
     'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
 
@@ -3349,14 +3500,21 @@ let replace l i new0 =
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
+type pushing = { a_multiple : matrix; known_push : matrix }
+
+(** val no_push : pushing **)
+
+let no_push =
+  { a_multiple = []; known_push = [] }
+
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 pushes : matrix; slipping : Big_int_Z.big_int list;
+                 pushes : pushing; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
-(** val common_multiple : row list -> load -> Big_int_Z.big_int **)
+(** val common_multiple : row list -> Big_int_Z.big_int **)
 
-let common_multiple rows0 ld =
-  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 ld.load_scaling.over
+let common_multiple rows0 =
+  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 Big_int_Z.unit_big_int
 
 (** val short_multiple :
     row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
@@ -3383,10 +3541,10 @@ let short_multiple rows0 multiple0 =
   then short0
   else multiple0
 
-(** val make_setting : nat -> row list -> load -> matrix -> setting **)
+(** val make_setting : nat -> row list -> load -> pushing -> setting **)
 
 let make_setting dimension0 rows0 ld pushes0 =
-  let m = common_multiple rows0 ld in
+  let m = common_multiple rows0 in
   { dimension_of = dimension0; rows = rows0; the_load = ld; pushes = pushes0;
   slipping = []; short = (short_multiple rows0 m); exact = m }
 
@@ -3402,16 +3560,35 @@ let leaf_fails s strict0 rays0 y =
          pressers strict0 rays0 s.slipping (unit_of sc) y' s.rows
            Big_int_Z.zero_big_int []
        in
-       let holds = fun m -> leaf_holds_by m them s.the_load strict0 rays0 y'
+       let works = load_works s.the_load (unit_of sc) y' in
+       let more =
+         map (fun q0 -> reduced (qdiv q0 (unit_of sc)))
+           (of_rows y s.pushes.known_push)
+       in
+       let holds = fun m -> leaf_holds_by m them works more strict0 rays0 y'
        in
        if (||) ((&&) (negb (Z.eqb s.short s.exact)) (holds s.short))
-            (holds (with_alphas s.exact them))
-       then let along = of_rows y s.pushes in
+            (holds (with_all s.exact works more them))
+       then let along = of_rows y s.pushes.a_multiple in
             if nowhere_negative rays0
                  (map (to_integer (scaling_of along)) along)
             then None
             else Some "leaf-direction"
        else Some "leaf-bound"
+
+(** val end_fails :
+    (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
+    list -> ray list -> node -> string option **)
+
+let end_fails held s strict0 rays0 = function
+| Leaf y -> leaf_fails s strict0 rays0 y
+| Held k -> held k rays0
+| _ -> Some "node-contact"
+
+(** val no_pieces : Big_int_Z.big_int -> ray list -> string option **)
+
+let no_pieces _ _ =
+  Some "held-piece"
 
 (** val is_inside : interval -> q -> bool **)
 
@@ -3541,13 +3718,29 @@ let set_row s index b =
   the_load = s.the_load; pushes = s.pushes; slipping = s.slipping; short =
   s.short; exact = (Z.lcm s.exact row0.over_weight) }
 
-(** val set_load : setting -> interval list -> setting **)
+(** val set_load : setting -> load -> setting **)
 
-let set_load s w =
-  let ld = make_load w s.the_load.load_growth in
+let set_load s ld =
   { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
-  s.pushes; slipping = s.slipping; short = s.short; exact =
-  (Z.lcm s.exact ld.load_scaling.over) }
+    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact }
+
+(** val numbers_of : load -> interval list **)
+
+let numbers_of ld =
+  match ld.load_added.ball_numbers with
+  | [] -> ld.load_box
+  | i :: l -> i :: l
+
+(** val with_numbers : load -> interval list -> load **)
+
+let with_numbers ld is =
+  let a = ld.load_added in
+  (match a.ball_numbers with
+   | [] -> { load_box = is; load_growth = ld.load_growth; load_added = a }
+   | _ :: _ ->
+     { load_box = ld.load_box; load_growth = ld.load_growth; load_added =
+       { ball_numbers = is; ball_ways = a.ball_ways; ball_squares =
+       a.ball_squares } })
 
 (** val halves :
     setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -3556,12 +3749,17 @@ let set_load s w =
 let halves s name index c =
   match name with
   | PWrench ->
-    (match numbered s.the_load.load_box index with
+    let ld = s.the_load in
+    (match numbered (numbers_of ld) index with
      | Some i ->
        if is_inside i c
        then Inl
-              ((set_load s (replace s.the_load.load_box index (low_half i c))),
-              (set_load s (replace s.the_load.load_box index (high_half i c))))
+              ((set_load s
+                 (with_numbers ld
+                   (replace (numbers_of ld) index (low_half i c)))),
+              (set_load s
+                (with_numbers ld
+                  (replace (numbers_of ld) index (high_half i c)))))
        else Inr "part-inside"
      | None -> Inr "part-contact")
   | _ ->
@@ -3652,7 +3850,7 @@ let split s = function
      branch_setting = l } :: ({ conditions = []; new_strict = [];
      new_moving = []; branch_setting = h } :: []))
    | Inr rule -> Inr rule)
-| Leaf _ -> Inl []
+| _ -> Inl []
 
 (** val l_above : q -> form **)
 
@@ -3700,11 +3898,12 @@ let root_branch two_sided s g =
   (range_strict g); new_moving = []; branch_setting = s }
 
 (** val walk_ranges :
-    oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node list
-    -> (string * nat) option **)
+    oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+    Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
+    (string * nat) option **)
 
-let walk_ranges advisor most_depth0 two_sided s ranges0 nodes =
-  walk advisor split leaf_fails most_depth0 nodes
+let walk_ranges advisor held most_depth0 two_sided s ranges0 nodes =
+  walk advisor split (end_fails held) most_depth0 nodes
     (map_all (fun g ->
       root advisor (add (S (S O)) s.dimension_of) (root_branch two_sided s g))
       ranges0) O
@@ -3973,11 +4172,6 @@ let check_point bilateral0 dim rows0 ld x shares0 =
                     else Inr "witness-balance"
         | None -> Inr "witness-share"))
 
-(** val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
-
-let opposite x y =
-  Z.ltb (Z.mul x y) Big_int_Z.zero_big_int
-
 (** val aligned : form -> form -> form -> bool **)
 
 let aligned ms s t =
@@ -3986,26 +4180,37 @@ let aligned ms s t =
     ((&&) (Z.ltb Big_int_Z.zero_big_int p)
       (Z.eqb (Z.mul p p) (Z.mul (inner_of ms s s) (inner_of ms t t))))
 
-(** val one_mode : state -> state -> bool **)
+(** val first_slip : state list -> form **)
 
-let one_mode s t =
+let first_slip them =
+  match find (fun s -> negb (all_zero s.state_slip)) them with
+  | Some s -> s.state_slip
+  | None -> []
+
+(** val contact_mode : state list -> bool **)
+
+let contact_mode them = match them with
+| [] -> true
+| s :: _ ->
   let r = s.state_row in
   let b = r.box in
-  let e = if all_zero s.state_slip then t.state_slip else s.state_slip in
-  (&&) ((||) b.box_spring (negb (opposite s.state_v t.state_v)))
+  let e = first_slip them in
+  (&&)
+    ((||)
+      ((||) b.box_spring
+        (forallb (fun s0 -> Z.leb Big_int_Z.zero_big_int s0.state_v) them))
+      (forallb (fun s0 -> Z.leb s0.state_v Big_int_Z.zero_big_int) them))
     ((||)
       ((||)
         ((||)
           (qeq_bool (mu_of b) { qnum = Big_int_Z.zero_big_int; qden =
             Big_int_Z.unit_big_int })
-          ((&&) (Z.leb s.state_v Big_int_Z.zero_big_int)
-            (Z.leb t.state_v Big_int_Z.zero_big_int))) (all_zero e))
-      ((&&)
-        ((&&) (aligned r.metric s.state_slip t.state_slip)
-          ((||) (Z.leb s.state_v Big_int_Z.zero_big_int)
-            (against b s.state_share e)))
-        ((||) (Z.leb t.state_v Big_int_Z.zero_big_int)
-          (against b t.state_share e))))
+          (forallb (fun s0 -> Z.leb s0.state_v Big_int_Z.zero_big_int) them))
+        (all_zero e))
+      (forallb (fun s0 ->
+        (&&) (aligned r.metric e s0.state_slip)
+          ((||) (Z.leb s0.state_v Big_int_Z.zero_big_int)
+            (against b s0.state_share e))) them))
 
 (** val same_mode : state list -> state list -> bool **)
 
@@ -4015,7 +4220,7 @@ let rec same_mode ss ts =
   | s :: ss' ->
     (match ts with
      | [] -> true
-     | t :: ts' -> (&&) (one_mode s t) (same_mode ss' ts'))
+     | t :: ts' -> (&&) (contact_mode (s :: (t :: []))) (same_mode ss' ts'))
 
 (** val coordinates_of : point -> q list **)
 
@@ -4205,15 +4410,15 @@ let gaps resisted =
   gaps_from { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
     false resisted []
 
-(** val opposite0 : vector -> vector **)
+(** val opposite : vector -> vector **)
 
-let opposite0 a =
+let opposite a =
   map qopp a
 
 (** val walls_of : bool -> matrix -> matrix **)
 
 let walls_of simplex e =
-  if simplex then e else flat_map (fun a -> a :: ((opposite0 a) :: [])) e
+  if simplex then e else flat_map (fun a -> a :: ((opposite a) :: [])) e
 
 (** val transpose : nat -> matrix -> matrix **)
 
@@ -4249,7 +4454,7 @@ let is_simplex n0 e =
   | [] -> false
   | c :: l ->
     (match l with
-     | [] -> (||) (balances n0 e c) (balances n0 e (opposite0 c))
+     | [] -> (||) (balances n0 e c) (balances n0 e (opposite c))
      | _ :: _ -> false)
 
 (** val free_motions : nat -> bool -> matrix -> matrix option **)
@@ -4371,8 +4576,8 @@ let strict_form g =
 let middle_setting g s =
   make_setting s.dimension_of
     (map_all (fun r -> make_row (middle_box r.box)) s.rows)
-    (make_load (map only_middle s.the_load.load_box) s.the_load.load_growth)
-    (map (relative g) g.direction_rows)
+    (middle_load s.the_load) { a_multiple =
+    (map (relative g) g.direction_rows); known_push = [] }
 
 (** val middle_conditions : degree_proof -> (form * bool) list **)
 
@@ -4396,8 +4601,7 @@ let point_box b =
 (** val is_point : setting -> bool **)
 
 let is_point s =
-  (&&) (forallb (fun r -> point_box r.box) s.rows)
-    (forallb certain s.the_load.load_box)
+  (&&) (forallb (fun r -> point_box r.box) s.rows) (one_load s.the_load)
 
 (** val row_free : vector -> cbox -> bool **)
 
@@ -4410,27 +4614,19 @@ let row_free z0 b =
         (forallb (fun f -> is_zero (inner f z0)) (tl fs))))
     (tips (geometry_tree b))
 
-(** val load_free : vector -> interval list -> bool **)
+(** val load_free : vector -> load -> bool **)
 
-let rec load_free z0 w =
-  match z0 with
-  | [] -> true
-  | q0 :: z' ->
-    (match w with
-     | [] -> true
-     | i :: w' -> (&&) ((||) (certain i) (is_zero q0)) (load_free z' w'))
+let load_free z0 ld =
+  (&&) ((&&) (is_zero (work_of ld z0).low) (is_zero (work_of ld z0).high))
+    (is_zero (inner ld.load_growth z0))
 
 (** val all_free : matrix -> setting -> bool **)
 
 let all_free free s =
   (&&) (forallb (fun r -> friction_sound r.box) s.rows)
     (forallb (fun z0 ->
-      (&&)
-        ((&&)
-          ((&&) (forallb (fun r -> row_free z0 r.box) s.rows)
-            (load_free z0 s.the_load.load_box))
-          (is_zero (inner (map (fun i -> i.low) s.the_load.load_box) z0)))
-        (is_zero (inner s.the_load.load_growth z0))) free)
+      (&&) (forallb (fun r -> row_free z0 r.box) s.rows)
+        (load_free z0 s.the_load)) free)
 
 (** val range_sound : degree_proof -> setting -> bool **)
 
@@ -4500,8 +4696,8 @@ let degree_fails advisor two_sided most_depth0 s g nodes =
            | Some _ ->
              if (&&) two_sided (negb (law_holds advisor g s))
              then Some ("degree-law", None)
-             else (match walk advisor split leaf_fails most_depth0 nodes
-                           (root_regions advisor g s) O with
+             else (match walk advisor split (end_fails no_pieces) most_depth0
+                           nodes (root_regions advisor g s) O with
                    | Some p ->
                      let (rule, number) = p in Some (rule, (Some number))
                    | None -> None)
@@ -4618,8 +4814,12 @@ let pressures b lambda =
 (** val loads_at : setting -> q -> interval list **)
 
 let loads_at s lambda =
-  map (fun p -> shifted (fst p) (qmult lambda (snd p)))
-    (combine s.the_load.load_box s.the_load.load_growth)
+  let n0 = s.dimension_of in
+  map (fun k ->
+    shifted (work_of s.the_load (unit_vector n0 k))
+      (qmult lambda
+        (nth k s.the_load.load_growth { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }))) (seq O n0)
 
 (** val left_over : nat -> setting -> resting list -> q -> interval list **)
 
@@ -4806,8 +5006,8 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
 
 let unloaded s =
   (&&)
-    (forallb (fun i -> (&&) (is_zero i.low) (is_zero i.high))
-      s.the_load.load_box)
+    ((&&) (one_load s.the_load)
+      (forallb is_zero (map (fun i -> i.low) s.the_load.load_box)))
     (forallb (fun r ->
       (&&) (is_zero r.box.box_preload.low) (is_zero r.box.box_preload.high))
       s.rows)
@@ -5041,7 +5241,7 @@ let turned c ss =
   if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
        Big_int_Z.unit_big_int } c
   then ss
-  else map opposite0 ss
+  else map opposite ss
 
 type cell = (rigid * knowledge) list
 
@@ -5078,15 +5278,15 @@ let slip_children x known d =
              | [] ->
                let e = cross n0 d in
                Inl
-               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-               (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+               (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
              | u :: l ->
                (match l with
                 | [] ->
                   let e = cross n0 d in
                   Inl
-                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                  (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                  (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                 | v :: l0 ->
                   (match l0 with
                    | [] ->
@@ -5105,14 +5305,13 @@ let slip_children x known d =
                    | _ :: _ ->
                      let e = cross n0 d in
                      Inl
-                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                     (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0
-                                                                    e) :: (d :: [])) :: []))))))))
+                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                     (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: []))))))))
           | None ->
             let e = cross n0 d in
             Inl
-            ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-            (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: []))))))
+            ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+            (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: []))))))
   | _ :: l ->
     (match l with
      | [] ->
@@ -5132,16 +5331,15 @@ let slip_children x known d =
                 | [] ->
                   let e = cross n0 d in
                   Inl
-                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                  (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                  (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                 | u :: l0 ->
                   (match l0 with
                    | [] ->
                      let e = cross n0 d in
                      Inl
-                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                     (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0
-                                                                    e) :: (d :: [])) :: [])))))
+                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                     (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                    | v :: l1 ->
                      (match l1 with
                       | [] ->
@@ -5162,14 +5360,14 @@ let slip_children x known d =
                       | _ :: _ ->
                         let e = cross n0 d in
                         Inl
-                        ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                        (opposite0 d) :: ((opposite0 e) :: [])) :: ((
-                        (opposite0 e) :: (d :: [])) :: []))))))))
+                        ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                        (opposite d) :: ((opposite e) :: [])) :: (((opposite
+                                                                    e) :: (d :: [])) :: []))))))))
              | None ->
                let e = cross n0 d in
                Inl
-               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-               (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))))
+               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+               (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))))
 
 (** val ascending :
     Big_int_Z.big_int -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list
@@ -5602,6 +5800,304 @@ let class_fails most_depth0 mass w xs p =
          | Inr rule -> Some (rule, None))
       | Inr rule -> Some (rule, None)))
 
+(** val cross_product : form -> form -> form **)
+
+let cross_product a b =
+  match a with
+  | [] -> []
+  | x :: l ->
+    (match l with
+     | [] -> []
+     | y :: l0 ->
+       (match l0 with
+        | [] -> []
+        | z0 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match b with
+              | [] -> []
+              | x' :: l2 ->
+                (match l2 with
+                 | [] -> []
+                 | y' :: l3 ->
+                   (match l3 with
+                    | [] -> []
+                    | z' :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         (Z.sub (Z.mul y z') (Z.mul z0 y')) :: ((Z.sub
+                                                                  (Z.mul z0
+                                                                    x')
+                                                                  (Z.mul x z')) :: (
+                           (Z.sub (Z.mul x y') (Z.mul y x')) :: []))
+                       | _ :: _ -> []))))
+           | _ :: _ -> [])))
+
+(** val det : form -> form -> form -> Big_int_Z.big_int **)
+
+let det a b c =
+  dot a (cross_product b c)
+
+(** val first_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 option **)
+
+let rec first_some f = function
+| [] -> None
+| a :: l' -> (match f a with
+              | Some b -> Some b
+              | None -> first_some f l')
+
+(** val if_positive :
+    Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+    (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
+
+let if_positive factor0 terms =
+  if (&&) (Z.ltb Big_int_Z.zero_big_int factor0)
+       (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms)
+  then Some (factor0, terms)
+  else None
+
+(** val by_three :
+    form -> (nat * form) -> (nat * form) -> (nat * form) ->
+    (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
+
+let by_three q0 a b c =
+  let d = det (snd a) (snd b) (snd c) in
+  let s = Z.sgn d in
+  if_positive (Z.mul s d) (((fst a),
+    (Z.mul s (det q0 (snd b) (snd c)))) :: (((fst b),
+    (Z.mul s (det (snd a) q0 (snd c)))) :: (((fst c),
+    (Z.mul s (det (snd a) (snd b) q0))) :: [])))
+
+(** val by_two :
+    form -> (nat * form) -> (nat * form) ->
+    (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
+
+let by_two q0 a b =
+  let n0 = cross_product (snd a) (snd b) in
+  if Z.eqb (dot q0 n0) Big_int_Z.zero_big_int
+  then if_positive (dot n0 n0) (((fst a), (det n0 q0 (snd b))) :: (((fst b),
+         (det n0 (snd a) q0)) :: []))
+  else None
+
+(** val by_one :
+    form -> (nat * form) -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int)
+    list) option **)
+
+let by_one q0 a =
+  if all_zero (cross_product (snd a) q0)
+  then if_positive (dot (snd a) (snd a)) (((fst a), (dot q0 (snd a))) :: [])
+  else None
+
+(** val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option **)
+
+let or_else a b =
+  match a with
+  | Some _ -> a
+  | None -> b ()
+
+(** val sum_found :
+    ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
+    option **)
+
+let sum_found rays0 q0 =
+  let them =
+    combine (seq O (length rays0)) (map (fun r -> r.coordinates) rays0)
+  in
+  let all_of = fun f -> first_some f them in
+  if all_zero q0
+  then Some (Big_int_Z.unit_big_int, [])
+  else or_else
+         (match find (fun a ->
+                  match snd a with
+                  | [] -> false
+                  | h :: _ -> Z.ltb Big_int_Z.zero_big_int h) them with
+          | Some a -> all_of (fun b -> all_of (by_three q0 a b))
+          | None -> None) (fun _ ->
+         or_else (all_of (fun a -> all_of (by_two q0 a))) (fun _ ->
+           all_of (by_one q0)))
+
+(** val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form **)
+
+let sum_of_rays rays0 terms =
+  fold_right (fun t s ->
+    match nth_error rays0 (fst t) with
+    | Some r -> combine0 (snd t) r.coordinates Big_int_Z.unit_big_int s
+    | None -> s) [] terms
+
+(** val reason_holds :
+    ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
+    -> bool **)
+
+let reason_holds rays0 x factor0 terms =
+  (&&)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int factor0)
+      (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
+    (all_zero
+      (combine0 factor0 x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+        (sum_of_rays rays0 terms)))
+
+(** val is_sum_of : ray list -> form -> bool **)
+
+let is_sum_of rays0 q0 =
+  match sum_found rays0 q0 with
+  | Some p -> let (factor0, terms) = p in reason_holds rays0 q0 factor0 terms
+  | None -> false
+
+type homogeneous = (q * q) * q
+
+(** val load_part : load_point -> homogeneous **)
+
+let load_part p =
+  (((if p.is_at
+     then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+     else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }),
+    p.along_u), p.along_v)
+
+(** val part_list : homogeneous -> q list **)
+
+let part_list = function
+| (p, t) -> let (h, s) = p in h :: (s :: (t :: []))
+
+(** val ray_of_part : homogeneous -> ray **)
+
+let ray_of_part a =
+  { coordinates =
+    (map (to_integer (scaling_of (part_list a))) (part_list a)); zeros = [];
+    tight = Big_int_Z.zero_big_int }
+
+(** val part_of_ray : nat -> form -> form **)
+
+let part_of_ray n0 x =
+  (nth O x Big_int_Z.zero_big_int) :: ((nth (add (S (S O)) n0) x
+                                         Big_int_Z.zero_big_int) :: (
+    (nth (add (S (S (S O))) n0) x Big_int_Z.zero_big_int) :: []))
+
+(** val held_by :
+    nat -> ray list list -> Big_int_Z.big_int -> ray list -> string option **)
+
+let held_by n0 pieces k rays0 =
+  match numbered pieces k with
+  | Some piece ->
+    if forallb (fun r -> is_sum_of piece (part_of_ray n0 r.coordinates)) rays0
+    then None
+    else Some "held-inside"
+  | None -> Some "held-piece"
+
+(** val does_not_grow : cbox -> bool **)
+
+let does_not_grow b =
+  (&&) (is_zero b.box_growth.low) (is_zero b.box_growth.high)
+
+(** val load_in_plane : vector -> vector -> q -> q -> vector **)
+
+let load_in_plane u v s t =
+  plus_times (plus_times [] s u) t v
+
+(** val point_of_plane : load_point -> q list **)
+
+let point_of_plane p =
+  (if p.is_at
+   then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+   else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: ({ qnum =
+    Big_int_Z.unit_big_int; qden =
+    Big_int_Z.unit_big_int } :: p.load_witness.twist)
+
+(** val check_load_point :
+    bool -> nat -> row list -> interval list -> vector -> vector ->
+    load_point -> (state list, string) sum **)
+
+let check_load_point two_sided n0 rows0 w u v p =
+  let x = point_of_plane p in
+  check_point two_sided n0 rows0 { load_box = w; load_growth =
+    (load_in_plane u v p.along_u p.along_v); load_added = nothing_added }
+    (map (to_integer (scaling_of x)) x) p.load_witness.shares
+
+(** val point_states :
+    bool -> nat -> row list -> interval list -> vector -> vector ->
+    load_point list -> nat -> (state list list, string * nat) sum **)
+
+let rec point_states two_sided n0 rows0 w u v points number =
+  match points with
+  | [] -> Inl []
+  | p :: points' ->
+    (match check_load_point two_sided n0 rows0 w u v p with
+     | Inl ss ->
+       (match point_states two_sided n0 rows0 w u v points' (S number) with
+        | Inl others -> Inl ((rev_append ss []) :: others)
+        | Inr failure -> Inr failure)
+     | Inr rule -> Inr (rule, number))
+
+(** val share_one_mode : row list -> state list list -> bool **)
+
+let rec share_one_mode rows0 states0 =
+  match rows0 with
+  | [] -> true
+  | _ :: rows' ->
+    (&&)
+      (contact_mode
+        (flat_map (fun ss -> match ss with
+                             | [] -> []
+                             | s :: _ -> s :: []) states0))
+      (share_one_mode rows' (map tl states0))
+
+(** val pieces_fail :
+    bool -> nat -> row list -> interval list -> vector -> vector ->
+    load_point list list -> nat -> (string * place) option **)
+
+let rec pieces_fail two_sided n0 rows0 w u v pieces number =
+  match pieces with
+  | [] -> None
+  | points :: pieces' ->
+    (match point_states two_sided n0 rows0 w u v points O with
+     | Inl states0 ->
+       if share_one_mode rows0 states0
+       then pieces_fail two_sided n0 rows0 w u v pieces' (S number)
+       else Some ("piece-mode", (AtPiece (number, None)))
+     | Inr p -> let (rule, k) = p in Some (rule, (AtPiece (number, (Some k)))))
+
+(** val plane_node : nat -> node -> node **)
+
+let plane_node n0 a = match a with
+| Plane q0 ->
+  Plane
+    (app (firstn n0 q0)
+      (app (skipn (S n0) q0)
+        ((nth n0 q0 { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int }) :: [])))
+| _ -> a
+
+(** val plane_setting :
+    nat -> row list -> interval list -> vector -> vector -> setting **)
+
+let plane_setting n0 rows0 w u v =
+  make_setting (add (S (S O)) n0) rows0 { load_box = w; load_growth =
+    (map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int }) u); load_added = nothing_added }
+    { a_multiple = []; known_push =
+    (map (fun p ->
+      app
+        (repeat { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } (add (S (S O)) n0))
+        ((fst p) :: ((snd p) :: []))) (combine u v)) }
+
+(** val at_zero : range **)
+
+let at_zero =
+  { range_low = { qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int }; range_high = (Some { qnum =
+    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }); open_low =
+    false; open_high = false }
+
+(** val plane_fails :
+    oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list
+    -> vector -> vector -> homogeneous list list -> node list ->
+    (string * nat) option **)
+
+let plane_fails advisor most two_sided n0 rows0 w u v pieces nodes =
+  walk_ranges advisor (held_by n0 (map (map ray_of_part) pieces)) most
+    two_sided (plane_setting n0 rows0 w u v) (at_zero :: [])
+    (map (plane_node n0) nodes)
+
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
 let enlarge_all bits0 qs =
@@ -5621,19 +6117,130 @@ let most_depth rows0 =
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     Big_int_Z.unit_big_int))))))))
 
+(** val unit_loads : q list -> matrix option **)
+
+let unit_loads = function
+| [] -> None
+| x :: l ->
+  (match l with
+   | [] -> None
+   | y :: l0 ->
+     (match l0 with
+      | [] ->
+        Some (({ qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int } :: ((qopp y) :: []))) :: (({ qnum =
+          Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+          qden = Big_int_Z.unit_big_int } :: (x :: []))) :: (({ qnum =
+          Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int } :: ({ qnum =
+          Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } :: []))) :: [])))
+      | z0 :: l1 ->
+        (match l1 with
+         | [] ->
+           Some (({ qnum = Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden =
+             Big_int_Z.unit_big_int } :: (z0 :: ((qopp y) :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ((qopp z0) :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: (x :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: (y :: ((qopp x) :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: []))))))
+         | _ :: _ -> None)))
+
+(** val addition_of : ball -> addition option **)
+
+let addition_of b =
+  let forces = length b.about in
+  (match unit_loads b.about with
+   | Some ways ->
+     if (||)
+          (qle_bool b.radius { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+          (qle_bool b.torque_length { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+     then None
+     else let most =
+            app (repeat b.radius forces)
+              (repeat (qmult b.radius b.torque_length)
+                (sub (length ways) forces))
+          in
+          Some { ball_numbers =
+          (map (fun m -> { low = (qopp m); high = m }) most); ball_ways =
+          ways; ball_squares = (map (fun m -> qmult m m) most) }
+   | None -> None)
+
+(** val load_of : question -> load option **)
+
+let load_of q0 =
+  match q0.load_ball with
+  | Some b ->
+    (match addition_of b with
+     | Some it ->
+       Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
+         it }
+     | None -> None)
+  | None ->
+    Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
+      nothing_added }
+
 (** val setting_of : Big_int_Z.big_int -> question -> setting option **)
 
 let setting_of bits0 q0 =
   match enlarge_all bits0 q0.contacts with
   | Some rows0 ->
-    Some
-      (make_setting q0.dimension rows0 (make_load q0.wrench q0.direction) [])
+    (match load_of q0 with
+     | Some ld -> Some (make_setting q0.dimension rows0 ld no_push)
+     | None -> None)
   | None -> None
 
 (** val is_one_grasp : setting -> bool **)
 
 let is_one_grasp s =
-  (&&) (exact_rows s.rows) (forallb certain s.the_load.load_box)
+  (&&) (exact_rows s.rows) (one_load s.the_load)
 
 (** val straight : setting -> bool **)
 
@@ -5645,15 +6252,8 @@ let straight s =
     (string * nat) option **)
 
 let refute advisor q0 s ranges0 nodes =
-  walk_ranges advisor (most_depth s.rows) q0.bilateral s ranges0 nodes
-
-(** val at_zero : range **)
-
-let at_zero =
-  { range_low = { qnum = Big_int_Z.zero_big_int; qden =
-    Big_int_Z.unit_big_int }; range_high = (Some { qnum =
-    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }); open_low =
-    false; open_high = false }
+  walk_ranges advisor no_pieces (most_depth s.rows) q0.bilateral s ranges0
+    nodes
 
 (** val check_witness : question -> setting -> witness -> answer **)
 
@@ -5833,7 +6433,7 @@ let check_class q0 s p =
     (match all_some rigid_of s.rows with
      | Some xs ->
        if (&&) ((&&) (Nat.eqb (length mass) q0.dimension) (straight s))
-            (forallb certain s.the_load.load_box)
+            (one_load s.the_load)
        then (match class_fails (most_depth s.rows) mass
                      (map (fun i -> i.low) s.the_load.load_box) xs p with
              | Some p0 ->
@@ -5845,6 +6445,35 @@ let check_class q0 s p =
        else NotProvedHere "rigid contacts that are uncertain"
      | None -> NotProvedHere "rigid contacts that are uncertain")
   | None -> NotProvedHere "rigid contacts that are uncertain"
+
+(** val check_region :
+    oracle -> question -> setting -> load_point list list -> node list ->
+    answer **)
+
+let check_region advisor q0 s pieces nodes =
+  match q0.load_plane with
+  | Some p ->
+    let (u, v) = p in
+    let n0 = q0.dimension in
+    let w = s.the_load.load_box in
+    if (&&)
+         ((&&)
+           ((&&)
+             ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
+               (Nat.eqb (length w) n0)) (Nat.eqb (length u) n0))
+           (Nat.eqb (length v) n0))
+         (forallb (fun r -> does_not_grow r.box) s.rows)
+    then (match pieces_fail q0.bilateral n0 s.rows w u v pieces O with
+          | Some p0 -> let (rule, found_at) = p0 in Rejected (rule, found_at)
+          | None ->
+            let parts = map (map load_part) pieces in
+            (match plane_fails advisor (most_depth s.rows) q0.bilateral n0
+                     s.rows w u v parts nodes with
+             | Some p0 ->
+               let (rule, number) = p0 in Rejected (rule, (AtNode number))
+             | None -> Region parts))
+    else NotProvedHere "a plane of loads of a box"
+  | None -> NotProvedHere "a proof of something else than was asked"
 
 (** val check : oracle -> question -> certificate -> answer **)
 
@@ -5876,7 +6505,8 @@ let check advisor q0 c =
      | OfClass p ->
        (match q0.inertia with
         | [] -> NotProvedHere "a proof of something else than was asked"
-        | _ :: _ -> check_class q0 s p))
+        | _ :: _ -> check_class q0 s p)
+     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
 
 (** val largest_exponent : Big_int_Z.big_int **)
@@ -6285,9 +6915,9 @@ let is_0 x =
 let is_below x y =
   negb (qle_bool y x)
 
-(** val sum_of_squares : q list -> q **)
+(** val sum_of_squares0 : q list -> q **)
 
-let sum_of_squares v =
+let sum_of_squares0 v =
   fold_right (fun x sum0 -> qplus (qmult x x) sum0) { qnum =
     Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } v
 
@@ -6413,7 +7043,7 @@ let cross0 a b =
 (** val with_length_1 : q list -> q list **)
 
 let with_length_1 n0 =
-  match exact_root (sum_of_squares n0) with
+  match exact_root (sum_of_squares0 n0) with
   | Some length0 -> map (fun x -> qdiv x length0) n0
   | None -> n0
 
@@ -6625,7 +7255,7 @@ let read_pull v at_path members =
         (fun direction0 ->
         match direction0 with
         | Some d ->
-          (match exact_root (sum_of_squares d) with
+          (match exact_root (sum_of_squares0 d) with
            | Some length0 ->
              bind
                (check_that (negb (is_0 length0)) ((Member
@@ -7181,11 +7811,17 @@ type growth =
 | Scale
 | By of q list
 
+type stated_ball = { stated_radius : q; stated_length : q;
+                     stated_point : q list; stated_body : string option }
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option; asked_inertia : q list option;
-                 asked_uncertain : (string * tolerance) list }
+                 asked_growth : growth option;
+                 asked_plane : (q list * q list) option;
+                 asked_inertia : q list option;
+                 asked_uncertain : (string * tolerance) list;
+                 asked_ball : stated_ball option }
 
 (** val uncertain_kinds : string list **)
 
@@ -7201,12 +7837,24 @@ let asks_margin asked =
              | Some _ -> true
              | None -> false)
 
+(** val asks_plane : options -> bool **)
+
+let asks_plane asked =
+  match asked.asked_plane with
+  | Some _ -> true
+  | None -> false
+
 (** val asks_class : options -> bool **)
 
 let asks_class asked =
   match asked.asked_inertia with
   | Some _ -> true
   | None -> false
+
+(** val asks_one : options -> bool **)
+
+let asks_one asked =
+  (||) ((||) (asks_margin asked) (asks_class asked)) (asks_plane asked)
 
 (** val in_full : q list -> q list **)
 
@@ -7297,14 +7945,22 @@ let wrench_asked file asked =
                exactly { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int }) d)
          | None ->
-           (match file.cases with
-            | [] -> Fine file.common_wrench
-            | p :: _ ->
-              let (name, _) = p in
-              refuse here
-                ((^)
-                  "the grasp has cases, and none is chosen; expected the name of one, such as \""
-                  ((^) name "\""))))))
+           (match asked.asked_plane with
+            | Some p ->
+              let (d, _) = p in
+              Fine
+              (map (fun _ ->
+                exactly { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }) d)
+            | None ->
+              (match file.cases with
+               | [] -> Fine file.common_wrench
+               | p :: _ ->
+                 let (name, _) = p in
+                 refuse here
+                   ((^)
+                     "the grasp has cases, and none is chosen; expected the name of one, such as \""
+                     ((^) name "\"")))))))
 
 (** val widen : tolerance option -> interval -> interval **)
 
@@ -7342,6 +7998,61 @@ let asked_contact asked it =
   stiffness = (widen (by_0 "stiffness") it.stiffness); preload =
   (widen (by_0 "preload") given); preload_growth = it.preload_growth }
 
+(** val ball_asked :
+    grasp -> options -> interval list -> stated_ball option result **)
+
+let ball_asked file asked stated =
+  match asked.asked_ball with
+  | Some b ->
+    let here = of_question "uncertain" in
+    let point0 =
+      match b.stated_point with
+      | [] ->
+        repeat { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }
+          (if file.in_space then S (S (S O)) else S (S O))
+      | q0 :: l -> q0 :: l
+    in
+    bind
+      (check_that (negb (asks_one asked)) here
+        "a margin, a region or a class is about one grasp; expected no uncertainty")
+      (fun _ ->
+      bind
+        (check_that
+          (is_below { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } b.stated_radius) here
+          "expected a radius above 0") (fun _ ->
+        bind
+          (check_that
+            (is_below { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } b.stated_length) here
+            "expected a length above 0") (fun _ ->
+          bind
+            (check_that
+              (has_length
+                (if file.in_space
+                 then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                        Big_int_Z.unit_big_int)
+                 else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
+                point0) here
+              (if file.in_space
+               then "expected a point of three coordinates, as the grasp is in space"
+               else "expected a point of two coordinates, as the grasp is planar"))
+            (fun _ ->
+            bind
+              (check_that
+                (forallb (fun it -> qeq_bool it.low it.high) stated) here
+                "expected a load without intervals") (fun _ ->
+              bind
+                (check_that
+                  (match b.stated_body with
+                   | Some _ -> false
+                   | None -> true) here
+                  "expected no body, as the grasp has one only") (fun _ ->
+                Fine (Some { stated_radius = b.stated_radius; stated_length =
+                b.stated_length; stated_point = point0; stated_body = None })))))))
+  | None -> Fine None
+
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
 
@@ -7351,8 +8062,8 @@ let rec check_tolerances asked = function
   let (kind, t) = p in
   let here = of_question "uncertain" in
   bind
-    (check_that (negb ((||) (asks_margin asked) (asks_class asked))) here
-      "a margin or a class is about one grasp; expected no uncertainty")
+    (check_that (negb (asks_one asked)) here
+      "a margin, a region or a class is about one grasp; expected no uncertainty")
     (fun _ ->
     bind
       (check_that
@@ -7381,7 +8092,7 @@ let is_one_point it =
 
 let has_irrational_preload it =
   (&&) ((||) (negb (is_0 it.preload.high)) (negb (is_0 it.preload_growth)))
-    (match exact_root (sum_of_squares it.normal) with
+    (match exact_root (sum_of_squares0 it.normal) with
      | Some _ -> false
      | None -> true)
 
@@ -7448,6 +8159,55 @@ let scaled it =
     (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
     preload_growth = it.preload.low }
 
+(** val check_plane : grasp -> options -> unit result **)
+
+let check_plane file asked =
+  let here = of_question "plane" in
+  (match asked.asked_plane with
+   | Some p ->
+     let (u, v) = p in
+     bind
+       (check_that (negb file.in_space) here
+         "the grasp is in space; a region is about a planar grasp") (fun _ ->
+       bind
+         (check_that (negb (asks_margin asked)) here
+           "a direction is given as well; expected one of them") (fun _ ->
+         check_that
+           (match u with
+            | [] -> false
+            | a :: l ->
+              (match l with
+               | [] -> false
+               | b :: l0 ->
+                 (match l0 with
+                  | [] -> false
+                  | c :: l1 ->
+                    (match l1 with
+                     | [] ->
+                       (match v with
+                        | [] -> false
+                        | d :: l2 ->
+                          (match l2 with
+                           | [] -> false
+                           | e :: l3 ->
+                             (match l3 with
+                              | [] -> false
+                              | f :: l4 ->
+                                (match l4 with
+                                 | [] ->
+                                   negb
+                                     ((&&)
+                                       ((&&)
+                                         (is_0
+                                           (qminus (qmult b f) (qmult c e)))
+                                         (is_0
+                                           (qminus (qmult c d) (qmult a f))))
+                                       (is_0 (qminus (qmult a e) (qmult b d))))
+                                 | _ :: _ -> false))))
+                     | _ :: _ -> false)))) here
+           "its directions are multiples of one another; expected a plane"))
+   | None -> Fine ())
+
 (** val pose : grasp -> options -> posed result **)
 
 let pose file asked =
@@ -7462,112 +8222,142 @@ let pose file asked =
                Big_int_Z.unit_big_int } p
            | None -> true) (of_question "preload") "expected 0 or more")
         (fun _ ->
-        bind (wrench_asked file asked) (fun stated ->
-          bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
-            let them = map_all (asked_contact asked) file.all_contacts in
-            bind
-              (match asked.asked_growth with
-               | Some g ->
-                 (match g with
-                  | Scale -> Fine them
-                  | By numbers0 ->
-                    let problem =
-                      "expected numbers of 0 or more, one for each contact"
-                    in
-                    bind
-                      (check_that
-                        (forallb
-                          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                            Big_int_Z.unit_big_int }) numbers0)
-                        (of_question "preload direction") problem) (fun _ ->
-                      match with_growths them numbers0 [] with
-                      | Some them0 -> Fine them0
-                      | None ->
-                        refuse (of_question "preload direction") problem))
-               | None -> Fine them) (fun them0 ->
-              bind
-                (match asked.asked_inertia with
-                 | Some numbers0 ->
-                   let here = of_question "inertia" in
-                   bind
-                     (check_that (negb (asks_margin asked)) here
-                       "a direction is given as well") (fun _ ->
-                     bind
-                       (check_that
-                         (has_length
-                           (if file.in_space
-                            then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                   (Big_int_Z.mult_int_big_int 2
-                                   (Big_int_Z.mult_int_big_int 2
-                                   Big_int_Z.unit_big_int)))
-                            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                   Big_int_Z.unit_big_int)) numbers0) here
-                         (if file.in_space
-                          then "expected 6 or 9 numbers"
-                          else "expected 3 numbers")) (fun _ ->
-                       check_that
-                         (match masses numbers0 with
-                          | Some _ -> true
-                          | None -> false) here
-                         (if file.in_space
-                          then "the tensor is not positive definite"
-                          else "the squared radius of gyration must be > 0")))
-                 | None -> Fine ()) (fun _ ->
-                let margin = (||) (asks_margin asked) (asks_class asked) in
+        bind (check_plane file asked) (fun _ ->
+          bind (wrench_asked file asked) (fun stated ->
+            bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
+              bind (ball_asked file asked stated) (fun ball0 ->
+                let them = map_all (asked_contact asked) file.all_contacts in
                 bind
-                  (each (check_contact margin file.in_space) ((Member
-                    "contacts") :: []) them0) (fun boxes ->
-                  let widened =
-                    map (widen (find_tolerance "wrench" asked)) stated
-                  in
-                  let certain0 = forallb is_exact widened in
+                  (match asked.asked_growth with
+                   | Some g ->
+                     (match g with
+                      | Scale -> Fine them
+                      | By numbers0 ->
+                        let problem =
+                          "expected numbers of 0 or more, one for each contact"
+                        in
+                        bind
+                          (check_that
+                            (forallb
+                              (qle_bool { qnum = Big_int_Z.zero_big_int;
+                                qden = Big_int_Z.unit_big_int }) numbers0)
+                            (of_question "preload direction") problem)
+                          (fun _ ->
+                          match with_growths them numbers0 [] with
+                          | Some them0 -> Fine them0
+                          | None ->
+                            refuse (of_question "preload direction") problem))
+                   | None -> Fine them) (fun them0 ->
                   bind
-                    (check_that ((||) (negb margin) certain0) ((Member
-                      "wrench") :: [])
-                      "found an interval, but a margin is about one grasp; expected numbers")
-                    (fun _ ->
-                    let them1 =
-                      match asked.asked_growth with
-                      | Some g ->
-                        (match g with
-                         | Scale -> map_all scaled them0
-                         | By _ -> them0)
-                      | None -> them0
-                    in
-                    let u =
-                      match asked.asked_direction with
-                      | Some u -> u
-                      | None ->
-                        map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
-                          Big_int_Z.unit_big_int }) stated
-                    in
+                    (match asked.asked_inertia with
+                     | Some numbers0 ->
+                       let here = of_question "inertia" in
+                       bind
+                         (check_that
+                           (negb
+                             ((||) (asks_margin asked) (asks_plane asked)))
+                           here
+                           "a direction or a plane is given as well; expected one of them")
+                         (fun _ ->
+                         bind
+                           (check_that
+                             (has_length
+                               (if file.in_space
+                                then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                       (Big_int_Z.mult_int_big_int 2
+                                       (Big_int_Z.mult_int_big_int 2
+                                       Big_int_Z.unit_big_int)))
+                                else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                       Big_int_Z.unit_big_int)) numbers0)
+                             here
+                             (if file.in_space
+                              then "expected 6 or 9 numbers"
+                              else "expected 3 numbers")) (fun _ ->
+                           check_that
+                             (match masses numbers0 with
+                              | Some _ -> true
+                              | None -> false) here
+                             (if file.in_space
+                              then "the tensor is not positive definite"
+                              else "the squared radius of gyration must be > 0")))
+                     | None -> Fine ()) (fun _ ->
+                    let margin = asks_one asked in
                     bind
-                      (check_that
-                        ((||)
-                          ((||) (negb (asks_margin asked))
-                            (negb (forallb is_0 u)))
-                          (existsb (fun it -> negb (is_0 it.preload_growth))
-                            them1)) (of_question "direction")
-                        ((^)
-                          "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                          "scale preloads some of which are not 0"))
-                      (fun _ -> Fine { the_question = { dimension =
-                      (if file.in_space
-                       then S (S (S (S (S (S O)))))
-                       else S (S (S O))); bilateral = asked.asked_bilateral;
-                      is_margin = (asks_margin asked); contacts = them1;
-                      wrench = widened; direction = u; inertia =
-                      (match asked.asked_inertia with
-                       | Some numbers0 -> numbers0
-                       | None -> []) }; stated_wrench = stated; the_options =
-                      asked; is_box =
-                      ((||) (negb certain0)
-                        (existsb (fun box0 -> box0) boxes)) }))))))))))
+                      (each (check_contact margin file.in_space) ((Member
+                        "contacts") :: []) them0) (fun boxes ->
+                      let widened =
+                        map (widen (find_tolerance "wrench" asked)) stated
+                      in
+                      let certain0 = forallb is_exact widened in
+                      bind
+                        (check_that ((||) (negb margin) certain0) ((Member
+                          "wrench") :: [])
+                          "found an interval, but a margin is about one grasp; expected numbers")
+                        (fun _ ->
+                        let them1 =
+                          match asked.asked_growth with
+                          | Some g ->
+                            (match g with
+                             | Scale -> map_all scaled them0
+                             | By _ -> them0)
+                          | None -> them0
+                        in
+                        let u =
+                          match asked.asked_direction with
+                          | Some u -> u
+                          | None ->
+                            map (fun _ -> { qnum = Big_int_Z.zero_big_int;
+                              qden = Big_int_Z.unit_big_int }) stated
+                        in
+                        bind
+                          (check_that
+                            ((||)
+                              ((||) (negb (asks_margin asked))
+                                (negb (forallb is_0 u)))
+                              (existsb (fun it ->
+                                negb (is_0 it.preload_growth)) them1))
+                            (of_question "direction")
+                            ((^)
+                              "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                              "scale preloads some of which are not 0"))
+                          (fun _ -> Fine { the_question = { dimension =
+                          (if file.in_space
+                           then S (S (S (S (S (S O)))))
+                           else S (S (S O))); bilateral =
+                          asked.asked_bilateral; is_margin =
+                          (asks_margin asked); contacts = them1; wrench =
+                          widened; load_ball =
+                          (match ball0 with
+                           | Some b ->
+                             Some { radius = b.stated_radius; torque_length =
+                               b.stated_length; about = b.stated_point }
+                           | None -> None); direction = u; load_plane =
+                          asked.asked_plane; inertia =
+                          (match asked.asked_inertia with
+                           | Some numbers0 -> numbers0
+                           | None -> []) }; stated_wrench = stated;
+                          the_options = { asked_wrench = asked.asked_wrench;
+                          asked_case = asked.asked_case; asked_preload =
+                          asked.asked_preload; asked_bilateral =
+                          asked.asked_bilateral; asked_direction =
+                          asked.asked_direction; asked_growth =
+                          asked.asked_growth; asked_plane =
+                          asked.asked_plane; asked_inertia =
+                          asked.asked_inertia; asked_uncertain =
+                          asked.asked_uncertain; asked_ball = ball0 };
+                          is_box =
+                          ((||)
+                            ((||) (negb certain0)
+                              (match ball0 with
+                               | Some _ -> true
+                               | None -> false))
+                            (existsb (fun box0 -> box0) boxes)) }))))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool; of_class : bool }
+type shape = { spatial : bool; of_margin : bool; of_plane : bool;
+               of_class : bool }
 
 (** val size_of_twist : shape -> Big_int_Z.big_int **)
 
@@ -7677,24 +8467,60 @@ let read_tolerance at_path value0 =
      bind (read_fraction at_path value0) (fun x -> Fine { amount = x;
        percent = false }))
 
-(** val read_all_tolerances :
-    path -> (string * json) list -> (string * tolerance) list result **)
+(** val read_ball : bool -> path -> json -> stated_ball result **)
 
-let rec read_all_tolerances at_path = function
-| [] -> Fine []
+let read_ball in_space0 at_path value0 =
+  let coordinates1 =
+    if in_space0
+    then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+           Big_int_Z.unit_big_int)
+    else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+  in
+  bind
+    (members_in_order ("ball" :: ("length" :: ("about" :: []))) at_path
+      value0) (fun members ->
+    bind (member "ball" read_fraction at_path members) (fun r ->
+      bind (member "length" read_fraction at_path members) (fun l ->
+        bind
+          (optional_member "about"
+            (read_sized coordinates1 "an array of the coordinates of a point"
+              read_fraction) at_path members) (fun c -> Fine
+          { stated_radius = r; stated_length = l; stated_point =
+          (match c with
+           | Some c0 -> c0
+           | None ->
+             repeat { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int } (Z.to_nat coordinates1));
+          stated_body = None }))))
+
+(** val read_all_tolerances :
+    bool -> path -> (string * json) list -> ((string * tolerance)
+    list * stated_ball option) result **)
+
+let rec read_all_tolerances in_space0 at_path = function
+| [] -> Fine ([], None)
 | p :: rest ->
   let (kind, value0) = p in
-  bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
-    bind (read_all_tolerances at_path rest) (fun others -> Fine ((kind,
-      t) :: others)))
+  if (&&) ((=) kind "wrench")
+       (match value0 with
+        | Object _ -> true
+        | _ -> false)
+  then bind (read_ball in_space0 ((Member kind) :: at_path) value0) (fun b ->
+         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+           let (others, _) = pat in Fine (others, (Some b))))
+  else bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
+         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+           let (others, b) = pat in Fine (((kind, t) :: others), b)))
 
-(** val read_tolerances : path -> json -> (string * tolerance) list result **)
+(** val read_tolerances :
+    bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+    result **)
 
-let read_tolerances at_path value0 =
+let read_tolerances in_space0 at_path value0 =
   bind (members_in_order uncertain_kinds at_path value0) (fun members ->
     match members with
     | [] -> expected "an object of one tolerance or more" at_path value0
-    | _ :: _ -> read_all_tolerances at_path members)
+    | _ :: _ -> read_all_tolerances in_space0 at_path members)
 
 (** val read_inertia : bool -> path -> json -> q list result **)
 
@@ -7719,13 +8545,27 @@ let read_inertia in_space0 at_path value0 =
         (if in_space0 then "expected 6 or 9 numbers" else "expected 3 numbers"))
       (fun _ -> Fine (in_full numbers0)))
 
+(** val read_plane : path -> json -> (q list * q list) result **)
+
+let read_plane at_path value0 =
+  bind
+    (read_sized (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+      "two directions of three numbers"
+      (read_numbers
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        Big_int_Z.unit_big_int)) at_path value0) (fun them -> Fine
+    ((nth O them []), (nth (S O) them [])))
+
 (** val read_statement : bool -> path -> json -> statement result **)
 
 let read_statement in_space0 at_path value0 =
   bind
     (members_in_order
-      ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: ("inertia" :: ("uncertain" :: []))))))))
-      at_path value0) (fun members ->
+      (app
+        ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
+        (app (if in_space0 then [] else "plane" :: [])
+          ("inertia" :: ("uncertain" :: [])))) at_path value0)
+    (fun members ->
     let count0 =
       if in_space0
       then (Big_int_Z.mult_int_big_int 2
@@ -7748,20 +8588,26 @@ let read_statement in_space0 at_path value0 =
               bind
                 (optional_member "preload_direction" read_growth at_path
                   members) (fun growing ->
-                bind
-                  (optional_member "inertia" (read_inertia in_space0) at_path
-                    members) (fun i ->
+                bind (optional_member "plane" read_plane at_path members)
+                  (fun plane ->
                   bind
-                    (optional_member "uncertain" read_tolerances at_path
-                      members) (fun uncertain -> Fine { stated_contacts = m;
-                    wrench_stated = w; options_stated = { asked_wrench =
-                    None; asked_case = None; asked_preload = p;
-                    asked_bilateral = law; asked_direction = u;
-                    asked_growth = growing; asked_inertia = i;
-                    asked_uncertain =
-                    (match uncertain with
-                     | Some it -> it
-                     | None -> []) } })))))))))
+                    (optional_member "inertia" (read_inertia in_space0)
+                      at_path members) (fun i ->
+                    bind
+                      (optional_member "uncertain"
+                        (read_tolerances in_space0) at_path members)
+                      (fun uncertain -> Fine { stated_contacts = m;
+                      wrench_stated = w; options_stated = { asked_wrench =
+                      None; asked_case = None; asked_preload = p;
+                      asked_bilateral = law; asked_direction = u;
+                      asked_growth = growing; asked_plane = plane;
+                      asked_inertia = i; asked_uncertain =
+                      (match uncertain with
+                       | Some p0 -> let (it, _) = p0 in it
+                       | None -> []); asked_ball =
+                      (match uncertain with
+                       | Some p0 -> let (_, b) = p0 in b
+                       | None -> None) } }))))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -7852,23 +8698,33 @@ let read_node s at_path value0 =
                      else if (=) kind "plane"
                           then if has_length
                                     (Z.add twist0
-                                      (if s.of_margin
-                                       then (Big_int_Z.mult_int_big_int 2
+                                      (if s.of_plane
+                                       then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
                                               Big_int_Z.unit_big_int)
-                                       else Big_int_Z.unit_big_int)) items
+                                       else if s.of_margin
+                                            then (Big_int_Z.mult_int_big_int 2
+                                                   Big_int_Z.unit_big_int)
+                                            else Big_int_Z.unit_big_int))
+                                    items
                                then bind (each read_fraction at_path items)
                                       (fun a -> Fine (Plane a))
                                else expected
                                       "plane, and a number for each coordinate of a point"
                                       at_path value0
-                          else if (&&) ((=) kind "part") (negb s.of_margin)
-                               then bind (read_cut s at_path items value0)
-                                      (fun pat ->
-                                      let (p0, c) = pat in
-                                      let (p, i) = p0 in Fine (Cut (p, i, c)))
-                               else expected
-                                      "slip, separation, plane, leaf or, without a direction, part"
-                                      at_path value0
+                          else if (&&) ((=) kind "held") s.of_plane
+                               then bind (contact_of items) (fun k -> Fine
+                                      (Held k))
+                               else if (&&) ((=) kind "part")
+                                         (negb ((||) s.of_margin s.of_plane))
+                                    then bind
+                                           (read_cut s at_path items value0)
+                                           (fun pat ->
+                                           let (p0, c) = pat in
+                                           let (p, i) = p0 in
+                                           Fine (Cut (p, i, c)))
+                                    else expected
+                                           "slip, separation, plane, leaf or, without a direction, part"
+                                           at_path value0
          | _ ->
            expected "an array that begins with the kind of the node" at_path
              value0))
@@ -8451,6 +9307,61 @@ let read_body0 s good members =
        else bind (next_read "tree" (read_nodes s) members) (fun it ->
               bind (finish it) (fun tree -> Fine (UnstableByTree tree)))
 
+(** val read_load_point : shape -> path -> json -> load_point result **)
+
+let read_load_point s at_path value0 =
+  let what =
+    "[\"at\", s, t, twist, shares] or [\"towards\", s, t, twist, shares]"
+  in
+  (match value0 with
+   | Array items ->
+     (match items with
+      | [] -> expected what at_path value0
+      | kind :: l ->
+        (match l with
+         | [] -> expected what at_path value0
+         | a :: l0 ->
+           (match l0 with
+            | [] -> expected what at_path value0
+            | b :: l1 ->
+              (match l1 with
+               | [] -> expected what at_path value0
+               | motion :: l2 ->
+                 (match l2 with
+                  | [] -> expected what at_path value0
+                  | list0 :: l3 ->
+                    (match l3 with
+                     | [] ->
+                       if (||) (is_text "at" kind) (is_text "towards" kind)
+                       then bind (read_fraction at_path a) (fun a0 ->
+                              bind (read_fraction at_path b) (fun b0 ->
+                                bind (read_twist s at_path motion) (fun d ->
+                                  bind (read_shares s at_path list0)
+                                    (fun them -> Fine { is_at =
+                                    (is_text "at" kind); along_u = a0;
+                                    along_v = b0; load_witness = { twist = d;
+                                    shares = them } }))))
+                       else expected what at_path value0
+                     | _ :: _ -> expected what at_path value0))))))
+   | _ -> expected what at_path value0)
+
+(** val read_region : shape -> (string * json) list -> proof result **)
+
+let read_region s members =
+  bind (next "verdict" members) (fun pat ->
+    let (verdict, rest) = pat in
+    if is_text "region" verdict
+    then bind
+           (next_read "pieces"
+             (read_array "an array of pieces"
+               (read_array "an array of points" (read_load_point s))) rest)
+           (fun pat0 ->
+           let (pieces, rest0) = pat0 in
+           bind (next_read "tree" (read_nodes s) rest0) (fun it ->
+             bind (finish it) (fun tree -> Fine (RegionBy (pieces, tree)))))
+    else expected "\"region\", as the question has a plane" ((Member
+           "verdict") :: []) verdict)
+
 (** val read_class : shape -> (string * json) list -> proof result **)
 
 let read_class s members =
@@ -8506,25 +9417,30 @@ let read_certificate in_space0 value0 = match value0 with
       bind (next_read "question" (read_statement in_space0) rest0)
         (fun pat0 ->
         let (stated, rest1) = pat0 in
-        let s = { spatial = in_space0; of_margin =
-          (asks_margin stated.options_stated); of_class =
-          ((&&) (asks_class stated.options_stated)
-            (negb (asks_margin stated.options_stated))) }
+        let o = stated.options_stated in
+        let s = { spatial = in_space0; of_margin = (asks_margin o);
+          of_plane = (asks_plane o); of_class =
+          ((&&) (asks_class o) (negb ((||) (asks_margin o) (asks_plane o)))) }
         in
         bind
           (if (&&)
                 ((&&) (begins_with "bits" rest1)
-                  ((||) (negb s.of_margin) in_space0)) (negb s.of_class)
+                  ((||) (negb s.of_margin) in_space0))
+                (negb ((||) s.of_class s.of_plane))
            then next_read "bits" read_bits rest1
            else Fine (default_bits, rest1)) (fun pat1 ->
           let (b, rest2) = pat1 in
-          if s.of_class
-          then bind (read_class s rest2) (fun it -> Fine (stated, { bits = b;
-                 body = it }))
-          else bind (next_read "verdict" (read_verdict s) rest2) (fun pat2 ->
-                 let (good, rest3) = pat2 in
-                 bind (read_body0 s good rest3) (fun it -> Fine (stated,
-                   { bits = b; body = it })))))))
+          if s.of_plane
+          then bind (read_region s rest2) (fun it -> Fine (stated, { bits =
+                 b; body = it }))
+          else if s.of_class
+               then bind (read_class s rest2) (fun it -> Fine (stated,
+                      { bits = b; body = it }))
+               else bind (next_read "verdict" (read_verdict s) rest2)
+                      (fun pat2 ->
+                      let (good, rest3) = pat2 in
+                      bind (read_body0 s good rest3) (fun it -> Fine (stated,
+                        { bits = b; body = it })))))))
 | _ -> expected "an object {...}" [] value0
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
@@ -8572,6 +9488,16 @@ let same_growth a b =
 let same_tolerance a b =
   (&&) (qeq_bool a.amount b.amount) (eqb a.percent b.percent)
 
+(** val same_ball : stated_ball -> stated_ball -> bool **)
+
+let same_ball a b =
+  (&&)
+    ((&&)
+      ((&&) (qeq_bool a.stated_radius b.stated_radius)
+        (qeq_bool a.stated_length b.stated_length))
+      (same_list qeq_bool a.stated_point b.stated_point))
+    (same_option (=) a.stated_body b.stated_body)
+
 (** val broken_question_rule : statement -> posed -> string option **)
 
 let broken_question_rule stated asked =
@@ -8601,18 +9527,31 @@ let broken_question_rule stated asked =
                                   options0.asked_growth)
                            then Some "question-preload-direction"
                            else if negb
-                                     (same_option (same_list qeq_bool)
-                                       said.asked_inertia
-                                       options0.asked_inertia)
-                                then Some "question-inertia"
+                                     (same_option (fun a b ->
+                                       (&&)
+                                         (same_list qeq_bool (fst a) (fst b))
+                                         (same_list qeq_bool (snd a) (snd b)))
+                                       said.asked_plane options0.asked_plane)
+                                then Some "question-plane"
                                 else if negb
-                                          (forallb (fun kind ->
-                                            same_option same_tolerance
-                                              (find_tolerance kind said)
-                                              (find_tolerance kind options0))
-                                            uncertain_kinds)
-                                     then Some "question-uncertain"
-                                     else None
+                                          (same_option (same_list qeq_bool)
+                                            said.asked_inertia
+                                            options0.asked_inertia)
+                                     then Some "question-inertia"
+                                     else if negb
+                                               ((&&)
+                                                 (forallb (fun kind ->
+                                                   same_option same_tolerance
+                                                     (find_tolerance kind
+                                                       said)
+                                                     (find_tolerance kind
+                                                       options0))
+                                                   uncertain_kinds)
+                                                 (same_option same_ball
+                                                   said.asked_ball
+                                                   options0.asked_ball))
+                                          then Some "question-uncertain"
+                                          else None
 
 (** val ask : options -> json -> posed result **)
 

@@ -24,6 +24,8 @@ type comparison =
 
 val add : nat -> nat -> nat
 
+val sub : nat -> nat -> nat
+
 val eqb : bool -> bool -> bool
 
 val gmax : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1
@@ -119,6 +121,10 @@ module Coq_Pos :
 
   val ldiff : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1
+
+  val to_nat : Big_int_Z.big_int -> nat
+
   val of_succ_nat : nat -> Big_int_Z.big_int
  end
 
@@ -136,6 +142,8 @@ module N :
 val tl : 'a1 list -> 'a1 list
 
 val nth : nat -> 'a1 list -> 'a1 -> 'a1
+
+val nth_error : 'a1 list -> nat -> 'a1 option
 
 val removelast : 'a1 list -> 'a1 list
 
@@ -205,6 +213,8 @@ module Z :
 
   val abs : Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val to_nat : Big_int_Z.big_int -> nat
+
   val of_nat : nat -> Big_int_Z.big_int
 
   val of_N : Big_int_Z.big_int -> Big_int_Z.big_int
@@ -220,6 +230,8 @@ module Z :
     Big_int_Z.big_int * Big_int_Z.big_int
 
   val div : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val modulo : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val div2 : Big_int_Z.big_int -> Big_int_Z.big_int
 
@@ -343,9 +355,12 @@ type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
                  preload : interval; preload_growth : q }
 
+type ball = { radius : q; torque_length : q; about : q list }
+
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list }
+                  load_ball : ball option; direction : q list;
+                  load_plane : (q list * q list) option; inertia : q list }
 
 type parameter =
 | PX
@@ -364,6 +379,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
@@ -383,6 +399,9 @@ type part =
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
+
+type load_point = { is_at : bool; along_u : q; along_v : q;
+                    load_witness : witness }
 
 type rigid_node =
 | RTouch of Big_int_Z.big_int
@@ -411,6 +430,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -424,6 +444,7 @@ type place =
 | AtPart of nat * nat option
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
+| AtPiece of nat * nat option
 
 type answer =
 | Stable
@@ -431,6 +452,7 @@ type answer =
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
+| Region of ((q * q) * q) list list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -651,6 +673,69 @@ val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term
 
 val alpha_over : q -> row -> Big_int_Z.big_int
 
+type vector = q list
+
+type matrix = vector list
+
+val inner : vector -> vector -> q
+
+val plus_times : vector -> q -> vector -> vector
+
+val is_zero : q -> bool
+
+val unit_vector : nat -> nat -> vector
+
+val identity : nat -> matrix
+
+val of_rows : vector -> matrix -> vector
+
+val pivot : nat -> matrix -> (vector * matrix) option
+
+val eliminate :
+  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
+
+val kernel : nat -> matrix -> matrix
+
+val inverse_of : nat -> matrix -> matrix
+
+val same_vectors : vector -> vector -> bool
+
+val same_matrices : matrix -> matrix -> bool
+
+val is_inverse : nat -> matrix -> matrix -> bool
+
+val all_of_length : nat -> 'a1 list list -> bool
+
+val middle : interval -> q
+
+val only_middle : interval -> interval
+
+val middle_box : cbox -> cbox
+
+val friction_sound : cbox -> bool
+
+type addition = { ball_numbers : interval list; ball_ways : matrix;
+                  ball_squares : q list }
+
+val nothing_added : addition
+
+type load = { load_box : interval list; load_growth : q list;
+              load_added : addition }
+
+val work_of_box : interval list -> vector -> interval
+
+val sum_of_squares : vector -> vector -> q
+
+val work_of_addition : addition -> vector -> interval
+
+val work_of : load -> vector -> interval
+
+val one_load : load -> bool
+
+val nearest_to_zero : interval -> q
+
+val middle_load : load -> load
+
 val edges : form list list -> ray list -> row -> form multi list
 
 val work_tree : form -> form multi -> Big_int_Z.big_int multi
@@ -664,15 +749,9 @@ val bent : Big_int_Z.big_int -> row -> form list -> bool -> term
 val edges_term :
   Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
 
-type load = { load_box : interval list; load_growth : q list;
-              lows_of_w : form; highs_of_w : form; form_of_u : form;
-              load_scaling : scaling }
+val load_works : load -> q -> form -> q * q
 
-val make_load : interval list -> q list -> load
-
-val most_work : form -> form -> form -> Big_int_Z.big_int
-
-val load_term : Big_int_Z.big_int -> form -> load -> form
+val load_term : Big_int_Z.big_int -> (q * q) -> form
 
 type way =
 | Along of form multi list
@@ -688,19 +767,12 @@ val pressers :
 
 val term_of : Big_int_Z.big_int -> form -> presser -> term
 
-val with_alphas : Big_int_Z.big_int -> presser list -> Big_int_Z.big_int
+val with_all :
+  Big_int_Z.big_int -> (q * q) -> q list -> presser list -> Big_int_Z.big_int
 
 val leaf_holds_by :
-  Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
-  form -> bool
-
-val middle : interval -> q
-
-val only_middle : interval -> interval
-
-val middle_box : cbox -> cbox
-
-val friction_sound : cbox -> bool
+  Big_int_Z.big_int -> presser list -> (q * q) -> q list -> form list list ->
+  ray list -> form -> bool
 
 val is_enclosure : interval -> q -> bool
 
@@ -784,16 +856,18 @@ val cut_by : oracle -> 'a1 region -> (form * bool) list -> 'a1 region
 
 val child : oracle -> 'a1 region -> 'a1 branch -> 'a1 region
 
+val is_leaf : node -> bool
+
 val at_leaf : 'a1 region -> form list list * ray list
 
 val visit :
   oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
-  list list -> ray list -> q list -> string option) -> Big_int_Z.big_int ->
+  list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
   node -> 'a1 region -> ('a1 region list, string) sum
 
 val walk :
   oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
-  list list -> ray list -> q list -> string option) -> Big_int_Z.big_int ->
+  list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
   node list -> 'a1 region list -> nat -> (string * nat) option
 
 val basis : nat -> nat -> form list
@@ -801,39 +875,6 @@ val basis : nat -> nat -> form list
 val everywhere : nat -> 'a1 -> 'a1 region
 
 val root : oracle -> nat -> 'a1 branch -> 'a1 region
-
-type vector = q list
-
-type matrix = vector list
-
-val inner : vector -> vector -> q
-
-val plus_times : vector -> q -> vector -> vector
-
-val is_zero : q -> bool
-
-val unit_vector : nat -> nat -> vector
-
-val identity : nat -> matrix
-
-val of_rows : vector -> matrix -> vector
-
-val pivot : nat -> matrix -> (vector * matrix) option
-
-val eliminate :
-  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
-
-val kernel : nat -> matrix -> matrix
-
-val inverse_of : nat -> matrix -> matrix
-
-val same_vectors : vector -> vector -> bool
-
-val same_matrices : matrix -> matrix -> bool
-
-val is_inverse : nat -> matrix -> matrix -> bool
-
-val all_of_length : nat -> 'a1 list list -> bool
 
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
@@ -843,18 +884,28 @@ val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
+type pushing = { a_multiple : matrix; known_push : matrix }
+
+val no_push : pushing
+
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 pushes : matrix; slipping : Big_int_Z.big_int list;
+                 pushes : pushing; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
-val common_multiple : row list -> load -> Big_int_Z.big_int
+val common_multiple : row list -> Big_int_Z.big_int
 
 val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
-val make_setting : nat -> row list -> load -> matrix -> setting
+val make_setting : nat -> row list -> load -> pushing -> setting
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
+
+val end_fails :
+  (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
+  list -> ray list -> node -> string option
+
+val no_pieces : Big_int_Z.big_int -> ray list -> string option
 
 val is_inside : interval -> q -> bool
 
@@ -878,7 +929,11 @@ val set : cbox -> parameter -> interval -> cbox
 
 val set_row : setting -> Big_int_Z.big_int -> cbox -> setting
 
-val set_load : setting -> interval list -> setting
+val set_load : setting -> load -> setting
+
+val numbers_of : load -> interval list
+
+val with_numbers : load -> interval list -> load
 
 val halves :
   setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -909,8 +964,9 @@ val separating : row list -> form list -> form list
 val root_branch : bool -> setting -> range -> setting branch
 
 val walk_ranges :
-  oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node list
-  -> (string * nat) option
+  oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+  Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
+  (string * nat) option
 
 val exact_box : cbox -> bool
 
@@ -964,11 +1020,11 @@ val check_point :
   bool -> nat -> row list -> load -> form -> (Big_int_Z.big_int * q list)
   list -> (state list, string) sum
 
-val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
-
 val aligned : form -> form -> form -> bool
 
-val one_mode : state -> state -> bool
+val first_slip : state list -> form
+
+val contact_mode : state list -> bool
 
 val same_mode : state list -> state list -> bool
 
@@ -997,7 +1053,7 @@ val gaps_from : q -> bool -> (q * q option) list -> range list -> range list
 
 val gaps : (q * q option) list -> range list
 
-val opposite0 : vector -> vector
+val opposite : vector -> vector
 
 val walls_of : bool -> matrix -> matrix
 
@@ -1050,7 +1106,7 @@ val is_point : setting -> bool
 
 val row_free : vector -> cbox -> bool
 
-val load_free : vector -> interval list -> bool
+val load_free : vector -> load -> bool
 
 val all_free : matrix -> setting -> bool
 
@@ -1231,9 +1287,96 @@ val class_fails :
   Big_int_Z.big_int -> matrix -> vector -> rigid list -> class_proof ->
   (string * nat option) option
 
+val cross_product : form -> form -> form
+
+val det : form -> form -> form -> Big_int_Z.big_int
+
+val first_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 option
+
+val if_positive :
+  Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_three :
+  form -> (nat * form) -> (nat * form) -> (nat * form) ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_two :
+  form -> (nat * form) -> (nat * form) ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_one :
+  form -> (nat * form) -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int)
+  list) option
+
+val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option
+
+val sum_found :
+  ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
+  option
+
+val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form
+
+val reason_holds :
+  ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  bool
+
+val is_sum_of : ray list -> form -> bool
+
+type homogeneous = (q * q) * q
+
+val load_part : load_point -> homogeneous
+
+val part_list : homogeneous -> q list
+
+val ray_of_part : homogeneous -> ray
+
+val part_of_ray : nat -> form -> form
+
+val held_by :
+  nat -> ray list list -> Big_int_Z.big_int -> ray list -> string option
+
+val does_not_grow : cbox -> bool
+
+val load_in_plane : vector -> vector -> q -> q -> vector
+
+val point_of_plane : load_point -> q list
+
+val check_load_point :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  -> (state list, string) sum
+
+val point_states :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  list -> nat -> (state list list, string * nat) sum
+
+val share_one_mode : row list -> state list list -> bool
+
+val pieces_fail :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  list list -> nat -> (string * place) option
+
+val plane_node : nat -> node -> node
+
+val plane_setting :
+  nat -> row list -> interval list -> vector -> vector -> setting
+
+val at_zero : range
+
+val plane_fails :
+  oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list ->
+  vector -> vector -> homogeneous list list -> node list -> (string * nat)
+  option
+
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
+
+val unit_loads : q list -> matrix option
+
+val addition_of : ball -> addition option
+
+val load_of : question -> load option
 
 val setting_of : Big_int_Z.big_int -> question -> setting option
 
@@ -1244,8 +1387,6 @@ val straight : setting -> bool
 val refute :
   oracle -> question -> setting -> range list -> node list -> (string * nat)
   option
-
-val at_zero : range
 
 val check_witness : question -> setting -> witness -> answer
 
@@ -1270,6 +1411,9 @@ val check_claims :
   option) list -> ((q * q option) * bool) list -> answer
 
 val check_class : question -> setting -> class_proof -> answer
+
+val check_region :
+  oracle -> question -> setting -> load_point list list -> node list -> answer
 
 val check : oracle -> question -> certificate -> answer
 
@@ -1343,7 +1487,7 @@ val is_0 : q -> bool
 
 val is_below : q -> q -> bool
 
-val sum_of_squares : q list -> q
+val sum_of_squares0 : q list -> q
 
 val read_interval : version -> path -> json -> interval result
 
@@ -1447,17 +1591,27 @@ type growth =
 | Scale
 | By of q list
 
+type stated_ball = { stated_radius : q; stated_length : q;
+                     stated_point : q list; stated_body : string option }
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option; asked_inertia : q list option;
-                 asked_uncertain : (string * tolerance) list }
+                 asked_growth : growth option;
+                 asked_plane : (q list * q list) option;
+                 asked_inertia : q list option;
+                 asked_uncertain : (string * tolerance) list;
+                 asked_ball : stated_ball option }
 
 val uncertain_kinds : string list
 
 val asks_margin : options -> bool
 
+val asks_plane : options -> bool
+
 val asks_class : options -> bool
+
+val asks_one : options -> bool
 
 val in_full : q list -> q list
 
@@ -1476,6 +1630,9 @@ val widen : tolerance option -> interval -> interval
 
 val asked_contact : options -> contact -> contact
 
+val ball_asked :
+  grasp -> options -> interval list -> stated_ball option result
+
 val check_tolerances : options -> (string * tolerance) list -> unit result
 
 val is_exact : interval -> bool
@@ -1491,12 +1648,15 @@ val with_growths :
 
 val scaled : contact -> contact
 
+val check_plane : grasp -> options -> unit result
+
 val pose : grasp -> options -> posed result
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool; of_class : bool }
+type shape = { spatial : bool; of_margin : bool; of_plane : bool;
+               of_class : bool }
 
 val size_of_twist : shape -> Big_int_Z.big_int
 
@@ -1516,12 +1676,19 @@ val before_percent : string -> string option
 
 val read_tolerance : path -> json -> tolerance result
 
-val read_all_tolerances :
-  path -> (string * json) list -> (string * tolerance) list result
+val read_ball : bool -> path -> json -> stated_ball result
 
-val read_tolerances : path -> json -> (string * tolerance) list result
+val read_all_tolerances :
+  bool -> path -> (string * json) list -> ((string * tolerance)
+  list * stated_ball option) result
+
+val read_tolerances :
+  bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+  result
 
 val read_inertia : bool -> path -> json -> q list result
+
+val read_plane : path -> json -> (q list * q list) result
 
 val read_statement : bool -> path -> json -> statement result
 
@@ -1606,6 +1773,10 @@ val read_verdict : shape -> path -> json -> bool result
 
 val read_body0 : shape -> bool -> (string * json) list -> proof result
 
+val read_load_point : shape -> path -> json -> load_point result
+
+val read_region : shape -> (string * json) list -> proof result
+
 val read_class : shape -> (string * json) list -> proof result
 
 val read_known_format : path -> json -> unit result
@@ -1621,6 +1792,8 @@ val same_interval : interval -> interval -> bool
 val same_growth : growth -> growth -> bool
 
 val same_tolerance : tolerance -> tolerance -> bool
+
+val same_ball : stated_ball -> stated_ball -> bool
 
 val broken_question_rule : statement -> posed -> string option
 

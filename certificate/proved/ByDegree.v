@@ -107,29 +107,27 @@ Definition range_sound (s : setting) : bool :=
 End Rules.
 
 Section Checking.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 (* K, with further conditions; and its walls. *)
-Definition k_region (g : degree_proof) (s : setting) (more : list (form * bool)) : region memory setting :=
-  root memory advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) []
+Definition k_region (g : degree_proof) (s : setting) (more : list (form * bool)) : region setting :=
+  root advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) []
     [] s).
 
-Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region memory
-  setting) :=
+Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region setting) :=
   let k := k_region g s more in
-  map (fun f => child memory advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s))
+  map (fun f => child advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s))
     (walls g).
 
 (* List 1 and list 2. *)
-Definition root_regions (g : degree_proof) (s : setting) : list (region memory setting) :=
+Definition root_regions (g : degree_proof) (s : setting) : list (region setting) :=
   (if is_point s && one_multiple g then [] else wall_regions g s []) ++
   wall_regions g (middle_setting g s) (middle_conditions g).
 
 (* Under the bilateral law: no contact but a spring pulls in K. *)
 Definition law_holds (g : degree_proof) (s : setting) : bool :=
   let r := k_region g s [] in
-  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays memory setting r)) (pull_tips
+  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays setting r)) (pull_tips
     row)) (rows s).
 
 (* The rule that fails; and at which node, if it is about one. *)
@@ -146,7 +144,7 @@ Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : d
         | Some _ =>
             if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
             else
-              match walk memory advisor setting split (end_fails no_pieces) most_depth nodes
+              match walk advisor setting split (end_fails no_pieces) most_depth nodes
                       (root_regions g s) 0 with
               | None => None
               | Some (rule, number) => Some (rule, Some number)
@@ -311,15 +309,14 @@ Proof.
   apply to_form_nonneg. rewrite room_at by auto. specialize (K f Hf). cbn in K. lra.
 Qed.
 
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 (* and so are at home in its region; *)
 Lemma k_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
   Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
   Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (walls g) ->
-  at_home memory setting solves (k_region memory advisor g s more) (point t e).
+  at_home setting solves (k_region advisor g s more) (point t e).
 Proof.
   intros T D L S M K. unfold k_region. rewrite D. apply root_home; [cbn; now rewrite length_listed|].
   constructor; cbn [branch_setting conditions new_strict new_moving]; [exact S| |constructor|constructor].
@@ -332,7 +329,7 @@ Lemma wall_home (solves : setting -> list R -> Prop) more s t e : good_part g t 
   solves s (point t e) -> Forall (meets (point t e)) more ->
   Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (walls g) ->
   Exists (fun f => Rows.dot (real f) (listed n e) = 1) (walls g) ->
-  exists r, In r (wall_regions memory advisor g s more) /\ at_home memory setting solves r (point t e).
+  exists r, In r (wall_regions advisor g s more) /\ at_home setting solves r (point t e).
 Proof.
   intros T D L S M K Ex. apply Exists_exists in Ex as (f & Hf & E). rewrite Forall_forall in L.
   eexists. split; [apply in_map, Hf|]. apply child_home; [apply k_home; try assumption; now apply Forall_forall|].
@@ -344,7 +341,7 @@ Proof.
     unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. lra.
 Qed.
 
-Lemma walls_good more s : Forall (good memory setting) (wall_regions memory advisor g s more).
+Lemma walls_good more s : Forall (good setting) (wall_regions advisor g s more).
 Proof. apply Forall_map, Forall_forall. intros f _. apply child_good, root_good. Qed.
 
 End Trees.
@@ -574,8 +571,7 @@ End Laws.
 Section Sound.
 Open Scope R_scope.
 
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 Variable g : degree_proof.
 Variable s : setting.
 Variable nodes : list node.
@@ -654,7 +650,7 @@ Proof.
 Qed.
 
 Theorem stable_by_degree_in_box (two_sided : bool) (lambda : R) :
-  degree_fails memory advisor two_sided most s g nodes = None ->
+  degree_fails advisor two_sided most s g nodes = None ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Q2R (low_multiple g) <= lambda -> match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
   Rows.stable_at sys lambda.
@@ -664,8 +660,8 @@ Proof.
   destruct (range_sound g s && all_free free s) eqn:RA; [|discriminate]. cbn [negb] in H.
   apply andb_true_iff in RA as [RS AF].
   destruct (inverted D free (direction_rows g)) as [[m inv]|] eqn:INV; [|discriminate].
-  destruct (two_sided && negb (law_holds memory advisor g s)) eqn:LH; [discriminate|].
-  destruct (walk _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:W in H; [discriminate|]. clear H.
+  destruct (two_sided && negb (law_holds advisor g s)) eqn:LH; [discriminate|].
+  destruct (walk _ _ _ _ _ _ _ _) as [[? ?]|] eqn:W in H; [discriminate|]. clear H.
   destruct (range_sound_is RS) as (Range & L1 & L2).
   destruct (walls_bound _ _ _ _ FM) as (B & HB). destruct (free_lengths _ _ _ _ FM) as [FL EL].
   destruct (direction_inverse _ _ _ _ _ INV FL) as (LA & AL & Lm & HM & I1 & I2 & HA).
@@ -688,7 +684,7 @@ Proof.
     Exists (fun f => Rows.dot (real f) (listed D e) = 1) (walls g)).
   { intros e [K X]. unfold in_K in K. rewrite Forall_map in K. rewrite Exists_map in X. split; assumption. }
   (* A point at home in a root does not exist. *)
-  apply (walk_refutes memory advisor setting split (end_fails no_pieces) solves (fun _ => False)) in W;
+  apply (walk_refutes advisor setting split (end_fails no_pieces) solves (fun _ => False)) in W;
     [|intros s' n bs x; apply split_covers|intros s' st rs n x; apply end_without_pieces
      |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|];
        apply walls_good].
@@ -697,7 +693,7 @@ Proof.
     (twist_at g (part q)) 0 + e i)) ->
     is_point s && one_multiple g = false -> on_wall D (map real (walls g)) e -> False).
   { intros q e S NP OW. destruct (K_real e OW) as [K X].
-    destruct (wall_home g D L1 L2 Range memory advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
+    destruct (wall_home g D L1 L2 Range advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
     - apply Part.
     - reflexivity.
     - constructor.
@@ -706,7 +702,7 @@ Proof.
     solves (middle_setting g s) (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 + e i)) ->
     on_wall D (map real (walls g)) e -> False).
   { intros t e T Th S OW. destruct (K_real e OW) as [K X].
-    destruct (wall_home g D L1 L2 Range memory advisor solves (middle_conditions g) (middle_setting g s) t e)
+    destruct (wall_home g D L1 L2 Range advisor solves (middle_conditions g) (middle_setting g s) t e)
       as (r & Hr & Home); try assumption.
     - reflexivity.
     - unfold middle_conditions. destruct (one_multiple g) eqn:O; constructor; [|constructor].
@@ -804,12 +800,12 @@ Proof.
       apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er Se] Sp.
       destruct (seen_stands _ _ Se) as (r' & k & p & G & mu & t & I & St & _).
       unfold law_holds in LH. rewrite forallb_forall in LH. specialize (LH row Hr). rewrite Sp in LH. cbn in LH.
-      assert (Home : at_home memory setting (fun _ _ => True) (k_region memory advisor g s [])
+      assert (Home : at_home setting (fun _ _ => True) (k_region advisor g s [])
         (h_at g t1 :: l_at g t1 :: d)).
       { assert (E : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
         rewrite E. apply (k_home g D L1 L2 Range); [exact T1|reflexivity|exact Wd|exact Logic.I|constructor|].
         rewrite Forall_map in K. eapply Forall_impl; [|exact K]. cbn. intros; lra. }
-      destruct (home_spanned _ _ _ _ _ Home) as (ws & Wt & Sp').
+      destruct (home_spanned _ _ _ _ (root_good _ _ _ _) Home) as (ws & Wt & Sp').
       rewrite Er in LH. rewrite <- (same_pull _ _ _ d (h_at g t1) (l_at g t1) St).
       exact (v_nonneg _ d (h_at g t1) (l_at g t1) ws Wt Sp' (box row) r' p G mu t I LH).
     + intros y. specialize (Bal y). unfold total_work, Rows.load in Bal.

@@ -56,12 +56,11 @@ Definition is_one_grasp (s : setting) : bool :=
 Definition straight (s : setting) : bool := forallb (fun r => negb (box_turns (box r))) (rows s).
 
 Section Check.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 Definition refute (q : question) (s : setting) (ranges : list range) (nodes : list node)
     : option (string * nat) :=
-  walk_ranges memory advisor no_pieces (most_depth (rows s)) (bilateral q) s ranges nodes.
+  walk_ranges advisor no_pieces (most_depth (rows s)) (bilateral q) s ranges nodes.
 
 Definition check_witness (q : question) (s : setting) (w : witness) : answer :=
   if is_one_grasp s then
@@ -78,7 +77,7 @@ Definition check_tree (q : question) (s : setting) (nodes : list node) : answer 
   end.
 
 Definition check_parts (q : question) (s : setting) (parts : list part) : answer :=
-  match parts_fail memory advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
+  match parts_fail advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
   | None => Stable
   | Some (rule, found_at) => Rejected rule found_at
   end.
@@ -90,7 +89,7 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
     | Some number => Rejected "resisted-order" (AtInterval number)
     | None =>
         match segments_fail (bilateral q) (dimension q) (rows s) (the_load s)
-                (segment_by_degree_fails memory advisor (bilateral q) (most_depth (rows s)) s) (unloaded s)
+                (segment_by_degree_fails advisor (bilateral q) (most_depth (rows s)) s) (unloaded s)
                 segments resisted None None 0 with
         | Some (rule, found_at) => Rejected rule found_at
         | None =>
@@ -122,7 +121,7 @@ Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (h
   let failing rule second := Some (Rejected rule (AtPointOf number second)) in
   match evidence with
   | inl p =>
-      match part_fails memory advisor (bilateral q) (most_depth (rows s)) low high s p with
+      match part_fails advisor (bilateral q) (most_depth (rows s)) low high s p with
       | Some (rule, node) => Some (Rejected rule (AtProofOf number node))
       | None => None
       end
@@ -205,7 +204,7 @@ Definition check_region (q : question) (s : setting) (pieces : list (list load_p
         | Some (rule, found_at) => Rejected rule found_at
         | None =>
             let parts := map (map load_part) pieces in
-            match plane_fails memory advisor (most_depth (rows s)) (bilateral q) n (rows s) w u v parts nodes with
+            match plane_fails advisor (most_depth (rows s)) (bilateral q) n (rows s) w u v parts nodes with
             | None => Region parts
             | Some (rule, number) => Rejected rule (AtNode number)
             end

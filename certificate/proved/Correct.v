@@ -226,16 +226,15 @@ Proof.
 Qed.
 
 Section Correct.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 (* Where trees about ranges are accepted, no multiple in these ranges has an equilibrium. *)
 Theorem refute_correct q st s ranges nodes lambda : poses q st s ->
-  refute memory advisor q st ranges nodes = None -> 0 <= lambda ->
+  refute advisor q st ranges nodes = None -> 0 <= lambda ->
   Exists (fun r => in_range r lambda) ranges -> ~ Rows.stable_at s lambda.
 Proof.
   intros P R L X (d & fs & Ld & O & B). destruct P. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D _].
-  apply (refuted_multiple memory advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
+  apply (refuted_multiple advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
     try assumption.
   - congruence.
   - constructor; try assumption; lra.
@@ -292,7 +291,7 @@ Proof.
 Qed.
 
 Lemma evidence_holds q st number lo hi evidence s l : poses q st s ->
-  holding_fails memory advisor q st number lo hi evidence = None ->
+  holding_fails advisor q st number lo hi evidence = None ->
   (hi = None -> Qeq_bool lo 0 && unloaded st = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
 Proof.
   intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
@@ -305,8 +304,8 @@ Proof.
     specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ U].
     apply (unloaded_stable s st l In_s U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
   destruct evidence as [p|points].
-  - destruct (part_fails _ _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
-    exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
+  - destruct (part_fails _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
+    exact (part_stable _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
   - destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
     destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi.
     destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
@@ -324,7 +323,7 @@ Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
   forall claims before number resisted refuted,
   match before with Some b => 0 <= Q2R b | None => True end ->
   true_of_rows q (Claims (rev_append resisted []) (rev_append refuted [])) ->
-  true_of_rows q (check_claims memory advisor q st claims before number resisted refuted).
+  true_of_rows q (check_claims advisor q st claims before number resisted refuted).
 Proof.
   intros P. induction claims as [|cl claims IH]; intros before number resisted refuted B0 T; cbn [check_claims];
     [exact T|].
@@ -342,7 +341,7 @@ Proof.
   - destruct (in_order true before lo hi) eqn:O; [cbn [negb]|exact I].
     destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
     destruct (match hi with None => _ | Some _ => false end) eqn:Wh; [exact I|].
-    destruct (holding_fails memory advisor q st number lo hi evidence) as [a|] eqn:K.
+    destruct (holding_fails advisor q st number lo hi evidence) as [a|] eqn:K.
     { destruct a; try exact I; exfalso; revert K; clear; unfold holding_fails;
         repeat match goal with |- context [match ?x with _ => _ end] => destruct x end; discriminate. }
     apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
@@ -352,7 +351,7 @@ Proof.
   - destruct (in_order false before lo hi) eqn:O; [cbn [negb]|exact I].
     destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
     set (with_low := match number with O => _ | S _ => false end).
-    destruct (refute _ _ _ _ _ _) as [[rule node]|] eqn:R; [exact I|].
+    destruct (refute _ _ _ _ _) as [[rule node]|] eqn:R; [exact I|].
     apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
     split; [exact A|]. intros E. apply Exists_cons in E as [E|E]; [|now apply B].
     unfold refuted_by in E. destruct E as [Lo Hi].
@@ -362,7 +361,7 @@ Proof.
     + destruct hi as [h|]; [|exact I]. split; [lra|auto].
 Qed.
 
-Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
+Theorem check_of_rows q c : true_of_rows q (check advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
   assert (P := fun s => choice_poses _ _ _ s S).
@@ -381,11 +380,11 @@ Proof.
     - now apply all_rigid with (rows st).
     - exact (one_load_is _ _ Ce posed_wrench0).
     - congruence. }
-  assert (Region_ : forall pieces nodes, true_of_rows q (check_region memory advisor q st pieces nodes)).
+  assert (Region_ : forall pieces nodes, true_of_rows q (check_region advisor q st pieces nodes)).
   { intros pieces nodes. unfold check_region. destruct (load_plane q) as [[u v]|] eqn:Pl; [|exact I].
     destruct (_ && _) eqn:Ch; [|exact I]. rewrite !andb_true_iff in Ch. destruct Ch as [[[[[D3 X] Lw] Lu] Lv] G].
     destruct (pieces_fail _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Pf; [exact I|].
-    destruct (plane_fails _ _ _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Tf; [exact I|].
+    destruct (plane_fails _ _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Tf; [exact I|].
     apply Nat.eqb_eq in D3, Lw, Lu, Lv.
     intros s C u' v' Pl' _ a b w Ew. rewrite Pl in Pl'. injection Pl' as <- <-. specialize (P s C).
     destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P.
@@ -393,7 +392,7 @@ Proof.
     pose proof (one_load_is _ _ L1 L2) as W. pose proof (one_load_box _ _ L1 L2) as Wb.
     unfold one_load in L1. apply andb_true_iff in L1 as [L1 _].
     split; intros H.
-    - refine (plane_covered memory advisor (most_depth (rows st)) (bilateral q) (rows st) (load_box (the_load st)) u v s
+    - refine (plane_covered advisor (most_depth (rows st)) (bilateral q) (rows st) (load_box (the_load st)) u v s
         (map (map load_part) pieces) nodes a b w Fi Wb _ _ posed_law0 Tf Ew H); [|congruence].
       destruct posed_shapes0 as [_ Sh]. eapply Forall_impl; [|exact Sh]. intros r (A & B & _). now split.
     - refine (piece_resisted _ (rows st) (load_box (the_load st)) u v s Fi E L1 W Wb _ _ posed_law0 pieces 0 a b w Pf _ Ew H);
@@ -408,12 +407,12 @@ Proof.
     replace 0 with (Q2R 0) by apply Q2R_0.
     eapply point_resists; try eassumption. reflexivity.
   - (* parts *)
-    unfold check_parts. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
+    unfold check_parts. destruct (parts_fail _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
     intros s C. specialize (P s C).
-    pose proof (parts_stable memory advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
+    pose proof (parts_stable advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
     apply (Forall_inv A). cbn. now apply posed_in_setting with q.
   - (* a tree *)
-    unfold check_tree. destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
+    unfold check_tree. destruct (refute _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C. apply (refute_correct q st s _ _ 0 (P s C) R (Rle_refl 0)).
     constructor. unfold in_range, at_zero; cbn. rewrite Q2R_0.
     repeat split; try discriminate; lra.
@@ -421,14 +420,14 @@ Proof.
     unfold check_margin. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (order_fails _ _ resisted 0); [exact I|].
     destruct (segments_fail _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
-    destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
+    destruct (refute _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as (E & L & Sg). split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
     + intros A. pose proof (posed_in_setting q st s P) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
       rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
       { intros a b d1 d2 walls direction tree l Hd Z La Lb.
-        eapply (segment_by_degree_resists memory advisor); eassumption. }
+        eapply (segment_by_degree_resists advisor); eassumption. }
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
   - (* claims *)
     apply claims_true; [exact P|rewrite Q2R_0; lra|].
@@ -436,7 +435,7 @@ Proof.
 Qed.
 
 (* Whatever the certificate and the oracle's advice are, the answer is true. *)
-Theorem check_correct q c : true_answer q (check memory advisor q c).
+Theorem check_correct q c : true_answer q (check advisor q c).
 Proof. apply true_of_grasps, check_of_rows. Qed.
 
 End Correct.

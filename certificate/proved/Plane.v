@@ -29,23 +29,23 @@ Fixpoint first_some {A B} (f : A -> option B) (l : list A) : option B :=
   | a :: l' => match f a with Some b => Some b | None => first_some f l' end
   end.
 
-(* Advice as that of an oracle, if the numbers are of the right signs. *)
-Definition advise_if (factor : Z) (terms : list (nat * Z)) : option (Z * list (nat * Z)) :=
+(* If the numbers are of the right signs. *)
+Definition if_positive (factor : Z) (terms : list (nat * Z)) : option (Z * list (nat * Z)) :=
   if (0 <? factor) && forallb (fun t => 0 <=? snd t) terms then Some (factor, terms) else None.
 
 (* By three rays, by two, and by one; they are given with their numbers. *)
 Definition by_three (q : form) (a b c : nat * form) : option (Z * list (nat * Z)) :=
   let d := det (snd a) (snd b) (snd c) in
   let s := Z.sgn d in
-  advise_if (s * d) [(fst a, s * det q (snd b) (snd c)); (fst b, s * det (snd a) q (snd c));
+  if_positive (s * d) [(fst a, s * det q (snd b) (snd c)); (fst b, s * det (snd a) q (snd c));
                      (fst c, s * det (snd a) (snd b) q)].
 
 Definition by_two (q : form) (a b : nat * form) : option (Z * list (nat * Z)) :=
   let n := cross_product (snd a) (snd b) in
-  if dot q n =? 0 then advise_if (dot n n) [(fst a, det n q (snd b)); (fst b, det n (snd a) q)] else None.
+  if dot q n =? 0 then if_positive (dot n n) [(fst a, det n q (snd b)); (fst b, det n (snd a) q)] else None.
 
 Definition by_one (q : form) (a : nat * form) : option (Z * list (nat * Z)) :=
-  if all_zero (cross_product (snd a) q) then advise_if (dot (snd a) (snd a)) [(fst a, dot q (snd a))] else None.
+  if all_zero (cross_product (snd a) q) then if_positive (dot (snd a) (snd a)) [(fst a, dot q (snd a))] else None.
 
 Definition or_else {A} (a : option A) (b : Datatypes.unit -> option A) : option A := match a with Some _ => a | None => b tt end.
 
@@ -61,6 +61,17 @@ Definition sum_found (rays : list ray) (q : form) : option (Z * list (nat * Z)) 
              end)
       (fun _ => or_else (all_of (fun a => all_of (by_two q a))) (fun _ => all_of (by_one q))).
 
+(* The factor times q is a sum of multiples of rays, which are known by their numbers. *)
+Definition sum_of_rays (rays : list ray) (terms : list (nat * Z)) : form :=
+  fold_right (fun t s => match nth_error rays (fst t) with
+                         | Some r => combine (snd t) (coordinates r) 1 s
+                         | None => s
+                         end) [] terms.
+
+Definition reason_holds (rays : list ray) (x : form) (factor : Z) (terms : list (nat * Z)) :=
+  (0 <? factor) && forallb (fun t => 0 <=? snd t) terms &&
+  all_zero (combine factor x (-1) (sum_of_rays rays terms)).
+
 Definition is_sum_of (rays : list ray) (q : form) : bool :=
   match sum_found rays q with Some (factor, terms) => reason_holds rays q factor terms | None => false end.
 
@@ -74,7 +85,7 @@ Definition load_part (p : load_point) : homogeneous := ((if is_at p then 1 else 
 
 Definition part_list (a : homogeneous) : list Q := let '(h, s, t) := a in [h; s; t].
 
-Definition ray_of_part (a : homogeneous) : ray := Ray (map (to_integer (scaling_of (part_list a))) (part_list a)) [].
+Definition ray_of_part (a : homogeneous) : ray := Ray (map (to_integer (scaling_of (part_list a))) (part_list a)) [] 0.
 
 (* (h, s, t) of a ray of a tree, where motions have so many coordinates without s and t. *)
 Definition part_of_ray (n : nat) (x : form) : form := [nth 0 x 0; nth (2 + n) x 0; nth (3 + n) x 0].
@@ -187,6 +198,32 @@ Proof.
     replace t with (k * Q2R e + (t - k * Q2R e)) by ring.
     apply one_more; [exact K|exact In_p|]. apply IH. intros f. specialize (E f). cbn [total map] in E.
     rewrite Ea, Eb, Ee. destruct f as [|x [|y [|z [|? f]]]]; cbn [rdot dot] in *; rewrite ?plus_IZR, ?mult_IZR in E; lra.
+Qed.
+
+Lemma sum_spanned rays terms :
+  forallb (fun t => 0 <=? snd t)%Z terms = true ->
+  spans (map coordinates rays) (fun f => IZR (dot f (sum_of_rays rays terms))).
+Proof.
+  induction terms as [|[i c] terms IH]; cbn.
+  - intros _. eapply spans_same; [|apply spans_zero]. intros f; cbn. now rewrite dot_nil_r.
+  - rewrite andb_true_iff. intros [Hc Ht]. specialize (IH Ht).
+    destruct (nth_error rays i) as [r|] eqn:Hr; [|exact IH].
+    eapply spans_same; [|apply spans_sum; [|exact IH]; apply spans_multiple with (s := IZR c);
+      [apply IZR_le; now apply Z.leb_le|]; apply spans_ray; apply in_map;
+      eapply nth_error_In; exact Hr].
+    intros f; cbn. rewrite dot_combine, plus_IZR, !mult_IZR. fold (sum_of_rays rays terms). lra.
+Qed.
+
+Lemma reason_spans rays x factor terms : reason_holds rays x factor terms = true ->
+  spans (map coordinates rays) (fun f => IZR (dot f x)).
+Proof.
+  unfold reason_holds. rewrite !andb_true_iff. intros [[Hf Ht] Hz].
+  apply Z.ltb_lt in Hf. apply IZR_lt in Hf.
+  apply spans_same with (fun f => / IZR factor * IZR (dot f (sum_of_rays rays terms)))%R.
+  - intros f. pose proof (dot_all_zero f _ Hz) as E. rewrite dot_combine in E.
+    assert (E' : (dot f (sum_of_rays rays terms) = factor * dot f x)%Z) by lia.
+    rewrite E', mult_IZR. field. lra.
+  - apply spans_multiple; [left; now apply Rinv_0_lt_compat|]. now apply sum_spanned.
 Qed.
 
 Lemma is_sum_of_spans rays q : is_sum_of rays q = true -> spans (map coordinates rays) (fun b => IZR (dot b q)).
@@ -470,14 +507,13 @@ End Points.
 Section Covered.
 Open Scope R_scope.
 
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 Definition at_zero : range := Range 0 (Some 0%Q) false false.
 
 Definition plane_fails (most : Z) (two_sided : bool) (n : nat) (rows : list row) (w : list interval) (u v : vector)
     (pieces : list (list homogeneous)) (nodes : list node) : option (string * nat) :=
-  walk_ranges memory advisor (held_by n (map (map ray_of_part) pieces)) most two_sided (plane_setting n rows w u v)
+  walk_ranges advisor (held_by n (map (map ray_of_part) pieces)) most two_sided (plane_setting n rows w u v)
     [at_zero] (map (plane_node n) nodes).
 
 Lemma at_zero_in : in_range at_zero 0.
@@ -527,7 +563,7 @@ Theorem plane_covered most (two_sided : bool) rows w (u v : vector) sys pieces n
 Proof.
   intros n F W Sh L Law H Ew (d & fs & Ld & O & B). cbn [loaded Rows.dimension Rows.rows Rows.normal] in *.
   set (its := Rows.System n (Rows.rows sys) (Rows.wrench sys) (real (map (fun _ => 0%Q) u)) (Rows.normal sys)).
-  refine (ranges_shown memory advisor (held_by n (map (map ray_of_part) pieces))
+  refine (ranges_shown advisor (held_by n (map (map ray_of_part) pieces))
     (fun x => forall l (d : list R) s t, List.length d = n -> x = 1 :: l :: d ++ [s; t] -> Exists (in_piece s t) pieces)
     most two_sided (plane_setting n rows w u v) [at_zero] _ its 0 (d ++ [s; t]) fs _ eq_refl _ H _ Law
     (Exists_cons_hd (fun r => in_range r 0) at_zero [] at_zero_in) 0 d s t Ld eq_refl).

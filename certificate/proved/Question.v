@@ -142,25 +142,15 @@ Inductive answer :=
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 
-(* Advice about one ray of a region, which nobody has to believe: to keep it, or to drop it as
-   factor * ray = sum of coefficient * (the ray of that number among those kept). *)
-Inductive advice :=
-  | Keep
-  | Drop (factor : Z) (terms : list (nat * Z)).
-
-(* An oracle has a memory of any type for each region.  `advise` hears that a region is cut by
-   form >= 0, or by form = 0 if the flag is set, and gives advice about each candidate ray in
-   the order of Cone.v.  `foremost` says by which of many forms, as their numbers from 0, it is best to cut
-   first, so that most others change nothing.  Theorems hold for every oracle. *)
-Record oracle (memory : Type) := Oracle {
-  begin : nat -> memory;              (* all of R^n *)
-  advise : memory -> list Z -> bool -> memory * list advice;
-  foremost : memory -> list (list Z * bool) -> list Z
+(* Advice, which nobody has to believe: theorems hold for every oracle.  `permits` hears how many combinations of
+   rays a cut may have to make, and may forbid it: a region that is not cut is only larger.  `foremost` hears of the
+   rays of a region and of forms f >= 0, or f = 0 if the flag is set, and says by which, as its number from 0,
+   it is best to cut next, if many others then change nothing. *)
+Record oracle := Oracle {
+  permits : Z -> bool;
+  foremost : list (list Z) -> list (list Z * bool) -> option Z
 }.
-Arguments begin {memory}.
-Arguments advise {memory}.
-Arguments foremost {memory}.
 
 (* The checker (Checker.v) is
-     check : forall memory, oracle memory -> question -> certificate -> answer. *)
-Definition checker := forall memory, oracle memory -> question -> certificate -> answer.
+     check : oracle -> question -> certificate -> answer. *)
+Definition checker := oracle -> question -> certificate -> answer.

@@ -45,13 +45,15 @@ Section Numbers.
 Open Scope Z_scope.
 
 (* A multiple of all denominators of leaves, but for those of loads and of alphas; and a power of two with which
-   every term of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
+   every term of a leaf keeps about 64 bits, if that is shorter, or if there are alphas. *)
 Definition common_multiple (rows : list row) : Z := fold_left (fun m r => Z.lcm m (over_weight r)) rows 1.
 
 Definition short_multiple (rows : list row) (multiple : Z) : Z :=
-  let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
+  let size (r : row) := if box_signed (box r) then over_weight r / weight r
+                        else over (pull_scale r) / times (pull_scale r) in
+  let most := fold_left (fun b r => Z.max b (size r)) rows 1 in
   let short := Z.shiftl 1 (Z.log2 most + 65) in
-  if (short <? multiple) && forallb (fun r => box_signed (box r)) rows then short else multiple.
+  if (short <? multiple) || negb (forallb (fun r => box_signed (box r)) rows) then short else multiple.
 
 End Numbers.
 
@@ -682,13 +684,12 @@ Proof. apply (end_shows no_pieces (fun _ => False)). discriminate. Qed.
 End Proofs.
 
 Section Refuting.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 Definition walk_ranges (held : Z -> list ray -> option string) (most_depth : Z) (two_sided : bool) (s : setting)
     (ranges : list range) (nodes : list node) : option (string * nat) :=
-  walk memory advisor setting split (end_fails held) most_depth nodes
-    (map_all (fun g => root memory advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
+  walk advisor setting split (end_fails held) most_depth nodes
+    (map_all (fun g => root advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
 
 Theorem ranges_shown held (shown : list R -> Prop) most (two_sided : bool) s ranges nodes sys lambda d fs :
   (forall k rays x, held k rays = None -> spans (map coordinates rays) (fun a => rdot a x) -> shown x) ->
@@ -700,10 +701,10 @@ Theorem ranges_shown held (shown : list R -> Prop) most (two_sided : bool) s ran
 Proof.
   intros He SE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
   unfold walk_ranges in W. rewrite map_all_is in W.
-  apply (walk_refutes memory advisor setting split (end_fails held) solves shown) in W.
+  apply (walk_refutes advisor setting split (end_fails held) solves shown) in W.
   - rewrite Forall_forall in W. eapply W.
     + apply in_map_iff. now exists rng.
-    + apply (root_home _ _ _ _ _ _ (1 :: lambda :: d)).
+    + apply (root_home _ _ _ _ _ (1 :: lambda :: d)).
       * cbn. now rewrite D.
       * eapply root_takes; try eassumption. intros k r H. rewrite SE in H. discriminate.
   - intros s' n bs x. apply split_covers.

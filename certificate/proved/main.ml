@@ -216,6 +216,8 @@ let run (arguments : Arguments.arguments) =
   end
 
 let () =
+  (* Most of what is made is dropped at once; a small heap for it would be searched again and again. *)
+  Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
   Work.watch ();
   let code =
     try

@@ -43,8 +43,8 @@ type comparison =
 
 module Coq__1 = struct
  (** val add : nat -> nat -> nat **)
- let rec add n m =
-   match n with
+ let rec add n0 m =
+   match n0 with
    | O -> m
    | S p -> S (add p m)
 end
@@ -52,11 +52,11 @@ include Coq__1
 
 (** val sub : nat -> nat -> nat **)
 
-let rec sub n m =
-  match n with
-  | O -> n
+let rec sub n0 m =
+  match n0 with
+  | O -> n0
   | S k -> (match m with
-            | O -> n
+            | O -> n0
             | S l -> sub k l)
 
 (** val eqb : bool -> bool -> bool **)
@@ -82,8 +82,8 @@ module Nat =
  struct
   (** val eqb : nat -> nat -> bool **)
 
-  let rec eqb n m =
-    match n with
+  let rec eqb n0 m =
+    match n0 with
     | O -> (match m with
             | O -> true
             | S _ -> false)
@@ -93,10 +93,10 @@ module Nat =
 
   (** val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1 **)
 
-  let rec iter n f x =
-    match n with
+  let rec iter n0 f x =
+    match n0 with
     | O -> x
-    | S n0 -> f (iter n0 f x)
+    | S n1 -> f (iter n1 f x)
  end
 
 module Pos =
@@ -179,6 +179,18 @@ module Coq_Pos =
       (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
       (pred_double p))
       (fun _ -> Big_int_Z.unit_big_int)
+      x
+
+  (** val pred_N : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let pred_N x =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p -> (Big_int_Z.mult_int_big_int 2 p))
+      (fun p -> (pred_double p))
+      (fun _ -> Big_int_Z.zero_big_int)
       x
 
   type mask = Pos.mask =
@@ -292,7 +304,7 @@ module Coq_Pos =
 
   (** val iter : ('a1 -> 'a1) -> 'a1 -> Big_int_Z.big_int -> 'a1 **)
 
-  let rec iter f x n =
+  let rec iter f x n0 =
     (fun f2p1 f2p f1 p ->
   if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
   let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
@@ -300,7 +312,7 @@ module Coq_Pos =
       (fun n' -> f (iter f (iter f x n') n'))
       (fun n' -> iter f (iter f x n') n')
       (fun _ -> f x)
-      n
+      n0
 
   (** val div2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -478,10 +490,10 @@ module Coq_Pos =
   (** val gcdn :
       nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
-  let rec gcdn n a b =
-    match n with
+  let rec gcdn n0 a b =
+    match n0 with
     | O -> Big_int_Z.unit_big_int
-    | S n0 ->
+    | S n1 ->
       ((fun f2p1 f2p f1 p ->
   if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
   let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
@@ -494,9 +506,9 @@ module Coq_Pos =
            (fun b' ->
            match compare a' b' with
            | Eq -> a
-           | Lt -> gcdn n0 (sub b' a') a
-           | Gt -> gcdn n0 (sub a' b') b)
-           (fun b0 -> gcdn n0 a b0)
+           | Lt -> gcdn n1 (sub b' a') a
+           | Gt -> gcdn n1 (sub a' b') b)
+           (fun b0 -> gcdn n1 a b0)
            (fun _ -> Big_int_Z.unit_big_int)
            b)
          (fun a0 ->
@@ -504,8 +516,8 @@ module Coq_Pos =
   if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
   let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
   if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
-           (fun _ -> gcdn n0 a0 b)
-           (fun b0 -> Big_int_Z.mult_int_big_int 2 (gcdn n0 a0 b0))
+           (fun _ -> gcdn n1 a0 b)
+           (fun b0 -> Big_int_Z.mult_int_big_int 2 (gcdn n1 a0 b0))
            (fun _ -> Big_int_Z.unit_big_int)
            b)
          (fun _ -> Big_int_Z.unit_big_int)
@@ -516,6 +528,144 @@ module Coq_Pos =
 
   let gcd a b =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
+
+  (** val coq_Nsucc_double : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_Nsucc_double x =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p ->
+      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x)) p))
+      x
+
+  (** val coq_Ndouble : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_Ndouble n0 =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p -> (Big_int_Z.mult_int_big_int 2 p))
+      n0
+
+  (** val coq_lor :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec coq_lor p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (coq_lor p0 q1))
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (coq_lor p0 q1))
+        (fun _ -> p)
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (coq_lor p0 q1))
+        (fun q1 -> Big_int_Z.mult_int_big_int 2 (coq_lor p0 q1))
+        (fun _ ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        p0)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> q0)
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        q1)
+        (fun _ -> q0)
+        q0)
+      p
+
+  (** val coq_land :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec coq_land p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Nsucc_double (coq_land p0 q1))
+        (fun q1 -> coq_Ndouble (coq_land p0 q1))
+        (fun _ -> Big_int_Z.unit_big_int)
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Ndouble (coq_land p0 q1))
+        (fun q1 -> coq_Ndouble (coq_land p0 q1))
+        (fun _ -> Big_int_Z.zero_big_int)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> Big_int_Z.unit_big_int)
+        (fun _ -> Big_int_Z.zero_big_int)
+        (fun _ -> Big_int_Z.unit_big_int)
+        q0)
+      p
+
+  (** val ldiff :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec ldiff p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Ndouble (ldiff p0 q1))
+        (fun q1 -> coq_Nsucc_double (ldiff p0 q1))
+        (fun _ -> (Big_int_Z.mult_int_big_int 2 p0))
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Ndouble (ldiff p0 q1))
+        (fun q1 -> coq_Ndouble (ldiff p0 q1))
+        (fun _ -> p)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> Big_int_Z.zero_big_int)
+        (fun _ -> Big_int_Z.unit_big_int)
+        (fun _ -> Big_int_Z.zero_big_int)
+        q0)
+      p
 
   (** val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1 **)
 
@@ -533,6 +683,62 @@ module Coq_Pos =
 
   let to_nat x =
     iter_op Coq__1.add x (S O)
+
+  (** val of_succ_nat : nat -> Big_int_Z.big_int **)
+
+  let rec of_succ_nat = function
+  | O -> Big_int_Z.unit_big_int
+  | S x -> succ (of_succ_nat x)
+ end
+
+module N =
+ struct
+  (** val succ_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let succ_pos n0 =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p -> Coq_Pos.succ p)
+      n0
+
+  (** val coq_lor :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_lor n0 m =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> m)
+      (fun p ->
+      (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+        (fun _ -> n0)
+        (fun q0 -> (Coq_Pos.coq_lor p q0))
+        m)
+      n0
+
+  (** val coq_land :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_land n0 m =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p ->
+      (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+        (fun _ -> Big_int_Z.zero_big_int)
+        (fun q0 -> Coq_Pos.coq_land p q0)
+        m)
+      n0
+
+  (** val ldiff :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let ldiff n0 m =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p ->
+      (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+        (fun _ -> n0)
+        (fun q0 -> Coq_Pos.ldiff p q0)
+        m)
+      n0
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -543,8 +749,8 @@ let tl = function
 
 (** val nth : nat -> 'a1 list -> 'a1 -> 'a1 **)
 
-let rec nth n l default =
-  match n with
+let rec nth n0 l default =
+  match n0 with
   | O -> (match l with
           | [] -> default
           | x :: _ -> x)
@@ -558,9 +764,9 @@ let rec nth_error l = function
 | O -> (match l with
         | [] -> None
         | x :: _ -> Some x)
-| S n0 -> (match l with
+| S n1 -> (match l with
            | [] -> None
-           | _ :: l0 -> nth_error l0 n0)
+           | _ :: l0 -> nth_error l0 n1)
 
 (** val removelast : 'a1 list -> 'a1 list **)
 
@@ -644,21 +850,21 @@ let rec combine l l' =
 
 (** val firstn : nat -> 'a1 list -> 'a1 list **)
 
-let rec firstn n l =
-  match n with
+let rec firstn n0 l =
+  match n0 with
   | O -> []
-  | S n0 -> (match l with
+  | S n1 -> (match l with
              | [] -> []
-             | a :: l0 -> a :: (firstn n0 l0))
+             | a :: l0 -> a :: (firstn n1 l0))
 
 (** val skipn : nat -> 'a1 list -> 'a1 list **)
 
-let rec skipn n l =
-  match n with
+let rec skipn n0 l =
+  match n0 with
   | O -> l
-  | S n0 -> (match l with
+  | S n1 -> (match l with
              | [] -> []
-             | _ :: l0 -> skipn n0 l0)
+             | _ :: l0 -> skipn n1 l0)
 
 (** val seq : nat -> nat -> nat list **)
 
@@ -833,6 +1039,16 @@ module Z =
       (fun _ -> O)
       z0
 
+  (** val of_nat : nat -> Big_int_Z.big_int **)
+
+  let of_nat = function
+  | O -> Big_int_Z.zero_big_int
+  | S n1 -> (Coq_Pos.of_succ_nat n1)
+
+  (** val of_N : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let of_N = (fun p -> p)
+
   (** val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
   let to_pos z0 =
@@ -963,6 +1179,16 @@ module Z =
   let y = int_of_big_int y in
   if y < 0 then shift_right_big_int x (-y)
   else shift_left_big_int x y)
+
+  (** val coq_lor :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_lor = Big_int_Z.or_big_int
+
+  (** val coq_land :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_land = Big_int_Z.and_big_int
 
   (** val lcm :
       Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
@@ -1353,21 +1579,14 @@ type answer =
 | Rejected of string * place
 | NotProvedHere of string
 
-type advice =
-| Keep
-| Drop of Big_int_Z.big_int * (nat * Big_int_Z.big_int) list
-
-type 'memory oracle = { begin0 : (nat -> 'memory);
-                        advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list);
-                        foremost : ('memory -> (Big_int_Z.big_int
-                                   list * bool) list -> Big_int_Z.big_int
-                                   list) }
+type oracle = { permits : (Big_int_Z.big_int -> bool);
+                foremost : (Big_int_Z.big_int list list -> (Big_int_Z.big_int
+                           list * bool) list -> Big_int_Z.big_int option) }
 
 (** val qabs : q -> q **)
 
 let qabs x =
-  let { qnum = n; qden = d } = x in { qnum = (Z.abs n); qden = d }
+  let { qnum = n0; qden = d } = x in { qnum = (Z.abs n0); qden = d }
 
 (** val qmax : q -> q -> q **)
 
@@ -1419,7 +1638,7 @@ let primitive a =
   let g = content a in
   if Z.eqb g Big_int_Z.unit_big_int then a else map (fun x -> Z.div x g) a
 
-type ray = { coordinates : form; zeros : bool list }
+type ray = { coordinates : form; zeros : bool list; tight : Big_int_Z.big_int }
 
 (** val both : bool list -> bool list -> bool list **)
 
@@ -1435,7 +1654,7 @@ let rec both a b =
 let add_strict fs r =
   { coordinates = r.coordinates; zeros =
     ((forallb (fun f -> Z.eqb (dot f r.coordinates) Big_int_Z.zero_big_int)
-       fs) :: r.zeros) }
+       fs) :: r.zeros); tight = r.tight }
 
 (** val common_zeros : form list list -> ray list -> bool list **)
 
@@ -1446,105 +1665,6 @@ let common_zeros strict0 rays0 =
 
 let barred strict0 rays0 =
   existsb (fun z0 -> z0) (common_zeros strict0 rays0)
-
-type candidate =
-| Stays of ray
-| Joins of form * bool list * bool list
-
-(** val form_of : candidate -> form **)
-
-let form_of = function
-| Stays r -> r.coordinates
-| Joins (x, _, _) -> x
-
-(** val ray_of : candidate -> ray **)
-
-let ray_of = function
-| Stays r -> r
-| Joins (x, z1, z2) -> { coordinates = (primitive x); zeros = (both z1 z2) }
-
-(** val heights : form -> ray list -> (Big_int_Z.big_int * ray) list **)
-
-let heights a rays0 =
-  map (fun r -> ((dot a r.coordinates), r)) rays0
-
-(** val join :
-    (Big_int_Z.big_int * ray) -> (Big_int_Z.big_int * ray) -> candidate **)
-
-let join p n =
-  Joins
-    ((combine0 (fst p) (snd n).coordinates (Z.opp (fst n))
-       (snd p).coordinates), (snd p).zeros, (snd n).zeros)
-
-(** val candidates :
-    bool -> (Big_int_Z.big_int * ray) list -> candidate list **)
-
-let candidates equality hs =
-  let below = filter (fun p -> Z.ltb (fst p) Big_int_Z.zero_big_int) hs in
-  app
-    (map (fun p -> Stays (snd p))
-      (filter (fun p ->
-        if equality
-        then Z.eqb (fst p) Big_int_Z.zero_big_int
-        else Z.leb Big_int_Z.zero_big_int (fst p)) hs))
-    (flat_map (fun p -> map (join p) below)
-      (filter (fun p -> Z.ltb Big_int_Z.zero_big_int (fst p)) hs))
-
-(** val kept : candidate list -> advice list -> ray list **)
-
-let rec kept cs advices =
-  match cs with
-  | [] -> []
-  | c :: cs' ->
-    (match advices with
-     | [] -> (ray_of c) :: (kept cs' [])
-     | a :: advices' ->
-       (match a with
-        | Keep -> (ray_of c) :: (kept cs' advices')
-        | Drop (_, _) -> kept cs' advices'))
-
-(** val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form **)
-
-let sum_of_rays rays0 terms =
-  fold_right (fun t s ->
-    match nth_error rays0 (fst t) with
-    | Some r -> combine0 (snd t) r.coordinates Big_int_Z.unit_big_int s
-    | None -> s) [] terms
-
-(** val reason_holds :
-    ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
-    -> bool **)
-
-let reason_holds rays0 x factor0 terms =
-  (&&)
-    ((&&) (Z.ltb Big_int_Z.zero_big_int factor0)
-      (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
-    (all_zero
-      (combine0 factor0 x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
-        (sum_of_rays rays0 terms)))
-
-(** val unjustified :
-    ray list -> candidate list -> advice list -> ray list **)
-
-let rec unjustified rays0 cs advices =
-  match cs with
-  | [] -> []
-  | c :: cs' ->
-    (match advices with
-     | [] -> []
-     | a :: advices' ->
-       (match a with
-        | Keep -> unjustified rays0 cs' advices'
-        | Drop (factor0, terms) ->
-          if reason_holds rays0 (form_of c) factor0 terms
-          then unjustified rays0 cs' advices'
-          else (ray_of c) :: (unjustified rays0 cs' advices')))
-
-(** val cut : ray list -> form -> bool -> advice list -> ray list **)
-
-let cut rays0 a equality advices =
-  let cs = candidates equality (heights a rays0) in
-  let rest = kept cs advices in app rest (unjustified rest cs advices)
 
 (** val common_denominator : q list -> Big_int_Z.big_int **)
 
@@ -1643,19 +1763,20 @@ let product pairs0 =
 let rec bernstein parameters0 pairs0 =
   match parameters0 with
   | O -> (product pairs0) :: []
-  | S n ->
+  | S n0 ->
     app
       (map
         (map (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))
-        (bernstein n (map (fun p -> ((lows (fst p)), (lows (snd p)))) pairs0)))
+        (bernstein n0
+          (map (fun p -> ((lows (fst p)), (lows (snd p)))) pairs0)))
       (app
-        (bernstein n
+        (bernstein n0
           (flat_map (fun p -> ((lows (fst p)),
             (highs (snd p))) :: (((highs (fst p)), (lows (snd p))) :: []))
             pairs0))
         (map
           (map (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))
-          (bernstein n
+          (bernstein n0
             (map (fun p -> ((highs (fst p)), (highs (snd p)))) pairs0))))
 
 (** val power : nat -> Big_int_Z.big_int **)
@@ -1688,19 +1809,19 @@ let reduced q0 =
 (** val root_between : Big_int_Z.big_int -> q -> interval **)
 
 let root_between bits0 q0 =
-  let n = q0.qnum in
+  let n0 = q0.qnum in
   let d = q0.qden in
-  if (&&) (is_square n) (is_square d)
-  then exactly { qnum = (Z.sqrt n); qden = (Z.to_pos (Z.sqrt d)) }
+  if (&&) (is_square n0) (is_square d)
+  then exactly { qnum = (Z.sqrt n0); qden = (Z.to_pos (Z.sqrt d)) }
   else let root0 = fun s ->
          if Z.leb Big_int_Z.zero_big_int s
          then Z.sqrt
                 (Z.div
-                  (Z.shiftl n
+                  (Z.shiftl n0
                     (Z.mul (Big_int_Z.mult_int_big_int 2
                       Big_int_Z.unit_big_int) s)) d)
          else Z.sqrt
-                (Z.div n
+                (Z.div n0
                   (Z.shiftl d
                     (Z.mul (Big_int_Z.minus_big_int
                       (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
@@ -1708,8 +1829,8 @@ let root_between bits0 q0 =
        in
        let s =
          Z.sub bits0
-           (Z.div (Z.sub (Z.log2 n) (Z.log2 d)) (Big_int_Z.mult_int_big_int 2
-             Big_int_Z.unit_big_int))
+           (Z.div (Z.sub (Z.log2 n0) (Z.log2 d))
+             (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
        in
        let s0 =
          if Z.ltb (root0 s) (Z.shiftl Big_int_Z.unit_big_int bits0)
@@ -1922,13 +2043,13 @@ let make_row b =
   let ps = pull_scaling b in
   let pulls0 = map (fun e -> integer_tree ps (pull_tree b e)) (pull_ends b) in
   let vs = map primitive (concat (map tips pulls0)) in
-  let n = count b.box_geometry in
+  let n0 = count b.box_geometry in
   let numerator0 =
     if b.box_signed then Z.mul es.times ps.times else Big_int_Z.unit_big_int
   in
   let denominator =
     if b.box_signed
-    then Z.mul (Z.mul es.over ps.over) (power n)
+    then Z.mul (Z.mul es.over ps.over) (power n0)
     else Big_int_Z.unit_big_int
   in
   let g = content (numerator0 :: (denominator :: [])) in
@@ -1940,7 +2061,7 @@ let make_row b =
   slip_certain =
   (if b.box_signed
    then same_forms (map primitive (tips tau0))
-   else Nat.eqb n O); tau = tau0; minus_tau = (mmap negative tau0);
+   else Nat.eqb n0 O); tau = tau0; minus_tau = (mmap negative tau0);
   edges_plus = (edges0 (minus_ends b.box_friction)); edges_minus =
   (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
@@ -1948,7 +2069,7 @@ let make_row b =
   (match vs with
    | [] -> None
    | f :: _ -> if same_forms vs then Some f else None); slack =
-  (b.box_slack b.box_geometry); parameters = n; weight =
+  (b.box_slack b.box_geometry); parameters = n0; weight =
   (Z.div numerator0 g); over_weight = (Z.div denominator g) }
 
 (** val nowhere_negative : ray list -> form -> bool **)
@@ -2005,9 +2126,10 @@ let value t x =
   match t with
   | Nothing -> Big_int_Z.zero_big_int
   | Line (factor0, f) -> Z.mul factor0 (dot f x)
-  | Bend (n, d, forms0, mixed0) ->
+  | Bend (n0, d, forms0, mixed0) ->
     let most = largest (map (fun f -> dot f x) forms0) in
-    up (Z.mul n (if mixed0 then Z.max Big_int_Z.zero_big_int most else most))
+    up
+      (Z.mul n0 (if mixed0 then Z.max Big_int_Z.zero_big_int most else most))
       d
 
 (** val pull_tips : row -> form list **)
@@ -2112,21 +2234,34 @@ let separator ms gens w =
   then Some e
   else None
 
-(** val opposed :
-    Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
-    ray list **)
+(** val outside :
+    Big_int_Z.big_int list -> form list -> form list -> form -> form list
+    option **)
 
-let rec opposed ms gens separators = function
-| [] -> []
-| p :: rays' ->
-  let (s, r) = p in
+let outside ms gens separators s =
   let w = negative s in
   if existsb (fun e -> Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
        separators
-  then opposed ms gens separators rays'
-  else (match separator ms gens w with
-        | Some e -> opposed ms gens (e :: separators) rays'
-        | None -> r :: (opposed ms gens separators rays'))
+  then Some separators
+  else if all_zero s
+       then None
+       else (match separator ms gens w with
+             | Some e -> Some (e :: separators)
+             | None -> None)
+
+(** val opposed_barred :
+    Big_int_Z.big_int list -> form list -> form list -> bool list ->
+    (form * ray) list -> bool **)
+
+let rec opposed_barred ms gens separators marks rays0 =
+  (&&) (existsb (fun z0 -> z0) marks)
+    (match rays0 with
+     | [] -> true
+     | p :: rays' ->
+       let (s, r) = p in
+       (match outside ms gens separators s with
+        | Some more -> opposed_barred ms gens more marks rays'
+        | None -> opposed_barred ms gens separators (both r.zeros marks) rays'))
 
 (** val must_move :
     Big_int_Z.big_int list -> form list list -> form list multi -> form list
@@ -2134,9 +2269,8 @@ let rec opposed ms gens separators = function
 
 let must_move ms strict0 g gens rays0 =
   forallb (fun t ->
-    barred strict0
-      (opposed ms gens []
-        (map (fun r -> ((slip_at t (motion_of r)), r)) rays0))) (tips g)
+    opposed_barred ms gens [] (map (fun _ -> true) strict0)
+      (map (fun r -> ((slip_at t (motion_of r)), r)) rays0)) (tips g)
 
 (** val most_along :
     Big_int_Z.big_int list -> form list -> form ->
@@ -2184,9 +2318,9 @@ let rec largest_q = function
 
 let friction_work row0 scale along zz mu =
   let (p, d) = along in
-  let (below, n) = p in
+  let (below, n0) = p in
   let c = qmult (qmult mu mu) scale in
-  let q0 = qmult c { qnum = n; qden = (Z.to_pos d) } in
+  let q0 = qmult c { qnum = n0; qden = (Z.to_pos d) } in
   let it =
     if (&&) below
          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
@@ -2247,7 +2381,7 @@ let alpha strict0 rays0 slipping0 row0 factor0 y =
 (** val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term **)
 
 let alpha_term m a mixed0 row0 =
-  let n = Z.mul (Z.mul m a.qnum) row0.pull_scale.times in
+  let n0 = Z.mul (Z.mul m a.qnum) row0.pull_scale.times in
   let d = Z.mul a.qden row0.pull_scale.over in
   (match pull_tips row0 with
    | [] ->
@@ -2258,7 +2392,7 @@ let alpha_term m a mixed0 row0 =
    | v :: l ->
      (match l with
       | [] ->
-        let c = up n d in
+        let c = up n0 d in
         if mixed0
         then if Z.leb c Big_int_Z.zero_big_int
              then Nothing
@@ -2309,17 +2443,17 @@ let is_zero q0 =
 
 (** val unit_vector : nat -> nat -> vector **)
 
-let unit_vector n i =
+let unit_vector n0 i =
   map (fun j ->
     if Nat.eqb i j
     then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
     else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-    (seq O n)
+    (seq O n0)
 
 (** val identity : nat -> matrix **)
 
-let identity n =
-  map (unit_vector n) (seq O n)
+let identity n0 =
+  map (unit_vector n0) (seq O n0)
 
 (** val of_rows : vector -> matrix -> vector **)
 
@@ -2373,8 +2507,8 @@ let rec eliminate columns column0 m done0 =
 
 (** val kernel : nat -> matrix -> matrix **)
 
-let kernel n m =
-  let done0 = eliminate n O m [] in
+let kernel n0 m =
+  let done0 = eliminate n0 O m [] in
   flat_map (fun j ->
     if existsb (fun p -> Nat.eqb (fst p) j) done0
     then []
@@ -2382,15 +2516,15 @@ let kernel n m =
            plus_times a
              (qopp
                (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int })) (unit_vector n (fst p)))
-           (unit_vector n j) done0) :: []) (seq O n)
+                 Big_int_Z.unit_big_int })) (unit_vector n0 (fst p)))
+           (unit_vector n0 j) done0) :: []) (seq O n0)
 
 (** val inverse_of : nat -> matrix -> matrix **)
 
-let inverse_of n m =
-  map (fun p -> skipn n (snd p))
-    (eliminate n O
-      (map (fun p -> app (fst p) (snd p)) (combine m (identity n))) [])
+let inverse_of n0 m =
+  map (fun p -> skipn n0 (snd p))
+    (eliminate n0 O
+      (map (fun p -> app (fst p) (snd p)) (combine m (identity n0))) [])
 
 (** val same_vectors : vector -> vector -> bool **)
 
@@ -2418,13 +2552,13 @@ let rec same_matrices a b =
 
 (** val is_inverse : nat -> matrix -> matrix -> bool **)
 
-let is_inverse n left m =
-  same_matrices (map (fun a -> of_rows a m) left) (identity n)
+let is_inverse n0 left m =
+  same_matrices (map (fun a -> of_rows a m) left) (identity n0)
 
 (** val all_of_length : nat -> 'a1 list list -> bool **)
 
-let all_of_length n m =
-  forallb (fun r -> Nat.eqb (length r) n) m
+let all_of_length n0 m =
+  forallb (fun r -> Nat.eqb (length r) n0) m
 
 (** val middle : interval -> q **)
 
@@ -3102,59 +3236,176 @@ let enlarge bits0 q0 =
                        | _ :: _ -> None))))
            | _ :: _ -> None)))
 
-type ('memory, 'setting) region = { rays : ray list; strict : form list list;
-                                    moving : form list list;
-                                    around : 'setting; remembered : 'memory;
-                                    depth : Big_int_Z.big_int }
+(** val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+let contains a b =
+  Z.eqb (Z.coq_land a b) b
+
+type height = Big_int_Z.big_int * ray
+
+(** val heights : form -> ray list -> height list **)
+
+let heights a rays0 =
+  map (fun r -> ((dot a r.coordinates), r)) rays0
+
+(** val join_form :
+    form -> form -> Big_int_Z.big_int -> Big_int_Z.big_int -> form **)
+
+let join_form p n0 at_p at_n =
+  combine0 at_p n0 (Z.opp at_n) p
+
+(** val join : Big_int_Z.big_int -> height -> height -> ray **)
+
+let join bit p n0 =
+  { coordinates =
+    (primitive
+      (join_form (snd p).coordinates (snd n0).coordinates (fst p) (fst n0)));
+    zeros = (both (snd p).zeros (snd n0).zeros); tight =
+    (Z.coq_lor (Z.coq_land (snd p).tight (snd n0).tight) bit) }
+
+(** val parted : ray list -> ray -> ray -> bool **)
+
+let parted rays0 p n0 =
+  let common = Z.coq_land p.tight n0.tight in
+  existsb (fun g ->
+    (&&) ((&&) (contains g.tight common) (negb (Z.eqb g.tight p.tight)))
+      (negb (Z.eqb g.tight n0.tight))) rays0
+
+(** val distinct : height list -> bool **)
+
+let distinct hs =
+  forallb (fun g ->
+    forallb (fun h ->
+      (||) (negb (contains (snd h).tight (snd g).tight))
+        (Z.eqb (snd g).tight (snd h).tight)) hs) hs
+
+(** val stay : Big_int_Z.big_int -> height -> ray **)
+
+let stay bit h =
+  let r = snd h in
+  if Z.eqb (fst h) Big_int_Z.zero_big_int
+  then { coordinates = r.coordinates; zeros = r.zeros; tight =
+         (Z.coq_lor r.tight bit) }
+  else r
+
+(** val cut_line : Big_int_Z.big_int -> height -> height list -> ray list **)
+
+let cut_line bit line hs =
+  (stay bit line) :: (filter (fun r -> negb (all_zero r.coordinates))
+                       (map (join bit line) hs))
+
+(** val on_side : bool -> height list -> height list **)
+
+let on_side positive0 hs =
+  filter (fun h ->
+    if positive0
+    then Z.ltb Big_int_Z.zero_big_int (fst h)
+    else Z.ltb (fst h) Big_int_Z.zero_big_int) hs
+
+(** val cut_rays :
+    Big_int_Z.big_int -> ray list -> height list -> ray list **)
+
+let cut_rays bit solid hs =
+  let below = on_side false hs in
+  app
+    (map (stay bit)
+      (filter (fun h -> Z.leb Big_int_Z.zero_big_int (fst h)) hs))
+    (flat_map (fun p ->
+      flat_map (fun n0 ->
+        if parted solid (snd p) (snd n0) then [] else (join bit p n0) :: [])
+        below) (on_side true hs))
+
+(** val most_combinations : height list -> Big_int_Z.big_int **)
+
+let most_combinations hs =
+  let count0 = fun l ->
+    fold_left (fun n0 _ -> Z.add n0 Big_int_Z.unit_big_int) l
+      Big_int_Z.zero_big_int
+  in
+  Z.add (count0 hs)
+    (Z.mul (count0 (on_side true hs)) (count0 (on_side false hs)))
+
+(** val cut : nat -> height list -> ray list option **)
+
+let cut count0 hs =
+  let bit = Z.shiftl Big_int_Z.unit_big_int (Z.of_nat count0) in
+  let is_line = fun r -> contains r.tight (Z.sub bit Big_int_Z.unit_big_int)
+  in
+  (match find (fun h ->
+           (&&) (is_line (snd h)) (Z.ltb Big_int_Z.zero_big_int (fst h))) hs with
+   | Some line -> Some (cut_line bit line hs)
+   | None ->
+     if existsb (fun h ->
+          (&&) (is_line (snd h)) (Z.ltb (fst h) Big_int_Z.zero_big_int)) hs
+     then None
+     else if (&&) (distinct (on_side true hs)) (distinct (on_side false hs))
+          then Some
+                 (cut_rays bit
+                   (filter (fun r -> negb (is_line r)) (map snd hs)) hs)
+          else None)
+
+type 'setting region = { size0 : nat; sides : form list; rays : ray list;
+                         strict : form list list; moving : form list list;
+                         around : 'setting; depth : Big_int_Z.big_int }
 
 type 'setting branch = { conditions : (form * bool) list;
                          new_strict : form list; new_moving : form list list;
                          branch_setting : 'setting }
 
-(** val cut_region :
-    'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region **)
+(** val cut_above : oracle -> 'a1 region -> form -> 'a1 region **)
+
+let cut_above advisor r f =
+  let hs = heights f r.rays in
+  if (||) (forallb (fun h -> Z.leb Big_int_Z.zero_big_int (fst h)) hs)
+       (negb (advisor.permits (most_combinations hs)))
+  then r
+  else (match cut (length r.sides) hs with
+        | Some them ->
+          { size0 = r.size0; sides = (app r.sides (f :: [])); rays = them;
+            strict = r.strict; moving = r.moving; around = r.around; depth =
+            r.depth }
+        | None -> r)
+
+(** val cut_region : oracle -> 'a1 region -> (form * bool) -> 'a1 region **)
 
 let cut_region advisor r c =
-  if (&&) (negb (snd c)) (nowhere_negative r.rays (fst c))
-  then r
-  else let (remembered', advices) =
-         advisor.advise r.remembered (fst c) (snd c)
-       in
-       { rays = (cut r.rays (fst c) (snd c) advices); strict = r.strict;
-       moving = r.moving; around = r.around; remembered = remembered';
-       depth = r.depth }
+  let r' = cut_above advisor r (fst c) in
+  if snd c then cut_above advisor r' (negative (fst c)) else r'
 
-(** val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region **)
+(** val strictly : 'a1 region -> form -> 'a1 region **)
 
 let strictly r f =
-  { rays = (map (add_strict (f :: [])) r.rays); strict =
-    ((f :: []) :: r.strict); moving = r.moving; around = r.around;
-    remembered = r.remembered; depth = r.depth }
+  { size0 = r.size0; sides = r.sides; rays =
+    (map (add_strict (f :: [])) r.rays); strict = ((f :: []) :: r.strict);
+    moving = r.moving; around = r.around; depth = r.depth }
 
-(** val of_numbers :
-    (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list **)
+(** val cut_foremost :
+    oracle -> (form * bool) list -> 'a1 region -> (form * bool) list -> 'a1
+    region **)
 
-let of_numbers cs numbers0 =
-  flat_map (fun k -> match numbered cs k with
-                     | Some c -> c :: []
-                     | None -> []) numbers0
+let rec cut_foremost advisor times0 r cs =
+  match times0 with
+  | [] -> r
+  | _ :: times' ->
+    (match advisor.foremost (map (fun r0 -> r0.coordinates) r.rays) cs with
+     | Some k ->
+       (match numbered cs k with
+        | Some c -> cut_foremost advisor times' (cut_region advisor r c) cs
+        | None -> r)
+     | None -> r)
 
-(** val cut_by :
-    'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region **)
+(** val cut_by : oracle -> 'a1 region -> (form * bool) list -> 'a1 region **)
 
 let cut_by advisor r cs =
-  fold_left (cut_region advisor) cs
-    (fold_left (cut_region advisor)
-      (of_numbers cs (advisor.foremost r.remembered cs)) r)
+  fold_left (cut_region advisor) cs (cut_foremost advisor cs r cs)
 
-(** val child :
-    'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region **)
+(** val child : oracle -> 'a1 region -> 'a1 branch -> 'a1 region **)
 
 let child advisor r b =
   let r0 = fold_left strictly b.new_strict (cut_by advisor r b.conditions) in
-  { rays = r0.rays; strict = r0.strict; moving =
-  (app b.new_moving r0.moving); around = b.branch_setting; remembered =
-  r0.remembered; depth = (Z.add r0.depth Big_int_Z.unit_big_int) }
+  { size0 = r0.size0; sides = r0.sides; rays = r0.rays; strict = r0.strict;
+  moving = (app b.new_moving r0.moving); around = b.branch_setting; depth =
+  (Z.add r0.depth Big_int_Z.unit_big_int) }
 
 (** val is_leaf : node -> bool **)
 
@@ -3163,44 +3414,44 @@ let is_leaf = function
 | Held _ -> true
 | _ -> false
 
-(** val at_leaf : ('a1, 'a2) region -> form list list * ray list **)
+(** val at_leaf : 'a1 region -> form list list * ray list **)
 
 let at_leaf r =
   fold_left (fun sr fs -> ((fs :: (fst sr)), (map (add_strict fs) (snd sr))))
     r.moving (r.strict, r.rays)
 
 (** val visit :
-    'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-    form list list -> ray list -> node -> string option) -> Big_int_Z.big_int
-    -> node -> ('a1, 'a2) region -> (('a1, 'a2) region list, string) sum **)
+    oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+    list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+    node -> 'a1 region -> ('a1 region list, string) sum **)
 
-let visit advisor split0 leaf_fails0 most_depth0 n r =
+let visit advisor split0 leaf_fails0 most_depth0 n0 r =
   if Z.ltb most_depth0 r.depth
   then Inr "node-depth"
-  else if is_leaf n
+  else if is_leaf n0
        then let (strict', rays') = at_leaf r in
-            (match leaf_fails0 r.around strict' rays' n with
+            (match leaf_fails0 r.around strict' rays' n0 with
              | Some rule -> Inr rule
              | None -> Inl [])
-       else (match split0 r.around n with
+       else (match split0 r.around n0 with
              | Inl bs -> Inl (map (child advisor r) bs)
              | Inr rule -> Inr rule)
 
 (** val walk :
-    'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-    form list list -> ray list -> node -> string option) -> Big_int_Z.big_int
-    -> node list -> ('a1, 'a2) region list -> nat -> (string * nat) option **)
+    oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+    list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+    node list -> 'a1 region list -> nat -> (string * nat) option **)
 
 let rec walk advisor split0 leaf_fails0 most_depth0 nodes todo number =
   match nodes with
   | [] -> (match todo with
            | [] -> None
            | _ :: _ -> Some ("tree-short", number))
-  | n :: nodes' ->
+  | n0 :: nodes' ->
     (match todo with
      | [] -> Some ("tree-long", number)
      | r :: todo' ->
-       (match visit advisor split0 leaf_fails0 most_depth0 n r with
+       (match visit advisor split0 leaf_fails0 most_depth0 n0 r with
         | Inl children ->
           walk advisor split0 leaf_fails0 most_depth0 nodes'
             (app children todo') (S number)
@@ -3215,19 +3466,20 @@ let rec basis before = function
     (Big_int_Z.unit_big_int :: (repeat Big_int_Z.zero_big_int n'))) :: 
     (basis (S before) n')
 
-(** val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region **)
+(** val everywhere : nat -> 'a1 -> 'a1 region **)
 
-let everywhere advisor n s =
-  { rays =
-    (flat_map (fun e -> { coordinates = e; zeros = [] } :: ({ coordinates =
-      (map Z.opp e); zeros = [] } :: [])) (basis O n)); strict = []; moving =
-    []; around = s; remembered = (advisor.begin0 n); depth =
-    (Big_int_Z.minus_big_int Big_int_Z.unit_big_int) }
+let everywhere n0 s =
+  { size0 = n0; sides = []; rays =
+    (flat_map (fun e -> { coordinates = e; zeros = []; tight =
+      Big_int_Z.zero_big_int } :: ({ coordinates = (map Z.opp e); zeros = [];
+      tight = Big_int_Z.zero_big_int } :: [])) (basis O n0)); strict = [];
+    moving = []; around = s; depth = (Big_int_Z.minus_big_int
+    Big_int_Z.unit_big_int) }
 
-(** val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region **)
+(** val root : oracle -> nat -> 'a1 branch -> 'a1 region **)
 
-let root advisor n b =
-  child advisor (everywhere advisor n b.branch_setting) b
+let root advisor n0 b =
+  child advisor (everywhere n0 b.branch_setting) b
 
 (** val replace_after :
     'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
@@ -3268,9 +3520,13 @@ let common_multiple rows0 =
     row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
 let short_multiple rows0 multiple0 =
+  let size1 = fun r ->
+    if r.box.box_signed
+    then Z.div r.over_weight r.weight
+    else Z.div r.pull_scale.over r.pull_scale.times
+  in
   let most =
-    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows0
-      Big_int_Z.unit_big_int
+    fold_left (fun b r -> Z.max b (size1 r)) rows0 Big_int_Z.unit_big_int
   in
   let short0 =
     Z.shiftl Big_int_Z.unit_big_int
@@ -3280,7 +3536,8 @@ let short_multiple rows0 multiple0 =
         (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
         (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
   in
-  if (&&) (Z.ltb short0 multiple0) (forallb (fun r -> r.box.box_signed) rows0)
+  if (||) (Z.ltb short0 multiple0)
+       (negb (forallb (fun r -> r.box.box_signed) rows0))
   then short0
   else multiple0
 
@@ -3386,11 +3643,11 @@ let same_parameter a b =
 let rec get_named name names is =
   match names with
   | [] -> None
-  | n :: names' ->
+  | n0 :: names' ->
     (match is with
      | [] -> None
      | i :: is' ->
-       if same_parameter n name then Some i else get_named name names' is')
+       if same_parameter n0 name then Some i else get_named name names' is')
 
 (** val set_named :
     parameter -> interval -> parameter list -> interval list -> interval list **)
@@ -3398,11 +3655,11 @@ let rec get_named name names is =
 let rec set_named name new0 names is =
   match names with
   | [] -> is
-  | n :: names' ->
+  | n0 :: names' ->
     (match is with
      | [] -> is
      | i :: is' ->
-       if same_parameter n name
+       if same_parameter n0 name
        then new0 :: is'
        else i :: (set_named name new0 names' is'))
 
@@ -3427,30 +3684,30 @@ let get b name = match name with
 let set b name i =
   let { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
     box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
-    box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+    box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
     box_turns = tu; box_slack = sl } = b
   in
   (match name with
    | PFriction ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = i;
        box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
        box_turns = tu; box_slack = sl }
    | PPreload ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
        box_preload = i; box_growth = u; box_stiffness = k; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
        box_turns = tu; box_slack = sl }
    | PStiffness ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
        box_preload = p; box_growth = u; box_stiffness = i; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
        box_turns = tu; box_slack = sl }
    | PWrench -> b
    | _ ->
      { box_names = names; box_geometry = (set_named name i names g);
        box_forms = f; box_friction = m; box_preload = p; box_growth = u;
-       box_stiffness = k; box_square = sq; box_normal = n; box_weights = w;
+       box_stiffness = k; box_square = sq; box_normal = n0; box_weights = w;
        box_signed = sg; box_spring = sp; box_turns = tu; box_slack = sl })
 
 (** val set_row : setting -> Big_int_Z.big_int -> cbox -> setting **)
@@ -3641,7 +3898,7 @@ let root_branch two_sided s g =
   (range_strict g); new_moving = []; branch_setting = s }
 
 (** val walk_ranges :
-    'a1 oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+    oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
     Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
     (string * nat) option **)
 
@@ -4181,34 +4438,34 @@ let all_positive c =
 
 (** val zeros0 : nat -> vector **)
 
-let zeros0 n =
-  repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } n
+let zeros0 n0 =
+  repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } n0
 
 (** val balances : nat -> matrix -> vector -> bool **)
 
-let balances n e c =
+let balances n0 e c =
   (&&) ((&&) (all_positive c) (Nat.eqb (length c) (length e)))
-    (same_vectors (of_rows c e) (zeros0 n))
+    (same_vectors (of_rows c e) (zeros0 n0))
 
 (** val is_simplex : nat -> matrix -> bool **)
 
-let is_simplex n e =
-  match kernel (length e) (transpose n e) with
+let is_simplex n0 e =
+  match kernel (length e) (transpose n0 e) with
   | [] -> false
   | c :: l ->
     (match l with
-     | [] -> (||) (balances n e c) (balances n e (opposite c))
+     | [] -> (||) (balances n0 e c) (balances n0 e (opposite c))
      | _ :: _ -> false)
 
 (** val free_motions : nat -> bool -> matrix -> matrix option **)
 
-let free_motions n simplex e =
-  let free = kernel n e in
+let free_motions n0 simplex e =
+  let free = kernel n0 e in
   let all = app (if simplex then removelast e else e) free in
   if (&&)
-       ((&&) ((&&) (all_of_length n e) (all_of_length n free))
-         (is_inverse n (inverse_of n all) all))
-       ((||) (negb simplex) (is_simplex n e))
+       ((&&) ((&&) (all_of_length n0 e) (all_of_length n0 free))
+         (is_inverse n0 (inverse_of n0 all) all))
+       ((||) (negb simplex) (is_simplex n0 e))
   then Some free
   else None
 
@@ -4219,16 +4476,16 @@ let plus_square z0 m =
 
 (** val inverted : nat -> matrix -> matrix -> (matrix * matrix) option **)
 
-let inverted n free a =
+let inverted n0 free a =
   let m = fold_right plus_square a free in
-  let inverse = inverse_of n m in
+  let inverse = inverse_of n0 m in
   if (&&)
        ((&&)
-         ((&&) ((&&) (all_of_length n a) (Nat.eqb (length a) n))
+         ((&&) ((&&) (all_of_length n0 a) (Nat.eqb (length a) n0))
            (forallb (fun z0 ->
              (&&) (forallb (fun r -> is_zero (inner r z0)) a)
-               (same_vectors (of_rows z0 a) (zeros0 n))) free))
-         (is_inverse n inverse m)) (is_inverse n m inverse)
+               (same_vectors (of_rows z0 a) (zeros0 n0))) free))
+         (is_inverse n0 inverse m)) (is_inverse n0 m inverse)
   then Some (m, inverse)
   else None
 
@@ -4374,11 +4631,11 @@ let all_free free s =
 (** val range_sound : degree_proof -> setting -> bool **)
 
 let range_sound g s =
-  let n = s.dimension_of in
+  let n0 = s.dimension_of in
   (&&)
     ((&&)
-      ((&&) (Nat.eqb (length g.first_twist) n)
-        (Nat.eqb (length g.last_twist) n))
+      ((&&) (Nat.eqb (length g.first_twist) n0)
+        (Nat.eqb (length g.last_twist) n0))
       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int } g.low_multiple))
     (match g.high_multiple with
@@ -4389,8 +4646,7 @@ let range_sound g s =
            Big_int_Z.unit_big_int }))
 
 (** val k_region :
-    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-    setting) region **)
+    oracle -> degree_proof -> setting -> (form * bool) list -> setting region **)
 
 let k_region advisor g s more =
   root advisor (add (S (S O)) s.dimension_of) { conditions =
@@ -4398,8 +4654,8 @@ let k_region advisor g s more =
     []; new_moving = []; branch_setting = s }
 
 (** val wall_regions :
-    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-    setting) region list **)
+    oracle -> degree_proof -> setting -> (form * bool) list -> setting region
+    list **)
 
 let wall_regions advisor g s more =
   let k = k_region advisor g s more in
@@ -4409,7 +4665,7 @@ let wall_regions advisor g s more =
       s }) (walls g)
 
 (** val root_regions :
-    'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list **)
+    oracle -> degree_proof -> setting -> setting region list **)
 
 let root_regions advisor g s =
   app
@@ -4418,7 +4674,7 @@ let root_regions advisor g s =
      else wall_regions advisor g s [])
     (wall_regions advisor g (middle_setting g s) (middle_conditions g))
 
-(** val law_holds : 'a1 oracle -> degree_proof -> setting -> bool **)
+(** val law_holds : oracle -> degree_proof -> setting -> bool **)
 
 let law_holds advisor g s =
   let r = k_region advisor g s [] in
@@ -4427,16 +4683,16 @@ let law_holds advisor g s =
       (forallb (nowhere_negative r.rays) (pull_tips row0))) s.rows
 
 (** val degree_fails :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof ->
-    node list -> (string * nat option) option **)
+    oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node
+    list -> (string * nat option) option **)
 
 let degree_fails advisor two_sided most_depth0 s g nodes =
-  let n = s.dimension_of in
-  (match free_motions n g.is_a_simplex g.wall_rows with
+  let n0 = s.dimension_of in
+  (match free_motions n0 g.is_a_simplex g.wall_rows with
    | Some free ->
      if negb ((&&) (range_sound g s) (all_free free s))
      then Some ("degree-free", None)
-     else (match inverted n free g.direction_rows with
+     else (match inverted n0 free g.direction_rows with
            | Some _ ->
              if (&&) two_sided (negb (law_holds advisor g s))
              then Some ("degree-law", None)
@@ -4474,7 +4730,7 @@ let taken none i them = match them with
     -> (Big_int_Z.big_int * matrix) list -> resting list -> resting list
     option **)
 
-let rec resting_contacts n rows0 i forces all_answers before =
+let rec resting_contacts n0 rows0 i forces all_answers before =
   match rows0 with
   | [] ->
     (match forces with
@@ -4494,8 +4750,8 @@ let rec resting_contacts n rows0 i forces all_answers before =
     if (&&) (fine f)
          (match g with
           | [] -> true
-          | _ :: _ -> (&&) (Nat.eqb (length g) n) (forallb (good_force b) g))
-    then resting_contacts n rows' (Z.add i Big_int_Z.unit_big_int) forces'
+          | _ :: _ -> (&&) (Nat.eqb (length g) n0) (forallb (good_force b) g))
+    then resting_contacts n0 rows' (Z.add i Big_int_Z.unit_big_int) forces'
            answers' ({ resting_box = b; force_at_rest = f; answers =
            g } :: before)
     else None
@@ -4537,14 +4793,14 @@ let most_of a =
 
 (** val ranges : nat -> cbox -> vector list -> interval list **)
 
-let ranges n b sums =
+let ranges n0 b sums =
   let vs = flat_map (fun c -> map (of_rows c) (tips (geometry_tree b))) sums
   in
   map (fun k ->
     range_of
       (map (fun v ->
         nth k v { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int }) vs)) (seq O n)
+          Big_int_Z.unit_big_int }) vs)) (seq O n0)
 
 (** val pressures : cbox -> q -> q list **)
 
@@ -4558,41 +4814,41 @@ let pressures b lambda =
 (** val loads_at : setting -> q -> interval list **)
 
 let loads_at s lambda =
-  let n = s.dimension_of in
+  let n0 = s.dimension_of in
   map (fun k ->
-    shifted (work_of s.the_load (unit_vector n k))
+    shifted (work_of s.the_load (unit_vector n0 k))
       (qmult lambda
         (nth k s.the_load.load_growth { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int }))) (seq O n)
+          Big_int_Z.unit_big_int }))) (seq O n0)
 
 (** val left_over : nat -> setting -> resting list -> q -> interval list **)
 
-let left_over n s them lambda =
+let left_over n0 s them lambda =
   fold_left (fun sum0 r ->
     plus_intervals sum0
-      (ranges n r.resting_box
+      (ranges n0 r.resting_box
         (map (fun p -> p :: r.force_at_rest) (pressures r.resting_box lambda))))
     them (loads_at s lambda)
 
 (** val column : nat -> resting list -> nat -> interval list **)
 
-let column n them l =
+let column n0 them l =
   fold_left (fun sum0 r ->
     match r.answers with
     | [] -> sum0
     | v :: l0 ->
       plus_intervals sum0
-        (ranges n r.resting_box (({ qnum = Big_int_Z.zero_big_int; qden =
+        (ranges n0 r.resting_box (({ qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } :: (nth l (v :: l0) [])) :: []))) them
     (repeat
       (exactly { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }) n)
+        Big_int_Z.unit_big_int }) n0)
 
 (** val reach_holds :
     nat -> interval list -> interval list list -> vector -> bool **)
 
-let reach_holds n left columns reach =
-  (&&) (Nat.eqb (length reach) n)
+let reach_holds n0 left columns reach =
+  (&&) (Nat.eqb (length reach) n0)
     (forallb (fun k ->
       let z0 =
         nth k reach { qnum = Big_int_Z.zero_big_int; qden =
@@ -4619,11 +4875,11 @@ let reach_holds n left columns reach =
                        else { qnum = Big_int_Z.zero_big_int; qden =
                               Big_int_Z.unit_big_int })))
                   (nth l reach { qnum = Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int })))) (seq O n)
+                    Big_int_Z.unit_big_int })))) (seq O n0)
             (most_of
               (nth k left
                 (exactly { qnum = Big_int_Z.zero_big_int; qden =
-                  Big_int_Z.unit_big_int })))) z0)) (seq O n))
+                  Big_int_Z.unit_big_int })))) z0)) (seq O n0))
 
 (** val square_of0 : vector -> vector -> q **)
 
@@ -4705,8 +4961,8 @@ let resting_sound lambda r =
     nat -> setting -> resting list -> interval list list -> vector -> q ->
     string option **)
 
-let rest_fails_at n s them columns reach lambda =
-  if negb (reach_holds n (left_over n s them lambda) columns reach)
+let rest_fails_at n0 s them columns reach lambda =
+  if negb (reach_holds n0 (left_over n0 s them lambda) columns reach)
   then Some "rest-reach"
   else if negb
             ((&&) (forallb (cone_holds reach lambda) them)
@@ -4717,12 +4973,12 @@ let rest_fails_at n s them columns reach lambda =
 (** val rest_fails : setting -> q -> q -> rest_proof -> string option **)
 
 let rest_fails s alpha0 beta p =
-  let n = s.dimension_of in
-  (match resting_contacts n s.rows Big_int_Z.zero_big_int p.rest_forces
+  let n0 = s.dimension_of in
+  (match resting_contacts n0 s.rows Big_int_Z.zero_big_int p.rest_forces
            p.rest_answers [] with
    | Some them ->
      let holds =
-       rest_fails_at n s them (map (column n them) (seq O n)) p.rest_reach
+       rest_fails_at n0 s them (map (column n0 them) (seq O n0)) p.rest_reach
      in
      (match holds alpha0 with
       | Some rule -> Some rule
@@ -4730,7 +4986,7 @@ let rest_fails s alpha0 beta p =
    | None -> Some "rest-share")
 
 (** val part_fails :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
+    oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
     (string * nat option) option **)
 
 let part_fails advisor two_sided most_depth0 alpha0 beta s = function
@@ -4757,9 +5013,9 @@ let unloaded s =
       s.rows)
 
 (** val segment_by_degree_fails :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
-    list -> q list -> q list list -> q list list -> node list ->
-    (string * nat option) option **)
+    oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q list
+    -> q list -> q list list -> q list list -> node list -> (string * nat
+    option) option **)
 
 let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 walls0 direction0 tree =
   let alpha1 =
@@ -4775,7 +5031,7 @@ let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 wa
     false; wall_rows = walls0; direction_rows = direction0 } tree
 
 (** val parts_fail :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
+    oracle -> bool -> Big_int_Z.big_int -> part list ->
     (setting * Big_int_Z.big_int) list -> nat -> (string * place) option **)
 
 let rec parts_fail advisor two_sided most_depth0 parts todo number =
@@ -4817,7 +5073,7 @@ let rec parts_fail advisor two_sided most_depth0 parts todo number =
 type rigid = { r_N : vector; r_slips : matrix; r_friction : q; r_square : 
                q; r_normal : vector }
 
-type knowledge = { touches : bool option; sides : matrix option }
+type knowledge = { touches : bool option; sides0 : matrix option }
 
 (** val slip_of : rigid -> vector -> vector **)
 
@@ -4994,7 +5250,7 @@ type cell = (rigid * knowledge) list
 
 let with_touch x it p =
   if is_positive_multiple x.r_N (fst p).r_N
-  then ((fst p), { touches = (Some it); sides = (snd p).sides })
+  then ((fst p), { touches = (Some it); sides0 = (snd p).sides0 })
   else p
 
 (** val with_sides :
@@ -5003,7 +5259,7 @@ let with_touch x it p =
 let with_sides x ss p =
   match slip_factor x (fst p) with
   | Some c ->
-    ((fst p), { touches = (snd p).touches; sides = (Some (turned c ss)) })
+    ((fst p), { touches = (snd p).touches; sides0 = (Some (turned c ss)) })
   | None -> p
 
 (** val slip_children :
@@ -5012,22 +5268,22 @@ let with_sides x ss p =
 let slip_children x known d =
   match x.r_slips with
   | [] ->
-    let n = x.r_normal in
-    if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n d))))
-         (negb (good_sides x d (cross n d)))
+    let n0 = x.r_normal in
+    if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n0 d))))
+         (negb (good_sides x d (cross n0 d)))
     then Inr "class-slip"
     else (match known with
           | Some m ->
             (match m with
              | [] ->
-               let e = cross n d in
+               let e = cross n0 d in
                Inl
                ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
              | u :: l ->
                (match l with
                 | [] ->
-                  let e = cross n d in
+                  let e = cross n0 d in
                   Inl
                   ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                   (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
@@ -5037,22 +5293,22 @@ let slip_children x known d =
                      if (&&)
                           ((&&)
                             (negb
-                              (qle_bool (inner n (cross u d)) { qnum =
+                              (qle_bool (inner n0 (cross u d)) { qnum =
                                 Big_int_Z.zero_big_int; qden =
                                 Big_int_Z.unit_big_int }))
                             (negb
-                              (qle_bool (inner n (cross d v)) { qnum =
+                              (qle_bool (inner n0 (cross d v)) { qnum =
                                 Big_int_Z.zero_big_int; qden =
                                 Big_int_Z.unit_big_int }))) (good_sides x u v)
                      then Inl ((u :: (d :: [])) :: ((d :: (v :: [])) :: []))
                      else Inr "class-slip"
                    | _ :: _ ->
-                     let e = cross n d in
+                     let e = cross n0 d in
                      Inl
                      ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                      (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: []))))))))
           | None ->
-            let e = cross n d in
+            let e = cross n0 d in
             Inl
             ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
             (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: []))))))
@@ -5065,22 +5321,22 @@ let slip_children x known d =
                                                                qden =
                                                                Big_int_Z.unit_big_int }) :: []) :: []) :: [])))
      | _ :: _ ->
-       let n = x.r_normal in
-       if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n d))))
-            (negb (good_sides x d (cross n d)))
+       let n0 = x.r_normal in
+       if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n0 d))))
+            (negb (good_sides x d (cross n0 d)))
        then Inr "class-slip"
        else (match known with
              | Some m ->
                (match m with
                 | [] ->
-                  let e = cross n d in
+                  let e = cross n0 d in
                   Inl
                   ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                   (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                 | u :: l0 ->
                   (match l0 with
                    | [] ->
-                     let e = cross n d in
+                     let e = cross n0 d in
                      Inl
                      ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                      (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
@@ -5090,11 +5346,11 @@ let slip_children x known d =
                         if (&&)
                              ((&&)
                                (negb
-                                 (qle_bool (inner n (cross u d)) { qnum =
+                                 (qle_bool (inner n0 (cross u d)) { qnum =
                                    Big_int_Z.zero_big_int; qden =
                                    Big_int_Z.unit_big_int }))
                                (negb
-                                 (qle_bool (inner n (cross d v)) { qnum =
+                                 (qle_bool (inner n0 (cross d v)) { qnum =
                                    Big_int_Z.zero_big_int; qden =
                                    Big_int_Z.unit_big_int })))
                              (good_sides x u v)
@@ -5102,13 +5358,13 @@ let slip_children x known d =
                                ((u :: (d :: [])) :: ((d :: (v :: [])) :: []))
                         else Inr "class-slip"
                       | _ :: _ ->
-                        let e = cross n d in
+                        let e = cross n0 d in
                         Inl
                         ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                         (opposite d) :: ((opposite e) :: [])) :: (((opposite
                                                                     e) :: (d :: [])) :: []))))))))
              | None ->
-               let e = cross n d in
+               let e = cross n0 d in
                Inl
                ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
                (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))))
@@ -5126,7 +5382,7 @@ let rec ascending count0 last = function
 (** val count_of : 'a1 list -> Big_int_Z.big_int **)
 
 let count_of l =
-  fold_left (fun n _ -> Z.add n Big_int_Z.unit_big_int) l
+  fold_left (fun n0 _ -> Z.add n0 Big_int_Z.unit_big_int) l
     Big_int_Z.zero_big_int
 
 (** val normal_sum : cell -> (Big_int_Z.big_int * q) list -> vector **)
@@ -5143,7 +5399,7 @@ let normal_right c ig =
   match numbered c (fst ig) with
   | Some p ->
     let (_, k) = p in
-    let { touches = touches0; sides = _ } = k in
+    let { touches = touches0; sides0 = _ } = k in
     (match touches0 with
      | Some b ->
        if b
@@ -5172,8 +5428,8 @@ let slip_right c ih =
   match numbered c (fst ih) with
   | Some p ->
     let (x, k) = p in
-    let { touches = _; sides = sides0 } = k in
-    (match sides0 with
+    let { touches = _; sides0 = sides1 } = k in
+    (match sides1 with
      | Some ss ->
        (&&)
          (match x.r_slips with
@@ -5215,8 +5471,8 @@ let rigid_leaf mass w c t y gs hs =
       (forallb (fun p ->
         match (snd p).touches with
         | Some b ->
-          if b then resists_against (fst p) y (snd p).sides else true
-        | None -> resists_against (fst p) y (snd p).sides) c))
+          if b then resists_against (fst p) y (snd p).sides0 else true
+        | None -> resists_against (fst p) y (snd p).sides0) c))
     (forallb is_zero
       (plus_times
         (plus_times
@@ -5241,7 +5497,7 @@ let rigid_split mass w c = function
   (match numbered c i with
    | Some p ->
      let (x, k) = p in
-     (match slip_children x k.sides d with
+     (match slip_children x k.sides0 d with
       | Inl them -> Inl (map (fun ss -> map_all (with_sides x ss) c) them)
       | Inr rule -> Inr rule)
    | None -> Inr "node-contact")
@@ -5257,14 +5513,14 @@ let rec rigid_walk most_depth0 mass w nodes todo number =
   | [] -> (match todo with
            | [] -> None
            | _ :: _ -> Some ("tree-short", number))
-  | n :: nodes' ->
+  | n0 :: nodes' ->
     (match todo with
      | [] -> Some ("tree-long", number)
      | p :: todo' ->
        let (c, depth0) = p in
        if Z.ltb most_depth0 depth0
        then Some ("node-depth", number)
-       else (match rigid_split mass w c n with
+       else (match rigid_split mass w c n0 with
              | Inl children ->
                rigid_walk most_depth0 mass w nodes'
                  (app
@@ -5397,7 +5653,7 @@ let rigid_of row0 =
   let b = row0.box in
   (match b.box_forms (map (fun i -> i.low) b.box_geometry) with
    | [] -> None
-   | n :: ss ->
+   | n0 :: ss ->
      if (&&)
           ((&&)
             ((&&)
@@ -5409,18 +5665,19 @@ let rigid_of row0 =
           (same_vectors b.box_weights
             (map (fun _ -> { qnum = Big_int_Z.unit_big_int; qden =
               Big_int_Z.unit_big_int }) ss))
-     then Some { r_N = n; r_slips = ss; r_friction = b.box_friction.low;
+     then Some { r_N = n0; r_slips = ss; r_friction = b.box_friction.low;
             r_square = b.box_square; r_normal = b.box_normal }
      else None)
 
 (** val force_right : rigid -> q -> vector -> bool **)
 
-let force_right x n f =
+let force_right x n0 f =
   (&&)
     ((&&)
       ((&&)
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } n) (Nat.eqb (length f) (length x.r_slips)))
+          Big_int_Z.unit_big_int } n0)
+        (Nat.eqb (length f) (length x.r_slips)))
       (match x.r_slips with
        | [] -> is_zero (inner f x.r_normal)
        | _ :: l ->
@@ -5428,7 +5685,8 @@ let force_right x n f =
           | [] -> true
           | _ :: _ -> is_zero (inner f x.r_normal))))
     (qle_bool (inner f f)
-      (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square) (qmult n n)))
+      (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square)
+        (qmult n0 n0)))
 
 type pressing0 = rigid * (q * vector)
 
@@ -5449,11 +5707,11 @@ let rec pressing_contacts xs i them before =
          [])) :: before)
      | p :: rest ->
        let (j, p0) = p in
-       let (n, f) = p0 in
+       let (n0, f) = p0 in
        if Z.eqb i j
-       then if force_right x n f
+       then if force_right x n0 f
             then pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) rest
-                   ((x, (n, f)) :: before)
+                   ((x, (n0, f)) :: before)
             else None
        else pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) them ((x,
               ({ qnum = Big_int_Z.zero_big_int; qden =
@@ -5464,8 +5722,8 @@ let rec pressing_contacts xs i them before =
 let force_total w ps =
   fold_left (fun sum0 p ->
     let (x, y) = p in
-    let (n, f) = y in
-    plus_times (plus_times sum0 n x.r_N) { qnum = Big_int_Z.unit_big_int;
+    let (n0, f) = y in
+    plus_times (plus_times sum0 n0 x.r_N) { qnum = Big_int_Z.unit_big_int;
       qden = Big_int_Z.unit_big_int } (of_rows f x.r_slips)) ps w
 
 (** val balanced : matrix -> vector -> vector -> pressing0 list -> bool **)
@@ -5480,7 +5738,7 @@ let balanced mass w a ps =
 
 let moves_right a = function
 | (x, p0) ->
-  let (n, f) = p0 in
+  let (n0, f) = p0 in
   let slip = slip_of x a in
   let power0 = inner f slip in
   (&&)
@@ -5488,13 +5746,13 @@ let moves_right a = function
       ((&&)
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } (inner x.r_N a))
-        (is_zero (qmult n (inner x.r_N a))))
+        (is_zero (qmult n0 (inner x.r_N a))))
       (qle_bool power0 { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int }))
     (qeq_bool (qmult power0 power0)
       (qmult
         (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square)
-          (qmult n n)) (inner slip slip)))
+          (qmult n0 n0)) (inner slip slip)))
 
 (** val forces_fail :
     matrix -> vector -> vector -> rigid list -> stated_forces -> (pressing0
@@ -5523,7 +5781,7 @@ let class_fails most_depth0 mass w xs p =
      (match forces_fail mass w still xs rest with
       | Inl _ ->
         (match rigid_walk most_depth0 mass w nodes
-                 (((map_all (fun x -> (x, { touches = None; sides = None }))
+                 (((map_all (fun x -> (x, { touches = None; sides0 = None }))
                      xs), Big_int_Z.zero_big_int) :: []) O with
          | Some p0 -> let (rule, number) = p0 in Some (rule, (Some number))
          | None -> None)
@@ -5588,11 +5846,11 @@ let rec first_some f = function
               | Some b -> Some b
               | None -> first_some f l')
 
-(** val advise_if :
+(** val if_positive :
     Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
     (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
 
-let advise_if factor0 terms =
+let if_positive factor0 terms =
   if (&&) (Z.ltb Big_int_Z.zero_big_int factor0)
        (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms)
   then Some (factor0, terms)
@@ -5605,7 +5863,7 @@ let advise_if factor0 terms =
 let by_three q0 a b c =
   let d = det (snd a) (snd b) (snd c) in
   let s = Z.sgn d in
-  advise_if (Z.mul s d) (((fst a),
+  if_positive (Z.mul s d) (((fst a),
     (Z.mul s (det q0 (snd b) (snd c)))) :: (((fst b),
     (Z.mul s (det (snd a) q0 (snd c)))) :: (((fst c),
     (Z.mul s (det (snd a) (snd b) q0))) :: [])))
@@ -5615,10 +5873,10 @@ let by_three q0 a b c =
     (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
 
 let by_two q0 a b =
-  let n = cross_product (snd a) (snd b) in
-  if Z.eqb (dot q0 n) Big_int_Z.zero_big_int
-  then advise_if (dot n n) (((fst a), (det n q0 (snd b))) :: (((fst b),
-         (det n (snd a) q0)) :: []))
+  let n0 = cross_product (snd a) (snd b) in
+  if Z.eqb (dot q0 n0) Big_int_Z.zero_big_int
+  then if_positive (dot n0 n0) (((fst a), (det n0 q0 (snd b))) :: (((fst b),
+         (det n0 (snd a) q0)) :: []))
   else None
 
 (** val by_one :
@@ -5627,7 +5885,7 @@ let by_two q0 a b =
 
 let by_one q0 a =
   if all_zero (cross_product (snd a) q0)
-  then advise_if (dot (snd a) (snd a)) (((fst a), (dot q0 (snd a))) :: [])
+  then if_positive (dot (snd a) (snd a)) (((fst a), (dot q0 (snd a))) :: [])
   else None
 
 (** val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option **)
@@ -5658,6 +5916,26 @@ let sum_found rays0 q0 =
          or_else (all_of (fun a -> all_of (by_two q0 a))) (fun _ ->
            all_of (by_one q0)))
 
+(** val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form **)
+
+let sum_of_rays rays0 terms =
+  fold_right (fun t s ->
+    match nth_error rays0 (fst t) with
+    | Some r -> combine0 (snd t) r.coordinates Big_int_Z.unit_big_int s
+    | None -> s) [] terms
+
+(** val reason_holds :
+    ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
+    -> bool **)
+
+let reason_holds rays0 x factor0 terms =
+  (&&)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int factor0)
+      (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
+    (all_zero
+      (combine0 factor0 x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+        (sum_of_rays rays0 terms)))
+
 (** val is_sum_of : ray list -> form -> bool **)
 
 let is_sum_of rays0 q0 =
@@ -5684,22 +5962,23 @@ let part_list = function
 
 let ray_of_part a =
   { coordinates =
-    (map (to_integer (scaling_of (part_list a))) (part_list a)); zeros = [] }
+    (map (to_integer (scaling_of (part_list a))) (part_list a)); zeros = [];
+    tight = Big_int_Z.zero_big_int }
 
 (** val part_of_ray : nat -> form -> form **)
 
-let part_of_ray n x =
-  (nth O x Big_int_Z.zero_big_int) :: ((nth (add (S (S O)) n) x
+let part_of_ray n0 x =
+  (nth O x Big_int_Z.zero_big_int) :: ((nth (add (S (S O)) n0) x
                                          Big_int_Z.zero_big_int) :: (
-    (nth (add (S (S (S O))) n) x Big_int_Z.zero_big_int) :: []))
+    (nth (add (S (S (S O))) n0) x Big_int_Z.zero_big_int) :: []))
 
 (** val held_by :
     nat -> ray list list -> Big_int_Z.big_int -> ray list -> string option **)
 
-let held_by n pieces k rays0 =
+let held_by n0 pieces k rays0 =
   match numbered pieces k with
   | Some piece ->
-    if forallb (fun r -> is_sum_of piece (part_of_ray n r.coordinates)) rays0
+    if forallb (fun r -> is_sum_of piece (part_of_ray n0 r.coordinates)) rays0
     then None
     else Some "held-inside"
   | None -> Some "held-piece"
@@ -5727,9 +6006,9 @@ let point_of_plane p =
     bool -> nat -> row list -> interval list -> vector -> vector ->
     load_point -> (state list, string) sum **)
 
-let check_load_point two_sided n rows0 w u v p =
+let check_load_point two_sided n0 rows0 w u v p =
   let x = point_of_plane p in
-  check_point two_sided n rows0 { load_box = w; load_growth =
+  check_point two_sided n0 rows0 { load_box = w; load_growth =
     (load_in_plane u v p.along_u p.along_v); load_added = nothing_added }
     (map (to_integer (scaling_of x)) x) p.load_witness.shares
 
@@ -5737,13 +6016,13 @@ let check_load_point two_sided n rows0 w u v p =
     bool -> nat -> row list -> interval list -> vector -> vector ->
     load_point list -> nat -> (state list list, string * nat) sum **)
 
-let rec point_states two_sided n rows0 w u v points number =
+let rec point_states two_sided n0 rows0 w u v points number =
   match points with
   | [] -> Inl []
   | p :: points' ->
-    (match check_load_point two_sided n rows0 w u v p with
+    (match check_load_point two_sided n0 rows0 w u v p with
      | Inl ss ->
-       (match point_states two_sided n rows0 w u v points' (S number) with
+       (match point_states two_sided n0 rows0 w u v points' (S number) with
         | Inl others -> Inl ((rev_append ss []) :: others)
         | Inr failure -> Inr failure)
      | Inr rule -> Inr (rule, number))
@@ -5765,40 +6044,40 @@ let rec share_one_mode rows0 states0 =
     bool -> nat -> row list -> interval list -> vector -> vector ->
     load_point list list -> nat -> (string * place) option **)
 
-let rec pieces_fail two_sided n rows0 w u v pieces number =
+let rec pieces_fail two_sided n0 rows0 w u v pieces number =
   match pieces with
   | [] -> None
   | points :: pieces' ->
-    (match point_states two_sided n rows0 w u v points O with
+    (match point_states two_sided n0 rows0 w u v points O with
      | Inl states0 ->
        if share_one_mode rows0 states0
-       then pieces_fail two_sided n rows0 w u v pieces' (S number)
+       then pieces_fail two_sided n0 rows0 w u v pieces' (S number)
        else Some ("piece-mode", (AtPiece (number, None)))
      | Inr p -> let (rule, k) = p in Some (rule, (AtPiece (number, (Some k)))))
 
 (** val plane_node : nat -> node -> node **)
 
-let plane_node n a = match a with
+let plane_node n0 a = match a with
 | Plane q0 ->
   Plane
-    (app (firstn n q0)
-      (app (skipn (S n) q0)
-        ((nth n q0 { qnum = Big_int_Z.zero_big_int; qden =
+    (app (firstn n0 q0)
+      (app (skipn (S n0) q0)
+        ((nth n0 q0 { qnum = Big_int_Z.zero_big_int; qden =
            Big_int_Z.unit_big_int }) :: [])))
 | _ -> a
 
 (** val plane_setting :
     nat -> row list -> interval list -> vector -> vector -> setting **)
 
-let plane_setting n rows0 w u v =
-  make_setting (add (S (S O)) n) rows0 { load_box = w; load_growth =
+let plane_setting n0 rows0 w u v =
+  make_setting (add (S (S O)) n0) rows0 { load_box = w; load_growth =
     (map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
       Big_int_Z.unit_big_int }) u); load_added = nothing_added }
     { a_multiple = []; known_push =
     (map (fun p ->
       app
         (repeat { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } (add (S (S O)) n))
+          Big_int_Z.unit_big_int } (add (S (S O)) n0))
         ((fst p) :: ((snd p) :: []))) (combine u v)) }
 
 (** val at_zero : range **)
@@ -5810,14 +6089,14 @@ let at_zero =
     false; open_high = false }
 
 (** val plane_fails :
-    'a1 oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval
-    list -> vector -> vector -> homogeneous list list -> node list ->
+    oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list
+    -> vector -> vector -> homogeneous list list -> node list ->
     (string * nat) option **)
 
-let plane_fails advisor most two_sided n rows0 w u v pieces nodes =
-  walk_ranges advisor (held_by n (map (map ray_of_part) pieces)) most
-    two_sided (plane_setting n rows0 w u v) (at_zero :: [])
-    (map (plane_node n) nodes)
+let plane_fails advisor most two_sided n0 rows0 w u v pieces nodes =
+  walk_ranges advisor (held_by n0 (map (map ray_of_part) pieces)) most
+    two_sided (plane_setting n0 rows0 w u v) (at_zero :: [])
+    (map (plane_node n0) nodes)
 
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
@@ -5830,8 +6109,8 @@ let enlarge_all bits0 qs =
 (** val most_depth : 'a1 list -> Big_int_Z.big_int **)
 
 let most_depth rows0 =
-  fold_left (fun n _ ->
-    Z.add n (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows0
+  fold_left (fun n0 _ ->
+    Z.add n0 (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows0
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
@@ -5969,7 +6248,7 @@ let straight s =
   forallb (fun r -> negb r.box.box_turns) s.rows
 
 (** val refute :
-    'a1 oracle -> question -> setting -> range list -> node list ->
+    oracle -> question -> setting -> range list -> node list ->
     (string * nat) option **)
 
 let refute advisor q0 s ranges0 nodes =
@@ -5987,16 +6266,14 @@ let check_witness q0 s w =
         | Inr rule -> Rejected (rule, Nowhere))
   else Rejected ("witness-box", Nowhere)
 
-(** val check_tree :
-    'a1 oracle -> question -> setting -> node list -> answer **)
+(** val check_tree : oracle -> question -> setting -> node list -> answer **)
 
 let check_tree advisor q0 s nodes =
   match refute advisor q0 s (at_zero :: []) nodes with
   | Some p -> let (rule, number) = p in Rejected (rule, (AtNode number))
   | None -> Unstable
 
-(** val check_parts :
-    'a1 oracle -> question -> setting -> part list -> answer **)
+(** val check_parts : oracle -> question -> setting -> part list -> answer **)
 
 let check_parts advisor q0 s parts =
   match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
@@ -6005,8 +6282,8 @@ let check_parts advisor q0 s parts =
   | None -> Stable
 
 (** val check_margin :
-    'a1 oracle -> question -> setting -> (q * q option) list -> segment list
-    -> node list -> answer **)
+    oracle -> question -> setting -> (q * q option) list -> segment list ->
+    node list -> answer **)
 
 let check_margin advisor q0 s resisted segments nodes =
   if is_one_grasp s
@@ -6038,8 +6315,8 @@ let in_order stable before lo hi =
   | None -> false
 
 (** val holding_fails :
-    'a1 oracle -> question -> setting -> nat -> q -> q option -> (part,
-    witness list) sum -> answer option **)
+    oracle -> question -> setting -> nat -> q -> q option -> (part, witness
+    list) sum -> answer option **)
 
 let holding_fails advisor q0 s number lo hi evidence =
   let at_ = fun l w ->
@@ -6103,8 +6380,8 @@ let joined resisted lo hi =
      | None -> (lo, hi) :: resisted)
 
 (** val check_claims :
-    'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
-    (q * q option) list -> ((q * q option) * bool) list -> answer **)
+    oracle -> question -> setting -> claim list -> q option -> nat -> (q * q
+    option) list -> ((q * q option) * bool) list -> answer **)
 
 let rec check_claims advisor q0 s claims before number resisted refuted =
   match claims with
@@ -6170,27 +6447,27 @@ let check_class q0 s p =
   | None -> NotProvedHere "rigid contacts that are uncertain"
 
 (** val check_region :
-    'a1 oracle -> question -> setting -> load_point list list -> node list ->
+    oracle -> question -> setting -> load_point list list -> node list ->
     answer **)
 
 let check_region advisor q0 s pieces nodes =
   match q0.load_plane with
   | Some p ->
     let (u, v) = p in
-    let n = q0.dimension in
+    let n0 = q0.dimension in
     let w = s.the_load.load_box in
     if (&&)
          ((&&)
            ((&&)
-             ((&&) ((&&) (Nat.eqb n (S (S (S O)))) (is_one_grasp s))
-               (Nat.eqb (length w) n)) (Nat.eqb (length u) n))
-           (Nat.eqb (length v) n))
+             ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
+               (Nat.eqb (length w) n0)) (Nat.eqb (length u) n0))
+           (Nat.eqb (length v) n0))
          (forallb (fun r -> does_not_grow r.box) s.rows)
-    then (match pieces_fail q0.bilateral n s.rows w u v pieces O with
+    then (match pieces_fail q0.bilateral n0 s.rows w u v pieces O with
           | Some p0 -> let (rule, found_at) = p0 in Rejected (rule, found_at)
           | None ->
             let parts = map (map load_part) pieces in
-            (match plane_fails advisor (most_depth s.rows) q0.bilateral n
+            (match plane_fails advisor (most_depth s.rows) q0.bilateral n0
                      s.rows w u v parts nodes with
              | Some p0 ->
                let (rule, number) = p0 in Rejected (rule, (AtNode number))
@@ -6198,7 +6475,7 @@ let check_region advisor q0 s pieces nodes =
     else NotProvedHere "a plane of loads of a box"
   | None -> NotProvedHere "a proof of something else than was asked"
 
-(** val check : 'a1 oracle -> question -> certificate -> answer **)
+(** val check : oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
   match setting_of c.bits q0 with
@@ -6231,6 +6508,50 @@ let check advisor q0 c =
         | _ :: _ -> check_class q0 s p)
      | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
+
+(** val largest_exponent : Big_int_Z.big_int **)
+
+let largest_exponent =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))
+
+(** val longest_number : Big_int_Z.big_int **)
+
+let longest_number =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))))
+
+(** val too_large : Big_int_Z.big_int **)
+
+let too_large =
+  let square = fun x -> Z.mul x x in
+  let power0 =
+    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O)))))))))))))) square
+      (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+  in
+  Z.sub power0
+    (Z.div power0
+      (Z.pow (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))))
+
+(** val is_not_too_large : q -> bool **)
+
+let is_not_too_large x =
+  Z.ltb (Z.abs x.qnum) (Z.mul too_large x.qden)
 
 (** val digit : char -> Big_int_Z.big_int option **)
 
@@ -6306,6 +6627,13 @@ let take c text = match text with
 | [] -> (false, text)
 | first :: rest -> if (=) first c then (true, rest) else (false, text)
 
+(** val take_sign : char list -> bool * char list **)
+
+let take_sign text =
+  let (negative0, text0) = take '-' text in
+  let (_, text1) = if negative0 then (true, text0) else take '+' text0 in
+  (negative0, text1)
+
 (** val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool **)
 
 let rec is_longer_than limit = function
@@ -6360,29 +6688,6 @@ let parse_fraction limit spelled =
   else let (negative0, text0) = take '-' text in
        fraction_of_digits negative0 text0
 
-(** val longest_decimal : Big_int_Z.big_int **)
-
-let longest_decimal =
-  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    Big_int_Z.unit_big_int))))))))))))))
-
-(** val largest_exponent : Big_int_Z.big_int **)
-
-let largest_exponent =
-  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    Big_int_Z.unit_big_int))))))))))))
-
 (** val exponent : char list -> (Big_int_Z.big_int * char list) option **)
 
 let exponent text =
@@ -6390,14 +6695,13 @@ let exponent text =
   let (large, text1) = if small then (true, text0) else take 'E' text0 in
   if negb large
   then Some (Big_int_Z.zero_big_int, text1)
-  else let (down, text2) = take '-' text1 in
-       let (_, text3) = if down then (true, text2) else take '+' text2 in
-       let (p, text4) = digits text3 in
-       let (size0, count0) = p in
+  else let (down, text2) = take_sign text1 in
+       let (p, text3) = digits text2 in
+       let (size1, count0) = p in
        if (||) (Z.eqb count0 Big_int_Z.zero_big_int)
-            (Z.ltb largest_exponent size0)
+            (Z.ltb largest_exponent size1)
        then None
-       else Some ((if down then Z.opp size0 else size0), text4)
+       else Some ((if down then Z.opp size1 else size1), text3)
 
 (** val parse_decimal : string -> q option **)
 
@@ -6407,16 +6711,15 @@ let parse_decimal spelled =
       Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
       spelled
   in
-  if is_longer_than longest_decimal text
+  if is_longer_than longest_number text
   then None
-  else let (negative0, text0) = take '-' text in
-       let (_, text1) = if negative0 then (true, text0) else take '+' text0 in
-       let (p, rest) = digits text1 in
+  else let (negative0, text0) = take_sign text in
+       let (p, rest) = digits text0 in
        let (value0, count0) = p in
        if Z.eqb count0 Big_int_Z.zero_big_int
        then None
        else if fst (take '/' rest)
-            then fraction_of_digits negative0 text1
+            then fraction_of_digits negative0 text0
             else let (point0, rest0) = take '.' rest in
                  let (p0, rest1) =
                    if point0
@@ -6447,27 +6750,6 @@ let parse_decimal spelled =
                                      Big_int_Z.unit_big_int))) (Z.opp shift))
                           | _ :: _ -> None)
                        | None -> None)
-
-(** val too_large : Big_int_Z.big_int **)
-
-let too_large =
-  let square = fun x -> Z.mul x x in
-  let power0 =
-    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O)))))))))))))) square
-      (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-  in
-  Z.sub power0
-    (Z.div power0
-      (Z.pow (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))))
-
-(** val is_not_too_large : q -> bool **)
-
-let is_not_too_large x =
-  Z.ltb (Z.abs x.qnum) (Z.mul too_large x.qden)
 
 (** val read_decimal : path -> json -> q result **)
 
@@ -6598,19 +6880,19 @@ let needs_second =
 
 (** val has_length : Big_int_Z.big_int -> 'a1 list -> bool **)
 
-let rec has_length size0 = function
-| [] -> Z.eqb size0 Big_int_Z.zero_big_int
+let rec has_length size1 = function
+| [] -> Z.eqb size1 Big_int_Z.zero_big_int
 | _ :: rest ->
-  (&&) (Z.ltb Big_int_Z.zero_big_int size0)
-    (has_length (Z.sub size0 Big_int_Z.unit_big_int) rest)
+  (&&) (Z.ltb Big_int_Z.zero_big_int size1)
+    (has_length (Z.sub size1 Big_int_Z.unit_big_int) rest)
 
 (** val read_sized :
     Big_int_Z.big_int -> string -> (path -> json -> 'a1 result) -> path ->
     json -> 'a1 list result **)
 
-let read_sized size0 what read at_path value0 = match value0 with
+let read_sized size1 what read at_path value0 = match value0 with
 | Array items ->
-  if has_length size0 items
+  if has_length size1 items
   then each read at_path items
   else expected what at_path value0
 | _ -> expected what at_path value0
@@ -6760,15 +7042,15 @@ let cross0 a b =
 
 (** val with_length_1 : q list -> q list **)
 
-let with_length_1 n =
-  match exact_root (sum_of_squares0 n) with
-  | Some length0 -> map (fun x -> qdiv x length0) n
-  | None -> n
+let with_length_1 n0 =
+  match exact_root (sum_of_squares0 n0) with
+  | Some length0 -> map (fun x -> qdiv x length0) n0
+  | None -> n0
 
 (** val make_edge : q -> (q list * q list) -> edge **)
 
 let make_edge side ends0 =
-  let n =
+  let n0 =
     let (l, l0) = ends0 in
     (match l with
      | [] -> []
@@ -6791,7 +7073,7 @@ let make_edge side ends0 =
                     | _ :: _ -> [])))
            | _ :: _ -> [])))
   in
-  { from = (fst ends0); to0 = (snd ends0); inwards = (with_length_1 n) }
+  { from = (fst ends0); to0 = (snd ends0); inwards = (with_length_1 n0) }
 
 (** val read_ring : version -> bool -> path -> json -> edge list result **)
 
@@ -6808,14 +7090,14 @@ let read_ring v hole at_path value0 =
             (match l2 with
              | [] -> expected what at_path value0
              | _ :: _ -> Fine ()))) (fun _ ->
-      let sides0 = pairs ring in
+      let sides1 = pairs ring in
       bind
         (check_that
-          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides0))
+          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides1))
           at_path "a vertex is the same as the next") (fun _ ->
         let area =
           fold_left (fun sum0 pat ->
-            let (a, b) = pat in qplus sum0 (cross0 a b)) sides0 { qnum =
+            let (a, b) = pat in qplus sum0 (cross0 a b)) sides1 { qnum =
             Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
         in
         bind (check_that (negb (is_0 area)) at_path "the ring has no area")
@@ -6824,7 +7106,7 @@ let read_ring v hole at_path value0 =
             inject_Z
               (if hole then Z.opp (Z.sgn area.qnum) else Z.sgn area.qnum)
           in
-          Fine (map (make_edge side) sides0)))))
+          Fine (map (make_edge side) sides1)))))
 
 (** val read_polygon : version -> path -> json -> edge list result **)
 
@@ -6963,11 +7245,11 @@ let at_point0 p f =
     version -> path -> (string * json) list -> q list result **)
 
 let read_pull v at_path members =
-  bind (member "weight" read_decimal at_path members) (fun size0 ->
+  bind (member "weight" read_decimal at_path members) (fun size1 ->
     bind
       (check_that
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } size0) ((Member "weight") :: at_path)
+          Big_int_Z.unit_big_int } size1) ((Member "weight") :: at_path)
         "expected a number of 0 or more") (fun _ ->
       bind (optional_member "direction" (read_point v) at_path members)
         (fun direction0 ->
@@ -6978,7 +7260,7 @@ let read_pull v at_path members =
              bind
                (check_that (negb (is_0 length0)) ((Member
                  "direction") :: at_path) "expected a vector other than 0")
-               (fun _ -> Fine (map (fun x -> qdiv (qmult size0 x) length0) d))
+               (fun _ -> Fine (map (fun x -> qdiv (qmult size1 x) length0) d))
            | None ->
              refuse ((Member "direction") :: at_path)
                "expected a vector of rational length, such as [3, -4]")
@@ -6988,9 +7270,9 @@ let read_pull v at_path members =
              then { qnum = Big_int_Z.zero_big_int; qden =
                     Big_int_Z.unit_big_int } :: ({ qnum =
                     Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int } :: ((qopp size0) :: []))
+                    Big_int_Z.unit_big_int } :: ((qopp size1) :: []))
              else { qnum = Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int } :: ((qopp size0) :: [])))))
+                    Big_int_Z.unit_big_int } :: ((qopp size1) :: [])))))
 
 (** val read_torque : version -> path -> json -> q list result **)
 
@@ -7259,7 +7541,8 @@ let read_normal v at_path value0 =
        bind (check_that v.is_second at_path needs_second) (fun _ ->
          bind (members_of ("direction" :: ("slope" :: [])) at_path value0)
            (fun members ->
-           bind (member "direction" (read_point v) at_path members) (fun n ->
+           bind (member "direction" (read_point v) at_path members)
+             (fun n0 ->
              bind (member "slope" read_decimal at_path members)
                (fun slope0 ->
                bind
@@ -7271,15 +7554,15 @@ let read_normal v at_path value0 =
                        Big_int_Z.unit_big_int })) ((Member
                    "slope") :: at_path)
                    "expected a number of 0 or more and below 1") (fun _ ->
-                 Fine (n, slope0))))))
+                 Fine (n0, slope0))))))
      | _ ->
-       bind (read_point v at_path value0) (fun n -> Fine (n, { qnum =
+       bind (read_point v at_path value0) (fun n0 -> Fine (n0, { qnum =
          Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })))
     (fun pat ->
-    let (n, slope0) = pat in
+    let (n0, slope0) = pat in
     bind
-      (check_that (negb (forallb is_0 n)) at_path
-        "the normal is 0; give a vector into the object") (fun _ -> Fine (n,
+      (check_that (negb (forallb is_0 n0)) at_path
+        "the normal is 0; give a vector into the object") (fun _ -> Fine (n0,
       slope0)))
 
 (** val read_contact :
@@ -7307,8 +7590,8 @@ let read_contact v outline defaults at_path value0 =
                  "it stands in place of \"position\" and \"normal\"")
                (fun _ ->
                bind (read_on outline here on) (fun pat ->
-                 let (p, n) = pat in
-                 Fine ((p, n), { qnum = Big_int_Z.zero_big_int; qden =
+                 let (p, n0) = pat in
+                 Fine ((p, n0), { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int })))))
        | None ->
          bind
@@ -7319,9 +7602,9 @@ let read_contact v outline defaults at_path value0 =
                 else "2 coordinates [x, y], as the first contact has")
                (read_interval v)) at_path members) (fun p ->
            bind (member "normal" (read_normal v) at_path members) (fun pat ->
-             let (n, e) = pat in Fine ((p, n), e)))) (fun pat ->
+             let (n0, e) = pat in Fine ((p, n0), e)))) (fun pat ->
       let (p0, e) = pat in
-      let (p, n) = p0 in
+      let (p, n0) = p0 in
       bind (read_properties v at_path members) (fun own ->
         let or0 = fun mine default ->
           match mine with
@@ -7335,7 +7618,7 @@ let read_contact v outline defaults at_path value0 =
         in
         (match or0 own.own_friction defaults.own_friction with
          | Some mu ->
-           Fine { position = p; normal = n; slope = e; friction = mu;
+           Fine { position = p; normal = n0; slope = e; friction = mu;
              stiffness =
              (or_number (or0 own.own_stiffness defaults.own_stiffness)
                { qnum = Big_int_Z.unit_big_int; qden =
@@ -7402,9 +7685,9 @@ let read_units at_path value0 =
 
 (** val is_array : Big_int_Z.big_int -> json option -> bool **)
 
-let is_array size0 = function
+let is_array size1 = function
 | Some j -> (match j with
-             | Array items -> has_length size0 items
+             | Array items -> has_length size1 items
              | _ -> false)
 | None -> false
 
@@ -8571,11 +8854,11 @@ let read_matrix s =
 
 (** val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool **)
 
-let rec has_at_most size0 = function
+let rec has_at_most size1 = function
 | [] -> true
 | _ :: rest ->
-  (&&) (Z.ltb Big_int_Z.zero_big_int size0)
-    (has_at_most (Z.sub size0 Big_int_Z.unit_big_int) rest)
+  (&&) (Z.ltb Big_int_Z.zero_big_int size1)
+    (has_at_most (Z.sub size1 Big_int_Z.unit_big_int) rest)
 
 (** val read_walls :
     shape -> Big_int_Z.big_int -> path -> json -> q list list result **)
@@ -9275,8 +9558,7 @@ let broken_question_rule stated asked =
 let ask asked file =
   bind (read_grasp file) (fun it -> pose it asked)
 
-(** val judge :
-    'a1 oracle -> posed -> json -> (answer * certificate) result **)
+(** val judge : oracle -> posed -> json -> (answer * certificate) result **)
 
 let judge advisor asked text =
   let q0 = asked.the_question in

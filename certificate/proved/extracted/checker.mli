@@ -57,6 +57,8 @@ module Coq_Pos :
 
   val pred_double : Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val pred_N : Big_int_Z.big_int -> Big_int_Z.big_int
+
   type mask = Pos.mask =
   | IsNul
   | IsPos of Big_int_Z.big_int
@@ -109,9 +111,32 @@ module Coq_Pos :
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val coq_Nsucc_double : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_Ndouble : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_lor : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_land : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val ldiff : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
   val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1
 
   val to_nat : Big_int_Z.big_int -> nat
+
+  val of_succ_nat : nat -> Big_int_Z.big_int
+ end
+
+module N :
+ sig
+  val succ_pos : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_lor : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_land : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val ldiff : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
  end
 
 val tl : 'a1 list -> 'a1 list
@@ -190,6 +215,10 @@ module Z :
 
   val to_nat : Big_int_Z.big_int -> nat
 
+  val of_nat : nat -> Big_int_Z.big_int
+
+  val of_N : Big_int_Z.big_int -> Big_int_Z.big_int
+
   val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int
 
   val pos_div_eucl :
@@ -213,6 +242,10 @@ module Z :
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val shiftl : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_lor : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_land : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val lcm : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
  end
@@ -423,16 +456,9 @@ type answer =
 | Rejected of string * place
 | NotProvedHere of string
 
-type advice =
-| Keep
-| Drop of Big_int_Z.big_int * (nat * Big_int_Z.big_int) list
-
-type 'memory oracle = { begin0 : (nat -> 'memory);
-                        advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list);
-                        foremost : ('memory -> (Big_int_Z.big_int
-                                   list * bool) list -> Big_int_Z.big_int
-                                   list) }
+type oracle = { permits : (Big_int_Z.big_int -> bool);
+                foremost : (Big_int_Z.big_int list list -> (Big_int_Z.big_int
+                           list * bool) list -> Big_int_Z.big_int option) }
 
 val qabs : q -> q
 
@@ -452,7 +478,7 @@ val content : form -> Big_int_Z.big_int
 
 val primitive : form -> form
 
-type ray = { coordinates : form; zeros : bool list }
+type ray = { coordinates : form; zeros : bool list; tight : Big_int_Z.big_int }
 
 val both : bool list -> bool list -> bool list
 
@@ -461,32 +487,6 @@ val add_strict : form list -> ray -> ray
 val common_zeros : form list list -> ray list -> bool list
 
 val barred : form list list -> ray list -> bool
-
-type candidate =
-| Stays of ray
-| Joins of form * bool list * bool list
-
-val form_of : candidate -> form
-
-val ray_of : candidate -> ray
-
-val heights : form -> ray list -> (Big_int_Z.big_int * ray) list
-
-val join : (Big_int_Z.big_int * ray) -> (Big_int_Z.big_int * ray) -> candidate
-
-val candidates : bool -> (Big_int_Z.big_int * ray) list -> candidate list
-
-val kept : candidate list -> advice list -> ray list
-
-val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form
-
-val reason_holds :
-  ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
-  bool
-
-val unjustified : ray list -> candidate list -> advice list -> ray list
-
-val cut : ray list -> form -> bool -> advice list -> ray list
 
 val common_denominator : q list -> Big_int_Z.big_int
 
@@ -642,9 +642,12 @@ val nowhere_along : Big_int_Z.big_int list -> form list -> form -> bool
 
 val separator : Big_int_Z.big_int list -> form list -> form -> form option
 
-val opposed :
-  Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
-  ray list
+val outside :
+  Big_int_Z.big_int list -> form list -> form list -> form -> form list option
+
+val opposed_barred :
+  Big_int_Z.big_int list -> form list -> form list -> bool list ->
+  (form * ray) list -> bool
 
 val must_move :
   Big_int_Z.big_int list -> form list list -> form list multi -> form list ->
@@ -805,47 +808,73 @@ val numbers :
 
 val enlarge : Big_int_Z.big_int -> contact -> cbox option
 
-type ('memory, 'setting) region = { rays : ray list; strict : form list list;
-                                    moving : form list list;
-                                    around : 'setting; remembered : 'memory;
-                                    depth : Big_int_Z.big_int }
+val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+type height = Big_int_Z.big_int * ray
+
+val heights : form -> ray list -> height list
+
+val join_form : form -> form -> Big_int_Z.big_int -> Big_int_Z.big_int -> form
+
+val join : Big_int_Z.big_int -> height -> height -> ray
+
+val parted : ray list -> ray -> ray -> bool
+
+val distinct : height list -> bool
+
+val stay : Big_int_Z.big_int -> height -> ray
+
+val cut_line : Big_int_Z.big_int -> height -> height list -> ray list
+
+val on_side : bool -> height list -> height list
+
+val cut_rays : Big_int_Z.big_int -> ray list -> height list -> ray list
+
+val most_combinations : height list -> Big_int_Z.big_int
+
+val cut : nat -> height list -> ray list option
+
+type 'setting region = { size0 : nat; sides : form list; rays : ray list;
+                         strict : form list list; moving : form list list;
+                         around : 'setting; depth : Big_int_Z.big_int }
 
 type 'setting branch = { conditions : (form * bool) list;
                          new_strict : form list; new_moving : form list list;
                          branch_setting : 'setting }
 
-val cut_region :
-  'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region
+val cut_above : oracle -> 'a1 region -> form -> 'a1 region
 
-val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region
+val cut_region : oracle -> 'a1 region -> (form * bool) -> 'a1 region
 
-val of_numbers :
-  (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list
+val strictly : 'a1 region -> form -> 'a1 region
 
-val cut_by :
-  'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region
+val cut_foremost :
+  oracle -> (form * bool) list -> 'a1 region -> (form * bool) list -> 'a1
+  region
 
-val child : 'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region
+val cut_by : oracle -> 'a1 region -> (form * bool) list -> 'a1 region
+
+val child : oracle -> 'a1 region -> 'a1 branch -> 'a1 region
 
 val is_leaf : node -> bool
 
-val at_leaf : ('a1, 'a2) region -> form list list * ray list
+val at_leaf : 'a1 region -> form list list * ray list
 
 val visit :
-  'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-  form list list -> ray list -> node -> string option) -> Big_int_Z.big_int
-  -> node -> ('a1, 'a2) region -> (('a1, 'a2) region list, string) sum
+  oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+  list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+  node -> 'a1 region -> ('a1 region list, string) sum
 
 val walk :
-  'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-  form list list -> ray list -> node -> string option) -> Big_int_Z.big_int
-  -> node list -> ('a1, 'a2) region list -> nat -> (string * nat) option
+  oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+  list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+  node list -> 'a1 region list -> nat -> (string * nat) option
 
 val basis : nat -> nat -> form list
 
-val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region
+val everywhere : nat -> 'a1 -> 'a1 region
 
-val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
+val root : oracle -> nat -> 'a1 branch -> 'a1 region
 
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
@@ -935,7 +964,7 @@ val separating : row list -> form list -> form list
 val root_branch : bool -> setting -> range -> setting branch
 
 val walk_ranges :
-  'a1 oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+  oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
   Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
   (string * nat) option
 
@@ -1084,21 +1113,19 @@ val all_free : matrix -> setting -> bool
 val range_sound : degree_proof -> setting -> bool
 
 val k_region :
-  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-  setting) region
+  oracle -> degree_proof -> setting -> (form * bool) list -> setting region
 
 val wall_regions :
-  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-  setting) region list
+  oracle -> degree_proof -> setting -> (form * bool) list -> setting region
+  list
 
-val root_regions :
-  'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list
+val root_regions : oracle -> degree_proof -> setting -> setting region list
 
-val law_holds : 'a1 oracle -> degree_proof -> setting -> bool
+val law_holds : oracle -> degree_proof -> setting -> bool
 
 val degree_fails :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node
-  list -> (string * nat option) option
+  oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node list
+  -> (string * nat option) option
 
 type rest_proof = { rest_forces : (Big_int_Z.big_int * vector) list;
                     rest_answers : (Big_int_Z.big_int * matrix) list;
@@ -1157,24 +1184,24 @@ val rest_fails_at :
 val rest_fails : setting -> q -> q -> rest_proof -> string option
 
 val part_fails :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
+  oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
   (string * nat option) option
 
 val unloaded : setting -> bool
 
 val segment_by_degree_fails :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
-  list -> q list -> q list list -> q list list -> node list -> (string * nat
+  oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q list
+  -> q list -> q list list -> q list list -> node list -> (string * nat
   option) option
 
 val parts_fail :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
+  oracle -> bool -> Big_int_Z.big_int -> part list ->
   (setting * Big_int_Z.big_int) list -> nat -> (string * place) option
 
 type rigid = { r_N : vector; r_slips : matrix; r_friction : q; r_square : 
                q; r_normal : vector }
 
-type knowledge = { touches : bool option; sides : matrix option }
+type knowledge = { touches : bool option; sides0 : matrix option }
 
 val slip_of : rigid -> vector -> vector
 
@@ -1266,7 +1293,7 @@ val det : form -> form -> form -> Big_int_Z.big_int
 
 val first_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 option
 
-val advise_if :
+val if_positive :
   Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
   (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
 
@@ -1287,6 +1314,12 @@ val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option
 val sum_found :
   ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
   option
+
+val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form
+
+val reason_holds :
+  ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  bool
 
 val is_sum_of : ray list -> form -> bool
 
@@ -1331,8 +1364,8 @@ val plane_setting :
 val at_zero : range
 
 val plane_fails :
-  'a1 oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list
-  -> vector -> vector -> homogeneous list list -> node list -> (string * nat)
+  oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list ->
+  vector -> vector -> homogeneous list list -> node list -> (string * nat)
   option
 
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
@@ -1352,38 +1385,45 @@ val is_one_grasp : setting -> bool
 val straight : setting -> bool
 
 val refute :
-  'a1 oracle -> question -> setting -> range list -> node list ->
-  (string * nat) option
+  oracle -> question -> setting -> range list -> node list -> (string * nat)
+  option
 
 val check_witness : question -> setting -> witness -> answer
 
-val check_tree : 'a1 oracle -> question -> setting -> node list -> answer
+val check_tree : oracle -> question -> setting -> node list -> answer
 
-val check_parts : 'a1 oracle -> question -> setting -> part list -> answer
+val check_parts : oracle -> question -> setting -> part list -> answer
 
 val check_margin :
-  'a1 oracle -> question -> setting -> (q * q option) list -> segment list ->
+  oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
 
 val in_order : bool -> q option -> q -> q option -> bool
 
 val holding_fails :
-  'a1 oracle -> question -> setting -> nat -> q -> q option -> (part, witness
+  oracle -> question -> setting -> nat -> q -> q option -> (part, witness
   list) sum -> answer option
 
 val joined : (q * q option) list -> q -> q option -> (q * q option) list
 
 val check_claims :
-  'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
-  (q * q option) list -> ((q * q option) * bool) list -> answer
+  oracle -> question -> setting -> claim list -> q option -> nat -> (q * q
+  option) list -> ((q * q option) * bool) list -> answer
 
 val check_class : question -> setting -> class_proof -> answer
 
 val check_region :
-  'a1 oracle -> question -> setting -> load_point list list -> node list ->
-  answer
+  oracle -> question -> setting -> load_point list list -> node list -> answer
 
-val check : 'a1 oracle -> question -> certificate -> answer
+val check : oracle -> question -> certificate -> answer
+
+val largest_exponent : Big_int_Z.big_int
+
+val longest_number : Big_int_Z.big_int
+
+val too_large : Big_int_Z.big_int
+
+val is_not_too_large : q -> bool
 
 val digit : char -> Big_int_Z.big_int option
 
@@ -1395,6 +1435,8 @@ val digits : char list -> (Big_int_Z.big_int * Big_int_Z.big_int) * char list
 
 val take : char -> char list -> bool * char list
 
+val take_sign : char list -> bool * char list
+
 val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool
 
 val fraction : bool -> Big_int_Z.big_int -> Big_int_Z.big_int -> q option
@@ -1403,17 +1445,9 @@ val fraction_of_digits : bool -> char list -> q option
 
 val parse_fraction : Big_int_Z.big_int -> string -> q option
 
-val longest_decimal : Big_int_Z.big_int
-
-val largest_exponent : Big_int_Z.big_int
-
 val exponent : char list -> (Big_int_Z.big_int * char list) option
 
 val parse_decimal : string -> q option
-
-val too_large : Big_int_Z.big_int
-
-val is_not_too_large : q -> bool
 
 val read_decimal : path -> json -> q result
 
@@ -1765,4 +1799,4 @@ val broken_question_rule : statement -> posed -> string option
 
 val ask : options -> json -> posed result
 
-val judge : 'a1 oracle -> posed -> json -> (answer * certificate) result
+val judge : oracle -> posed -> json -> (answer * certificate) result

@@ -350,10 +350,12 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
       best.generator = g;
     }
   }
-  for (const Reals& against : against_) {
-    if (against.squaredNorm() == 0) continue;  // a free motion
-    const double work = against.dot(y);
-    if (work > best.work) best = {work, against, {}, 0, true};
+  const std::size_t none = region_.generators().size();
+  const std::size_t pulls = against_.size() - (law_.hull ? law_.hull->directions.size() : 0);
+  for (std::size_t k = 0; k < against_.size(); ++k) {
+    if (against_[k].squaredNorm() == 0) continue;  // a free motion
+    const double work = against_[k].dot(y);
+    if (work > best.work) best = {work, against_[k], {}, k < pulls ? k : none, true};
   }
   if (best.work == -HUGE_VAL) return std::nullopt;  // nothing acts
   if (best.against) return best;
@@ -441,6 +443,8 @@ Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& f
     for (std::size_t b = 0; b < a; ++b) {
       const std::size_t one = found.parts[a].second.generator;
       const std::size_t other = found.parts[b].second.generator;
+      const std::size_t none = region_.generators().size();
+      if (one == none || other == none) continue;
       const double distance =
           (region_.generators()[one] - region_.generators()[other]).squaredNorm();
       const double part = std::min(found.parts[a].first, found.parts[b].first);

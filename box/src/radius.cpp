@@ -218,10 +218,7 @@ class RadiusSearch {
   /// Seeks a load of a ball that is too much, as near as may be: along axes and between them;
   /// then it turns to where the border is nearer.
   void refute_ball() {
-    if (!box_.is_one_planar_body()) {
-      seek_in_doubles();
-      return;
-    }
+    if (!box_.is_one_planar_body() && seek_in_doubles()) return;
     const std::vector<Place> starts = Examples(box_, law_).ball_directions();
     Rational farthest = bound();
     constexpr int kMostSizes = 6;
@@ -243,11 +240,12 @@ class RadiusSearch {
     Rational factor;
   };
 
-  /// Where a decision takes long: doubles say which load is worth one.
-  void seek_in_doubles() {
+  /// Where a decision takes long: doubles say which load is worth one. False if they know of no
+  /// equilibrium of the centre.
+  bool seek_in_doubles() {
     std::vector<NearEquilibrium> at_centre =
         near_equilibria(GraspLaw(centre_, law_).middle(), true);
-    if (at_centre.empty()) return;
+    if (at_centre.empty()) return false;
     centre_equilibrium_ = std::move(at_centre.front());
     std::vector<Suspect> suspects;
     for (const Place& place : Examples(box_, law_).ball_directions()) {
@@ -276,8 +274,9 @@ class RadiusSearch {
         draw_in(suspect);
         if (confirm(suspect, bound())) descend(suspect);
       }
-      if (*result_.refuted == before) return;
+      if (*result_.refuted == before) break;
     }
+    return true;
   }
 
   /// Whether doubles find no equilibrium there, and a little beyond: Newton's method misses one

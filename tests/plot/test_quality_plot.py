@@ -180,6 +180,10 @@ class QualityPlots(unittest.TestCase):
         self.assertEqual([Fraction(w) + Fraction(lost.get("data-s")) * a + Fraction(lost.get("data-t")) * b
                           for w, a, b in zip(answer["wrench"], u, v)], list(map(Fraction, answer["not_resisted"])))
 
+    def test_the_page_about_it_shows_what_is_drawn(self):
+        with open(os.path.join(HERE, "..", "..", "docs", "three-sides.svg"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), stickslip("plot", "quality", example("three-sides"))[1])
+
     def test_without_a_ball(self):
         # A load that is not resisted has no ball; and without load and preload all balls are like one.
         picture = Picture(self.ask("plot", "quality", FIG1, "--preload", "1", "--wrench", "0,5,0"))

@@ -16,6 +16,21 @@ Rational power_of_two_above(const Rational& size) {
   return power;
 }
 
+Rational short_middle(const Rational& a, const Rational& b) {
+  const Rational exact = (a + b) / 2;
+  for (int bits = 4; bits <= 40; bits += 4) {
+    const Rational unit = (b - a) / (Integer(1) << static_cast<unsigned>(bits));
+    // The binary grain just below that unit.
+    const Integer scale =
+        Integer(1) + numerator(Rational(1) / unit) / denominator(Rational(1) / unit);
+    const Rational power = power_of_two_above(Rational(scale));
+    const Rational scaled = exact * power;
+    const Rational rounded = Rational(numerator(scaled) / denominator(scaled)) / power;
+    if (a < rounded && rounded < b) return rounded;
+  }
+  return exact;
+}
+
 Problem problem_of(const GraspLaw& point) {
   const auto as_wrench = [](const RationalRow& row) { return Wrench{row[0], row[1], row[2]}; };
   std::vector<ContactRow> rows;

@@ -17,6 +17,9 @@ namespace stickslip::box_detail {
 /// The least power of two that is not below a number >= 0; of 0 it is 1.
 Rational power_of_two_above(const Rational& size);
 
+/// A number of few bits near (a + b) / 2, between them.
+Rational short_middle(const Rational& a, const Rational& b);
+
 /// The problem of a law of one grasp in the plane.
 Problem problem_of(const GraspLaw& point);
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "examples.hpp"
+#include "lost_loads.hpp"
 #include "one_grasp.hpp"
-#include "stickslip/degree/newton.hpp"
 
 namespace stickslip {
 
@@ -40,24 +40,6 @@ Rational valid_limit(const GraspBox& centre, const GraspBox& box, const Rational
     if (spring.is_ratchet()) keep(at.force.low, spring.force.low, true);
   }
   return limit;
-}
-
-/// A number of few bits near (a + b) / 2, between them.
-Rational short_middle(const Rational& a, const Rational& b) {
-  const Rational exact = (a + b) / 2;
-  for (int bits = 4; bits <= 40; bits += 4) {
-    const Rational unit = (b - a) / (Integer(1) << static_cast<unsigned>(bits));
-    // The binary grain just below that unit.
-    const Integer scale =
-        Integer(1) + numerator(Rational(1) / unit) / denominator(Rational(1) / unit);
-    Integer power = 1;
-    while (power < scale) power *= 2;
-    const Rational scaled = exact * Rational(power);
-    const Rational rounded =
-        Rational(numerator(scaled) / denominator(scaled)) / Rational(power);
-    if (a < rounded && rounded < b) return rounded;
-  }
-  return exact;
 }
 
 /// Longer numbers are longer than all that doubles spell.
@@ -234,22 +216,14 @@ class RadiusSearch {
     if (turn_nearby()) turn_to_normals();
   }
 
-  /// A way from the centre, and a factor with which doubles find no equilibrium on it.
-  struct Suspect {
-    Place place;
-    Rational factor;
-  };
-
   /// Where a decision takes long: doubles say which load is worth one. False if they know of no
   /// equilibrium of the centre.
   bool seek_in_doubles() {
-    std::vector<NearEquilibrium> at_centre =
-        near_equilibria(GraspLaw(centre_, law_).middle(), true);
-    if (at_centre.empty()) return false;
-    centre_equilibrium_ = std::move(at_centre.front());
+    const auto lost = LostLoads::of(centre_, box_, law_, options_.accuracy, result_.limit);
+    if (!lost) return false;
     std::vector<Suspect> suspects;
     for (const Place& place : Examples(box_, law_).ball_directions()) {
-      if (auto found = first_lost(place)) suspects.push_back(std::move(*found));
+      if (auto found = lost->first_along(place)) suspects.push_back(std::move(*found));
     }
     std::stable_sort(suspects.begin(), suspects.end(),
                      [](const Suspect& a, const Suspect& b) { return a.factor < b.factor; });
@@ -260,85 +234,28 @@ class RadiusSearch {
     for (Suspect& suspect : suspects) {
       if (tried++ == kMostTried || descents == kMostDescents) break;
       if (result_.refuted && suspect.factor > 2 * bound()) break;
-      draw_in(suspect);
+      lost->draw_in(suspect);
       if (!confirm(suspect, 2 * bound())) continue;
       ++descents;
-      descend(suspect);
+      descend(*lost, suspect);
     }
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds && result_.refuted; ++round) {
       const Rational before = *result_.refuted;
       for (const Place& place : along_normals()) {
         Suspect suspect{place, bound() * (1 - options_.accuracy / 4)};
-        if (!seems_lost(place, suspect.factor)) continue;
-        draw_in(suspect);
-        if (confirm(suspect, bound())) descend(suspect);
+        if (!lost->contains(suspect)) continue;
+        lost->draw_in(suspect);
+        if (confirm(suspect, bound())) descend(*lost, suspect);
       }
       if (*result_.refuted == before) break;
     }
     return true;
   }
 
-  /// Whether doubles find no equilibrium there, and a little beyond: Newton's method misses one
-  /// at times.
-  bool seems_lost(const Place& place, const Rational& factor) {
-    for (const int beyond : {0, 4, 16}) {
-      if (!has_no_equilibrium(place, factor * (1 + Rational(beyond, 1000)))) return false;
-    }
-    return true;
-  }
-
-  bool has_no_equilibrium(const Place& place, const Rational& factor) {
-    const GraspBox box = box_.scaled(centre_, factor);
-    const GraspBox grasp = Examples(box, law_).at(place);
-    const RoundedGrasp rounded = rounded_middle(GraspLaw(grasp, law_).middle());
-    const Newton newton(rounded);
-    std::optional<NearEquilibrium> found;
-    for (const auto* known : {&last_equilibrium_, &centre_equilibrium_}) {
-      if (!found) found = newton.follow(*known);
-    }
-    if (!found) {
-      constexpr std::size_t kStarts = 3;
-      std::vector<NearEquilibrium> all = newton.solve_from(kStarts);
-      if (!all.empty()) found = std::move(all.front());
-    }
-    if (!found) return true;
-    last_equilibrium_ = std::move(*found);
-    return false;
-  }
-
-  /// Where on this way from the centre the equilibrium is lost first, up to a factor of two.
-  std::optional<Suspect> first_lost(const Place& place) {
-    last_equilibrium_ = centre_equilibrium_;
-    constexpr int kDoublings = 12;
-    Rational factor = result_.limit / (1 << kDoublings);
-    while (factor < result_.limit && !seems_lost(place, factor)) factor *= 2;
-    if (!(factor < result_.limit)) return std::nullopt;
-    return Suspect{place, factor};
-  }
-
-  /// To where this way begins to be lost.
-  void draw_in(Suspect& suspect) {
-    Rational low = 0;
-    Rational& high = suspect.factor;
-    for (Rational step = options_.accuracy / 4; step < 1; step *= 4) {
-      const Rational nearer = short_middle(high * (1 - step), high * (1 - step / 2));
-      if (!seems_lost(suspect.place, nearer)) {
-        low = nearer;
-        break;
-      }
-      high = nearer;
-    }
-    const Rational least = result_.limit / (1 << 20);
-    while (high - low > options_.accuracy / 8 * high && high > least) {
-      const Rational middle = short_middle(low, high);
-      (seems_lost(suspect.place, middle) ? high : low) = middle;
-    }
-  }
-
   /// Turns it by smaller and smaller steps to where it is nearer; what is not confirmed is
   /// forgotten.
-  void descend(Suspect suspect) {
+  void descend(const LostLoads& lost, Suspect suspect) {
     for (int steps = 2; steps <= 64; steps *= 2) {
       const Suspect before = suspect;
       constexpr int kMostRounds = 12;
@@ -348,8 +265,8 @@ class RadiusSearch {
         for (const Place& place :
              Examples(box_, law_).turned(suspect.place, Rational(1, steps))) {
           Suspect nearer{place, suspect.factor * (1 - options_.accuracy / 4)};
-          if (!seems_lost(place, nearer.factor)) continue;
-          draw_in(nearer);
+          if (!lost.contains(nearer)) continue;
+          lost.draw_in(nearer);
           suspect = std::move(nearer);
           found = true;
         }
@@ -521,8 +438,6 @@ class RadiusSearch {
   const std::function<void(const Radius&)>& progress_;
   Radius result_;
   Place example_place_;  ///< of result_.example
-  NearEquilibrium centre_equilibrium_;
-  NearEquilibrium last_equilibrium_;  ///< that doubles found, of some load
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
 #include "stickslip/motion/exact_system.hpp"
+#include "stickslip/planar/branch_and_bound.hpp"
 
 namespace stickslip {
 
@@ -265,8 +266,8 @@ class Quadtree {
 };
 
 /// The ends behind the equals sign.
-Interval range_of(std::string_view text, std::size_t equals, std::size_t colon,
-                  const std::string& axis) {
+Interval axis_range(std::string_view text, std::size_t equals, std::size_t colon,
+                    const std::string& axis) {
   const auto fail = [&](const std::string& problem, const std::string& remedy) {
     throw InputError("", axis, problem, remedy);
   };
@@ -313,7 +314,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
   if (result.name.find(',') != std::string::npos) {
     result.kind = AxisKind::kAlong;
     result.along = wrench_along(grasp, result.name, axis);
-    result.range = range_of(text, equals, colon, axis);
+    result.range = axis_range(text, equals, colon, axis);
     return result;
   }
   const std::size_t bracket = std::min(result.name.find('['), result.name.size());
@@ -354,7 +355,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
                                     std::to_string(count - 1) + "]"
                               : word + " has no parts");
   }
-  result.range = range_of(text, equals, colon, axis);
+  result.range = axis_range(text, equals, colon, axis);
   const bool is_positive = result.kind == AxisKind::kStiffness;
   const bool is_nonnegative =
       is_positive || result.kind == AxisKind::kFriction || result.kind == AxisKind::kPreload;

@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Leaf Tree Witness Margin Parts Matrix Rigid RigidClass.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Bodies Leaf Tree Witness Margin Parts Matrix Rigid RigidClass.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -11,9 +11,19 @@ Definition enlarge_all (bits : Z) (qs : list contact) : option (list row) :=
 
 Definition most_depth {A : Type} (rows : list A) : Z := (fold_left (fun n _ => n + 2) rows 256)%Z.
 
+Definition rows_of (bits : Z) (q : question) : option (list row) :=
+  match several q with
+  | None => enlarge_all bits (contacts q)
+  | Some its =>
+      match mechanism_boxes bits (dimension q) its (contacts q) with
+      | Some boxes => Some (map_all make_row boxes)
+      | None => None
+      end
+  end.
+
 (* The box that the question is about. *)
 Definition setting_of (bits : Z) (q : question) : option setting :=
-  match enlarge_all bits (contacts q) with
+  match rows_of bits q with
   | None => None
   | Some rows => Some (make_setting (dimension q) rows (make_load (wrench q) (direction q)) [])
   end.

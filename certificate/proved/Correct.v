@@ -1,17 +1,19 @@
 (* SPDX-License-Identifier: MIT *)
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Leaf Tree Witness Margin
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Bodies Leaf Tree Witness Margin
   RowLimits ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
   RigidClass RigidTrue.
-From Proved Require Rows Model SpaceModel.
+From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
 
 (* The rows of a grasp that the question is about. *)
 Definition choice_of (q : question) (s : Rows.system) : Prop :=
   (exists g, chosen q g /\ s = grasp_rows g) \/
-  (exists g, chosen_in_space q g /\ s = space_grasp_rows g).
+  (exists g, chosen_in_space q g /\ s = space_grasp_rows g) \/
+  (exists m, chosen_bodies_in_plane q m /\ s = plane_mechanism m) \/
+  (exists m, chosen_bodies_in_space q m /\ s = space_mechanism m).
 
 Lemma enlarge_all_suits bits qs rws rs (chosen_row : contact -> Rows.row -> Prop) :
   (forall q b r, enlarge bits q = Some b -> chosen_row q r -> seen_in b r) ->
@@ -49,21 +51,51 @@ Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral
 }.
 
+Lemma seen_suits boxes rs : Forall2 seen_in boxes rs -> Forall2 suits (map_all make_row boxes) rs.
+Proof.
+  rewrite map_all_is. induction 1 as [|b r bs rs S F IH]; cbn; constructor; [|exact IH]. now split.
+Qed.
+
+Lemma plane_seen bits c c' b : chosen_contact c c' -> enlarge bits c = Some b -> seen_in b (contact_row c').
+Proof. intros Ch B. exact (proj2 (fits_suits (make_row b) _ (conj eq_refl (enlarge_plane _ _ _ _ B Ch)))). Qed.
+
+Lemma bodies_pose k (row_of : BodiesModel.contact k -> Rows.row)
+    (chosen_contact : contact -> BodiesModel.contact k -> Prop) bits q st its m :
+  BodiesModel.numbers k = numbers_of its ->
+  (forall c c' b, chosen_contact c c' -> enlarge bits c = Some b -> seen_in b (row_of c')) ->
+  (forall c, List.length (Rows.weights (row_of c)) = List.length (Rows.slips (row_of c))) ->
+  setting_of bits q = Some st -> chosen_bodies chosen_contact q its m -> poses q st (mechanism_rows k row_of m).
+Proof.
+  intros En Seen Lr H Ch. unfold setting_of, rows_of in H. pose proof Ch as (Sv & D & Nu & _ & _ & _ & W & U & Law).
+  rewrite Sv in H. destruct (mechanism_boxes _ _ _ _) as [boxes|] eqn:B; [|discriminate]. injection H as <-.
+  destruct Nu as (Lw & Lu & _).
+  constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.wrench Rows.direction Rows.normal mechanism_rows
+    pushes make_setting]; try assumption; try reflexivity; try (now split); try congruence.
+  - apply seen_suits. eapply mechanism_seen; eassumption.
+  - split; [exact Lw|]. apply (mechanism_shapes k row_of m); [|exact Lr]. apply Ch.
+Qed.
+
 Lemma choice_poses bits q st s : setting_of bits q = Some st -> choice_of q s -> poses q st s.
 Proof.
-  unfold setting_of. intros H C. destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate].
-  injection H as <-. destruct C as [(g & (D & F & W & U & N) & ->)|(g & (D & F & W & U & N) & ->)];
+  intros H C. destruct C as [(g & (Sv & D & F & W & U & N) & ->)|[(g & (Sv & D & F & W & U & N) & ->)|[C|C]]].
+  1, 2: unfold setting_of, rows_of in H; rewrite Sv in H;
+    destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate]; injection H as <-;
     (constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
        Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split);
      try (split; [reflexivity|]; apply Forall_map, Forall_forall; intros c _; now repeat constructor)).
   - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
-    + intros q0 b r B (c & Ch & ->).
-      exact (proj2 (fits_suits (make_row b) _ (conj eq_refl (enlarge_plane _ _ _ _ B Ch)))).
+    + intros q0 b r B (c & Ch & ->). eapply plane_seen; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
   - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact_in_space q c /\ r = space_contact_row c))
       with (2 := E).
     + intros q0 b r B (c & Ch & ->). eapply enlarge_space; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
+  - destruct C as (m & (its & Sp & Ch) & ->).
+    eapply (bodies_pose BodiesModel.in_plane); try eassumption; [unfold numbers_of; now rewrite Sp| |reflexivity].
+    intros c c' b. apply plane_seen.
+  - destruct C as (m & (its & Sp & Ch) & ->).
+    eapply (bodies_pose BodiesModel.in_space); try eassumption; [unfold numbers_of; now rewrite Sp| |reflexivity].
+    intros c c' b Cc B. eapply enlarge_space; eassumption.
 Qed.
 
 (* What an answer says, of rows. *)
@@ -83,21 +115,35 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | NotProvedHere _ => True
   end.
 
+(* What is said of all multiples is said of rows. *)
+Lemma of_all_rows q (P : (R -> Prop) -> Prop) : (forall A B, (forall l, A l <-> B l) -> P B -> P A) ->
+  (forall s, choice_of q s -> P (Rows.stable_at s)) -> of_all q P.
+Proof.
+  intros Same H. unfold of_all. repeat split.
+  - intros g C. apply Same with (2 := H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl)))). intros l. apply stable_as_rows.
+  - intros g C. apply Same with (Rows.stable_at (space_grasp_rows g)); [apply space_stable_as_rows|].
+    apply H. right; left. now exists g.
+  - intros m C. apply Same with (Rows.stable_at (plane_mechanism m)).
+    + intros l. destruct C as (its & _ & Ch). apply plane_mechanism_stable. apply Ch.
+    + apply H. right; right; left. now exists m.
+  - intros m C. apply Same with (Rows.stable_at (space_mechanism m)).
+    + intros l. destruct C as (its & _ & Ch). apply space_mechanism_stable. apply Ch.
+    + apply H. right; right; right. now exists m.
+Qed.
+
 Lemma true_of_grasps q a : true_of_rows q a -> true_answer q a.
 Proof.
-  destruct a; cbn; intros H; try exact I; split; intros g C.
-  - apply stable_as_rows. apply H. left. now exists g.
-  - apply space_stable_as_rows. apply H. right. now exists g.
-  - intros St. apply (H (grasp_rows g)); [left; now exists g|]. now apply stable_as_rows.
-  - intros St. apply (H (space_grasp_rows g)); [right; now exists g|]. now apply space_stable_as_rows.
-  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
-  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
-  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
-  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
-  - destruct (H (grasp_rows g)) as (m & M & Lm & Cl); [left; now exists g|].
+  destruct a; cbn; intros H; try exact I.
+  1-4: apply of_all_rows; [|exact H]; intros A B E S.
+  - now apply E.
+  - intros St. now apply S, E.
+  - intros l L. rewrite E. now apply S.
+  - intros l L. rewrite E. now apply S.
+  - split; intros g C.
+    + destruct (H (grasp_rows g)) as (m & M & Lm & Cl); [left; now exists g|].
     destruct (plane_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
     apply (plane_class _ g i m E). apply Cl. rewrite E. now apply plane_mass_good.
-  - destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; now exists g|].
+    + destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; left; now exists g|].
     destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
     apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
 Qed.

@@ -56,8 +56,10 @@ Definition element_box (e : element) : cbox :=
 
 Definition mechanism_boxes (bits : Z) (D : nat) (its : mechanism) (contacts : list contact) : option (list cbox) :=
   let units := unit_motions D its in
-  match all_some (fun c => match enlarge bits c with Some b => Some (lift_box (columns units c) b) | None => None end)
-          contacts with
+  match all_some (fun c => match enlarge bits c with
+                           | Some b => if Qeq_bool (torsion c) 0 then Some (lift_box (columns units c) b) else None
+                           | None => None
+                           end) contacts with
   | Some boxes => Some (boxes ++ map element_box (elements its))
   | None => None
   end.
@@ -543,7 +545,7 @@ Proof.
   apply Forall2_app.
   - apply all_some_is in A. revert T. generalize (BodiesModel.touches m). induction A as [|c b cs bs Ec A IH];
       intros ts T; inversion T as [|? t ? ts' (Ch & Eo & Ey) T']; subst; cbn; constructor; [|now apply IH].
-    destruct (enlarge bits c) as [b'|] eqn:B; [|discriminate]. injection Ec as <-.
+    destruct (enlarge bits c) as [b'|] eqn:B; [|discriminate]. destruct (Qeq_bool _ _); [|discriminate]. injection Ec as <-.
     apply touch_seen; try assumption. now apply (Seen c).
   - clear - E. induction E as [|e e' es es' Ch E IH]; cbn; constructor; [now apply element_seen|exact IH].
 Qed.

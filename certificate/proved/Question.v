@@ -25,7 +25,8 @@ Record contact := Contact {
   preload : interval;        (* P; of a margin with the preload direction `scale`, 0 *)
   preload_growth : Q;        (* P^u; 0 without a preload direction *)
   of_body : option nat;      (* of several bodies those that meet, as their numbers; None is the ground *)
-  by_body : option nat
+  by_body : option nat;
+  torsion : Q                (* of a soft finger in space, else 0 *)
 }.
 
 (* Of several bodies (FORMAT.md section 14).  A body that is no link moves by coordinates of its own, from this one on.
@@ -36,7 +37,7 @@ Inductive rigid_body :=
   | Link (on : option nat) (eta turns : list Q).
 
 (* A ratchet or a spring. *)
-Record element := Element {
+Record element := Elastic {
   lever : list Q;            (* its row: how far it gives way, by coordinate *)
   element_spring : bool;
   element_stiffness : interval;

@@ -52,8 +52,8 @@ Answers and exit codes:
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability where normals in space are uncertain, of balls of loads, of regions
-                  and of several bodies; or it takes more work than the files' length allows
+                  stability where normals in space are uncertain, of balls of loads and of
+                  regions; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -124,11 +124,6 @@ let tokens file limits text =
   with Tokenise.Not_json { line; column; problem } ->
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
-(* Of several bodies nothing is judged, whatever else is asked. *)
-let is_of_several_bodies = function
-  | Object members -> List.mem ("format", Text "stickslip-grasp/3") members
-  | _ -> false
-
 let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate_name, certificate) =
   let options = arguments.options in
   Work.begin_question ();
@@ -139,8 +134,6 @@ let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate
   else if arguments.ball then Print.Not_judged "balls of loads: stickslip-check judges them"
   else try
     let file = read grasp_name Tokenise.of_grasp (grasp ()) in
-    if is_of_several_bodies file then Print.Not_judged "several bodies: stickslip-check judges them"
-    else
     let asked = or_illegible grasp_name (ask options file) in
     let answer, certificate =
       or_illegible certificate_name

@@ -50,6 +50,22 @@ module Coq__1 = struct
 end
 include Coq__1
 
+(** val mul : nat -> nat -> nat **)
+
+let rec mul n m =
+  match n with
+  | O -> O
+  | S p -> add m (mul p m)
+
+(** val sub : nat -> nat -> nat **)
+
+let rec sub n m =
+  match n with
+  | O -> n
+  | S k -> (match m with
+            | O -> n
+            | S l -> sub k l)
+
 (** val eqb : bool -> bool -> bool **)
 
 let eqb b1 b2 =
@@ -507,6 +523,12 @@ module Coq_Pos =
 
   let gcd a b =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
+
+  (** val of_succ_nat : nat -> Big_int_Z.big_int **)
+
+  let rec of_succ_nat = function
+  | O -> Big_int_Z.unit_big_int
+  | S x -> succ (of_succ_nat x)
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -795,6 +817,12 @@ module Z =
   (** val abs : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
   let abs = Big_int_Z.abs_big_int
+
+  (** val of_nat : nat -> Big_int_Z.big_int **)
+
+  let of_nat = function
+  | O -> Big_int_Z.zero_big_int
+  | S n0 -> (Coq_Pos.of_succ_nat n0)
 
   (** val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -1199,11 +1227,25 @@ let exactly q0 =
 
 type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
-                 preload : interval; preload_growth : q }
+                 preload : interval; preload_growth : q;
+                 of_body : nat option; by_body : nat option; torsion : 
+                 q }
+
+type rigid_body =
+| Free of nat
+| Link of nat option * q list * q list
+
+type element = { lever : q list; element_spring : bool;
+                 element_stiffness : interval; element_preload : interval;
+                 element_growth : q }
+
+type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
+                   elements : element list }
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list }
+                  direction : q list; inertia : q list;
+                  several : mechanism option }
 
 type parameter =
 | PX
@@ -1783,6 +1825,29 @@ let same_forms = function
 let negative f =
   map Z.opp f
 
+(** val same_at_corners : q list multi -> bool **)
+
+let same_at_corners t =
+  same_forms (tips (integer_tree (scaling_of_trees (t :: [])) t))
+
+(** val is_zero : interval -> bool **)
+
+let is_zero i =
+  (&&)
+    (qeq_bool i.low { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+    (qeq_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+
+(** val pull_certain : cbox -> bool **)
+
+let pull_certain b =
+  (&&) (same_at_corners (mmap n_of (geometry_tree b)))
+    ((||)
+      ((&&) ((&&) (certain b.box_preload) (certain b.box_growth))
+        (certain b.box_stiffness))
+      ((&&) (is_zero b.box_preload) (is_zero b.box_growth)))
+
 (** val count : interval list -> nat **)
 
 let count box0 =
@@ -1883,7 +1948,7 @@ let make_row b =
   fs; metric = (map (to_integer ms) b.box_weights); metric_scale = ms;
   slip_certain =
   (if b.box_signed
-   then same_forms (map primitive (tips tau0))
+   then same_at_corners (tau_tree b)
    else (&&) (Nat.eqb n O) (negb b.box_turns)); tau = tau0; minus_tau =
   (mmap negative tau0); edges_plus = (edges0 (minus_ends b.box_friction));
   edges_minus = (edges0 (ends b.box_friction)); edges_none =
@@ -1891,8 +1956,8 @@ let make_row b =
   separates =
   (match vs with
    | [] -> None
-   | f :: _ -> if same_forms vs then Some f else None); slack =
-  (b.box_slack b.box_geometry); parameters = n; weight =
+   | f :: _ -> if (&&) (same_forms vs) (pull_certain b) then Some f else None);
+  slack = (b.box_slack b.box_geometry); parameters = n; weight =
   (Z.div numerator0 g); over_weight = (Z.div denominator g) }
 
 (** val nowhere_negative : ray list -> form -> bool **)
@@ -2782,6 +2847,111 @@ let enlarge bits0 q0 =
                        | _ :: _ -> None))))
            | _ :: _ -> None)))
 
+(** val dot_q : q list -> q list -> q **)
+
+let rec dot_q a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> qplus (qmult x y) (dot_q a' b'))
+
+(** val lift_q : q list list -> q list -> q list **)
+
+let lift_q g f =
+  map (fun g0 -> reduced (dot_q f g0)) g
+
+(** val lift_box : q list list -> cbox -> cbox **)
+
+let lift_box g b =
+  { box_names = b.box_names; box_geometry = b.box_geometry; box_forms =
+    (fun geometry -> map (lift_q g) (b.box_forms geometry)); box_friction =
+    b.box_friction; box_preload = b.box_preload; box_growth = b.box_growth;
+    box_stiffness = b.box_stiffness; box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val of_number_q : q list list -> nat option -> q list **)
+
+let of_number_q motions = function
+| Some number -> nth number motions []
+| None -> []
+
+(** val motion_of_body_q :
+    nat -> q list -> q list list -> rigid_body -> q list **)
+
+let motion_of_body_q n d before = function
+| Free first -> firstn n (skipn first d)
+| Link (on, eta, turns) ->
+  add_multiple (of_number_q before on) (dot_q turns d) eta
+
+(** val motions_q :
+    nat -> q list -> rigid_body list -> q list list -> q list list **)
+
+let rec motions_q n d bodies0 before =
+  match bodies0 with
+  | [] -> before
+  | b :: rest ->
+    motions_q n d rest
+      (app before ((map reduced (motion_of_body_q n d before b)) :: []))
+
+(** val numbers_of : mechanism -> nat **)
+
+let numbers_of its =
+  if its.bodies_in_space then S (S (S (S (S (S O))))) else S (S (S O))
+
+(** val unit_q : nat -> q list **)
+
+let unit_q k =
+  app
+    (repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+      k) ({ qnum = Big_int_Z.unit_big_int; qden =
+    Big_int_Z.unit_big_int } :: [])
+
+(** val unit_motions : nat -> mechanism -> q list list list **)
+
+let unit_motions d its =
+  map (fun k -> motions_q (numbers_of its) (unit_q k) its.bodies []) (seq O d)
+
+(** val columns : q list list list -> contact -> q list list **)
+
+let columns units c =
+  map (fun ms ->
+    add_multiple (of_number_q ms c.of_body) { qnum = (Big_int_Z.minus_big_int
+      Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int }
+      (of_number_q ms c.by_body)) units
+
+(** val element_box : element -> cbox **)
+
+let element_box e =
+  { box_names = []; box_geometry = []; box_forms = (fun _ -> e.lever :: []);
+    box_friction =
+    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
+    box_preload = e.element_preload; box_growth = (exactly e.element_growth);
+    box_stiffness = e.element_stiffness; box_square = { qnum =
+    Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }; box_normal = [];
+    box_weights = []; box_signed = true; box_spring = e.element_spring;
+    box_turns = false; box_slack = (fun _ -> { qnum = Big_int_Z.zero_big_int;
+    qden = Big_int_Z.unit_big_int }) }
+
+(** val mechanism_boxes :
+    Big_int_Z.big_int -> nat -> mechanism -> contact list -> cbox list option **)
+
+let mechanism_boxes bits0 d its contacts0 =
+  let units = unit_motions d its in
+  (match all_some (fun c ->
+           match enlarge bits0 c with
+           | Some b ->
+             if qeq_bool c.torsion { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }
+             then Some (lift_box (columns units c) b)
+             else None
+           | None -> None) contacts0 with
+   | Some boxes -> Some (app boxes (map element_box its.elements))
+   | None -> None)
+
 type ('memory, 'setting) region = { rays : ray list; strict : form list list;
                                     moving : form list list;
                                     around : 'setting; remembered : 'memory;
@@ -2933,9 +3103,9 @@ let rec plus_times a s b =
      | [] -> a
      | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
 
-(** val is_zero : q -> bool **)
+(** val is_zero0 : q -> bool **)
 
-let is_zero q0 =
+let is_zero0 q0 =
   qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
 
 (** val unit_vector : nat -> nat -> vector **)
@@ -2967,7 +3137,7 @@ let rec of_rows a m =
 let rec pivot column0 = function
 | [] -> None
 | r :: m' ->
-  if is_zero
+  if is_zero0
        (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
          Big_int_Z.unit_big_int })
   then (match pivot column0 m' with
@@ -2978,8 +3148,8 @@ let rec pivot column0 = function
 (** val eliminate :
     nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
 
-let rec eliminate columns column0 m done0 =
-  match columns with
+let rec eliminate columns0 column0 m done0 =
+  match columns0 with
   | O -> done0
   | S columns' ->
     (match pivot column0 m with
@@ -2991,14 +3161,14 @@ let rec eliminate columns column0 m done0 =
              (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
                Big_int_Z.unit_big_int })) r
        in
-       let without = fun a ->
+       let without0 = fun a ->
          plus_times a
            (qopp
              (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
                Big_int_Z.unit_big_int })) r0
        in
-       eliminate columns' (S column0) (map without others)
-         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
+       eliminate columns' (S column0) (map without0 others)
+         (app (map (fun p0 -> ((fst p0), (without0 (snd p0)))) done0)
            ((column0, r0) :: []))
      | None -> eliminate columns' (S column0) m done0)
 
@@ -3939,11 +4109,11 @@ let walls_of simplex e =
 
 (** val transpose : nat -> matrix -> matrix **)
 
-let transpose columns m =
+let transpose columns0 m =
   map (fun j ->
     map (fun a ->
       nth j a { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-      m) (seq O columns)
+      m) (seq O columns0)
 
 (** val all_positive : vector -> bool **)
 
@@ -4000,7 +4170,7 @@ let inverted n free a =
        ((&&)
          ((&&) ((&&) (all_of_length n a) (Nat.eqb (length a) n))
            (forallb (fun z0 ->
-             (&&) (forallb (fun r -> is_zero (inner r z0)) a)
+             (&&) (forallb (fun r -> is_zero0 (inner r z0)) a)
                (same_vectors (of_rows z0 a) (zeros0 n))) free))
          (is_inverse n inverse m)) (is_inverse n m inverse)
   then Some (m, inverse)
@@ -4158,11 +4328,11 @@ let is_point s =
 
 let row_free z0 b =
   forallb (fun fs ->
-    (&&) (is_zero (inner (n_of fs) z0))
+    (&&) (is_zero0 (inner (n_of fs) z0))
       ((||)
         (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int })
-        (forallb (fun f -> is_zero (inner f z0)) (tl fs))))
+        (forallb (fun f -> is_zero0 (inner f z0)) (tl fs))))
     (tips (geometry_tree b))
 
 (** val load_free : vector -> interval list -> bool **)
@@ -4173,7 +4343,7 @@ let rec load_free z0 w =
   | q0 :: z' ->
     (match w with
      | [] -> true
-     | i :: w' -> (&&) ((||) (certain i) (is_zero q0)) (load_free z' w'))
+     | i :: w' -> (&&) ((||) (certain i) (is_zero0 q0)) (load_free z' w'))
 
 (** val all_free : matrix -> setting -> bool **)
 
@@ -4184,8 +4354,8 @@ let all_free free s =
         ((&&)
           ((&&) (forallb (fun r -> row_free z0 r.box) s.rows)
             (load_free z0 s.the_load.load_box))
-          (is_zero (inner (map (fun i -> i.low) s.the_load.load_box) z0)))
-        (is_zero (inner s.the_load.load_growth z0))) free)
+          (is_zero0 (inner (map (fun i -> i.low) s.the_load.load_box) z0)))
+        (is_zero0 (inner s.the_load.load_growth z0))) free)
 
 (** val range_sound : degree_proof -> setting -> bool **)
 
@@ -4274,7 +4444,7 @@ type resting = { resting_box : cbox; force_at_rest : vector; answers : matrix }
 
 let good_force b f =
   (&&) ((&&) (has_friction b) (Nat.eqb (length f) (length b.box_weights)))
-    ((||) b.box_signed (is_zero (inner f b.box_normal)))
+    ((||) b.box_signed (is_zero0 (inner f b.box_normal)))
 
 (** val taken :
     'a1 -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list ->
@@ -4403,7 +4573,7 @@ let column n them l =
 (** val reach_holds :
     nat -> interval list -> interval list list -> vector -> bool **)
 
-let reach_holds n left columns reach =
+let reach_holds n left columns0 reach =
   (&&) (Nat.eqb (length reach) n)
     (forallb (fun k ->
       let z0 =
@@ -4416,7 +4586,7 @@ let reach_holds n left columns reach =
         (qle_bool
           (fold_left (fun sum0 l ->
             let d =
-              nth k (nth l columns [])
+              nth k (nth l columns0 [])
                 (exactly { qnum = Big_int_Z.zero_big_int; qden =
                   Big_int_Z.unit_big_int })
             in
@@ -4517,8 +4687,8 @@ let resting_sound lambda r =
     nat -> setting -> resting list -> interval list list -> vector -> q ->
     string option **)
 
-let rest_fails_at n s them columns reach lambda =
-  if negb (reach_holds n (left_over n s them lambda) columns reach)
+let rest_fails_at n s them columns0 reach lambda =
+  if negb (reach_holds n (left_over n s them lambda) columns0 reach)
   then Some "rest-reach"
   else if negb
             ((&&) (forallb (cone_holds reach lambda) them)
@@ -4562,10 +4732,10 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
 
 let unloaded s =
   (&&)
-    (forallb (fun i -> (&&) (is_zero i.low) (is_zero i.high))
+    (forallb (fun i -> (&&) (is_zero0 i.low) (is_zero0 i.high))
       s.the_load.load_box)
     (forallb (fun r ->
-      (&&) (is_zero r.box.box_preload.low) (is_zero r.box.box_preload.high))
+      (&&) (is_zero0 r.box.box_preload.low) (is_zero0 r.box.box_preload.high))
       s.rows)
 
 (** val segment_by_degree_fails :
@@ -4578,7 +4748,7 @@ let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 wa
     match beta with
     | Some _ -> alpha0
     | None ->
-      if is_zero alpha0
+      if is_zero0 alpha0
       then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
       else alpha0
   in
@@ -4708,8 +4878,8 @@ let good_sides x u v =
           ((&&)
             ((&&) (Nat.eqb (length x.r_normal) (S (S (S O))))
               (Nat.eqb (length x.r_slips) (S (S (S O)))))
-            (forallb is_zero (of_rows x.r_normal x.r_slips)))
-          (is_zero (inner x.r_normal u))) (is_zero (inner x.r_normal v)))
+            (forallb is_zero0 (of_rows x.r_normal x.r_slips)))
+          (is_zero0 (inner x.r_normal u))) (is_zero0 (inner x.r_normal v)))
       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int } (inner u v)))
     (negb
@@ -4743,7 +4913,7 @@ let resists_against x y = function
 
 let factor u v =
   let c = qdiv (inner u v) (inner u u) in
-  if (&&) (negb (is_zero c)) (same_vectors v (map (qmult c) u))
+  if (&&) (negb (is_zero0 c)) (same_vectors v (map (qmult c) u))
   then Some c
   else None
 
@@ -4825,7 +4995,7 @@ let slip_children x known d =
   match x.r_slips with
   | [] ->
     let n = x.r_normal in
-    if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n d))))
+    if (||) ((||) (forallb is_zero0 d) (negb (is_zero0 (inner n d))))
          (negb (good_sides x d (cross n d)))
     then Inr "class-slip"
     else (match known with
@@ -4879,7 +5049,7 @@ let slip_children x known d =
                                                                Big_int_Z.unit_big_int }) :: []) :: []) :: [])))
      | _ :: _ ->
        let n = x.r_normal in
-       if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n d))))
+       if (||) ((||) (forallb is_zero0 d) (negb (is_zero0 (inner n d))))
             (negb (good_sides x d (cross n d)))
        then Inr "class-slip"
        else (match known with
@@ -4991,11 +5161,11 @@ let slip_right c ih =
      | Some ss ->
        (&&)
          (match x.r_slips with
-          | [] -> is_zero (inner (snd ih) x.r_normal)
+          | [] -> is_zero0 (inner (snd ih) x.r_normal)
           | _ :: l ->
             (match l with
              | [] -> true
-             | _ :: _ -> is_zero (inner (snd ih) x.r_normal)))
+             | _ :: _ -> is_zero0 (inner (snd ih) x.r_normal)))
          (forallb (fun s ->
            qle_bool { qnum = Big_int_Z.zero_big_int; qden =
              Big_int_Z.unit_big_int } (inner (snd ih) s)) ss)
@@ -5020,7 +5190,7 @@ let rigid_leaf mass w c t y gs hs =
                     Big_int_Z.unit_big_int } t)
                   (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
                     Big_int_Z.unit_big_int } yw))
-                (negb ((&&) (is_zero t) (is_zero yw))))
+                (negb ((&&) (is_zero0 t) (is_zero0 yw))))
               (ascending (count_of c) (Big_int_Z.minus_big_int
                 Big_int_Z.unit_big_int) gs))
             (ascending (count_of c) (Big_int_Z.minus_big_int
@@ -5031,7 +5201,7 @@ let rigid_leaf mass w c t y gs hs =
         | Some b ->
           if b then resists_against (fst p) y (snd p).sides else true
         | None -> resists_against (fst p) y (snd p).sides) c))
-    (forallb is_zero
+    (forallb is_zero0
       (plus_times
         (plus_times
           (plus_times (plus_times [] t w) { qnum = Big_int_Z.unit_big_int;
@@ -5236,11 +5406,11 @@ let force_right x n f =
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } n) (Nat.eqb (length f) (length x.r_slips)))
       (match x.r_slips with
-       | [] -> is_zero (inner f x.r_normal)
+       | [] -> is_zero0 (inner f x.r_normal)
        | _ :: l ->
          (match l with
           | [] -> true
-          | _ :: _ -> is_zero (inner f x.r_normal))))
+          | _ :: _ -> is_zero0 (inner f x.r_normal))))
     (qle_bool (inner f f)
       (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square) (qmult n n)))
 
@@ -5285,7 +5455,7 @@ let force_total w ps =
 (** val balanced : matrix -> vector -> vector -> pressing0 list -> bool **)
 
 let balanced mass w a ps =
-  forallb is_zero
+  forallb is_zero0
     (plus_times (force_total w ps)
       (qopp { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int })
       (map (fun r -> inner r a) mass))
@@ -5302,7 +5472,7 @@ let moves_right a = function
       ((&&)
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } (inner x.r_N a))
-        (is_zero (qmult n (inner x.r_N a))))
+        (is_zero0 (qmult n (inner x.r_N a))))
       (qle_bool power0 { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int }))
     (qeq_bool (qmult power0 power0)
@@ -5348,7 +5518,7 @@ let class_fails most_depth0 mass w xs p =
         (match forces_fail mass w a xs forces with
          | Inl ps ->
            if (&&)
-                ((&&) (negb (forallb is_zero a))
+                ((&&) (negb (forallb is_zero0 a))
                   (Nat.eqb (length a) (length mass)))
                 (forallb (moves_right a) ps)
            then None
@@ -5375,10 +5545,20 @@ let most_depth rows0 =
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     Big_int_Z.unit_big_int))))))))
 
+(** val rows_of : Big_int_Z.big_int -> question -> row list option **)
+
+let rows_of bits0 q0 =
+  match q0.several with
+  | Some its ->
+    (match mechanism_boxes bits0 q0.dimension its q0.contacts with
+     | Some boxes -> Some (map_all make_row boxes)
+     | None -> None)
+  | None -> enlarge_all bits0 q0.contacts
+
 (** val setting_of : Big_int_Z.big_int -> question -> setting option **)
 
 let setting_of bits0 q0 =
-  match enlarge_all bits0 q0.contacts with
+  match rows_of bits0 q0 with
   | Some rows0 ->
     Some
       (make_setting q0.dimension rows0 (make_load q0.wrench q0.direction) [])
@@ -5957,9 +6137,11 @@ let read_index at_path value0 =
 let add_intervals a b =
   { low = (qplus a.low b.low); high = (qplus a.high b.high) }
 
-type grasp = { in_space : bool; all_contacts : contact list;
-               common_wrench : interval list;
-               cases : (string * interval list) list }
+type grasp = { in_space : bool; coordinates_read : nat;
+               bodies_read : mechanism option; names_of_bodies : string list;
+               names_of_joints : string option list;
+               all_contacts : contact list; common_wrench : interval list;
+               has_loads : bool; cases : (string * interval list) list }
 
 (** val most_contacts : Big_int_Z.big_int **)
 
@@ -6507,12 +6689,13 @@ let rec check_names at_path = function
       ((^) "the name \"" ((^) name "\" appears twice"))) (fun _ ->
     check_names at_path rest)
 
-(** val read_cases :
-    version -> path -> json -> (string * interval list) list result **)
+(** val read_list_of_cases :
+    (path -> json -> (string * interval list) result) -> path -> json ->
+    (string * interval list) list result **)
 
-let read_cases v at_path value0 =
+let read_list_of_cases read at_path value0 =
   let what = "an array of one case or more" in
-  bind (read_array what (read_case v) at_path value0) (fun them ->
+  bind (read_array what read at_path value0) (fun them ->
     bind
       (match them with
        | [] -> expected what at_path value0
@@ -6751,6 +6934,8 @@ let read_contact v outline defaults at_path value0 =
              (or_number (or0 own.own_preload defaults.own_preload) { qnum =
                Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
              preload_growth = { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int }; of_body = None; by_body = None;
+             torsion = { qnum = Big_int_Z.zero_big_int; qden =
              Big_int_Z.unit_big_int } }
          | None ->
            refuse at_path
@@ -6763,8 +6948,9 @@ let read_format at_path value0 =
   then Fine true
   else if is_text "stickslip-grasp/1" value0
        then Fine false
-       else expected "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"" at_path
-              value0
+       else expected
+              "\"stickslip-grasp/1\", \"stickslip-grasp/2\" or \"stickslip-grasp/3\""
+              at_path value0
 
 (** val read_any_text : path -> json -> unit result **)
 
@@ -6895,7 +7081,8 @@ let read_grasp value0 =
                     bind (optional_member "loads" (read_loads v) [] members)
                       (fun loads ->
                       bind
-                        (optional_member "cases" (read_cases v) [] members)
+                        (optional_member "cases"
+                          (read_list_of_cases (read_case v)) [] members)
                         (fun named ->
                         bind
                           (check_that
@@ -6924,11 +7111,761 @@ let read_grasp value0 =
                               | Some it -> it
                               | None -> []
                             in
-                            Fine { in_space = v.is_in_space; all_contacts =
-                            them; common_wrench = common; cases =
+                            Fine { in_space = v.is_in_space;
+                            coordinates_read =
+                            (if v.is_in_space
+                             then S (S (S (S (S (S O)))))
+                             else S (S (S O))); bodies_read = None;
+                            names_of_bodies = []; names_of_joints = [];
+                            all_contacts = them; common_wrench = common;
+                            has_loads = false; cases =
                             (map (fun pat ->
                               let (name, w) = pat in
                               (name, (add_wrench w common))) named0) })))))))))))))
+
+type named_body = { name_of : string; link : (nat option * q list) option }
+
+(** val ground : string **)
+
+let ground =
+  "ground"
+
+(** val number_from : string -> named_body list -> nat -> nat option **)
+
+let rec number_from name bodies0 number =
+  match bodies0 with
+  | [] -> None
+  | b :: rest ->
+    if (=) b.name_of name
+    then Some number
+    else number_from name rest (S number)
+
+(** val number_of : string -> named_body list -> nat option **)
+
+let number_of name bodies0 =
+  number_from name bodies0 O
+
+(** val without : string list -> (string * json) list -> json **)
+
+let without names members =
+  Object
+    (filter (fun pat -> let (name, _) = pat in negb (is_among name names))
+      members)
+
+(** val read_axis : version -> path -> json -> q list result **)
+
+let read_axis v at_path value0 =
+  bind (read_point v at_path value0) (fun g ->
+    bind
+      (check_that (negb (forallb is_0 g)) at_path
+        "expected a vector other than 0") (fun _ -> Fine g))
+
+(** val read_slide : version -> path -> json -> q list result **)
+
+let read_slide v at_path value0 =
+  bind (read_axis v at_path value0) (fun g -> Fine
+    (app g
+      (if v.is_in_space
+       then { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+              qden = Big_int_Z.unit_big_int } :: ({ qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } :: []))
+       else { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } :: [])))
+
+(** val read_hinge : version -> path -> json -> q list result **)
+
+let read_hinge v at_path value0 =
+  if v.is_in_space
+  then bind (members_of ("at" :: ("axis" :: [])) at_path value0)
+         (fun members ->
+         bind (member "at" (read_point v) at_path members) (fun c ->
+           bind (member "axis" (read_axis v) at_path members) (fun g ->
+             match c with
+             | [] -> expected "a hinge" at_path value0
+             | cx :: l ->
+               (match l with
+                | [] -> expected "a hinge" at_path value0
+                | cy :: l0 ->
+                  (match l0 with
+                   | [] -> expected "a hinge" at_path value0
+                   | cz :: l1 ->
+                     (match l1 with
+                      | [] ->
+                        (match g with
+                         | [] -> expected "a hinge" at_path value0
+                         | gx :: l2 ->
+                           (match l2 with
+                            | [] -> expected "a hinge" at_path value0
+                            | gy :: l3 ->
+                              (match l3 with
+                               | [] -> expected "a hinge" at_path value0
+                               | gz :: l4 ->
+                                 (match l4 with
+                                  | [] ->
+                                    Fine
+                                      ((qminus (qmult cy gz) (qmult cz gy)) :: (
+                                      (qminus (qmult cz gx) (qmult cx gz)) :: (
+                                      (qminus (qmult cx gy) (qmult cy gx)) :: (gx :: (gy :: (gz :: []))))))
+                                  | _ :: _ ->
+                                    expected "a hinge" at_path value0))))
+                      | _ :: _ -> expected "a hinge" at_path value0))))))
+  else bind (read_point v at_path value0) (fun c ->
+         match c with
+         | [] -> expected "a hinge" at_path value0
+         | x :: l ->
+           (match l with
+            | [] -> expected "a hinge" at_path value0
+            | y :: l0 ->
+              (match l0 with
+               | [] ->
+                 Fine (y :: ((qopp x) :: ({ qnum = Big_int_Z.unit_big_int;
+                   qden = Big_int_Z.unit_big_int } :: [])))
+               | _ :: _ -> expected "a hinge" at_path value0)))
+
+(** val read_on_body :
+    named_body list -> path -> json -> nat option result **)
+
+let read_on_body before at_path value0 =
+  let what = "the name of a body that stands before this one, or \"ground\""
+  in
+  (match value0 with
+   | Text name ->
+     (match number_of name before with
+      | Some number -> Fine (Some number)
+      | None ->
+        if (=) name ground then Fine None else expected what at_path value0)
+   | _ -> expected what at_path value0)
+
+(** val read_named_body :
+    version -> named_body list -> path -> json -> named_body result **)
+
+let read_named_body v before at_path value0 =
+  bind
+    (members_of
+      ("name" :: ("hinge" :: ("slide" :: ("on" :: ("outline" :: ("mesh" :: []))))))
+      at_path value0) (fun members ->
+    bind (member "name" read_name at_path members) (fun name ->
+      bind
+        (check_that (negb ((=) name ground)) ((Member "name") :: at_path)
+          "expected another name than \"ground\"") (fun _ ->
+        bind (optional_member "hinge" (read_hinge v) at_path members)
+          (fun hinge ->
+          bind (optional_member "slide" (read_slide v) at_path members)
+            (fun slide ->
+            bind (optional_member "on" (read_on_body before) at_path members)
+              (fun on ->
+              bind
+                (optional_member "outline" (read_outline v) at_path members)
+                (fun _ ->
+                bind (optional_member "mesh" (read_body v) at_path members)
+                  (fun _ ->
+                  bind
+                    (check_that
+                      (match number_of name before with
+                       | Some _ -> false
+                       | None -> true) at_path
+                      ((^) "the name \"" ((^) name "\" appears twice")))
+                    (fun _ ->
+                    let linked = fun eta -> Fine { name_of = name; link =
+                      (Some ((match on with
+                              | Some it -> it
+                              | None -> None), eta)) }
+                    in
+                    (match hinge with
+                     | Some eta ->
+                       (match slide with
+                        | Some _ ->
+                          refuse at_path
+                            "both \"hinge\" and \"slide\"; give one of them"
+                        | None -> linked eta)
+                     | None ->
+                       (match slide with
+                        | Some eta -> linked eta
+                        | None ->
+                          bind
+                            (check_that
+                              (match on with
+                               | Some _ -> false
+                               | None -> true) ((Member "on") :: at_path)
+                              "expected none, as there is neither a \"hinge\" nor a \"slide\"")
+                            (fun _ -> Fine { name_of = name; link = None }))))))))))))
+
+(** val read_bodies_after :
+    version -> Big_int_Z.big_int -> path -> json list -> named_body list ->
+    named_body list result **)
+
+let rec read_bodies_after v index at_path items before =
+  match items with
+  | [] -> Fine before
+  | item :: rest ->
+    (match read_named_body v before ((Element index) :: at_path) item with
+     | Fine it ->
+       read_bodies_after v (Z.add index Big_int_Z.unit_big_int) at_path rest
+         (app before (it :: []))
+     | Malformed (where_, found, problem) ->
+       Malformed (where_, found, problem))
+
+(** val read_bodies : version -> path -> json -> named_body list result **)
+
+let read_bodies v at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "a list of bodies, of one or more" at_path value0
+   | _ :: _ -> read_bodies_after v Big_int_Z.zero_big_int at_path items [])
+| _ -> expected "a list of bodies, of one or more" at_path value0
+
+type turns_of_links = (string * q) list
+
+(** val read_all_turns :
+    named_body list -> path -> (string * json) list -> turns_of_links result **)
+
+let rec read_all_turns bodies0 at_path = function
+| [] -> Fine []
+| p :: rest ->
+  let (name, value0) = p in
+  let here = (Member name) :: at_path in
+  bind
+    (check_that
+      (existsb (fun b ->
+        (&&) ((=) b.name_of name)
+          (match b.link with
+           | Some _ -> true
+           | None -> false)) bodies0) here
+      "expected a link, which is a body with a \"hinge\" or a \"slide\"")
+    (fun _ ->
+    bind
+      (check_that (negb (has_member name rest)) here
+        "the member appears twice; keep one of them") (fun _ ->
+      bind (read_decimal here value0) (fun c ->
+        bind
+          (check_that (negb (is_0 c)) here "expected a number other than 0")
+          (fun _ ->
+          bind (read_all_turns bodies0 at_path rest) (fun others -> Fine
+            ((name, c) :: others))))))
+
+(** val read_turns :
+    named_body list -> path -> json -> turns_of_links result **)
+
+let read_turns bodies0 at_path value0 = match value0 with
+| Object members ->
+  (match members with
+   | [] ->
+     expected "an object of one number or more, each by the name of a link"
+       at_path value0
+   | _ :: _ -> read_all_turns bodies0 at_path members)
+| _ ->
+  expected "an object of one number or more, each by the name of a link"
+    at_path value0
+
+(** val find_turn : string -> turns_of_links -> q **)
+
+let find_turn name turns =
+  match find (fun pat -> let (other, _) = pat in (=) other name) turns with
+  | Some p -> let (_, c) = p in c
+  | None -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val read_element :
+    version -> bool -> string -> q list -> path -> (string * json) list ->
+    element result **)
+
+let read_element v spring preload_name row0 at_path members =
+  let or_0 = fun it ->
+    match it with
+    | Some i -> i
+    | None ->
+      exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  in
+  bind
+    (if spring
+     then optional_member "stiffness" (read_property v false) at_path members
+     else bind (member "stiffness" (read_property v true) at_path members)
+            (fun k -> Fine (Some k))) (fun k ->
+    bind
+      (optional_member preload_name
+        (if spring then read_interval v else read_property v false) at_path
+        members) (fun p -> Fine { lever = row0; element_spring = spring;
+      element_stiffness = (or_0 k); element_preload = (or_0 p);
+      element_growth = { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } }))
+
+(** val read_text : path -> json -> string result **)
+
+let read_text at_path value0 = match value0 with
+| Text it -> Fine it
+| _ -> expected "a string" at_path value0
+
+(** val read_joint :
+    version -> named_body list -> path -> json -> ((turns_of_links * string
+    option) * (q list -> element result) option) result **)
+
+let read_joint v bodies0 at_path value0 =
+  bind
+    (members_of ("turns" :: ("name" :: ("stiffness" :: ("torque" :: []))))
+      at_path value0) (fun members ->
+    bind (optional_member "name" read_text at_path members) (fun name ->
+      bind (member "turns" (read_turns bodies0) at_path members)
+        (fun turns -> Fine ((turns, name),
+        (if (||) (has_member "stiffness" members)
+              (has_member "torque" members)
+         then Some (fun row0 ->
+                read_element v true "torque" row0 at_path members)
+         else None)))))
+
+(** val sum_of : q list list -> nat -> q list **)
+
+let sum_of rows0 count0 =
+  fold_left (fun sum0 row0 ->
+    map (fun pat -> let (a, b) = pat in qplus a b) (combine sum0 row0)) rows0
+    (repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+      count0)
+
+(** val read_over :
+    version -> named_body list -> (string -> q list) -> nat -> bool -> string
+    -> path -> json -> element result **)
+
+let read_over v bodies0 turned0 count0 spring preload_name at_path value0 =
+  bind
+    (members_of ("over" :: ("name" :: ("stiffness" :: (preload_name :: []))))
+      at_path value0) (fun members ->
+    bind (optional_member "name" read_any_text at_path members) (fun _ ->
+      bind (member "over" (read_turns bodies0) at_path members) (fun over0 ->
+        let row0 =
+          sum_of
+            (map (fun pat ->
+              let (name, r) = pat in map (qmult r) (turned0 name)) over0)
+            count0
+        in
+        bind
+          (check_that
+            (negb
+              (forallb (fun x ->
+                qeq_bool x { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }) row0)) ((Member
+            "over") :: at_path)
+            "expected links that some joint turns, so that its length changes")
+          (fun _ -> read_element v spring preload_name row0 at_path members))))
+
+(** val read_load_on_body :
+    version -> named_body list -> q list list list -> path -> json ->
+    interval list result **)
+
+let read_load_on_body v bodies0 units at_path value0 = match value0 with
+| Object members ->
+  bind
+    (check_members
+      ("body" :: ("wrench" :: ("force" :: ("at" :: ("weight" :: ("direction" :: ("torque" :: [])))))))
+      at_path members) (fun _ ->
+    let read_known = fun at_path0 value1 ->
+      match value1 with
+      | Text name ->
+        (match number_of name bodies0 with
+         | Some number -> Fine number
+         | None -> expected "the name of one of \"bodies\"" at_path0 value1)
+      | _ -> expected "the name of one of \"bodies\"" at_path0 value1
+    in
+    bind (member "body" read_known at_path members) (fun b ->
+      let motions = map (fun ms -> nth b ms []) units in
+      if has_member "wrench" members
+      then bind (members_of ("body" :: ("wrench" :: [])) at_path value0)
+             (fun members0 ->
+             let is_link =
+               match nth_error bodies0 b with
+               | Some it ->
+                 (match it.link with
+                  | Some _ -> true
+                  | None -> false)
+               | None -> true
+             in
+             bind
+               (check_that (negb is_link) at_path
+                 "the body is a link, which takes a force, a weight or a torque, but no wrench")
+               (fun _ ->
+               bind (member "wrench" (read_wrench v) at_path members0)
+                 (fun w -> Fine
+                 (map (fun motion -> { low =
+                   (dot_q (map (fun i -> i.low) w) motion); high =
+                   (dot_q (map (fun i -> i.high) w) motion) }) motions))))
+      else bind (read_load v at_path (without ("body" :: []) members))
+             (fun w -> Fine
+             (map (fun motion -> exactly (dot_q w motion)) motions))))
+| _ -> expected "an object {...}" at_path value0
+
+(** val no_load : nat -> interval list **)
+
+let no_load count0 =
+  repeat
+    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    count0
+
+(** val read_state_wrench :
+    version -> nat -> path -> json -> interval list result **)
+
+let read_state_wrench v count0 at_path value0 =
+  read_sized (Z.of_nat count0) "an array of a number for each coordinate"
+    (read_interval v) at_path value0
+
+(** val read_loads_on_bodies :
+    nat -> (path -> json -> interval list result) -> path -> json -> interval
+    list result **)
+
+let read_loads_on_bodies count0 read_one at_path value0 =
+  bind (read_array "an array of loads" read_one at_path value0) (fun loads ->
+    Fine (fold_left add_wrench loads (no_load count0)))
+
+(** val read_case_of_bodies :
+    (path -> json -> interval list result) -> (path -> json -> interval list
+    result) -> path -> json -> (string * interval list) result **)
+
+let read_case_of_bodies read_w read_l at_path value0 =
+  bind (members_of ("name" :: ("wrench" :: ("loads" :: []))) at_path value0)
+    (fun members ->
+    bind (member "name" read_name at_path members) (fun name ->
+      bind (optional_member "wrench" read_w at_path members) (fun own ->
+        bind (optional_member "loads" read_l at_path members) (fun loads ->
+          match own with
+          | Some w ->
+            (match loads with
+             | Some _ ->
+               refuse at_path
+                 "expected one of the members \"wrench\" and \"loads\""
+             | None -> Fine (name, w))
+          | None ->
+            (match loads with
+             | Some w -> Fine (name, w)
+             | None ->
+               refuse at_path
+                 "expected one of the members \"wrench\" and \"loads\"")))))
+
+(** val read_torsion : version -> path -> json -> q result **)
+
+let read_torsion v at_path value0 =
+  bind
+    (check_that v.is_in_space at_path
+      "expected none, as the grasp is in the plane") (fun _ ->
+    bind (read_decimal at_path value0) (fun e ->
+      bind
+        (check_that
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } e) at_path
+          "expected a number of 0 or more") (fun _ -> Fine e)))
+
+(** val read_contact_of_bodies :
+    version -> named_body list -> properties -> q -> path -> json -> contact
+    result **)
+
+let read_contact_of_bodies v bodies0 defaults soft0 at_path value0 =
+  bind
+    (members_of
+      ("of" :: ("by" :: ("torsion" :: ("position" :: ("normal" :: ("friction" :: ("stiffness" :: ("preload" :: []))))))))
+      at_path value0) (fun members ->
+    let known = fun at_path0 value1 ->
+      match value1 with
+      | Text name ->
+        (match number_of name bodies0 with
+         | Some number -> Fine (Some number)
+         | None -> expected "the name of one of \"bodies\"" at_path0 value1)
+      | _ -> expected "the name of one of \"bodies\"" at_path0 value1
+    in
+    let other = fun at_path0 value1 ->
+      match value1 with
+      | Text name ->
+        if (=) name ground then Fine None else known at_path0 value1
+      | _ -> known at_path0 value1
+    in
+    bind (member "of" known at_path members) (fun of_ ->
+      bind (optional_member "by" other at_path members) (fun by_0 ->
+        let by_1 = match by_0 with
+                   | Some it -> it
+                   | None -> None in
+        bind
+          (check_that
+            (match of_ with
+             | Some a ->
+               (match by_1 with
+                | Some b -> negb (Nat.eqb a b)
+                | None -> true)
+             | None -> true) ((Member "by") :: at_path)
+            "expected another body than \"of\"") (fun _ ->
+          bind (optional_member "torsion" (read_torsion v) at_path members)
+            (fun e ->
+            bind
+              (read_contact v [] defaults at_path
+                (without ("of" :: ("by" :: ("torsion" :: []))) members))
+              (fun it -> Fine { position = it.position; normal = it.normal;
+              slope = it.slope; friction = it.friction; stiffness =
+              it.stiffness; preload = it.preload; preload_growth =
+              it.preload_growth; of_body = of_; by_body = by_1; torsion =
+              (match e with
+               | Some e0 -> e0
+               | None -> soft0) }))))))
+
+(** val read_defaults_of_bodies :
+    version -> path -> json -> (properties * q) result **)
+
+let read_defaults_of_bodies v at_path value0 =
+  bind
+    (members_of
+      ("friction" :: ("stiffness" :: ("preload" :: ("torsion" :: []))))
+      at_path value0) (fun members ->
+    bind (optional_member "torsion" (read_torsion v) at_path members)
+      (fun e ->
+      bind (read_properties v at_path members) (fun them -> Fine (them,
+        (match e with
+         | Some e0 -> e0
+         | None ->
+           { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })))))
+
+(** val number_bodies :
+    nat -> nat -> named_body list -> (string -> q list) -> rigid_body list **)
+
+let rec number_bodies size0 next0 bodies0 turned0 =
+  match bodies0 with
+  | [] -> []
+  | b :: rest ->
+    (match b.link with
+     | Some p ->
+       let (on, eta) = p in
+       (Link (on, eta,
+       (turned0 b.name_of))) :: (number_bodies size0 next0 rest turned0)
+     | None ->
+       (Free next0) :: (number_bodies size0 (add next0 size0) rest turned0))
+
+(** val names_of_body : version -> named_body -> string list **)
+
+let names_of_body v b =
+  match b.link with
+  | Some _ -> []
+  | None ->
+    map (fun way0 -> (^) b.name_of way0)
+      (if v.is_in_space
+       then " x" :: (" y" :: (" z" :: (" turn x" :: (" turn y" :: (" turn z" :: [])))))
+       else " x" :: (" y" :: (" turn" :: [])))
+
+(** val most_coordinates : Big_int_Z.big_int **)
+
+let most_coordinates =
+  (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    Big_int_Z.unit_big_int))))
+
+(** val listed_member :
+    string -> (path -> json -> 'a1 result) -> (string * json) list -> 'a1
+    list result **)
+
+let listed_member name read members =
+  bind (optional_member name (read_array "an array" read) [] members)
+    (fun them -> Fine (match them with
+                       | Some it -> it
+                       | None -> []))
+
+(** val read_springs :
+    q list list -> (q list -> element result) option list -> element list
+    result **)
+
+let rec read_springs levers joints =
+  match levers with
+  | [] -> Fine []
+  | row0 :: levers0 ->
+    (match joints with
+     | [] -> Fine []
+     | o :: joints0 ->
+       (match o with
+        | Some read ->
+          bind (read row0) (fun it ->
+            bind (read_springs levers0 joints0) (fun others -> Fine
+              (it :: others)))
+        | None -> read_springs levers0 joints0))
+
+(** val read_grasp_of_bodies : json -> grasp result **)
+
+let read_grasp_of_bodies value0 =
+  bind
+    (members_of
+      ("format" :: ("bodies" :: ("contacts" :: ("name" :: ("units" :: ("defaults" :: ("joints" :: ("tendons" :: ("ratchets" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))))
+      [] value0) (fun members ->
+    let v = { is_second = true; is_in_space =
+      (match find_member "contacts" members with
+       | Some j ->
+         (match j with
+          | Array items ->
+            (match items with
+             | [] -> false
+             | j0 :: _ ->
+               (match j0 with
+                | Object first ->
+                  is_array
+                    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                    Big_int_Z.unit_big_int) (find_member "position" first)
+                | _ -> false))
+          | _ -> false)
+       | None -> false) }
+    in
+    let size0 = if v.is_in_space then S (S (S (S (S (S O))))) else S (S (S O))
+    in
+    bind (optional_member "name" read_any_text [] members) (fun _ ->
+      bind (optional_member "units" read_units [] members) (fun _ ->
+        bind (member "bodies" (read_bodies v) [] members) (fun bodies0 ->
+          bind (listed_member "joints" (read_joint v bodies0) members)
+            (fun joints ->
+            bind
+              (check_that
+                (forallb (fun b ->
+                  match b.link with
+                  | Some _ ->
+                    existsb (fun pat ->
+                      let (y, _) = pat in
+                      let (turns, _) = y in
+                      existsb (fun pat0 ->
+                        let (name, _) = pat0 in (=) name b.name_of) turns)
+                      joints
+                  | None -> true) bodies0) ((Member "bodies") :: [])
+                "a link that no joint turns; expected its name in \"turns\" of one of \"joints\"")
+              (fun _ ->
+              let own =
+                mul size0
+                  (length
+                    (filter (fun b ->
+                      match b.link with
+                      | Some _ -> false
+                      | None -> true) bodies0))
+              in
+              let count0 = add own (length joints) in
+              bind
+                (check_that (Z.leb (Z.of_nat count0) most_coordinates)
+                  ((Member "bodies") :: []) "more than 30 coordinates")
+                (fun _ ->
+                let turned0 = fun name ->
+                  app
+                    (repeat { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int } own)
+                    (map (fun pat ->
+                      let (y, _) = pat in
+                      let (turns, _) = y in find_turn name turns) joints)
+                in
+                let levers =
+                  map (fun q0 ->
+                    app
+                      (repeat { qnum = Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int } (add own q0)) ({ qnum =
+                      Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int } :: (repeat { qnum =
+                                                    Big_int_Z.zero_big_int;
+                                                    qden =
+                                                    Big_int_Z.unit_big_int }
+                                                    (sub
+                                                      (sub (sub count0 own)
+                                                        q0) (S O)))))
+                    (seq O (length joints))
+                in
+                bind
+                  (listed_member "ratchets"
+                    (read_over v bodies0 turned0 count0 false "preload")
+                    members) (fun ratchets ->
+                  bind
+                    (read_springs levers
+                      (map (fun pat -> let (_, spring) = pat in spring)
+                        joints)) (fun springs ->
+                    bind
+                      (listed_member "tendons"
+                        (read_over v bodies0 turned0 count0 true "tension")
+                        members) (fun tendons ->
+                      let its = { bodies_in_space = v.is_in_space; bodies =
+                        (number_bodies size0 O bodies0 turned0); elements =
+                        (app ratchets (app springs tendons)) }
+                      in
+                      bind
+                        (optional_member "defaults"
+                          (read_defaults_of_bodies v) [] members)
+                        (fun defaults ->
+                        let (defaults0, soft0) =
+                          match defaults with
+                          | Some it -> it
+                          | None ->
+                            ({ own_friction = None; own_stiffness = None;
+                              own_preload = None }, { qnum =
+                              Big_int_Z.zero_big_int; qden =
+                              Big_int_Z.unit_big_int })
+                        in
+                        let read_contacts = fun at_path value1 ->
+                          match value1 with
+                          | Array items ->
+                            bind
+                              (check_that
+                                (negb (is_longer_than most_contacts items))
+                                at_path "too many contacts") (fun _ ->
+                              each
+                                (read_contact_of_bodies v bodies0 defaults0
+                                  soft0) at_path items)
+                          | _ ->
+                            expected "an array of contacts" at_path value1
+                        in
+                        bind (member "contacts" read_contacts [] members)
+                          (fun them ->
+                          let read_w = read_state_wrench v count0 in
+                          let read_l =
+                            read_loads_on_bodies count0
+                              (read_load_on_body v bodies0
+                                (unit_motions count0 its))
+                          in
+                          bind (optional_member "wrench" read_w [] members)
+                            (fun own_wrench ->
+                            bind (optional_member "loads" read_l [] members)
+                              (fun loads ->
+                              bind
+                                (check_that
+                                  (negb
+                                    ((&&) (has_member "wrench" members)
+                                      (has_member "loads" members))) []
+                                  "both \"wrench\" and \"loads\"; give one of them")
+                                (fun _ ->
+                                let common =
+                                  match own_wrench with
+                                  | Some w -> w
+                                  | None ->
+                                    (match loads with
+                                     | Some w -> w
+                                     | None -> no_load count0)
+                                in
+                                bind
+                                  (optional_member "cases"
+                                    (read_list_of_cases
+                                      (read_case_of_bodies read_w read_l)) []
+                                    members) (fun named ->
+                                  let named0 =
+                                    match named with
+                                    | Some it -> it
+                                    | None -> []
+                                  in
+                                  Fine { in_space = v.is_in_space;
+                                  coordinates_read = count0; bodies_read =
+                                  (Some its); names_of_bodies =
+                                  (concat (map (names_of_body v) bodies0));
+                                  names_of_joints =
+                                  (map (fun pat ->
+                                    let (y, _) = pat in
+                                    let (_, name) = y in name) joints);
+                                  all_contacts = them; common_wrench =
+                                  common; has_loads =
+                                  ((||) (has_member "wrench" members)
+                                    (has_member "loads" members)); cases =
+                                  (map (fun pat ->
+                                    let (name, w) = pat in
+                                    (name, (add_wrench w common))) named0) }))))))))))))))))
+
+(** val read_file : json -> grasp result **)
+
+let read_file value0 = match value0 with
+| Object members ->
+  (match find_member "format" members with
+   | Some format ->
+     if is_text "stickslip-grasp/3" format
+     then read_grasp_of_bodies value0
+     else read_grasp value0
+   | None -> read_grasp value0)
+| _ -> read_grasp value0
 
 type tolerance = { amount : q; percent : bool }
 
@@ -6993,8 +7930,10 @@ let in_full numbers0 = match numbers0 with
                       Big_int_Z.unit_big_int } :: [])))
                   | _ :: _ -> numbers0))))))
 
-type posed = { the_question : question; stated_wrench : interval list;
-               the_options : options; is_box : bool }
+type posed = { the_question : question; free_coordinates : string list;
+               joint_coordinates : string option list;
+               stated_wrench : interval list; the_options : options;
+               is_box : bool }
 
 (** val of_question : string -> path **)
 
@@ -7009,21 +7948,18 @@ let find_tolerance kind asked =
   | Some p -> let (_, it) = p in Some it
   | None -> None
 
-(** val check_dimension : bool -> string -> q list option -> unit result **)
+(** val check_dimension : grasp -> string -> q list option -> unit result **)
 
-let check_dimension in_space0 part0 = function
+let check_dimension file part0 = function
 | Some v ->
-  check_that
-    (has_length
-      (if in_space0
-       then (Big_int_Z.mult_int_big_int 2
-              ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-              Big_int_Z.unit_big_int))
-       else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-              Big_int_Z.unit_big_int)) v) (of_question part0)
-    (if in_space0
-     then "expected 6 numbers, as the grasp is in space"
-     else "expected 3 numbers, as the grasp is planar")
+  check_that (Nat.eqb (length v) file.coordinates_read) (of_question part0)
+    (match file.bodies_read with
+     | Some _ ->
+       "expected a number for each coordinate of the bodies and joints"
+     | None ->
+       if file.in_space
+       then "expected 6 numbers, as the grasp is in space"
+       else "expected 3 numbers, as the grasp is planar")
 | None -> Fine ()
 
 (** val wrench_asked : grasp -> options -> interval list result **)
@@ -7052,14 +7988,16 @@ let wrench_asked file asked =
                exactly { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int }) d)
          | None ->
-           (match file.cases with
-            | [] -> Fine file.common_wrench
-            | p :: _ ->
-              let (name, _) = p in
-              refuse here
-                ((^)
-                  "the grasp has cases, and none is chosen; expected the name of one, such as \""
-                  ((^) name "\""))))))
+           if file.has_loads
+           then Fine file.common_wrench
+           else (match file.cases with
+                 | [] -> Fine file.common_wrench
+                 | p :: _ ->
+                   let (name, _) = p in
+                   refuse here
+                     ((^)
+                       "the grasp has cases, and none is chosen; expected the name of one, such as \""
+                       ((^) name "\""))))))
 
 (** val widen : tolerance option -> interval -> interval **)
 
@@ -7095,7 +8033,17 @@ let asked_contact asked it =
    | Some t -> qplus it.slope t.amount
    | None -> it.slope); friction = (widen (by_0 "friction") it.friction);
   stiffness = (widen (by_0 "stiffness") it.stiffness); preload =
-  (widen (by_0 "preload") given); preload_growth = it.preload_growth }
+  (widen (by_0 "preload") given); preload_growth = it.preload_growth;
+  of_body = it.of_body; by_body = it.by_body; torsion = it.torsion }
+
+(** val asked_element : options -> element -> element **)
+
+let asked_element asked it =
+  { lever = it.lever; element_spring = it.element_spring; element_stiffness =
+    (widen (find_tolerance "stiffness" asked) it.element_stiffness);
+    element_preload =
+    (widen (find_tolerance "preload" asked) it.element_preload);
+    element_growth = it.element_growth }
 
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
@@ -7142,7 +8090,7 @@ let has_irrational_preload it =
 
 (** val check_contact : bool -> bool -> path -> contact -> bool result **)
 
-let check_contact margin in_space0 at_path it =
+let check_contact margin claims at_path it =
   let here = fun name -> (Member name) :: at_path in
   bind
     (check_that
@@ -7165,50 +8113,87 @@ let check_contact margin in_space0 at_path it =
               Big_int_Z.unit_big_int }) (here "normal")
             "expected a slope below 1") (fun _ ->
           bind
-            (check_that ((||) (negb margin) (is_one_point it)) at_path
-              "found an interval, but a margin is about one grasp; expected numbers")
+            (check_that ((||) (is_0 it.slope) (is_0 it.torsion))
+              (here "normal") "expected no slope, as the contact has torsion")
             (fun _ ->
-            let irrational = has_irrational_preload it in
             bind
-              (check_that
-                (negb ((&&) ((&&) irrational margin) (negb in_space0)))
-                (here "normal")
-                ((^)
-                  "the contact has a preload and a normal of irrational length, so there is no exact "
-                  "question; run stickslip snap GRASP -o FILE, and ask about FILE"))
-              (fun _ -> Fine ((||) irrational (negb (is_one_point it)))))))))
+              (check_that ((||) (negb margin) (is_one_point it)) at_path
+                "found an interval, but a margin is about one grasp; expected numbers")
+              (fun _ ->
+              let irrational = has_irrational_preload it in
+              bind
+                (check_that
+                  (negb ((&&) ((&&) irrational margin) (negb claims)))
+                  (here "normal")
+                  ((^)
+                    "the contact has a preload and a normal of irrational length, so there is no exact "
+                    "question; run stickslip snap GRASP -o FILE, and ask about FILE"))
+                (fun _ -> Fine ((||) irrational (negb (is_one_point it))))))))))
+
+(** val check_element : bool -> path -> element -> bool result **)
+
+let check_element margin at_path it =
+  let spring = it.element_spring in
+  let k = it.element_stiffness.low in
+  bind
+    (check_that
+      ((||) spring
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } it.element_preload.low)) at_path
+      "the preload may be below 0; expected 0 or more") (fun _ ->
+    bind
+      (check_that
+        (if spring
+         then qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } k
+         else is_below { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } k) at_path
+        "the stiffness may be too small; expected above 0, of a spring 0 or more")
+      (fun _ ->
+      let certain0 =
+        (&&) (is_exact it.element_stiffness) (is_exact it.element_preload)
+      in
+      bind
+        (check_that ((||) (negb margin) certain0) at_path
+          "found an interval, but a margin is about one grasp; expected numbers")
+        (fun _ -> Fine (negb certain0))))
+
+(** val with_growth : interval -> q -> contact -> contact **)
+
+let with_growth p u it =
+  { position = it.position; normal = it.normal; slope = it.slope; friction =
+    it.friction; stiffness = it.stiffness; preload = p; preload_growth = u;
+    of_body = it.of_body; by_body = it.by_body; torsion = it.torsion }
+
+(** val element_with_growth : interval -> q -> element -> element **)
+
+let element_with_growth p u it =
+  { lever = it.lever; element_spring = it.element_spring; element_stiffness =
+    it.element_stiffness; element_preload = p; element_growth = u }
 
 (** val with_growths :
-    contact list -> q list -> contact list -> contact list option **)
+    ('a1 -> q -> 'a1) -> 'a1 list -> q list -> 'a1 list -> ('a1 list * q
+    list) option **)
 
-let rec with_growths contacts0 numbers0 done0 =
-  match contacts0 with
-  | [] ->
-    (match numbers0 with
-     | [] -> Some (rev_append done0 [])
-     | _ :: _ -> None)
+let rec with_growths grown items numbers0 done0 =
+  match items with
+  | [] -> Some ((rev_append done0 []), numbers0)
   | it :: others ->
     (match numbers0 with
      | [] -> None
-     | p :: rest ->
-       with_growths others rest ({ position = it.position; normal =
-         it.normal; slope = it.slope; friction = it.friction; stiffness =
-         it.stiffness; preload = it.preload; preload_growth = p } :: done0))
-
-(** val scaled : contact -> contact **)
-
-let scaled it =
-  { position = it.position; normal = it.normal; slope = it.slope; friction =
-    it.friction; stiffness = it.stiffness; preload =
-    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
-    preload_growth = it.preload.low }
+     | p :: rest -> with_growths grown others rest ((grown it p) :: done0))
 
 (** val pose : grasp -> options -> posed result **)
 
 let pose file asked =
-  bind (check_dimension file.in_space "wrench" asked.asked_wrench) (fun _ ->
-    bind (check_dimension file.in_space "direction" asked.asked_direction)
-      (fun _ ->
+  let claims =
+    (||) file.in_space
+      (match file.bodies_read with
+       | Some _ -> true
+       | None -> false)
+  in
+  bind (check_dimension file "wrench" asked.asked_wrench) (fun _ ->
+    bind (check_dimension file "direction" asked.asked_direction) (fun _ ->
       bind
         (check_that
           (match asked.asked_preload with
@@ -7220,119 +8205,184 @@ let pose file asked =
         bind (wrench_asked file asked) (fun stated ->
           bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
             let them = map_all (asked_contact asked) file.all_contacts in
+            let others =
+              match file.bodies_read with
+              | Some its -> map_all (asked_element asked) its.elements
+              | None -> []
+            in
             bind
               (match asked.asked_growth with
                | Some g ->
                  (match g with
-                  | Scale -> Fine them
+                  | Scale -> Fine (them, others)
                   | By numbers0 ->
                     let problem =
-                      "expected numbers of 0 or more, one for each contact"
+                      "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
                     in
-                    bind
-                      (check_that
-                        (forallb
-                          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                            Big_int_Z.unit_big_int }) numbers0)
-                        (of_question "preload direction") problem) (fun _ ->
-                      match with_growths them numbers0 [] with
-                      | Some them0 -> Fine them0
-                      | None ->
-                        refuse (of_question "preload direction") problem))
-               | None -> Fine them) (fun them0 ->
+                    let wrong =
+                      refuse (of_question "preload direction") problem
+                    in
+                    (match with_growths (fun it p ->
+                             with_growth it.preload p it) them numbers0 [] with
+                     | Some p ->
+                       let (them0, rest) = p in
+                       (match with_growths (fun it p0 ->
+                                element_with_growth it.element_preload p0 it)
+                                others rest [] with
+                        | Some p0 ->
+                          let (others0, l) = p0 in
+                          (match l with
+                           | [] ->
+                             bind
+                               (check_that
+                                 ((&&)
+                                   (forallb (fun it ->
+                                     qle_bool { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int }
+                                       it.preload_growth) them0)
+                                   (forallb (fun it ->
+                                     (||) it.element_spring
+                                       (qle_bool { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int }
+                                         it.element_growth)) others0))
+                                 (of_question "preload direction") problem)
+                               (fun _ -> Fine (them0, others0))
+                           | _ :: _ -> wrong)
+                        | None -> wrong)
+                     | None -> wrong))
+               | None -> Fine (them, others)) (fun pat ->
+              let (them0, others0) = pat in
               bind
                 (match asked.asked_inertia with
                  | Some numbers0 ->
                    let here = of_question "inertia" in
                    bind
-                     (check_that (negb (asks_margin asked)) here
-                       "a direction is given as well") (fun _ ->
+                     (check_that
+                       (match file.bodies_read with
+                        | Some _ -> false
+                        | None -> true) here
+                       "the grasp is of several bodies; expected a question about a wrench or a direction")
+                     (fun _ ->
                      bind
-                       (check_that
-                         (has_length
+                       (check_that (negb (asks_margin asked)) here
+                         "a direction is given as well") (fun _ ->
+                       bind
+                         (check_that
+                           (has_length
+                             (if file.in_space
+                              then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                     (Big_int_Z.mult_int_big_int 2
+                                     (Big_int_Z.mult_int_big_int 2
+                                     Big_int_Z.unit_big_int)))
+                              else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                     Big_int_Z.unit_big_int)) numbers0) here
                            (if file.in_space
-                            then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                   (Big_int_Z.mult_int_big_int 2
-                                   (Big_int_Z.mult_int_big_int 2
-                                   Big_int_Z.unit_big_int)))
-                            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                   Big_int_Z.unit_big_int)) numbers0) here
-                         (if file.in_space
-                          then "expected 6 or 9 numbers"
-                          else "expected 3 numbers")) (fun _ ->
-                       check_that
-                         (match masses numbers0 with
-                          | Some _ -> true
-                          | None -> false) here
-                         (if file.in_space
-                          then "the tensor is not positive definite"
-                          else "the squared radius of gyration must be > 0")))
+                            then "expected 6 or 9 numbers"
+                            else "expected 3 numbers")) (fun _ ->
+                         check_that
+                           (match masses numbers0 with
+                            | Some _ -> true
+                            | None -> false) here
+                           (if file.in_space
+                            then "the tensor is not positive definite"
+                            else "the squared radius of gyration must be > 0"))))
                  | None -> Fine ()) (fun _ ->
                 let margin = (||) (asks_margin asked) (asks_class asked) in
                 bind
-                  (each (check_contact margin file.in_space) ((Member
+                  (each (check_contact margin claims) ((Member
                     "contacts") :: []) them0) (fun boxes ->
-                  let widened =
-                    map (widen (find_tolerance "wrench" asked)) stated
-                  in
-                  let certain0 = forallb is_exact widened in
                   bind
-                    (check_that ((||) (negb margin) certain0) ((Member
-                      "wrench") :: [])
-                      "found an interval, but a margin is about one grasp; expected numbers")
-                    (fun _ ->
-                    let them1 =
-                      match asked.asked_growth with
-                      | Some g ->
-                        (match g with
-                         | Scale -> map_all scaled them0
-                         | By _ -> them0)
-                      | None -> them0
+                    (each (check_element margin) ((Member
+                      "ratchets and springs") :: []) others0)
+                    (fun other_boxes ->
+                    let widened =
+                      map (widen (find_tolerance "wrench" asked)) stated
                     in
-                    let u =
-                      match asked.asked_direction with
-                      | Some u -> u
-                      | None ->
-                        map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
-                          Big_int_Z.unit_big_int }) stated
-                    in
+                    let certain0 = forallb is_exact widened in
                     bind
-                      (check_that
-                        ((||)
-                          ((||) (negb (asks_margin asked))
-                            (negb (forallb is_0 u)))
-                          (existsb (fun it -> negb (is_0 it.preload_growth))
-                            them1)) (of_question "direction")
-                        ((^)
-                          "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                          "scale preloads some of which are not 0"))
-                      (fun _ -> Fine { the_question = { dimension =
-                      (if file.in_space
-                       then S (S (S (S (S (S O)))))
-                       else S (S (S O))); bilateral = asked.asked_bilateral;
-                      is_margin = (asks_margin asked); contacts = them1;
-                      wrench = widened; direction = u; inertia =
-                      (match asked.asked_inertia with
-                       | Some numbers0 -> numbers0
-                       | None -> []) }; stated_wrench = stated; the_options =
-                      asked; is_box =
-                      ((||) (negb certain0)
-                        (existsb (fun box0 -> box0) boxes)) }))))))))))
+                      (check_that ((||) (negb margin) certain0) ((Member
+                        "wrench") :: [])
+                        "found an interval, but a margin is about one grasp; expected numbers")
+                      (fun _ ->
+                      let scales =
+                        match asked.asked_growth with
+                        | Some g ->
+                          (match g with
+                           | Scale -> true
+                           | By _ -> false)
+                        | None -> false
+                      in
+                      let them1 =
+                        if scales
+                        then map_all (fun it ->
+                               with_growth
+                                 (exactly { qnum = Big_int_Z.zero_big_int;
+                                   qden = Big_int_Z.unit_big_int })
+                                 it.preload.low it) them0
+                        else them0
+                      in
+                      let others1 =
+                        if scales
+                        then map_all (fun it ->
+                               element_with_growth
+                                 (exactly { qnum = Big_int_Z.zero_big_int;
+                                   qden = Big_int_Z.unit_big_int })
+                                 it.element_preload.low it) others0
+                        else others0
+                      in
+                      let u =
+                        match asked.asked_direction with
+                        | Some u -> u
+                        | None ->
+                          map (fun _ -> { qnum = Big_int_Z.zero_big_int;
+                            qden = Big_int_Z.unit_big_int }) stated
+                      in
+                      bind
+                        (check_that
+                          ((||)
+                            ((||)
+                              ((||) (negb (asks_margin asked))
+                                (negb (forallb is_0 u)))
+                              (existsb (fun it ->
+                                negb (is_0 it.preload_growth)) them1))
+                            (existsb (fun it ->
+                              negb (is_0 it.element_growth)) others1))
+                          (of_question "direction")
+                          ((^)
+                            "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                            "scale preloads some of which are not 0"))
+                        (fun _ -> Fine { the_question = { dimension =
+                        file.coordinates_read; bilateral =
+                        asked.asked_bilateral; is_margin =
+                        (asks_margin asked); contacts = them1; wrench =
+                        widened; direction = u; inertia =
+                        (match asked.asked_inertia with
+                         | Some numbers0 -> numbers0
+                         | None -> []); several =
+                        (match file.bodies_read with
+                         | Some its ->
+                           Some { bodies_in_space = its.bodies_in_space;
+                             bodies = its.bodies; elements = others1 }
+                         | None -> None) }; free_coordinates =
+                        file.names_of_bodies; joint_coordinates =
+                        file.names_of_joints; stated_wrench = stated;
+                        the_options = asked; is_box =
+                        ((||) (negb certain0)
+                          (existsb (fun box0 -> box0) (app boxes other_boxes))) })))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool; of_class : bool }
+type shape = { spatial : bool; of_bodies : bool;
+               size_of_twist : Big_int_Z.big_int; soft : bool list;
+               of_margin : bool; of_class : bool }
 
-(** val size_of_twist : shape -> Big_int_Z.big_int **)
+(** val of_claims : shape -> bool **)
 
-let size_of_twist s =
-  if s.spatial
-  then (Big_int_Z.mult_int_big_int 2
-         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-         Big_int_Z.unit_big_int))
-  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-         Big_int_Z.unit_big_int)
+let of_claims s =
+  (||) s.spatial s.of_bodies
 
 (** val read_numbers : Big_int_Z.big_int -> path -> json -> q list result **)
 
@@ -7352,7 +8402,7 @@ let read_numbers count0 =
 (** val read_twist : shape -> path -> json -> q list result **)
 
 let read_twist s =
-  read_numbers (size_of_twist s)
+  read_numbers s.size_of_twist
 
 (** val read_or_null : path -> json -> q option result **)
 
@@ -7474,21 +8524,14 @@ let read_inertia in_space0 at_path value0 =
         (if in_space0 then "expected 6 or 9 numbers" else "expected 3 numbers"))
       (fun _ -> Fine (in_full numbers0)))
 
-(** val read_statement : bool -> path -> json -> statement result **)
+(** val read_statement : shape -> path -> json -> statement result **)
 
-let read_statement in_space0 at_path value0 =
+let read_statement s at_path value0 =
   bind
     (members_in_order
       ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: ("inertia" :: ("uncertain" :: []))))))))
       at_path value0) (fun members ->
-    let count0 =
-      if in_space0
-      then (Big_int_Z.mult_int_big_int 2
-             ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-             Big_int_Z.unit_big_int))
-      else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-             Big_int_Z.unit_big_int)
-    in
+    let count0 = s.size_of_twist in
     bind (member "contacts" read_index at_path members) (fun m ->
       bind
         (member "wrench"
@@ -7504,19 +8547,25 @@ let read_statement in_space0 at_path value0 =
                 (optional_member "preload_direction" read_growth at_path
                   members) (fun growing ->
                 bind
-                  (optional_member "inertia" (read_inertia in_space0) at_path
-                    members) (fun i ->
+                  (check_that
+                    (negb ((&&) s.of_bodies (has_member "inertia" members)))
+                    ((Member "inertia") :: at_path)
+                    "expected none, of a question about several bodies")
+                  (fun _ ->
                   bind
-                    (optional_member "uncertain" read_tolerances at_path
-                      members) (fun uncertain -> Fine { stated_contacts = m;
-                    wrench_stated = w; options_stated = { asked_wrench =
-                    None; asked_case = None; asked_preload = p;
-                    asked_bilateral = law; asked_direction = u;
-                    asked_growth = growing; asked_inertia = i;
-                    asked_uncertain =
-                    (match uncertain with
-                     | Some it -> it
-                     | None -> []) } })))))))))
+                    (optional_member "inertia" (read_inertia s.spatial)
+                      at_path members) (fun i ->
+                    bind
+                      (optional_member "uncertain" read_tolerances at_path
+                        members) (fun uncertain -> Fine { stated_contacts =
+                      m; wrench_stated = w; options_stated = { asked_wrench =
+                      None; asked_case = None; asked_preload = p;
+                      asked_bilateral = law; asked_direction = u;
+                      asked_growth = growing; asked_inertia = i;
+                      asked_uncertain =
+                      (match uncertain with
+                       | Some it -> it
+                       | None -> []) } }))))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -7582,7 +8631,7 @@ let read_node s at_path value0 =
        | [] -> read_index at_path index
        | _ :: _ -> expected "a kind and a contact" at_path value0)
   in
-  let twist0 = size_of_twist s in
+  let twist0 = s.size_of_twist in
   (match value0 with
    | Array items0 ->
      (match items0 with
@@ -7635,13 +8684,22 @@ let read_node s at_path value0 =
 let read_nodes s =
   read_array "an array of nodes" (read_node s)
 
-(** val read_friction : shape -> path -> json -> q list result **)
+(** val read_friction :
+    shape -> Big_int_Z.big_int -> path -> json -> q list result **)
 
-let read_friction s at_path value0 =
+let read_friction s contact0 at_path value0 =
   if s.spatial
   then read_numbers
-         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-         Big_int_Z.unit_big_int) at_path value0
+         (match numbered s.soft contact0 with
+          | Some b ->
+            if b
+            then (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+                   Big_int_Z.unit_big_int))
+            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                   Big_int_Z.unit_big_int)
+          | None ->
+            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+              Big_int_Z.unit_big_int)) at_path value0
   else bind (read_fraction at_path value0) (fun x -> Fine (x :: []))
 
 (** val read_share :
@@ -7658,7 +8716,7 @@ let read_share s at_path value0 = match value0 with
         (match l0 with
          | [] ->
            bind (read_index at_path index) (fun i ->
-             bind (read_friction s at_path share) (fun numbers0 -> Fine (i,
+             bind (read_friction s i at_path share) (fun numbers0 -> Fine (i,
                numbers0)))
          | _ :: _ -> expected "[contact, share]" at_path value0)))
 | _ -> expected "[contact, share]" at_path value0
@@ -7748,7 +8806,7 @@ let read_resisted at_path value0 = match value0 with
 (** val read_matrix : shape -> path -> json -> q list list result **)
 
 let read_matrix s =
-  read_sized (size_of_twist s)
+  read_sized s.size_of_twist
     "a matrix with a row for each component of a twist" (read_twist s)
 
 (** val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool **)
@@ -7768,7 +8826,7 @@ let read_walls s more at_path value0 =
   in
   (match value0 with
    | Array items ->
-     if (&&) (has_at_most (Z.add (size_of_twist s) more) items)
+     if (&&) (has_at_most (Z.add s.size_of_twist more) items)
           (negb (has_at_most more items))
      then each (read_twist s) at_path items
      else expected what at_path value0
@@ -7789,8 +8847,8 @@ let read_answers s at_path value0 = match value0 with
          | [] ->
            bind (read_index at_path contact0) (fun i ->
              bind
-               (read_sized (size_of_twist s)
-                 "a force for each component of a wrench" (read_friction s)
+               (read_sized s.size_of_twist
+                 "a force for each component of a wrench" (read_friction s i)
                  at_path forces) (fun them -> Fine (i, them)))
          | _ :: _ -> expected "[contact, forces]" at_path value0)))
 | _ -> expected "[contact, forces]" at_path value0
@@ -8007,7 +9065,7 @@ let read_force s at_path value0 = match value0 with
             | [] ->
               bind (read_index at_path contact0) (fun i ->
                 bind (read_fraction at_path along) (fun a ->
-                  bind (read_friction s at_path across) (fun f -> Fine (i,
+                  bind (read_friction s i at_path across) (fun f -> Fine (i,
                     (a, f)))))
             | _ :: _ -> expected "[contact, number, friction]" at_path value0))))
 | _ -> expected "[contact, number, friction]" at_path value0
@@ -8175,7 +9233,7 @@ let read_verdict s at_path value0 =
 
 let read_body0 s good members =
   if s.of_margin
-  then if s.spatial
+  then if of_claims s
        then bind
               (next_read "intervals"
                 (read_array "an array of claims" (read_claim s)) members)
@@ -8247,40 +9305,54 @@ let read_known_format at_path value0 =
          at_path value0
 
 (** val read_certificate :
-    bool -> json -> (statement * certificate) result **)
+    question -> json -> (statement * certificate) result **)
 
-let read_certificate in_space0 value0 = match value0 with
-| Object members ->
-  bind (next_read "format" read_known_format members) (fun pat ->
-    let (_, rest) = pat in
-    bind
-      (if begins_with "producer" rest
-       then bind (next_read "producer" read_any_text rest) (fun pat0 ->
-              let (_, rest0) = pat0 in Fine rest0)
-       else Fine rest) (fun rest0 ->
-      bind (next_read "question" (read_statement in_space0) rest0)
-        (fun pat0 ->
-        let (stated, rest1) = pat0 in
-        let s = { spatial = in_space0; of_margin =
-          (asks_margin stated.options_stated); of_class =
-          ((&&) (asks_class stated.options_stated)
-            (negb (asks_margin stated.options_stated))) }
-        in
-        bind
-          (if (&&)
-                ((&&) (begins_with "bits" rest1)
-                  ((||) (negb s.of_margin) in_space0)) (negb s.of_class)
-           then next_read "bits" read_bits rest1
-           else Fine (default_bits, rest1)) (fun pat1 ->
-          let (b, rest2) = pat1 in
-          if s.of_class
-          then bind (read_class s rest2) (fun it -> Fine (stated, { bits = b;
-                 body = it }))
-          else bind (next_read "verdict" (read_verdict s) rest2) (fun pat2 ->
-                 let (good, rest3) = pat2 in
-                 bind (read_body0 s good rest3) (fun it -> Fine (stated,
-                   { bits = b; body = it })))))))
-| _ -> expected "an object {...}" [] value0
+let read_certificate q0 value0 =
+  let asked = fun margin class1 -> { spatial =
+    (match q0.several with
+     | Some its -> its.bodies_in_space
+     | None -> Nat.eqb q0.dimension (S (S (S (S (S (S O))))))); of_bodies =
+    (match q0.several with
+     | Some _ -> true
+     | None -> false); size_of_twist = (Z.of_nat q0.dimension); soft =
+    (map_all (fun it -> negb (is_0 it.torsion)) q0.contacts); of_margin =
+    margin; of_class = class1 }
+  in
+  (match value0 with
+   | Object members ->
+     bind (next_read "format" read_known_format members) (fun pat ->
+       let (_, rest) = pat in
+       bind
+         (if begins_with "producer" rest
+          then bind (next_read "producer" read_any_text rest) (fun pat0 ->
+                 let (_, rest0) = pat0 in Fine rest0)
+          else Fine rest) (fun rest0 ->
+         bind
+           (next_read "question" (read_statement (asked false false)) rest0)
+           (fun pat0 ->
+           let (stated, rest1) = pat0 in
+           let margin = asks_margin stated.options_stated in
+           let s =
+             asked margin
+               ((&&) (asks_class stated.options_stated) (negb margin))
+           in
+           bind
+             (if (&&)
+                   ((&&) (begins_with "bits" rest1)
+                     ((||) (negb s.of_margin) (of_claims s)))
+                   (negb s.of_class)
+              then next_read "bits" read_bits rest1
+              else Fine (default_bits, rest1)) (fun pat1 ->
+             let (b, rest2) = pat1 in
+             if s.of_class
+             then bind (read_class s rest2) (fun it -> Fine (stated, { bits =
+                    b; body = it }))
+             else bind (next_read "verdict" (read_verdict s) rest2)
+                    (fun pat2 ->
+                    let (good, rest3) = pat2 in
+                    bind (read_body0 s good rest3) (fun it -> Fine (stated,
+                      { bits = b; body = it })))))))
+   | _ -> expected "an object {...}" [] value0)
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
 
@@ -8332,9 +9404,16 @@ let same_tolerance a b =
 let broken_question_rule stated asked =
   let said = stated.options_stated in
   let options0 = asked.the_options in
+  let count0 = fun items ->
+    fold_left (fun count0 _ -> Z.add count0 Big_int_Z.unit_big_int) items
+      Big_int_Z.zero_big_int
+  in
+  let q0 = asked.the_question in
   let m =
-    fold_left (fun count0 _ -> Z.add count0 Big_int_Z.unit_big_int)
-      asked.the_question.contacts Big_int_Z.zero_big_int
+    Z.add (count0 q0.contacts)
+      (match q0.several with
+       | Some its -> count0 its.elements
+       | None -> Big_int_Z.zero_big_int)
   in
   if negb (Z.eqb stated.stated_contacts m)
   then Some "question-contacts"
@@ -8372,16 +9451,14 @@ let broken_question_rule stated asked =
 (** val ask : options -> json -> posed result **)
 
 let ask asked file =
-  bind (read_grasp file) (fun it -> pose it asked)
+  bind (read_file file) (fun it -> pose it asked)
 
 (** val judge :
     'a1 oracle -> posed -> json -> (answer * certificate) result **)
 
 let judge advisor asked text =
   let q0 = asked.the_question in
-  bind
-    (read_certificate (Nat.eqb q0.dimension (S (S (S (S (S (S O))))))) text)
-    (fun pat ->
+  bind (read_certificate q0 text) (fun pat ->
     let (stated, it) = pat in
     (match broken_question_rule stated asked with
      | Some rule -> Fine ((Rejected (rule, Nowhere)), it)

@@ -4,7 +4,7 @@
    stable if and only if its rows are.  `lift_seen`, `element_seen`: every choice of a question has its rows in the
    boxes. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Contacts.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Contacts Fingers.
 From Proved Require Rows Model SpaceModel.
 From Proved Require BodiesModel.
 Import ListNotations.
@@ -56,8 +56,8 @@ Definition element_box (e : element) : cbox :=
 
 Definition mechanism_boxes (bits : Z) (D : nat) (its : mechanism) (contacts : list contact) : option (list cbox) :=
   let units := unit_motions D its in
-  match all_some (fun c => match enlarge bits c with
-                           | Some b => if Qeq_bool (torsion c) 0 then Some (lift_box (columns units c) b) else None
+  match all_some (fun c => match enlarge_finger bits c with
+                           | Some b => Some (lift_box (columns units c) b)
                            | None => None
                            end) contacts with
   | Some boxes => Some (boxes ++ map element_box (elements its))
@@ -222,11 +222,12 @@ Variable k : BodiesModel.kind.
 
 (* What the rows of one body are. *)
 Variable row_of : BodiesModel.contact k -> Rows.row.
-Variable to_row : BodiesModel.force k -> Rows.force.
+Variable to_row : BodiesModel.contact k -> BodiesModel.force k -> Rows.force.
 Variable of_row : BodiesModel.contact k -> Rows.force -> BodiesModel.force k.
-Hypothesis obeys_to : forall l lambda d c f, BodiesModel.obeys k l lambda d c f ->
-  Rows.obeys l d 1 lambda (row_of c) (to_row f) /\ of_row c (to_row f) = f.
-Hypothesis obeys_of : forall l lambda d c f, Rows.obeys l d 1 lambda (row_of c) f ->
+Variable is_good : BodiesModel.contact k -> Prop.
+Hypothesis obeys_to : forall l lambda d c f, is_good c -> BodiesModel.obeys k l lambda d c f ->
+  Rows.obeys l d 1 lambda (row_of c) (to_row c f) /\ of_row c (to_row c f) = f.
+Hypothesis obeys_of : forall l lambda d c f, is_good c -> Rows.obeys l d 1 lambda (row_of c) f ->
   BodiesModel.obeys k l lambda d c (of_row c f).
 Hypothesis works_as : forall c f d, Rows.work (row_of c) f d = BodiesModel.works k c (of_row c f) d.
 
@@ -329,19 +330,23 @@ Proof.
     apply E. lia.
 Qed.
 
-Theorem mechanism_rows_stable lambda :
-  List.length (BodiesModel.wrench m) = BodiesModel.coordinates m ->
-  List.length (BodiesModel.direction m) = BodiesModel.coordinates m ->
-  Forall (fun e => List.length (BodiesModel.lever e) = BodiesModel.coordinates m) (BodiesModel.elements m) ->
+Theorem mechanism_rows_stable lambda : BodiesModel.has_all_numbers m ->
+  Forall (fun t => is_good (BodiesModel.touching t)) (BodiesModel.touches m) ->
   BodiesModel.stable_at m lambda <-> Rows.stable_at mechanism_rows lambda.
 Proof.
-  intros Lw Lu Le. split.
-  - intros (d & forces & pulls & L & O & P & B). exists d, (map to_row forces ++ map (fun a => (a, [])) pulls).
+  intros (Lw & Lu & Le) Good. split.
+  - intros (d & forces & pulls & L & O & P & B).
+    set (fs := map (fun tf => to_row (BodiesModel.touching (fst tf)) (snd tf)) (List.combine (BodiesModel.touches m) forces)).
+    assert (Rows_obey : Forall2 (Rows.obeys (BodiesModel.normal m) d 1 lambda) (map touch_row (BodiesModel.touches m)) fs /\
+      touch_forces (BodiesModel.touches m) fs = forces).
+    { unfold fs, touch_forces. clear B fs. induction O as [|t f ts fs Ot O IH]; [split; [constructor|reflexivity]|].
+      inversion_clear Good as [|? ? G Gs]. destruct (IH Gs) as [I1 I2]. destruct (obeys_to _ _ _ _ _ G Ot) as [O1 O2].
+      cbn [map List.combine fst snd]. split; [|now rewrite O2, I2].
+      constructor; [|exact I1]. apply touch_obeys; [exact L|exact O1]. }
+    destruct Rows_obey as [Or Back]. exists d, (fs ++ map (fun a => (a, [])) pulls).
     split; [exact L|]. cbn [Rows.rows Rows.normal mechanism_rows]. split.
-    + apply Forall2_app.
-      * clear B. induction O as [|t f ts fs Ot O IH]; cbn; constructor; [|exact IH].
-        apply touch_obeys; [exact L|]. now apply obeys_to.
-      * clear B Le. induction P as [|e a es pulls Oe P IH]; cbn; constructor; [|exact IH]. now apply element_obeys.
+    + apply Forall2_app; [exact Or|].
+      clear B Le. induction P as [|e a es pulls Oe P IH]; cbn; constructor; [|exact IH]. now apply element_obeys.
     + intros y'. set (y := firstn (BodiesModel.coordinates m) (y' ++ repeat 0 (BodiesModel.coordinates m))).
       assert (Ly : List.length y = BodiesModel.coordinates m).
       { unfold y. rewrite firstn_length, app_length, repeat_length. lia. }
@@ -350,16 +355,13 @@ Proof.
       assert (Row_sees : forall rs fs, Forall (fun r => List.length (Rows.N r) = BodiesModel.coordinates m /\
           Forall (fun f => List.length f = BodiesModel.coordinates m) (Rows.slips r)) rs ->
           Rows.works rs fs y' = Rows.works rs fs y).
-      { induction rs as [|r rs IH]; intros [|f fs] H; cbn; try reflexivity. inversion_clear H as [|? ? [H1 H2] H3].
+      { induction rs as [|r rs IH]; intros [|f fs'] H; cbn; try reflexivity. inversion_clear H as [|? ? [H1 H2] H3].
         rewrite IH by exact H3. f_equal. unfold Rows.work. rewrite Sees by exact H1. f_equal. f_equal. unfold Rows.slip.
         apply map_ext_in. intros a Ha. apply Sees. rewrite Forall_forall in H2. now apply H2. }
       specialize (B y Ly). rewrite Row_sees.
       * unfold Rows.load. cbn [Rows.wrench Rows.direction mechanism_rows]. rewrite !Sees by assumption.
-        rewrite works_app by (rewrite !map_length; exact (same_length _ _ _ O)).
-        rewrite works_of_touches, works_of_elements by exact Ly. rewrite map_map. cbn [fst]. rewrite map_id.
-        replace (touch_forces (BodiesModel.touches m) (map to_row forces)) with forces; [lra|].
-        clear B. induction O as [|t f ts fs Ot O IH]; cbn; [reflexivity|].
-        destruct (obeys_to _ _ _ _ _ Ot) as [_ E]. rewrite E. f_equal. exact IH.
+        rewrite works_app by exact (same_length _ _ _ Or).
+        rewrite works_of_touches, works_of_elements by exact Ly. rewrite map_map. cbn [fst]. rewrite map_id, Back. lra.
       * apply Forall_app. split; apply Forall_map.
         -- apply Forall_forall. intros t _. cbn. unfold lift. rewrite !map_length, seq_length. split; [reflexivity|].
            apply Forall_map, Forall_forall. intros f _. now rewrite !map_length, seq_length.
@@ -367,12 +369,12 @@ Proof.
   - intros (d & fs & L & O & B). cbn [Rows.rows Rows.normal Rows.dimension mechanism_rows] in *.
     apply Forall2_app_inv_l in O as (f1 & f2 & O1 & O2 & ->).
     exists d, (touch_forces (BodiesModel.touches m) f1), (map fst f2). split; [exact L|]. split; [|split].
-    + clear B. revert f1 O1. induction (BodiesModel.touches m) as [|t ts IH]; intros f1 O1; inversion O1; subst; cbn;
-        constructor; [|now apply IH]. apply obeys_of. now apply touch_obeys.
+    + clear B. revert f1 O1. induction Good as [|t ts G Gs IH]; intros f1 O1; inversion O1; subst; cbn;
+        constructor; [|now apply IH]. apply obeys_of; [exact G|]. now apply touch_obeys.
     + clear B Le. revert f2 O2. induction (BodiesModel.elements m) as [|e es IH]; intros f2 O2; inversion O2 as [|? [a g]]; subst; cbn;
         constructor; [|now apply IH]. now apply element_obeys with g.
     + intros y Ly. specialize (B y). unfold Rows.load in B. cbn [Rows.wrench Rows.direction mechanism_rows] in B.
-      rewrite works_app in B by (exact (same_length _ _ _ O1)).
+      rewrite works_app in B by exact (same_length _ _ _ O1).
       rewrite works_of_touches, works_of_elements in B by exact Ly. lra.
 Qed.
 
@@ -383,29 +385,29 @@ End Mechanism.
 Definition plane_mechanism (m : BodiesModel.mechanism BodiesModel.in_plane) : Rows.system :=
   mechanism_rows BodiesModel.in_plane contact_row m.
 Definition space_mechanism (m : BodiesModel.mechanism BodiesModel.in_space) : Rows.system :=
-  mechanism_rows BodiesModel.in_space space_contact_row m.
+  mechanism_rows BodiesModel.in_space finger_row m.
 
-Theorem plane_mechanism_stable m lambda : BodiesModel.has_all_numbers m ->
+Theorem plane_mechanism_stable (m : BodiesModel.mechanism BodiesModel.in_plane) lambda : BodiesModel.has_all_numbers m ->
   BodiesModel.stable_at m lambda <-> Rows.stable_at (plane_mechanism m) lambda.
 Proof.
-  intros (Lw & Lu & Le).
-  apply (mechanism_rows_stable BodiesModel.in_plane contact_row row_force (fun _ f => (fst f, at_ (snd f) 0)));
-    try assumption; cbn [BodiesModel.obeys BodiesModel.works BodiesModel.in_plane].
-  - intros l la d c [a b] H. split; [now apply obeys_as_row|reflexivity].
-  - intros l la d c [a g] H. now apply obeys_is.
+  intros Nu. apply (mechanism_rows_stable BodiesModel.in_plane contact_row (fun _ => row_force)
+    (fun _ f => (fst f, at_ (snd f) 0)) (fun _ => True)); try assumption;
+    cbn [BodiesModel.obeys BodiesModel.works BodiesModel.in_plane].
+  - intros l la d c [a b] _ H. split; [now apply obeys_as_row|reflexivity].
+  - intros l la d c [a g] _ H. now apply obeys_is.
   - intros c [a g] d. apply work_is.
+  - now apply Forall_forall.
 Qed.
 
-Theorem space_mechanism_stable m lambda : BodiesModel.has_all_numbers m ->
+Theorem space_mechanism_stable (m : BodiesModel.mechanism BodiesModel.in_space) lambda : BodiesModel.has_all_numbers m ->
+  Forall (fun t : BodiesModel.touch BodiesModel.in_space => is_finger (BodiesModel.touching t)) (BodiesModel.touches m) ->
   BodiesModel.stable_at m lambda <-> Rows.stable_at (space_mechanism m) lambda.
 Proof.
-  intros (Lw & Lu & Le).
-  apply (mechanism_rows_stable BodiesModel.in_space space_contact_row space_row_force space_force);
+  intros Nu Fi. apply (mechanism_rows_stable BodiesModel.in_space finger_row finger_to_row finger_of_row is_finger);
     try assumption; cbn [BodiesModel.obeys BodiesModel.works BodiesModel.in_space].
-  - intros l la d c [a f] H. split; [now apply space_obeys_as_row|].
-    destruct H as (_ & Z & _). unfold space_force, space_row_force; cbn. f_equal. destruct f. exact (across_idle _ _ Z).
-  - intros l la d c f H. now apply space_obeys_is.
-  - intros c f d. apply space_work_is.
+  - intros l la d t f G H. now apply finger_to.
+  - intros l la d t f G H. now apply finger_of.
+  - intros t f d. apply finger_works_as.
 Qed.
 
 (* ---- In boxes ---- *)
@@ -420,13 +422,6 @@ Proof.
   unfold lift_q, lift. rewrite !map_map. apply map_ext. intros g. now rewrite reduced_same, dot_q_real.
 Qed.
 
-Lemma multiaffine_same n F F' : (forall p, F p = F' p) -> multiaffine n F -> multiaffine n F'.
-Proof.
-  revert F F'. induction n as [|n IH]; intros F F' E; cbn; [trivial|]. intros [A M]. split.
-  - intros p L. destruct (A p L) as (a & b & H). exists a, b. intros x. rewrite <- E. apply H.
-  - intros x. apply (IH (fun p => F (x :: p))); [intros p; apply E|apply M].
-Qed.
-
 Lemma lift_inside G b r p F mu t : inside_at b r p F mu t ->
   inside_at (lift_box G b) (lift_row (map real G) r) p (fun p => map (lift (map real G)) (F p)) mu t.
 Proof.
@@ -436,7 +431,7 @@ Proof.
   - rewrite <- (is_forms _ _ _ _ _ _ I). reflexivity.
   - intros qs. rewrite (forms_rational _ _ _ _ _ _ I), !map_map. apply map_ext. intros f. symmetry. apply lift_q_real.
   - intros j d. eapply multiaffine_same; [|apply (forms_affine _ _ _ _ _ _ I j (combination (map real G) d))].
-    intros q. symmetry. apply dot_nth_lift.
+    intros q _. symmetry. apply dot_nth_lift.
   - intros q q' L L'. rewrite !map_map. unfold lift.
     assert (E : forall l : list (list R), map (fun f => List.length (map (Rows.dot f) (map real G))) l =
       repeat (List.length G) (List.length l)).
@@ -536,7 +531,7 @@ Proof. intros En Eb Eo Ey H. unfold touch_row. rewrite <- (columns_real k m _ it
 Theorem mechanism_seen k (row_of : BodiesModel.contact k -> Rows.row)
     (chosen_contact : contact -> BodiesModel.contact k -> Prop) bits q its m boxes :
   BodiesModel.numbers k = numbers_of its ->
-  (forall c c' b, chosen_contact c c' -> enlarge bits c = Some b -> seen_in b (row_of c')) ->
+  (forall c c' b, chosen_contact c c' -> enlarge_finger bits c = Some b -> seen_in b (row_of c')) ->
   chosen_bodies chosen_contact q its m -> mechanism_boxes bits (dimension q) its (contacts q) = Some boxes ->
   Forall2 seen_in boxes (Rows.rows (mechanism_rows k row_of m)).
 Proof.
@@ -545,7 +540,7 @@ Proof.
   apply Forall2_app.
   - apply all_some_is in A. revert T. generalize (BodiesModel.touches m). induction A as [|c b cs bs Ec A IH];
       intros ts T; inversion T as [|? t ? ts' (Ch & Eo & Ey) T']; subst; cbn; constructor; [|now apply IH].
-    destruct (enlarge bits c) as [b'|] eqn:B; [|discriminate]. destruct (Qeq_bool _ _); [|discriminate]. injection Ec as <-.
+    destruct (enlarge_finger bits c) as [b'|] eqn:B; [|discriminate]. injection Ec as <-.
     apply touch_seen; try assumption. now apply (Seen c).
   - clear - E. induction E as [|e e' es es' Ch E IH]; cbn; constructor; [now apply element_seen|exact IH].
 Qed.

@@ -29,9 +29,37 @@ Definition in_plane : kind := Kind Model.contact (R * R) 3
   (fun l lambda d => Model.obeys l lambda (motion_of d))
   (fun c f d => Model.work (Model.contact_wrench c f) (motion_of d)).
 
-Definition in_space : kind := Kind SpaceModel.contact (R * SpaceModel.vector) 6
-  (fun l lambda d => SpaceModel.obeys l lambda (screw_of d))
-  (fun c f d => SpaceModel.work (SpaceModel.contact_wrench c f) (screw_of d)).
+(* In space a contact may resist turning about its normal (FORMAT.md section 15): it has a length e >= 0, of a soft
+   finger above 0.  A force is then a, f, and the moment m n about the normal; its cone is an ellipsoid: where e > 0,
+   |f|^2 + (|m n| / e)^2 is at most (mu times the normal force)^2.  It is against slip and turn. *)
+Record finger := Finger { hard : SpaceModel.contact; torsion : R }.
+
+Definition turn (c : SpaceModel.contact) (d : SpaceModel.screw) : R :=
+  SpaceModel.dot (SpaceModel.normal c) (SpaceModel.angular d).
+
+(* e^2 / L^2 *)
+Definition gamma (t : finger) : R :=
+  torsion t * torsion t / SpaceModel.dot (SpaceModel.normal (hard t)) (SpaceModel.normal (hard t)).
+
+Definition finger_obeys (l : Model.law) (lambda : R) (d : SpaceModel.screw) (t : finger) (force : R * SpaceModel.vector * R) :=
+  let '(a, f, m) := force in
+  let c := hard t in
+  let most := SpaceModel.friction c * SpaceModel.length c * a in
+  let s := SpaceModel.slip c d in
+  let slips := sqrt (SpaceModel.dot s s + gamma t * (turn c d * turn c d)) in
+  Model.normal_law l (SpaceModel.v c lambda d) a /\
+  SpaceModel.dot f (SpaceModel.normal c) = 0 /\
+  SpaceModel.norm f <= most /\
+  gamma t * SpaceModel.dot f f + m * m <= gamma t * (most * most) /\
+  (0 < slips -> f = SpaceModel.scale (- (most / slips)) s /\ m = - (most / slips) * (gamma t * turn c d)).
+
+Definition finger_works (t : finger) (force : R * SpaceModel.vector * R) (d : SpaceModel.screw) : R :=
+  let '(a, f, m) := force in
+  SpaceModel.work (SpaceModel.contact_wrench (hard t) (a, f)) d + m * turn (hard t) d.
+
+Definition in_space : kind := Kind finger (R * SpaceModel.vector * R) 6
+  (fun l lambda d => finger_obeys l lambda (screw_of d))
+  (fun t f d => finger_works t f (screw_of d)).
 
 (* A body is free: its motion is the coordinates from the first one on.  Or it is a link on a body, as its number, or on
    the ground, None: it moves as that does, and by eta, of its hinge or slide, times the sum of turns times coordinates. *)

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Bodies Leaf Tree Witness Margin
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Fingers Bodies Leaf Tree Witness Margin
   RowLimits ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
   RigidClass RigidTrue.
 From Proved Require Rows Model SpaceModel BodiesModel.
@@ -59,10 +59,16 @@ Qed.
 Lemma plane_seen bits c c' b : chosen_contact c c' -> enlarge bits c = Some b -> seen_in b (contact_row c').
 Proof. intros Ch B. exact (proj2 (fits_suits (make_row b) _ (conj eq_refl (enlarge_plane _ _ _ _ B Ch)))). Qed.
 
+Lemma plane_signed bits c b c' : enlarge bits c = Some b -> chosen_contact c c' -> box_signed b = true.
+Proof.
+  unfold enlarge. intros H ((x & y & nx & ny & e & EP & _ & _ & EN & _) & _). rewrite EP, EN in H.
+  destruct (numbers bits c _) as [[[p u] k]|]; [|discriminate]. now injection H as <-.
+Qed.
+
 Lemma bodies_pose k (row_of : BodiesModel.contact k -> Rows.row)
     (chosen_contact : contact -> BodiesModel.contact k -> Prop) bits q st its m :
   BodiesModel.numbers k = numbers_of its ->
-  (forall c c' b, chosen_contact c c' -> enlarge bits c = Some b -> seen_in b (row_of c')) ->
+  (forall c c' b, chosen_contact c c' -> enlarge_finger bits c = Some b -> seen_in b (row_of c')) ->
   (forall c, List.length (Rows.weights (row_of c)) = List.length (Rows.slips (row_of c))) ->
   setting_of bits q = Some st -> chosen_bodies chosen_contact q its m -> poses q st (mechanism_rows k row_of m).
 Proof.
@@ -92,10 +98,13 @@ Proof.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
   - destruct C as (m & (its & Sp & Ch) & ->).
     eapply (bodies_pose BodiesModel.in_plane); try eassumption; [unfold numbers_of; now rewrite Sp| |reflexivity].
-    intros c c' b. apply plane_seen.
+    intros c c' b Cc B. apply (plane_seen bits c); [exact Cc|]. unfold enlarge_finger in B.
+    destruct (enlarge bits c) as [b'|] eqn:E; [|discriminate]. destruct (Qeq_bool (torsion c) 0); [exact B|].
+    rewrite (plane_signed bits c b' c') in B by assumption. discriminate.
   - destruct C as (m & (its & Sp & Ch) & ->).
-    eapply (bodies_pose BodiesModel.in_space); try eassumption; [unfold numbers_of; now rewrite Sp| |reflexivity].
-    intros c c' b Cc B. eapply enlarge_space; eassumption.
+    eapply (bodies_pose BodiesModel.in_space); try eassumption; [unfold numbers_of; now rewrite Sp| |].
+    + intros c c' b. apply finger_seen.
+    + intros t. unfold finger_row. destruct (Req_EM_T _ _); reflexivity.
 Qed.
 
 (* What an answer says, of rows. *)
@@ -127,7 +136,9 @@ Proof.
     + intros l. destruct C as (its & _ & Ch). apply plane_mechanism_stable. apply Ch.
     + apply H. right; right; left. now exists m.
   - intros m C. apply Same with (Rows.stable_at (space_mechanism m)).
-    + intros l. destruct C as (its & _ & Ch). apply space_mechanism_stable. apply Ch.
+    + intros l. destruct C as (its & _ & Ch). apply space_mechanism_stable; [apply Ch|].
+      destruct Ch as (_ & _ & _ & _ & T & _). clear - T.
+      induction T as [|c t cs ts ((_ & _ & N) & _) T IH]; constructor; [exact N|exact IH].
     + apply H. right; right; right. now exists m.
 Qed.
 

@@ -98,8 +98,13 @@ Definition chosen_bodies {k : BodiesModel.kind} (chosen_contact : contact -> Bod
 Definition chosen_bodies_in_plane (q : question) (m : BodiesModel.mechanism BodiesModel.in_plane) :=
   exists its, bodies_in_space its = false /\ chosen_bodies (k := BodiesModel.in_plane) chosen_contact q its m.
 
+Definition chosen_finger (q : contact) (t : BodiesModel.finger) :=
+  chosen_contact_in_space q (BodiesModel.hard t) /\
+  BodiesModel.torsion t = Q2R (torsion q) /\
+  SpaceModel.normal (BodiesModel.hard t) <> SpaceModel.zero.
+
 Definition chosen_bodies_in_space (q : question) (m : BodiesModel.mechanism BodiesModel.in_space) :=
-  exists its, bodies_in_space its = true /\ chosen_bodies (k := BodiesModel.in_space) chosen_contact_in_space q its m.
+  exists its, bodies_in_space its = true /\ chosen_bodies (k := BodiesModel.in_space) chosen_finger q its m.
 
 (* What is true of all that a question is about, of the multiples at which each is stable. *)
 Definition of_all (q : question) (P : (R -> Prop) -> Prop) : Prop :=

@@ -89,10 +89,9 @@ def check_js(lines):
 
 
 def is_covered(question):
-    """Whether stickslip-proved judges this: not soft fingers, balls of loads, and that a box of uncertain normals in space is
-    stable."""
+    """Whether stickslip-proved judges this: not balls of loads, and that a box of uncertain normals in space is stable."""
     options = " ".join(question["options"])
-    if '"torsion"' in question["grasp"] or "wrench=ball:" in options:  # whatever else is wrong
+    if "wrench=ball:" in options:  # whatever else is wrong
         return False
     turns = '"slope"' in question["grasp"] or "normal=" in options
     return not (turns and '"parts"' in question["certificate"])

@@ -2093,10 +2093,77 @@ let nearest ms w gens =
           | Some b -> if less_along ms w b s then Some s else best
           | None -> Some s)) gens None
 
-(** val part_across : Big_int_Z.big_int list -> form -> form -> form **)
+type foot = { of_gens : form list; foot_m : Big_int_Z.big_int; foot_e : 
+              form; foot_n : Big_int_Z.big_int; foot_d : Big_int_Z.big_int }
 
-let part_across ms w s =
-  combine0 (inner_of ms s s) w (Z.opp (inner_of ms w s)) s
+(** val foot_on : Big_int_Z.big_int list -> form -> form -> foot list **)
+
+let foot_on ms w s =
+  let a = inner_of ms w s in
+  let ss = inner_of ms s s in
+  if Z.ltb Big_int_Z.zero_big_int a
+  then { of_gens = (s :: []); foot_m = ss; foot_e =
+         (combine0 ss w (Z.opp a) s); foot_n = (Z.mul a a); foot_d =
+         ss } :: []
+  else []
+
+(** val foot_between :
+    Big_int_Z.big_int list -> form -> form -> form -> foot list **)
+
+let foot_between ms w s t =
+  let ws = inner_of ms w s in
+  let wt = inner_of ms w t in
+  let ss = inner_of ms s s in
+  let tt = inner_of ms t t in
+  let st = inner_of ms s t in
+  let det = Z.sub (Z.mul ss tt) (Z.mul st st) in
+  let cs = Z.sub (Z.mul ws tt) (Z.mul wt st) in
+  let ct = Z.sub (Z.mul wt ss) (Z.mul ws st) in
+  if (&&)
+       ((&&) (Z.ltb Big_int_Z.zero_big_int det)
+         (Z.ltb Big_int_Z.zero_big_int cs)) (Z.ltb Big_int_Z.zero_big_int ct)
+  then { of_gens = (s :: (t :: [])); foot_m = det; foot_e =
+         (combine0 Big_int_Z.unit_big_int (combine0 det w (Z.opp cs) s)
+           (Z.opp ct) t); foot_n = (Z.add (Z.mul cs ws) (Z.mul ct wt));
+         foot_d = det } :: []
+  else []
+
+(** val longer : foot -> foot -> foot **)
+
+let longer best f =
+  if Z.ltb (Z.mul best.foot_n f.foot_d) (Z.mul f.foot_n best.foot_d)
+  then f
+  else best
+
+(** val foot_from :
+    Big_int_Z.big_int list -> nat -> form -> form list -> foot -> foot option **)
+
+let rec foot_from ms steps w gens f =
+  match nearest ms f.foot_e gens with
+  | Some g ->
+    if Z.leb (inner_of ms f.foot_e g) Big_int_Z.zero_big_int
+    then Some f
+    else (match steps with
+          | O -> None
+          | S steps' ->
+            let next0 =
+              fold_left longer
+                (app (foot_on ms w g)
+                  (flat_map (fun s -> foot_between ms w s g) f.of_gens)) f
+            in
+            if Z.ltb (Z.mul f.foot_n next0.foot_d)
+                 (Z.mul next0.foot_n f.foot_d)
+            then foot_from ms steps' w gens next0
+            else None)
+  | None -> Some f
+
+(** val foot_of :
+    Big_int_Z.big_int list -> form -> form list -> foot option **)
+
+let foot_of ms w gens =
+  foot_from ms (length gens) w gens { of_gens = []; foot_m =
+    Big_int_Z.unit_big_int; foot_e = w; foot_n = Big_int_Z.zero_big_int;
+    foot_d = Big_int_Z.unit_big_int }
 
 (** val nowhere_along :
     Big_int_Z.big_int list -> form list -> form -> bool **)
@@ -2108,18 +2175,14 @@ let nowhere_along ms gens e =
     Big_int_Z.big_int list -> form list -> form -> form option **)
 
 let separator ms gens w =
-  let e =
-    match nearest ms w gens with
-    | Some s ->
-      if Z.ltb Big_int_Z.zero_big_int (inner_of ms w s)
-      then part_across ms w s
-      else w
-    | None -> w
-  in
-  if (&&) (nowhere_along ms gens e)
-       (Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
-  then Some e
-  else None
+  match foot_of ms w gens with
+  | Some f ->
+    let e = primitive f.foot_e in
+    if (&&) (nowhere_along ms gens e)
+         (Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
+    then Some e
+    else None
+  | None -> None
 
 (** val opposed :
     Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
@@ -2158,10 +2221,17 @@ let most_along ms gens z0 =
    | Some s ->
      let a = inner_of ms w s in
      if Z.leb Big_int_Z.zero_big_int a
-     then if (&&) (nowhere_along ms gens (part_across ms w s))
-               (Z.ltb Big_int_Z.zero_big_int (inner_of ms s s))
-          then ((false, (Z.mul a a)), (inner_of ms s s))
-          else whole
+     then (match foot_of ms w gens with
+           | Some f ->
+             let k =
+               combine0 f.foot_m w (Big_int_Z.minus_big_int
+                 Big_int_Z.unit_big_int) f.foot_e
+             in
+             if (&&) (nowhere_along ms gens f.foot_e)
+                  (Z.ltb Big_int_Z.zero_big_int f.foot_m)
+             then ((false, (inner_of ms k k)), (Z.mul f.foot_m f.foot_m))
+             else whole
+           | None -> whole)
      else if (&&)
                (forallb (fun g ->
                  (&&) (Z.leb (inner_of ms w g) Big_int_Z.zero_big_int)
@@ -2847,6 +2917,39 @@ let enlarge bits0 q0 =
                        | _ :: _ -> None))))
            | _ :: _ -> None)))
 
+(** val with_turn : q list list -> q list list **)
+
+let with_turn fs =
+  app fs (({ qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: (firstn (S (S (S O))) (n_of fs))))) :: [])
+
+(** val soften : q -> cbox -> cbox **)
+
+let soften e b =
+  { box_names = b.box_names; box_geometry = b.box_geometry; box_forms =
+    (fun geometry -> with_turn (b.box_forms geometry)); box_friction =
+    b.box_friction; box_preload = b.box_preload; box_growth = b.box_growth;
+    box_stiffness = b.box_stiffness; box_square = b.box_square; box_normal =
+    b.box_normal; box_weights =
+    (app b.box_weights ((qdiv (qmult e e) b.box_square) :: [])); box_signed =
+    b.box_signed; box_spring = b.box_spring; box_turns = b.box_turns;
+    box_slack = b.box_slack }
+
+(** val enlarge_finger : Big_int_Z.big_int -> contact -> cbox option **)
+
+let enlarge_finger bits0 c =
+  match enlarge bits0 c with
+  | Some b ->
+    if qeq_bool c.torsion { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int }
+    then Some b
+    else if (||) b.box_signed b.box_turns
+         then None
+         else Some (soften c.torsion b)
+  | None -> None
+
 (** val dot_q : q list -> q list -> q **)
 
 let rec dot_q a b =
@@ -2942,12 +3045,8 @@ let element_box e =
 let mechanism_boxes bits0 d its contacts0 =
   let units = unit_motions d its in
   (match all_some (fun c ->
-           match enlarge bits0 c with
-           | Some b ->
-             if qeq_bool c.torsion { qnum = Big_int_Z.zero_big_int; qden =
-                  Big_int_Z.unit_big_int }
-             then Some (lift_box (columns units c) b)
-             else None
+           match enlarge_finger bits0 c with
+           | Some b -> Some (lift_box (columns units c) b)
            | None -> None) contacts0 with
    | Some boxes -> Some (app boxes (map element_box its.elements))
    | None -> None)

@@ -644,7 +644,19 @@ val less_along : Big_int_Z.big_int list -> form -> form -> form -> bool
 
 val nearest : Big_int_Z.big_int list -> form -> form list -> form option
 
-val part_across : Big_int_Z.big_int list -> form -> form -> form
+type foot = { of_gens : form list; foot_m : Big_int_Z.big_int; foot_e : 
+              form; foot_n : Big_int_Z.big_int; foot_d : Big_int_Z.big_int }
+
+val foot_on : Big_int_Z.big_int list -> form -> form -> foot list
+
+val foot_between : Big_int_Z.big_int list -> form -> form -> form -> foot list
+
+val longer : foot -> foot -> foot
+
+val foot_from :
+  Big_int_Z.big_int list -> nat -> form -> form list -> foot -> foot option
+
+val foot_of : Big_int_Z.big_int list -> form -> form list -> foot option
 
 val nowhere_along : Big_int_Z.big_int list -> form list -> form -> bool
 
@@ -754,6 +766,12 @@ val numbers :
   option
 
 val enlarge : Big_int_Z.big_int -> contact -> cbox option
+
+val with_turn : q list list -> q list list
+
+val soften : q -> cbox -> cbox
+
+val enlarge_finger : Big_int_Z.big_int -> contact -> cbox option
 
 val dot_q : q list -> q list -> q
 

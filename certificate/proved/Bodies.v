@@ -4,9 +4,8 @@
    stable if and only if its rows are.  `lift_seen`, `element_seen`: every choice of a question has its rows in the
    boxes. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Contacts Fingers.
-From Proved Require Rows Model SpaceModel.
-From Proved Require BodiesModel.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Between Contacts Fingers.
+From Proved Require Rows Model SpaceModel BodiesModel RowLimits Homotopy.
 Import ListNotations.
 
 (* ---- Rows of a motion that is linear in the state ---- *)
@@ -17,8 +16,11 @@ Fixpoint dot_q (a b : list Q) : Q :=
 (* The form of states, for one of motions whose columns are G. *)
 Definition lift_q (G : list (list Q)) (f : list Q) : list Q := map (fun g => reduced (dot_q f g)) G.
 
+(* Of N and of slips. *)
+Definition lift_forms_q (G fs : list (list Q)) : list (list Q) := lift_q G (hd [] fs) :: map (lift_q G) (tl fs).
+
 Definition lift_box (G : list (list Q)) (b : cbox) : cbox :=
-  CBox (box_names b) (box_geometry b) (fun geometry => map (lift_q G) (box_forms b geometry)) (box_friction b)
+  CBox (box_names b) (box_geometry b) (fun geometry => lift_forms_q G (box_forms b geometry)) (box_friction b)
     (box_preload b) (box_growth b) (box_stiffness b) (box_square b) (box_normal b) (box_weights b) (box_signed b)
     (box_spring b) (box_turns b) (box_slack b).
 
@@ -93,10 +95,14 @@ Proof.
   rewrite IH, dot_plus_right, dot_scaled_right. ring.
 Qed.
 
-Lemma dot_nth_lift G fs j d : Rows.dot (nth j (map (lift G) fs) []) d = Rows.dot (nth j fs []) (combination G d).
+Definition lift_forms (G fs : list (list R)) : list (list R) := lift G (hd [] fs) :: map (lift G) (tl fs).
+
+Lemma dot_nth_lift G fs j d : Rows.dot (nth j (lift_forms G fs) []) d = Rows.dot (nth j fs []) (combination G d).
 Proof.
-  revert j. induction fs as [|f fs IH]; intros [|j]; cbn [map nth]; try (symmetry; destruct (combination G d); reflexivity);
-    [apply dot_lift|apply IH].
+  assert (M : forall j fs, Rows.dot (nth j (map (lift G) fs) []) d = Rows.dot (nth j fs []) (combination G d)).
+  { intros i l. revert i. induction l as [|f l IH]; intros [|i]; cbn [map nth]; try reflexivity; [apply dot_lift|apply IH]. }
+  destruct j as [|j]; cbn [nth lift_forms]; [rewrite dot_lift; now destruct fs|].
+  rewrite M. destruct fs; cbn [tl nth]; [now destruct j|reflexivity].
 Qed.
 
 Definition lift_row (G : list (list R)) (r : Rows.row) : Rows.row :=
@@ -422,21 +428,37 @@ Proof.
   unfold lift_q, lift. rewrite !map_map. apply map_ext. intros g. now rewrite reduced_same, dot_q_real.
 Qed.
 
+Lemma lifted_lengths G (fs fs' : list (list R)) : List.length fs = List.length fs' ->
+  map (@List.length R) (map (lift G) fs) = map (@List.length R) (map (lift G) fs').
+Proof.
+  revert fs'. induction fs as [|f fs IH]; intros [|f' fs'] L; try discriminate; cbn [map]; [reflexivity|].
+  injection L as L. rewrite (IH _ L). unfold lift. now rewrite !map_length.
+Qed.
+
+Lemma lift_shape G (fs fs' : list (list R)) : List.length fs = List.length fs' ->
+  map (@List.length R) (lift_forms G fs) = map (@List.length R) (lift_forms G fs').
+Proof.
+  intros L. unfold lift_forms. cbn [map]. f_equal; [unfold lift; now rewrite !map_length|].
+  apply lifted_lengths. destruct fs, fs'; try discriminate; [reflexivity|]. now injection L.
+Qed.
+
+Lemma lift_forms_real G fs : map real (lift_forms_q G fs) = lift_forms (map real G) (map real fs).
+Proof.
+  unfold lift_forms_q, lift_forms. cbn [map]. rewrite lift_q_real. f_equal; [now destruct fs|].
+  rewrite map_map. destruct fs as [|f fs]; [reflexivity|]. cbn [tl map]. rewrite map_map. apply map_ext. intros g. apply lift_q_real.
+Qed.
+
 Lemma lift_inside G b r p F mu t : inside_at b r p F mu t ->
-  inside_at (lift_box G b) (lift_row (map real G) r) p (fun p => map (lift (map real G)) (F p)) mu t.
+  inside_at (lift_box G b) (lift_row (map real G) r) p (fun p => lift_forms (map real G) (F p)) mu t.
 Proof.
   intros I. constructor; cbn [box_geometry box_forms box_friction box_square box_weights box_preload box_growth
       box_stiffness box_spring box_signed box_turns box_slack lift_box Rows.N Rows.slips Rows.rho Rows.weights
       Rows.preload Rows.growth Rows.stiffness Rows.spring lift_row]; try apply I.
   - rewrite <- (is_forms _ _ _ _ _ _ I). reflexivity.
-  - intros qs. rewrite (forms_rational _ _ _ _ _ _ I), !map_map. apply map_ext. intros f. symmetry. apply lift_q_real.
+  - intros qs. now rewrite (forms_rational _ _ _ _ _ _ I), lift_forms_real.
   - intros j d. eapply multiaffine_same; [|apply (forms_affine _ _ _ _ _ _ I j (combination (map real G) d))].
     intros q _. symmetry. apply dot_nth_lift.
-  - intros q q' L L'. rewrite !map_map. unfold lift.
-    assert (E : forall l : list (list R), map (fun f => List.length (map (Rows.dot f) (map real G))) l =
-      repeat (List.length G) (List.length l)).
-    { induction l as [|f l IH]; cbn; [reflexivity|]. now rewrite IH, !map_length. }
-    rewrite !E. f_equal. pose proof (forms_shape _ _ _ _ _ _ I q q' L L') as S.
+  - intros q q' L L'. apply lift_shape. pose proof (forms_shape _ _ _ _ _ _ I q q' L L') as S.
     apply (f_equal (@List.length _)) in S. now rewrite !map_length in S.
   - intros Sp. now rewrite (spring_alone _ _ _ _ _ _ I Sp).
   - intros Sg. destruct (is_signed _ _ _ _ _ _ I Sg) as ([E|[T E]] & W & Q1); rewrite W, E; cbn;
@@ -445,18 +467,50 @@ Qed.
 
 Lemma lift_stands n r r' G : stands n r r' -> stands n (lift_row G r) (lift_row G r').
 Proof.
-  intros [SN SP SG SK SS OW OS Ru Sl]. constructor; cbn [lift_row Rows.N Rows.preload Rows.growth Rows.stiffness Rows.spring
-    Rows.weights]; try congruence; try assumption.
-  - intros w d h l a g y Ob A. apply obeys_lift in Ob. specialize (Ru w _ h l a g (combination G y) Ob A).
+  intros St. constructor; cbn [lift_row Rows.N Rows.slips Rows.rho Rows.preload Rows.growth Rows.stiffness Rows.spring
+    Rows.weights]; try apply St.
+  - now rewrite (same_N _ _ _ St).
+  - apply lifted_lengths. pose proof (same_shape _ _ _ St) as S. apply (f_equal (@List.length _)) in S. now rewrite !map_length in S.
+  - intros w d h l a g y Ob A. apply obeys_lift in Ob. pose proof (rubs _ _ _ St w _ h l a g (combination G y) Ob A) as Ru.
     unfold work_within in *. rewrite !slip_lift. exact Ru.
-  - intros d. rewrite !slip_lift. apply Sl.
+  - intros a g' C. destruct (holds _ _ _ St a g' C) as (g & C' & E). exists g. split; [exact C'|].
+    intros y. rewrite !slip_lift. apply E.
+  - intros d. rewrite !slip_lift. apply (slides _ _ _ St).
+Qed.
+
+Lemma nth_lift G x j : nth j (lift G x) 0 = Rows.dot x (nth j G []).
+Proof. unfold lift. rewrite <- (dot_nil x) at 1. apply map_nth. Qed.
+
+Lemma cv_lift (G : list (list R)) us x : RowLimits.cv_list us x -> RowLimits.cv_list (fun i => lift G (us i)) (lift G x).
+Proof.
+  intros C. apply (cv_list_by_numbers (List.length G)); [intros i; unfold lift; apply map_length|apply map_length|].
+  intros j L. rewrite nth_lift. eapply Homotopy.cv_same; [intros k; apply nth_lift|].
+  apply RowLimits.cv_dot; [exact C|apply RowLimits.cv_list_constant].
+Qed.
+
+Lemma cv_lift_all (G : list (list R)) us x : RowLimits.cv_lists us x ->
+  RowLimits.cv_lists (fun i => map (lift G) (us i)) (map (lift G) x).
+Proof.
+  induction 1 as [|u y us ys Cu C IH]; cbn [map]; [constructor|].
+  apply (RowLimits.cv_lists_cons (fun i => lift G (u i))); [now apply cv_lift|exact IH].
+Qed.
+
+Lemma cv_lift_forms (G : list (list R)) us x : RowLimits.cv_lists us x ->
+  RowLimits.cv_lists (fun i => lift_forms G (us i)) (lift_forms G x).
+Proof.
+  intros C. apply (RowLimits.cv_lists_cons (fun i => lift G (hd [] (us i)))).
+  - apply cv_lift. now apply cv_lists_head.
+  - apply cv_lift_all. now apply cv_lists_tail.
 Qed.
 
 Theorem lift_seen G b r : seen_in b r -> seen_in (lift_box G b) (lift_row (map real G) r).
 Proof.
-  intros (r' & n & p & F & mu & t & I & St & Sk & Same). exists (lift_row (map real G) r'), n, p.
-  eexists. exists mu, t. split; [apply lift_inside; exact I|]. split; [now apply lift_stands|]. split; [exact Sk|].
-  intros T. now rewrite (Same T).
+  intros (r' & p & F & mu & t & H & len & n & I & [Sd Ln Sl Ct St] & ->). set (Gr := map real G).
+  exists (lift_row Gr r'), p, (fun p => lift_forms Gr (F p)), mu, t, (fun p => lift_forms Gr (H p)), len, n.
+  split; [now apply lift_inside|]. split; [|reflexivity]. constructor; try assumption.
+  - intros q m P u s L M. exact (lift_stands _ _ _ Gr (Sd q m P u s L M)).
+  - intros qs q L C. destruct (Ct qs q L C) as [C1 C2]. split; [now apply cv_lift_forms|exact C2].
+  - intros T q L. destruct (St T q L) as [E1 E2]. now rewrite E1.
 Qed.
 
 Lemma add_multiple_real a s b : real (add_multiple a s b) = Rows.plus (real a) (Rows.scaled (Q2R s) (real b)).
@@ -492,10 +546,9 @@ Qed.
 
 Lemma element_seen e (e' : BodiesModel.element) : chosen_element e e' -> seen_in (element_box e) (element_row e').
 Proof.
-  intros (Lv & Sp & Wk & Wp & G).
+  intros (Lv & Sp & Wk & Wp & G). apply inside_seen.
   destruct (step_between _ _ _ Wp) as (t & T & EP).
-  eexists (element_row e'), 0, [], (fun _ => [BodiesModel.lever e']), 0, t.
-  split; [|split; [apply stands_for_itself; constructor|split; [intros; cbn; rewrite Q2R_0; lra|reflexivity]]].
+  exists [], (fun _ => [BodiesModel.lever e']), 0, t.
   constructor; cbn [box_geometry box_forms box_friction box_square box_weights box_preload box_growth
       box_stiffness box_spring box_signed box_turns box_slack element_box Rows.N Rows.slips Rows.rho Rows.weights
       Rows.preload Rows.growth Rows.stiffness Rows.spring element_row map]; try assumption; try reflexivity; try discriminate.

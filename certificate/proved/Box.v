@@ -180,7 +180,7 @@ Definition make_row (b : cbox) : row :=
   let g := content [numerator; denominator] in
   Row b (if box_signed b then Tip [] else mmap (map (map (to_integer fs))) (geometry_tree b)) fs
     (map (to_integer ms) (box_weights b)) ms
-    (if box_signed b then same_at_corners (tau_tree b) else Nat.eqb n 0 && negb (box_turns b))
+    (if box_signed b then same_at_corners (tau_tree b) else Nat.eqb n 0)
     tau (mmap negative tau)
     (edges (minus_ends (box_friction b))) (edges (ends (box_friction b))) (edges (full_range (box_friction b)))
     pulls ps

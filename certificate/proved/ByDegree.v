@@ -362,14 +362,14 @@ Variable D : nat.
 
 (* A way of one row of the setting. *)
 Record is_way (row : row) (way : R -> Rows.row) : Prop := IsWay {
-  from_middle : inside (middle_box (box row)) (way 0);
-  way_inside : forall s, 0 <= s <= 1 -> inside (box row) (way s);
+  from_middle : seen_in (middle_box (box row)) (way 0);
+  way_inside : forall s, 0 <= s <= 1 -> seen_in (box row) (way s);
   way_proper : forall s, 0 <= s <= 1 -> proper D (way s);
   way_continuous : forall s s', Un_cv s s' -> cv_row (fun k => way (s k)) (way s')
 }.
 
 (* To every choice of all contacts there is a way for each. *)
-Lemma ways_to rows rs : Forall2 fits rows rs -> Forall (proper D) rs ->
+Lemma ways_to rows rs : Forall2 suits rows rs -> Forall (proper D) rs ->
   forallb (fun r => friction_sound (box r)) rows = true ->
   exists ways, map (fun w => w 1) ways = rs /\ Forall2 is_way rows ways.
 Proof.
@@ -397,7 +397,7 @@ Proof. intros F S. induction F as [|row w rows ways H F IH]; cbn; constructor; [
   H)|exact IH]. Qed.
 
 Lemma rows_fit_box rows ways s : Forall2 is_way rows ways -> 0 <= s <= 1 ->
-  Forall (fun r => r = make_row (box r)) rows -> Forall2 fits rows (rows_at ways s).
+  Forall (fun r => r = make_row (box r)) rows -> Forall2 suits rows (rows_at ways s).
 Proof.
   intros F S M. induction F as [|row w rows ways H F IH]; cbn; constructor.
   - split; [exact (Forall_inv M)|now apply (way_inside _ _ H)].
@@ -405,7 +405,7 @@ Proof.
 Qed.
 
 Lemma rows_in_middle rows ways : Forall2 is_way rows ways ->
-  Forall2 fits (map (fun r => make_row (middle_box (box r))) rows) (rows_at ways 0).
+  Forall2 suits (map (fun r => make_row (middle_box (box r))) rows) (rows_at ways 0).
 Proof.
   intros F. induction F as [|row w rows ways H F IH]; cbn; constructor; [|exact IH].
   split; [reflexivity|]. apply (from_middle _ _ H).
@@ -418,11 +418,9 @@ Proof.
   unfold within, only_middle, exactly; cbn. rewrite middle_is. lra.
 Qed.
 
-Lemma point_inside b r : point_box b = true -> inside b r -> inside (middle_box b) r.
+Lemma point_inside b r p F mu t : point_box b = true -> inside_at b r p F mu t -> inside_at (middle_box b) r p F mu t.
 Proof.
-  intros P (p & F & mu & t & I). unfold point_box in P. rewrite !andb_true_iff in P. destruct P as [[[[P1 P2]
-    P3] P4] P5].
-  exists p, F, mu, t.
+  intros P I. unfold point_box in P. rewrite !andb_true_iff in P. destruct P as [[[[P1 P2] P3] P4] P5].
   constructor; try apply I; cbn [middle_box box_geometry box_forms box_friction box_preload box_growth
     box_stiffness].
   - pose proof (in_geometry _ _ _ _ _ _ I) as G. clear - G P1. induction G as [|i x is p W G IH]; cbn in *;
@@ -439,11 +437,13 @@ Proof.
   - apply certain_middle; [exact P5|apply I].
 Qed.
 
-Lemma point_fits rows rs : forallb (fun r => point_box (box r)) rows = true -> Forall2 fits rows rs ->
-  Forall2 fits (map (fun r => make_row (middle_box (box r))) rows) rs.
+Lemma point_suits rows rs : forallb (fun r => point_box (box r)) rows = true -> Forall2 suits rows rs ->
+  Forall2 suits (map (fun r => make_row (middle_box (box r))) rows) rs.
 Proof.
-  intros P F. induction F as [|row r rows rs [_ I] F IH]; cbn in *; constructor;
-    apply andb_true_iff in P as [P1 P2]; [|now apply IH]. split; [reflexivity|now apply point_inside].
+  intros P F. induction F as [|row r rows rs [_ Se] F IH]; cbn in *; constructor;
+    apply andb_true_iff in P as [P1 P2]; [|now apply IH]. split; [reflexivity|].
+  destruct Se as (r' & p & G & mu & t & H & len & k & I & Se & ->). cbn [box make_row].
+  exists r', p, G, mu, t, H, len, k. split; [now apply point_inside|]. split; [now apply middle_seen_as|reflexivity].
 Qed.
 
 End Ways.
@@ -456,10 +456,15 @@ Open Scope R_scope.
 Lemma is_zero_real q : is_zero q = true -> Q2R q = 0.
 Proof. intros H. apply Qeq_bool_eq, Qeq_eqR in H. now rewrite H, Q2R_0. Qed.
 
-Lemma row_is_free z b r : row_free z b = true -> inside b r ->
+Lemma row_is_free D z b r : row_free z b = true -> seen_in b r -> proper D r ->
   Rows.dot (Rows.N r) (real z) = 0 /\ (Rows.rho r = 0 \/ Forall (fun s => Rows.dot s (real z) = 0) (Rows.slips r)).
 Proof.
-  intros H (p & F & mu & t & I). unfold row_free in H. rewrite forallb_forall in H.
+  intros H Se P. destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & t & I & St & _).
+  enough (Free : Rows.dot (Rows.N r') (real z) = 0 /\
+      (Rows.rho r' = 0 \/ Forall (fun s => Rows.dot s (real z) = 0) (Rows.slips r'))).
+  { destruct Free as [N S]. rewrite (same_N _ _ _ St) in N. split; [exact N|].
+    destruct S as [S|S]; [left; now apply (no_rubbing _ _ _ St)|right]. apply (stands_free k r r' (real z) St); [apply (RowLimits.weights_length _ _ P)|exact S]. }
+  clear Se St P r k. rename r' into r. unfold row_free in H. rewrite forallb_forall in H.
   assert (Z : forall j, (j = O \/ Qle_bool (high (box_friction b)) 0 = false) ->
     Rows.dot (nth j (Rows.N r :: Rows.slips r) []) (real z) = 0).
   { intros j J. rewrite (rational_corners b r p F mu t I).
@@ -477,12 +482,14 @@ Proof.
     exact (Z (S j) (or_intror eq_refl)).
 Qed.
 
-Lemma rows_are_free z rows rs : forallb (fun r => row_free z (box r)) rows = true -> Forall2 fits rows rs ->
+Lemma rows_are_free D z rows rs : forallb (fun r => row_free z (box r)) rows = true -> Forall2 suits rows rs ->
+  Forall (proper D) rs ->
   Forall (fun r => Rows.dot (Rows.N r) (real z) = 0 /\
     (Rows.rho r = 0 \/ Forall (fun s => Rows.dot s (real z) = 0) (Rows.slips r))) rs.
 Proof.
-  intros H F. induction F as [|row r rows rs [_ I] F IH]; cbn in H; constructor;
-    apply andb_true_iff in H as [H1 H2]; [|now apply IH]. now apply row_is_free with (box row).
+  intros H F P. induction F as [|row r rows rs [_ I] F IH]; cbn in H; constructor;
+    apply andb_true_iff in H as [H1 H2]; [|exact (IH H2 (Forall_inv_tail P))].
+  apply row_is_free with D (box row); [exact H1|exact I|exact (Forall_inv P)].
 Qed.
 
 Lemma load_is_free z box w : load_free z box = true -> is_zero (inner (map low box) z) = true ->
@@ -553,18 +560,16 @@ Section Laws.
 Open Scope R_scope.
 
 (* Where no contact but a spring pulls, the bilateral law asks no more than the unilateral one. *)
-Lemma all_suit rows rs : Forall2 fits rows rs -> Forall2 suits rows rs.
-Proof. induction 1; constructor; [now apply fits_suits|assumption]. Qed.
-
-Lemma both_laws d h l rows rs fs : Forall2 fits rows rs -> Forall2 (Rows.obeys Model.unilateral d h l) rs fs ->
-  (forall row r, In row rows -> fits row r -> box_spring (box row) = false -> 0 <= Rows.v r d h l) ->
+Lemma both_laws d h l rows rs fs : Forall2 suits rows rs -> Forall2 (Rows.obeys Model.unilateral d h l) rs fs ->
+  (forall row r, In row rows -> suits row r -> box_spring (box row) = false -> 0 <= Rows.v r d h l) ->
   Forall2 (Rows.obeys Model.bilateral d h l) rs fs.
 Proof.
   intros F. revert fs. induction F as [|row r rows rs Fr F IH]; intros fs O V; inversion O as [|? [a y] ? fs'
     Oc Os]; subst;
     constructor.
   - destruct Oc as (L & C & D). repeat split; try assumption. specialize (V row r (or_introl eq_refl) Fr).
-    destruct Fr as [_ (p & G & mu & t & I)]. unfold Rows.normal_law in *. rewrite (is_spring _ _ _ _ _ _ I) in *.
+    destruct (seen_stands _ _ (proj2 Fr)) as (r' & k & p & G & mu & t & I & St & _).
+    unfold Rows.normal_law in *. rewrite <- (Leaf.same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I) in L |- *.
     destruct (box_spring (box row)); [exact L|]. specialize (V eq_refl). cbn in *. rewrite Rmax_right in L by
       exact V. now split.
   - apply IH; [exact Os|]. intros row' r' H. apply V. now right.
@@ -744,9 +749,9 @@ Proof.
       (l_at g (part q)), fs, c.
     split; [reflexivity|]. split; [exact C|]. split; [|intros k r Hk; discriminate].
     constructor; cbn [middle_setting make_setting rows the_load make_load load_box load_growth]; try assumption.
-    - rewrite map_all_is. apply all_suit. destruct Q as [Q|Q].
+    - rewrite map_all_is. destruct Q as [Q|Q].
       + cbn [system_at Rows.rows]. rewrite Q. now apply rows_in_middle with D.
-      + unfold is_point in Q. apply andb_true_iff in Q as [Q _]. apply point_fits; [exact Q|].
+      + unfold is_point in Q. apply andb_true_iff in Q as [Q _]. apply point_suits; [exact Q|].
         apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
     - reflexivity.
     - cbn [system_at Rows.wrench]. destruct Q as [Q|Q].
@@ -789,8 +794,9 @@ Proof.
       in A4 at 1.
     rewrite Fg in A4. rewrite A4. ring.
   - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
-    destruct AF as [[[A1 _] _] _]. apply rows_are_free with (rows s); [exact A1|].
-    apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+    destruct AF as [[[A1 _] _] _]. apply rows_are_free with D (rows s); [exact A1| |].
+    + apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+    + apply rows_proper with (rows s); [exact WW|apply clamp_range].
   - intros z e Hz. apply in_map_iff in Hz as (z' & <- & Hz). now apply HA.
   - intros e fs c OW F C Bal. apply (Middle (part 0) e (Part 0)); [|eapply InMiddle; eauto|exact OW].
     intros O. rewrite P0. unfold middle_part. now rewrite O.
@@ -802,7 +808,7 @@ Proof.
         (l_at g (part q)), fs, 0.
       split; [reflexivity|]. split; [lra|]. split; [|intros k r Hk; rewrite Fs in Hk; discriminate].
       constructor; try assumption.
-      * apply all_suit, rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
+      * apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
       * apply Ww.
       * intros y. rewrite Fn, not_pushed. apply Bal.
   - (* an equilibrium *)
@@ -814,7 +820,8 @@ Proof.
     { eapply Forall_impl; [|exact Fp]. intros r P. apply (RowLimits.weights_positive _ _ P). }
     split; [unfold d, motion; now rewrite length_listed, Fd|]. split.
     + rewrite Law. destruct two_sided; [|exact F]. cbn in LH. apply negb_false_iff in LH.
-      apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er (p & G & mu & t & I)] Sp.
+      apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er Se] Sp.
+      destruct (seen_stands _ _ Se) as (r' & k & p & G & mu & t & I & St & _).
       unfold law_holds in LH. rewrite forallb_forall in LH. specialize (LH row Hr). rewrite Sp in LH. cbn in LH.
       assert (Home : at_home memory setting (fun _ _ => True) (k_region memory advisor g s [])
         (h_at g t1 :: l_at g t1 :: d)).
@@ -822,7 +829,8 @@ Proof.
         rewrite E. apply (k_home g D L1 L2 Range); [exact T1|reflexivity|exact Wd|exact Logic.I|constructor|].
         rewrite Forall_map in K. eapply Forall_impl; [|exact K]. cbn. intros; lra. }
       destruct (home_spanned _ _ _ _ _ Home) as (ws & Wt & Sp').
-      rewrite Er in LH. exact (v_nonneg _ d (h_at g t1) (l_at g t1) ws Wt Sp' (box row) r p G mu t I LH).
+      rewrite Er in LH. rewrite <- (same_pull _ _ _ d (h_at g t1) (l_at g t1) St).
+      exact (v_nonneg _ d (h_at g t1) (l_at g t1) ws Wt Sp' (box row) r' p G mu t I LH).
     + intros y. specialize (Bal y). unfold total_work, Rows.load in Bal.
       cbn [system_at Rows.rows Rows.wrench Rows.direction] in Bal. rewrite C1, P1, mixed_end in Bal by exact Lw.
       unfold rows_at in Bal. rewrite WE in Bal. exact Bal.

@@ -60,7 +60,6 @@ Definition check_tree (q : question) (s : setting) (nodes : list node) : answer 
   end.
 
 Definition check_parts (q : question) (s : setting) (parts : list part) : answer :=
-  if negb (straight s) then NotProvedHere "stability where normals in space are uncertain" else
   match parts_fail memory advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
   | None => Stable
   | Some (rule, found_at) => Rejected rule found_at
@@ -103,7 +102,6 @@ Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (h
   let low := match hi with None => 1%Q | Some _ => lo end in
   let high := match hi with None => 1%Q | Some h => h end in
   let failing rule second := Some (Rejected rule (AtPointOf number second)) in
-  if negb (straight s) then Some (NotProvedHere "stability where normals in space are uncertain") else
   match evidence with
   | inl p =>
       match part_fails memory advisor (bilateral q) (most_depth (rows s)) low high s p with

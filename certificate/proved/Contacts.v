@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: MIT *)
 (* The contacts of a question as boxes (FORMAT.md sections 1 and 6), in the plane and in space.
-   `enlarge_plane`, `enlarge_space`: every choice of the question has its row in the box. *)
+   `enlarge_plane`: every choice of the question has its row in the box; `enlarge_space`: or is seen in it. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Turned.
+From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels RowLimits Turned Between.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 
@@ -477,6 +477,106 @@ Proof.
   - unfold S.length. now rewrite E.
 Qed.
 
+(* ---- A contact in space as its geometry changes ---- *)
+
+Section Turning.
+
+Variables a1 a2 a3 u1 u2 u3 : R.
+Let n0 := S.Vector a1 a2 a3.
+Let U := S.Vector u1 u2 u3.
+Let V := S.cross n0 U.
+Let aa := S.dot n0 n0.
+Let uu := S.dot U U.
+Hypothesis cases : (u1, u2, u3) = (0, a3, - a2) \/ (u1, u2, u3) = (- a3, 0, a1) \/ (u1, u2, u3) = (a2, - a1, 0).
+Hypothesis long : 0 < aa.
+
+(* Where it is, and its normal, by its geometry: x, y, z, e and f. *)
+Definition place_at (p : list R) : S.vector :=
+  match p with [x; y; z; _; _] => S.Vector x y z | _ => S.zero end.
+
+Definition turn_at (p : list R) : S.vector :=
+  match p with [_; _; _; e; f] => S.add (S.scale e U) (S.scale f V) | _ => S.zero end.
+
+Definition normal_at (p : list R) : S.vector := S.add n0 (turn_at p).
+
+(* The forms of the row that is seen along n0. *)
+Lemma seen_forms c p : List.length p = 5%nat -> S.position c = place_at p -> S.normal c = normal_at p ->
+  screw_list (S.N c) :: seen_rows n0 c =
+  space_reals (a1, a2, a3) (u1, u2, u3) (S.x V, S.y V, S.z V) aa p.
+Proof.
+  intros L Ep En. destruct p as [|x [|y [|z [|e [|f [|? ?]]]]]]; try discriminate L.
+  unfold seen_rows, S.N, aa. rewrite Ep, En. set (q := S.dot n0 n0). unfold normal_at.
+  cbn [place_at turn_at space_reals map]. unfold V, U, n0, at_point_reals, screw_list, S.force_at, S.cross, S.add, S.scale.
+  cbn [S.x S.y S.z S.linear S.angular]. each; unfold Rdiv; ring.
+Qed.
+
+Lemma turn_is_flat p : S.dot n0 (turn_at p) = 0.
+Proof.
+  assert (Z : S.dot n0 S.zero = 0) by (unfold S.dot, S.zero; cbn; ring).
+  destruct p as [|x [|y [|z [|e [|f [|? ?]]]]]]; try exact Z. cbn [turn_at]. unfold V, U, n0.
+  destruct cases as [E|[E|E]]; injection E as -> -> ->; unfold S.dot, S.add, S.scale, S.cross; cbn; ring.
+Qed.
+
+Lemma turn_length x y z e f : S.dot (turn_at [x; y; z; e; f]) (turn_at [x; y; z; e; f]) = uu * (e * e + aa * (f * f)).
+Proof.
+  cbn [turn_at]. unfold uu, aa, V, U, n0.
+  destruct cases as [E|[E|E]]; injection E as -> -> ->; unfold S.dot, S.add, S.scale, S.cross; cbn; ring.
+Qed.
+
+Lemma normal_long p : 0 < S.dot (normal_at p) (normal_at p).
+Proof.
+  assert (E : S.dot (normal_at p) (normal_at p) = aa + 2 * S.dot n0 (turn_at p) + S.dot (turn_at p) (turn_at p))
+    by (unfold aa, normal_at, S.dot, S.add; cbn; ring).
+  rewrite E, turn_is_flat. pose proof (dot_nonneg (turn_at p)). lra.
+Qed.
+
+Lemma geometry_continuous ps p : List.length p = 5%nat -> cv_list ps p ->
+  cv_vector (fun i => place_at (ps i)) (place_at p) /\ cv_vector (fun i => normal_at (ps i)) (normal_at p).
+Proof.
+  intros L C. destruct C as [|s0 x ss xs C0 C]; [discriminate|]. destruct C as [|s1 y ss xs C1 C]; [discriminate|].
+  destruct C as [|s2 z ss xs C2 C]; [discriminate|]. destruct C as [|s3 e ss xs C3 C]; [discriminate|].
+  destruct C as [|s4 f ss xs C4 C]; [discriminate|]. destruct C; [|discriminate].
+  unfold normal_at, cv_vector; cbn [place_at turn_at S.add S.scale S.x S.y S.z]. repeat split; converge.
+Qed.
+
+(* In a box with these forms rows stand for the contact's own. *)
+Lemma turned_seen_as b u_square square : box_turns b = true -> Q2R square = aa -> Q2R u_square = uu -> 0 < uu ->
+  List.length (box_geometry b) = 5%nat -> box_weights b = [1%Q; 1%Q; 1%Q] -> box_spring b = false ->
+  box_square b = square -> box_slack b = turned_slack u_square square ->
+  seen_as b (space_reals (a1, a2, a3) (u1, u2, u3) (S.x V, S.y V, S.z V) aa)
+    (fun p => own_forms (place_at p) (normal_at p)) (fun p => S.norm (normal_at p))
+    (fun p => S.dot (turn_at p) (turn_at p) / aa).
+Proof.
+  intros T Sq Uq UP L W Sp Bs Sl.
+  assert (W' : map Q2R (box_weights b) = [1; 1; 1]) by (rewrite W; cbn; now rewrite Q2R_1).
+  constructor; rewrite ?L.
+  - intros q mu p u k Lq Mu. set (c := contact_with (place_at q) (normal_at q) mu p u k).
+    pose proof (contact_with_row (place_at q) (normal_at q) mu p u k (normal_long q)) as E. fold c in E.
+    unfold row_of at 1. rewrite W', Sp, <- E.
+    assert (E' : row_of b (space_reals (a1, a2, a3) (u1, u2, u3) (S.x V, S.y V, S.z V) aa q)
+        (mu * sqrt (Q2R (box_square b))) p u k = turned_row n0 c).
+    { rewrite <- (seen_forms c q Lq eq_refl eq_refl). unfold row_of, turned_row. rewrite W', Sp, Bs, Sq. cbn [hd tl].
+      assert (N0 : 0 < S.norm (normal_at q)) by (apply sqrt_lt_R0, normal_long).
+      unfold c, contact_with, S.length. cbn [S.normal S.friction S.preload S.growth S.stiffness].
+      f_equal; field; lra. }
+    rewrite E'. unfold aa. apply (turned_stands c n0 (turn_at q)); [reflexivity|apply turn_is_flat|exact long|exact Mu].
+  - intros q. apply norm_nonneg.
+  - intros is q Wi Lq. rewrite Sl.
+    inversion Wi as [|? x ? q1 _ W1]; subst; [discriminate|]. inversion W1 as [|? y ? q2 _ W2]; subst; [discriminate|].
+    inversion W2 as [|? z ? q3 _ W3]; subst; [discriminate|]. inversion W3 as [|i1 e ? q4 H1 W4]; subst; [discriminate|].
+    inversion W4 as [|i2 f ? q5 H2 W5]; subst; [discriminate|]. inversion W5; subst; [|discriminate].
+    cbn [turned_slack]. rewrite turn_length, Q2R_div, Q2R_mult, Q2R_plus, Q2R_mult, Uq, Sq
+      by (intros Z; apply Qeq_eqR in Z; rewrite Q2R_0 in Z; lra).
+    apply greatest_square_above in H1, H2.
+    unfold Rdiv. apply Rmult_le_compat_r; [left; now apply Rinv_0_lt_compat|]. apply Rmult_le_compat_l; [lra|].
+    apply Rplus_le_compat; [exact H1|]. apply Rmult_le_compat_l; lra.
+  - intros qs q Lq C. destruct (geometry_continuous qs q Lq C) as [P N].
+    apply turning_continuous; [apply normal_long|exact P|exact N].
+  - intros T'. congruence.
+Qed.
+
+End Turning.
+
 Theorem enlarge_space bits q b c : enlarge bits q = Some b -> chosen_contact_in_space q c ->
   seen_in b (space_contact_row c).
 Proof.
@@ -535,7 +635,7 @@ Proof.
     S.x m = e * u1 + f * (Q2R ny * u3 - Q2R nz * u2) /\
     S.y m = e * u2 + f * (Q2R nz * u1 - Q2R nx * u3) /\
     S.z m = e * u3 + f * (Q2R nx * u2 - Q2R ny * u1) /\
-    (turns = true -> S.dot m m = Q2R uq * (e * e + Q2R square * (f * f)) /\ 0 < Q2R uq) /\
+    (turns = true -> 0 < Q2R uq) /\
     (turns = false -> m = S.zero)).
   { destruct turns eqn:Tn.
     - cbn [andb] in Flatness.
@@ -576,19 +676,20 @@ Proof.
       exists 0, 0. split; [exact Z0|]. split; [exact Z0|]. rewrite M0. unfold S.zero; cbn.
       repeat split; try ring; discriminate. }
   destruct Turn as (e & f & We & Wff & M1 & M2 & M3 & MT & MF).
-  exists (turned_row n0 c), (if turns then delta else 0),
-    [S.x (S.position c); S.y (S.position c); S.z (S.position c); e; f],
-    (space_reals (real_triple (nx, ny, nz)) (real_triple tu) (real_triple tv) (Q2R square)), (S.friction c), st.
-  split; [|split; [|split]].
-  - constructor; cbn [box_geometry box_forms box_friction box_square box_weights box_preload box_growth
+  set (p0 := [S.x (S.position c); S.y (S.position c); S.z (S.position c); e; f]).
+  assert (Place : S.position c = place_at p0) by now destruct (S.position c).
+  assert (Normal : S.normal c = normal_at (Q2R nx) (Q2R ny) (Q2R nz) u1 u2 u3 p0).
+  { rewrite NT. unfold normal_at, S.add at 1. cbn [turn_at p0].
+    unfold S.add, n0, vector_of_three. cbn [S.x S.y S.z S.scale S.cross]. rewrite M1, M2, M3. reflexivity. }
+  match goal with |- seen_in ?box _ => set (b := box) end.
+  assert (I : inside_at b (turned_row n0 c) p0
+    (space_reals (real_triple (nx, ny, nz)) (real_triple tu) (real_triple tv) (Q2R square)) (S.friction c) st).
+  { constructor; cbn [b box_geometry box_forms box_friction box_square box_weights box_preload box_growth
       box_stiffness box_spring box_signed box_turns box_slack turned_row Rows.N Rows.slips Rows.rho Rows.weights
       Rows.preload Rows.growth Rows.stiffness Rows.spring]; try assumption; try discriminate.
     + constructor; [exact Wx|]. constructor; [exact Wy|]. constructor; [exact Wz|].
       constructor; [exact We|]. constructor; [exact Wff|constructor].
-    + rewrite Eu, Ev. cbn [real_triple space_reals]. unfold at_point_reals, screw_list, S.N, seen_rows, S.force_at.
-      cbn [map]. rewrite SqE. unfold screw_list, S.force_at, S.cross, S.add, S.scale. rewrite NT. unfold S.add.
-      rewrite M1, M2, M3. unfold n0, vector_of_three; cbn [S.x S.y S.z S.linear S.angular].
-      each; unfold Rdiv; ring.
+    + rewrite Eu, Ev, SqE. exact (seen_forms (Q2R nx) (Q2R ny) (Q2R nz) u1 u2 u3 c p0 eq_refl Place Normal).
     + now apply space_rational.
     + intros j d. apply space_affine.
     + intros p1 p2 P1 P2. now apply space_shape.
@@ -598,26 +699,26 @@ Proof.
     + now rewrite G.
     + reflexivity.
     + intros _. reflexivity.
-    + intros is. destruct turns; [|unfold Q2R; cbn; lra]. destruct (MT eq_refl) as [_ UP].
+    + intros is. destruct turns; [|unfold Q2R; cbn; lra]. pose proof (MT eq_refl) as UP.
       destruct is as [|? [|? [|? [|i1 [|i2 [|? ?]]]]]]; try (cbn [turned_slack]; rewrite Q2R_0; lra).
       cbn [turned_slack]. rewrite Q2R_div, Q2R_mult, Q2R_plus, Q2R_mult by exact NZ.
       apply Rmult_le_pos; [|left; now apply Rinv_0_lt_compat]. apply Rmult_le_pos; [lra|].
       pose proof (greatest_square_nonneg i1). pose proof (greatest_square_nonneg i2). assert (0 <= Q2R square * Q2R (greatest_square i2)) by (apply Rmult_le_pos; lra).
-      lra.
-  - destruct turns eqn:Tn.
-    + apply turned_stands; try assumption. rewrite <- SqE. exact SqP.
-    + rewrite (MF eq_refl) in NT. rewrite turned_is_row.
-      * apply stands_for_itself, three_positive.
-      * rewrite NT. unfold S.add, S.zero, n0, vector_of_three; cbn. now rewrite !Rplus_0_r.
-  - intros is Wis. cbn [box_slack]. destruct turns; [|unfold Q2R; cbn; lra]. destruct (MT eq_refl) as [MM UP].
-    inversion Wis as [|? ? ? ? _ W1]; subst. inversion W1 as [|? ? ? ? _ W2]; subst. inversion W2 as [|? ? ? ? _ W3]; subst.
-    inversion W3 as [|i1 ? ? ? H1 W4]; subst. inversion W4 as [|i2 ? ? ? H2 W5]; subst. inversion W5; subst.
-    cbn [turned_slack]. rewrite Q2R_div, Q2R_mult, Q2R_plus, Q2R_mult by exact NZ.
-    unfold delta. rewrite MM, <- SqE. apply greatest_square_above in H1, H2.
-    unfold Rdiv. apply Rmult_le_compat_r; [left; now apply Rinv_0_lt_compat|]. apply Rmult_le_compat_l; [lra|].
-    apply Rplus_le_compat; [exact H1|]. apply Rmult_le_compat_l; lra.
-  - cbn [box_turns]. intros Tn. specialize (MF Tn). rewrite MF in NT. apply turned_is_row.
-    rewrite NT. unfold S.add, S.zero, n0, vector_of_three; cbn. now rewrite !Rplus_0_r.
+      lra. }
+  destruct turns eqn:Tn.
+  - pose proof (MT eq_refl) as UP. eexists (turned_row n0 c), p0, _, (S.friction c), st, _, _, _.
+    split; [exact I|]. rewrite Eu, Ev, SqE. split.
+    + apply (turned_seen_as (Q2R nx) (Q2R ny) (Q2R nz) u1 u2 u3 Cases) with (square := square) (u_square := uq);
+        try reflexivity.
+      * rewrite SqE in SqP. exact SqP.
+      * exact SqE.
+      * exact Uq.
+      * rewrite Uq in UP. exact UP.
+    + cbn beta. rewrite <- Normal, <- Place. unfold row_of. cbn [b box_weights box_spring map]. rewrite Q2R_1.
+      reflexivity.
+  - apply inside_seen. rewrite <- (turned_is_row n0 c) by
+      (rewrite NT, (MF eq_refl); unfold S.add, S.zero, n0, vector_of_three; cbn; now rewrite !Rplus_0_r).
+    eexists p0, _, (S.friction c), st. exact I.
 Qed.
 
 End Proofs.

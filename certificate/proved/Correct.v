@@ -2,7 +2,7 @@
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Fingers Bodies Leaf Tree Witness Margin
-  RowLimits ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
+  RowLimits Between ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
   RigidClass RigidTrue.
 From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
@@ -183,18 +183,15 @@ Proof.
   - now apply IH.
 Qed.
 
-Lemma posed_in_setting q st s : poses q st s -> straight st = true -> in_setting st s.
+Lemma posed_in_setting q st s : poses q st s -> in_setting st s.
 Proof.
-  intros P St. pose proof (posed_fits q st s P St) as Fi. destruct P.
+  intros P. destruct P.
   destruct posed_slipping0 as [NS NP], posed_dimension0 as [D1 D2], posed_shapes0 as [Lw Sh].
   constructor; try congruence.
-  - unfold contains, contains_by. rewrite posed_load0. now repeat split.
-  - rewrite D1. clear - Fi Sh. revert Sh.
-    induction Fi as [|row r rows rs [_ (p & F & mu & t & I)] P IH]; intros Sh; constructor.
-    + destruct (Forall_inv Sh) as (A & B & C). constructor; try assumption; try apply I.
-      * rewrite (is_rho _ _ _ _ _ _ I). apply Rmult_le_pos; [apply (friction_nonneg _ _ _ _ _ _ I)|apply sqrt_pos].
-      * intros Sp. rewrite (is_spring _ _ _ _ _ _ I) in Sp.
-        rewrite (is_rho _ _ _ _ _ _ I), (spring_smooth _ _ _ _ _ _ I Sp). ring.
+  - unfold contains. rewrite posed_load0. now repeat split.
+  - rewrite D1. clear - posed_rows0 Sh. revert Sh.
+    induction posed_rows0 as [|row r rows rs [_ Se] P IH]; intros Sh; constructor.
+    + destruct (Forall_inv Sh) as (A & B & C). now apply (seen_proper _ (box row)).
     + apply IH. exact (Forall_inv_tail Sh).
   - split; congruence.
 Qed.
@@ -235,8 +232,7 @@ Proof.
   intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
   set (low := match hi with None => 1%Q | Some _ => lo end) in *.
   set (high := match hi with None => 1%Q | Some h => h end) in *.
-  destruct (straight st) eqn:Straight; [cbn [negb] in H|discriminate].
-  pose proof (posed_fits _ _ _ P Straight) as Fi. pose proof (posed_in_setting _ _ _ P Straight) as In_s.
+  pose proof (posed_in_setting _ _ _ P) as In_s.
   (* From low to high, or 1 alone. *)
   assert (Here : (forall l, Q2R low <= l <= Q2R high -> Rows.stable_at s l) -> Rows.stable_at s l).
   { intros St. destruct hi as [h|]; [apply St; unfold low, high; lra|].
@@ -246,7 +242,8 @@ Proof.
   - destruct (part_fails _ _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
     exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
   - destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
-    destruct (one_grasp _ _ _ P X) as (E & Lo & _). destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
+    destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi.
+    destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
     apply Here. intros l' [L1 L2]. destruct points as [|w more]; [discriminate|].
     destruct (check_at _ _ _ _ (Point (Some low) w)) as [ss|] eqn:K; [|discriminate].
     destruct more as [|w' more].
@@ -330,7 +327,7 @@ Proof.
     replace 0 with (Q2R 0) by apply Q2R_0.
     eapply point_resists; try eassumption. reflexivity.
   - (* parts *)
-    unfold check_parts. destruct (straight st) eqn:Sg; [cbn [negb]|exact I]. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
+    unfold check_parts. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
     intros s C. specialize (P s C).
     pose proof (parts_stable memory advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
     apply (Forall_inv A). cbn. now apply posed_in_setting with q.
@@ -347,7 +344,7 @@ Proof.
     intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as (E & L & Sg). split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
-    + intros A. pose proof (posed_in_setting q st s P Sg) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
+    + intros A. pose proof (posed_in_setting q st s P) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
       rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
       { intros a b d1 d2 walls direction tree l Hd Z La Lb.
         eapply (segment_by_degree_resists memory advisor); eassumption. }

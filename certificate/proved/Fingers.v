@@ -2,7 +2,7 @@
 (* Soft fingers (FORMAT.md section 15): a contact in space that may have torsion, as a row whose slips have the turn about
    the normal as one number more.  `finger_seen`: every choice of a question has its row in the box. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Contacts Turned.
+From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Between Contacts Turned.
 From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 
@@ -282,15 +282,14 @@ Proof.
     { intros E. rewrite E in Et. rewrite <- Q2R_0 in Et. apply eqR_Qeq in Et. symmetry in Et.
       apply Qeq_bool_iff in Et. congruence. }
     destruct (Req_EM_T _ 0) as [E|_]; [contradiction|].
-    destruct Se as (r' & k & p & F & mu & st & I & _ & _ & Same). rewrite (Same Tn) in I.
+    destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & st & I & _ & _ & Same). rewrite (Same Tn) in I.
     pose proof (soft_gamma t NZ N) as G. pose proof (space_square bits q b' (hard t) B Ch Tn) as Sq.
     assert (D0 : 0 < S.dot (S.normal (hard t)) (S.normal (hard t))).
     { apply norm_positive in NZ. unfold S.norm in NZ. now apply (proj1 (sqrt_positive _)) in NZ. }
     assert (E : gamma t = Q2R (torsion q * torsion q / box_square b')).
     { unfold gamma. rewrite <- Sq, Et, Q2R_div, Q2R_mult; [reflexivity|].
       intros Q. apply Qeq_eqR in Q. rewrite Q2R_0 in Q. lra. }
-    apply (proj2 (fits_suits (make_row (soften (torsion q) b')) _ (conj eq_refl
-      (ex_intro _ p (ex_intro _ _ (ex_intro _ mu (ex_intro _ st (soften_inside _ _ _ _ _ _ _ _ I Sg G E)))))))).
+    apply inside_seen. eexists _, _, _, _. exact (soften_inside _ _ _ _ _ _ _ _ I Sg G E).
 Qed.
 
 End Proofs.

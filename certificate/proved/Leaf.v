@@ -3,7 +3,7 @@
    work on a virtual twist.  `leaf_refutes`: where a leaf holds, no equilibrium is at home. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Question Cone Meaning Numbers Root Box Terms Edges Slips.
-From Proved Require Rows Model.
+From Proved Require Rows Model RowLimits.
 Import ListNotations.
 
 Section Checker.
@@ -98,45 +98,94 @@ Definition fits (row : row) (r : Rows.row) := row = make_row (box row) /\ inside
    a row that stands for it is; k is FORMAT.md's delta of its own normal. *)
 Record stands (k : R) (r r' : Rows.row) : Prop := Stands {
   same_N : Rows.N r' = Rows.N r;
+  same_shape : map (@List.length R) (Rows.slips r') = map (@List.length R) (Rows.slips r);
+  same_weights : Rows.weights r' = Rows.weights r;
   same_preload : Rows.preload r' = Rows.preload r;
   same_growth : Rows.growth r' = Rows.growth r;
   same_stiffness : Rows.stiffness r' = Rows.stiffness r;
   same_spring : Rows.spring r' = Rows.spring r;
   own_weights : Rows.positive (Rows.weights r);
   own_slack : 0 <= k;
+  no_rubbing : Rows.rho r' = 0 -> Rows.rho r = 0;
   rubs : forall w d h l a g y, Rows.obeys w d h l r (a, g) -> 0 <= a ->
     work_within r' k a d y (Rows.product (Rows.weights r) g (Rows.slip r y));
-  slides : forall d, 0 < Rows.size (Rows.weights r) (Rows.slip r d) ->
+  (* friction that the one can hold, the other can *)
+  holds : forall a g', Rows.size (Rows.weights r') g' <= Rows.rho r' * a ->
+    exists g, Rows.size (Rows.weights r) g <= Rows.rho r * a /\
+      forall y, Rows.product (Rows.weights r) g (Rows.slip r y) = Rows.product (Rows.weights r') g' (Rows.slip r' y);
+  slides : forall d, 0 < Rows.size (Rows.weights r) (Rows.slip r d) <->
     0 < Rows.size (Rows.weights r') (Rows.slip r' d)
 }.
 
+(* A row of a box with these forms, of N and of slips. *)
+Definition row_of (b : cbox) (forms : list (list R)) (rho p u k : R) : Rows.row :=
+  Rows.Row (hd [] forms) (tl forms) (map Q2R (box_weights b)) rho p u k (box_spring b).
+
+(* All rows with the forms G and rho = mu len, as the geometry and mu change: those with the forms F, which are in the
+   box, stand for them. *)
+Record seen_as (b : cbox) (F G : list R -> list (list R)) (len k : list R -> R) : Prop := SeenAs {
+  each_stands : forall q mu p u s, List.length q = List.length (box_geometry b) -> 0 <= mu ->
+    stands (k q) (row_of b (G q) (mu * len q) p u s) (row_of b (F q) (mu * sqrt (Q2R (box_square b))) p u s);
+  len_nonneg : forall q, 0 <= len q;
+  slack_above : forall is q, Forall2 within is q -> List.length q = List.length (box_geometry b) ->
+    k q <= Q2R (box_slack b is);
+  true_continuous : forall qs q, List.length q = List.length (box_geometry b) -> RowLimits.cv_list qs q ->
+    RowLimits.cv_lists (fun i => G (qs i)) (G q) /\ Un_cv (fun i => len (qs i)) (len q);
+  if_straight : box_turns b = false -> forall q, List.length q = List.length (box_geometry b) ->
+    G q = F q /\ len q = sqrt (Q2R (box_square b))
+}.
+
 Definition seen_in (b : cbox) (r : Rows.row) : Prop :=
-  exists r' k p F mu t, inside_at b r' p F mu t /\ stands k r r' /\
-    (forall is, Forall2 within is p -> k <= Q2R (box_slack b is)) /\ (box_turns b = false -> r' = r).
+  exists r' p F mu t G len k, inside_at b r' p F mu t /\ seen_as b F G len k /\
+    r = row_of b (G p) (mu * len p) (Rows.preload r') (Rows.growth r') (Rows.stiffness r').
 
 Definition suits (row : row) (r : Rows.row) := row = make_row (box row) /\ seen_in (box row) r.
 
 Lemma stands_for_itself r : Rows.positive (Rows.weights r) -> stands 0 r r.
 Proof.
   intros P. constructor; try reflexivity; try assumption; try lra; try (intros; assumption).
-  intros w d h l a g y Ob _. eapply obeys_within; eassumption.
+  - intros w d h l a g y Ob _. eapply obeys_within; eassumption.
+  - intros a g H. now exists g.
 Qed.
 
-Lemma fits_suits row r : fits row r -> suits row r.
+Lemma inside_row b r p F mu t : inside_at b r p F mu t ->
+  r = row_of b (F p) (mu * sqrt (Q2R (box_square b))) (Rows.preload r) (Rows.growth r) (Rows.stiffness r).
 Proof.
-  intros [E (p & F & mu & t & I)]. split; [exact E|]. exists r, 0, p, F, mu, t. split; [exact I|].
-  split; [apply stands_for_itself, (weights_positive _ _ _ _ _ _ I)|].
-  split; [|reflexivity]. intros is _. apply (slack_nonneg _ _ _ _ _ _ I).
+  intros I. unfold row_of. rewrite <- (is_forms _ _ _ _ _ _ I), <- (is_rho _ _ _ _ _ _ I),
+    <- (is_weights _ _ _ _ _ _ I), <- (is_spring _ _ _ _ _ _ I). now destruct r.
+Qed.
+
+Lemma true_row_stands b r' p F mu t G len k : inside_at b r' p F mu t -> seen_as b F G len k ->
+  stands (k p) (row_of b (G p) (mu * len p) (Rows.preload r') (Rows.growth r') (Rows.stiffness r')) r'.
+Proof.
+  intros I Se. rewrite (inside_row _ _ _ _ _ _ I) at 4. apply (each_stands _ _ _ _ _ Se).
+  - symmetry. apply (same_length within), I.
+  - apply (friction_nonneg _ _ _ _ _ _ I).
+Qed.
+
+(* What the proofs about leaves need of it. *)
+Lemma seen_stands b r : seen_in b r -> exists r' k p F mu t, inside_at b r' p F mu t /\ stands k r r' /\
+  (forall is, Forall2 within is p -> k <= Q2R (box_slack b is)) /\ (box_turns b = false -> r' = r).
+Proof.
+  intros (r' & p & F & mu & t & G & len & k & I & Se & ->). exists r', (k p), p, F, mu, t.
+  assert (L : List.length p = List.length (box_geometry b))
+    by (symmetry; apply (same_length within), I).
+  split; [exact I|]. split; [now apply true_row_stands with F t|]. split.
+  - intros is W. now apply (slack_above _ _ _ _ _ Se).
+  - intros T. destruct (if_straight _ _ _ _ _ Se T p L) as [-> ->]. exact (inside_row _ _ _ _ _ _ I).
 Qed.
 
 Lemma suits_fits row r : suits row r -> box_turns (box row) = false -> fits row r.
 Proof.
-  intros [E (r' & k & p & F & mu & t & I & _ & _ & Same)] T. split; [exact E|]. rewrite <- (Same T).
+  intros [E Se] T. destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & t & I & _ & _ & Same). split; [exact E|]. rewrite <- (Same T).
   now exists p, F, mu, t.
 Qed.
 
 Lemma same_pull k r r' d h l : stands k r r' -> Rows.v r' d h l = Rows.v r d h l.
-Proof. intros [N P G K _ _ _ _ _]. unfold Rows.v. now rewrite N, P, G, K. Qed.
+Proof.
+  intros St. unfold Rows.v.
+  now rewrite (same_N _ _ _ St), (same_preload _ _ _ St), (same_growth _ _ _ St), (same_stiffness _ _ _ St).
+Qed.
 
 (* A point (d, h, l) and forces that obey the law of a system in the box of these rows and this load; what they
    do of work, with the load, is that of `push`: nothing in an equilibrium. *)
@@ -248,7 +297,7 @@ Lemma presser_bound w (slipping may_open : bool) b r a g :
   IZR m * Rows.work r (a, g) yv <= bound (term_of m y
     (Presser (make_row b) (way_of strict rays slipping factor y (make_row b)) may_open)).
 Proof.
-  intros (r' & k & p & F & mu & t & I & St & Sk & Same) Ob HS Closed.
+  intros Se Ob HS Closed. destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & t & I & St & Sk & Same).
   pose proof (same_pull k r r' d h l St) as Pull. set (v := Rows.v r d h l) in *.
   assert (Law : (box_spring b = true -> a = v) /\ (box_spring b = false -> a = Rmax 0 v)).
   { destruct Ob as [Law _]. unfold Rows.normal_law in Law.
@@ -288,7 +337,7 @@ Qed.
 Lemma open_works w b r a g : seen_in b r -> Rows.obeys w d h l r (a, g) -> box_spring b = false ->
   forallb (nowhere_positive rays) (pull_tips (make_row b)) = true -> Rows.work r (a, g) yv = 0.
 Proof.
-  intros (r' & k & p & F & mu & t & I & St & _ & _) (Law & Cone & _) Sp Open.
+  intros Se (Law & Cone & _) Sp Open. destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & t & I & St & _ & _).
   pose proof (v_nonpos rays d h l ws W spanned b r' p F mu t I Open) as V.
   rewrite (same_pull k r r' d h l St) in V.
   unfold Rows.normal_law in Law. rewrite <- (same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I), Sp in Law.

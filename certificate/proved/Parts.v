@@ -94,10 +94,10 @@ Proof.
     cbn in Uw. rewrite !andb_true_iff in Uw. destruct Uw as [[U1 U2] Uw]. apply is_zero_real in U1, U2.
     destruct y as [|t y]; [reflexivity|]. cbn. rewrite IH by exact Uw. replace x with 0 by lra. ring. }
   assert (P : Forall (fun r => Rows.preload r = 0) (Rows.rows sys)).
-  { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ (p & F & mu & t & I)] Fr IH]; intros Up;
-      constructor;
+  { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ Se] Fr IH]; intros Up; constructor;
       cbn in Up; rewrite !andb_true_iff in Up; destruct Up as [[U1 U2] Up]; [|now apply IH].
-    apply is_zero_real in U1, U2. rewrite (in_preload _ _ _ _ _ _ I), U1, U2. ring. }
+    destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & t & I & St & _). apply is_zero_real in U1, U2.
+    rewrite <- (Leaf.same_preload _ _ _ St), (in_preload _ _ _ _ _ _ I), U1, U2. ring. }
   pose proof (its_proper _ _ I) as Pr.
   exists (Rows.scaled lambda d), (map (fun f => (lambda * fst f, Rows.scaled lambda (snd f))) fs).
   split; [unfold Rows.scaled; now rewrite map_length|]. split.

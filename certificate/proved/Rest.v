@@ -541,7 +541,8 @@ Hypothesis reach_length : List.length reach = n.
 Hypothesis all_sound : Forall (fun r => friction_sound (resting_box r) = true /\
   Forall (fun q => 0 < Q2R q) (box_weights (resting_box r))) them.
 
-Theorem stable_where_it_rests lambda : rests lambda -> Rows.stable_at sys lambda.
+Theorem stable_where_it_rests lambda : rests lambda ->
+  exists fs, Rows.equilibrium sys (listed n (fun _ => 0)) 1 lambda fs.
 Proof.
   intros [Re He]. destruct fit as [_ Fd Fp [Fl1 Fl2] _ _]. rewrite n_is in *.
   set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys)
@@ -587,7 +588,7 @@ Proof.
     set (o := sum_to n (fun l => off k l * z l)) in *. clear - B Ab.
     unfold Rabs in B, Ab. destruct (Rcase_abs (Wr lambda k)), (Rcase_abs o); lra.
   - assert (Zero : forall k, (k < n)%nat -> total z k = 0) by (intros k K; specialize (Fix k K); cbn in Fix; lra).
-    exists (listed n (fun _ => 0)), (forces_at lambda z them (Rows.rows sys)). split; [now rewrite
+    exists (forces_at lambda z them (Rows.rows sys)). split; [now rewrite
       length_listed|]. split.
     + assert (Zr : Forall2 (fun x m => Rabs x <= Q2R m) (listed n z) reach).
       { clear - In_box reach_length. revert z reach reach_length In_box. induction n as [|m IHm]; intros z [|q
@@ -775,12 +776,14 @@ Qed.
 
 End AtRest.
 
-Theorem stable_at_rest s sys alpha beta p lambda : in_setting s sys -> rest_fails s alpha beta p = None ->
-  (Q2R alpha <= lambda <= Q2R beta)%R -> Rows.stable_at sys lambda.
+(* A system of rows in the box rests. *)
+Theorem rests_in_box s sys alpha beta p lambda : in_setting s sys -> Forall2 fits (rows s) (Rows.rows sys) ->
+  rest_fails s alpha beta p = None -> (Q2R alpha <= lambda <= Q2R beta)%R ->
+  exists fs, Rows.equilibrium sys (listed (dimension_of s) (fun _ => 0%R)) 1 lambda fs.
 Proof.
-  intros Fit H L. unfold rest_fails in H. set (n := dimension_of s) in *.
+  intros Fit Fi H L. unfold rest_fails in H. set (n := dimension_of s) in *.
   destruct (resting_contacts n _ _ _ _ _) as [them|] eqn:E; [|discriminate].
-  destruct (resting_shaped n (rows s) (Rows.rows sys) _ _ _ _ _ E (proj1 (its_box _ _ Fit)) (its_proper _ _ Fit))
+  destruct (resting_shaped n (rows s) (Rows.rows sys) _ _ _ _ _ E Fi (its_proper _ _ Fit))
     as (rest & E' & S). cbn in E'. subst rest.
   set (fails := rest_fails_at n s them (map (column n them) (seq 0 n)) (rest_reach p)) in H.
   assert (Rules : forall q, fails q = None ->
@@ -807,4 +810,59 @@ Proof.
       assert (0 < / (b - a))%R by (apply Rinv_0_lt_compat; lra). split.
       * apply Rmult_le_pos; lra.
       * apply Rmult_le_reg_r with (b - a)%R; [lra|]. field_simplify; lra.
+Qed.
+
+(* ---- Where normals in space are uncertain ---- *)
+
+Section Standing.
+Open Scope R_scope.
+
+Definition stand_for (rs' rs : list Rows.row) : Prop := Forall2 (fun r r' => exists k, stands k r r') rs rs'.
+
+(* Of every choice there are rows in the box that stand for its own. *)
+Lemma standing_rows n rows rs : Forall2 suits rows rs -> Forall (proper n) rs ->
+  exists rs', Forall2 fits rows rs' /\ stand_for rs' rs /\ Forall (proper n) rs'.
+Proof.
+  intros F. induction F as [|row r rows rs [E Se] F IH]; intros P.
+  - exists []. repeat constructor.
+  - destruct (IH (Forall_inv_tail P)) as (rs' & F' & S' & P').
+    destruct (seen_stands _ _ Se) as (r' & k & p & G & mu & t & I & St & _).
+    exists (r' :: rs'). split; [|split]; constructor; try assumption.
+    + split; [exact E|]. now exists p, G, mu, t.
+    + now exists k.
+    + exact (stands_proper n _ _ _ _ _ _ _ _ St I (Forall_inv P)).
+Qed.
+
+(* What these can hold at rest, it can. *)
+Lemma holds_at_rest n w lambda rs rs' fs' : stand_for rs' rs ->
+  Forall2 (Rows.obeys w (listed n (fun _ => 0)) 1 lambda) rs' fs' ->
+  exists fs, Forall2 (Rows.obeys w (listed n (fun _ => 0)) 1 lambda) rs fs /\
+    forall y, Rows.works rs fs y = Rows.works rs' fs' y.
+Proof.
+  intros F. revert fs'. induction F as [|r r' rs rs' [k St] F IH]; intros fs' O;
+    inversion O as [|? [a g'] ? fs'' (L & C & _) Os]; subst.
+  - exists []. split; [constructor|reflexivity].
+  - destruct (IH _ Os) as (fs & Of & Wf). destruct (holds _ _ _ St a g' C) as (g & Cg & Wg).
+    destruct (slip_at_rest n r) as [S0 S1]. exists ((a, g) :: fs). split.
+    + constructor; [|exact Of]. unfold Rows.obeys. rewrite S0, S1.
+      rewrite (same_pull _ _ _ _ _ _ St) in L. unfold Rows.normal_law in *. rewrite (Leaf.same_spring _ _ _ St) in L.
+      split; [exact L|]. split; [exact Cg|ring].
+    + intros y. cbn. rewrite Wf. unfold Rows.work; cbn [fst snd]. now rewrite Wg, (same_N _ _ _ St).
+Qed.
+
+End Standing.
+
+Theorem stable_at_rest s sys alpha beta p lambda : in_setting s sys -> rest_fails s alpha beta p = None ->
+  (Q2R alpha <= lambda <= Q2R beta)%R -> Rows.stable_at sys lambda.
+Proof.
+  intros [(Su & LE & LW & LU) D P Le Sl Pu] H L.
+  destruct (standing_rows _ _ _ Su P) as (rs' & Fi & St & P').
+  set (sys' := Rows.System (Rows.dimension sys) rs' (Rows.wrench sys) (Rows.direction sys) (Rows.normal sys)).
+  assert (Fit : in_setting s sys').
+  { constructor; try assumption. split; [|now repeat split]. clear - Fi. cbn.
+    induction Fi; constructor; [now apply fits_suits|assumption]. }
+  destruct (rests_in_box s sys' alpha beta p lambda Fit Fi H L) as (fs' & Ld & O & B).
+  destruct (holds_at_rest _ _ _ _ _ _ St O) as (fs & Of & Wf).
+  exists (listed (dimension_of s) (fun _ => 0%R)), fs. split; [exact Ld|]. split; [exact Of|].
+  intros y. rewrite Wf. apply B.
 Qed.

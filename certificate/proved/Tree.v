@@ -345,45 +345,31 @@ Proof.
     destruct (within_halves _ c _ K); [left|right]; exists t; constructor; cbn; assumption.
 Qed.
 
-Lemma set_inside b name c i r : inside b r -> get b name = Some i -> is_inside i c = true ->
-  negb (same_parameter name PPreload) || certain (box_growth b) = true ->
-  inside (set b name (low_half i c)) r \/ inside (set b name (high_half i c)) r.
-Proof.
-  intros (p & F & mu & t & I) E C G.
-  destruct (set_inside_at b name c i r p F mu t I E C G) as [(t' & H)|(t' & H)]; [left|right]; now exists p, F, mu, t'.
-Qed.
-
 Lemma set_seen b name c i r : seen_in b r -> get b name = Some i -> is_inside i c = true ->
   negb (same_parameter name PPreload) || certain (box_growth b) = true ->
   seen_in (set b name (low_half i c)) r \/ seen_in (set b name (high_half i c)) r.
 Proof.
-  intros (r' & k & p & F & mu & t & I & St & Sk & Same) E C G.
-  assert (Keep : forall i', box_slack (set b name i') = box_slack b /\ box_turns (set b name i') = box_turns b)
-    by (intros i'; destruct b, name; split; reflexivity).
-  destruct (set_inside_at b name c i r' p F mu t I E C G) as [(t' & H)|(t' & H)]; [left|right];
-    exists r', k, p, F, mu, t'; (split; [exact H|]); (split; [exact St|]);
-    destruct (Keep (low_half i c)) as [K1 K2], (Keep (high_half i c)) as [K3 K4]; rewrite ?K1, ?K2, ?K3, ?K4; auto.
+  intros (r' & p & F & mu & t & G & len & k & I & Se & ->) E C Gr.
+  assert (Keep : forall i', seen_as (set b name i') F G len k /\ forall fs rho p u s,
+      row_of (set b name i') fs rho p u s = row_of b fs rho p u s).
+  { intros i'. destruct Se. split; [|now destruct b, name]. constructor; destruct b, name; cbn in *;
+      rewrite ?set_named_length; assumption. }
+  destruct (set_inside_at b name c i r' p F mu t I E C Gr) as [(t' & H)|(t' & H)]; [left|right];
+    exists r', p, F, mu, t', G, len, k; (split; [exact H|]).
+  - destruct (Keep (low_half i c)) as [K ->]. now split.
+  - destruct (Keep (high_half i c)) as [K ->]. now split.
 Qed.
 
-(* A system in the box; or one for whose rows others stand. *)
-Definition contains_by (P : row -> Rows.row -> Prop) (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
-  Forall2 P rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
+(* A system in the box. *)
+Definition contains (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
+  Forall2 suits rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
   Forall2 within (load_box ld) (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
 
-Definition contains := contains_by fits.
-
-Section Halves.
-Variable inside_box : cbox -> Rows.row -> Prop.
-Hypothesis set_keeps : forall b name c i r, inside_box b r -> get b name = Some i -> is_inside i c = true ->
-  negb (same_parameter name PPreload) || certain (box_growth b) = true ->
-  inside_box (set b name (low_half i c)) r \/ inside_box (set b name (high_half i c)) r.
-Let P (row : row) (r : Rows.row) := row = make_row (box row) /\ inside_box (box row) r.
-
-Lemma halves_contain_by s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
-  contains_by P (rows s) (the_load s) sys ->
+Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
+  contains (rows s) (the_load s) sys ->
   (forall t, t = lo \/ t = hi ->
      dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
-  (contains_by P (rows lo) (the_load lo) sys \/ contains_by P (rows hi) (the_load hi) sys).
+  (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
 Proof.
   intros H (F & LE & LW & LU).
   assert (Row : match numbered (rows s) i with
@@ -399,15 +385,15 @@ Proof.
       end = inl (lo, hi) ->
     (forall t, t = lo \/ t = hi ->
        dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
-    (contains_by P (rows lo) (the_load lo) sys \/ contains_by P (rows hi) (the_load hi) sys)).
+    (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys)).
   { intros R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (get (box row) name) as [iv|] eqn:Ge; [|discriminate].
     destruct (is_inside iv c && _) eqn:C; [|discriminate]. apply andb_true_iff in C as [C G].
     injection R as <- <-. split; [intros t [-> | ->]; auto|].
-    destruct (numbered_replace_either P (rows s) (Rows.rows sys) i row
+    destruct (numbered_replace_either suits (rows s) (Rows.rows sys) i row
       (make_row (set (box row) name (low_half iv c))) (make_row (set (box row) name (high_half iv c))) F N)
       as [F'|F']; [|left; now repeat split|right; now repeat split].
-    intros k [_ Ik]. destruct (set_keeps _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
+    intros k [_ Ik]. destruct (set_seen _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
   destruct name; cbn [halves] in H; try (apply Row; exact H).
   destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
   destruct (is_inside iv c); [|discriminate]. injection H as <- <-. split; [intros t [-> | ->]; auto|].
@@ -415,22 +401,13 @@ Proof.
     (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right]; now repeat split.
 Qed.
 
-End Halves.
-
-Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
-  contains (rows s) (the_load s) sys ->
-  (forall t, t = lo \/ t = hi ->
-     dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
-  (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
-Proof. exact (halves_contain_by inside set_inside s name i c lo hi sys). Qed.
-
 Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
   solution (rows s) (the_load s) push sys d h l fs ->
   (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
   (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
 Proof.
   intros H [F LE LW LU H0 L0 E Bal].
-  destruct (halves_contain_by seen_in set_seen s name i c lo hi sys H) as [S C]; [now repeat split|].
+  destruct (halves_contain s name i c lo hi sys H) as [S C]; [now repeat split|].
   destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
   split; [auto|]. destruct C as [(F' & LE' & LW' & LU')|(F' & LE' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
@@ -478,28 +455,22 @@ Definition solves (s : setting) (x : list R) :=
   exists sys d h l fs c, x = h :: l :: d /\ 0 <= c /\
     solution (rows s) (the_load s) (pushed (pushes s) c x) sys d h l fs /\ slips_at (slipping s) (Rows.rows sys) d.
 
-Lemma slip_certain_straight row : slip_certain row = true -> row = make_row (box row) -> box_signed (box row) = false ->
-  count (box_geometry (box row)) = O /\ box_turns (box row) = false.
-Proof.
-  intros C E Sg. rewrite E in C. cbn [slip_certain make_row] in C. rewrite Sg in C. apply andb_true_iff in C as [C T].
-  apply negb_true_iff in T. now apply Nat.eqb_eq in C.
-Qed.
-
 (* Where the geometry is certain, the slip is zero where its forms are. *)
 Lemma slip_forms_zero row r d h l : suits row r -> slip_certain row = true -> box_signed (box row) = false ->
   Forall (fun f => rdot f (h :: l :: d) = 0) (slip_forms row) \/
   (0 < Rows.size (Rows.weights r) (Rows.slip r d) /\ not_zero (h :: l :: d) (slip_forms row)).
 Proof.
-  intros Su C Sg. destruct (slip_certain_straight row C (proj1 Su) Sg) as [C' Straight].
-  destruct (suits_fits row r Su Straight) as [E (p & F & mu & t & I)].
+  intros [E Se] C Sg. destruct (seen_stands _ _ Se) as (r' & k0 & p & F & mu & t & I & St & _ & _).
+  assert (C' : count (box_geometry (box row)) = O).
+  { rewrite E in C. cbn [slip_certain make_row] in C. rewrite Sg in C. now apply Nat.eqb_eq. }
   assert (SS : shares_in (box row) p = []).
   { clear C. rename C' into C.
     unfold shares_in. apply length_zero_iff_nil. rewrite (shares_count _ _ (in_geometry _ _ _ _ _ _ I)). exact C. }
   set (u := unit (forms_scaling (box row))). assert (U : 0 < u) by apply unit_positive.
   set (T := first_tip (forms row)).
-  assert (Nth : forall j, nth j (Rows.slip r d) 0 = u * rdot (nth (S j) T []) d).
-  { intros j. pose proof (forms_corners (box row) r p F mu t I (S j) d Sg) as X.
-    rewrite SS, eval_first, <- E in X. transitivity (Rows.dot (nth j (Rows.slips r) []) d); [|exact X].
+  assert (Nth : forall j, nth j (Rows.slip r' d) 0 = u * rdot (nth (S j) T []) d).
+  { intros j. pose proof (forms_corners (box row) r' p F mu t I (S j) d Sg) as X.
+    rewrite SS, eval_first, <- E in X. transitivity (Rows.dot (nth j (Rows.slips r') []) d); [|exact X].
     unfold Rows.slip. change 0 with (Rows.dot [] d) at 1. apply (map_nth (fun f => Rows.dot f d)). }
   assert (Of : forall f, rdot (of_motion f) (h :: l :: d) = rdot f d) by (intros; apply rdot_of_motion).
   unfold slip_forms. fold T. set (k := List.length (metric row)).
@@ -510,18 +481,19 @@ Proof.
   destruct Cases as [Z|NZ].
   - left. apply Forall_map. eapply Forall_impl; [|exact Z]. intros f. cbv beta. now rewrite Of.
   - right. split.
-    + destruct (Rle_lt_or_eq_dec 0 _ (Rows.size_nonneg (Rows.weights r) (Rows.slip r d))) as [P|P]; [exact P|].
+    + apply (slides _ _ _ St).
+      destruct (Rle_lt_or_eq_dec 0 _ (Rows.size_nonneg (Rows.weights r') (Rows.slip r' d))) as [P|P]; [exact P|].
       exfalso. apply Exists_exists in NZ as (f & Hf & NZ). apply NZ.
       apply In_nth with (d := []) in Hf as (j & Lj & <-). rewrite firstn_length in Lj.
       assert (NT : nth j (firstn k (tl T)) [] = nth (S j) T []).
       { transitivity (nth j (tl T) []); [|destruct T; [destruct j; reflexivity|reflexivity]].
         rewrite <- (firstn_skipn k (tl T)) at 2. rewrite app_nth1; [reflexivity|]. rewrite firstn_length. lia. }
       rewrite NT. symmetry in P.
-      assert (LW : (j < List.length (Rows.weights r))%nat).
+      assert (LW : (j < List.length (Rows.weights r'))%nat).
       { rewrite (is_weights _ _ _ _ _ _ I), map_length. unfold k in Lj. rewrite E in Lj.
         cbn [metric make_row] in Lj. rewrite map_length in Lj. lia. }
       apply Rmult_eq_reg_l with u; [|lra]. rewrite Rmult_0_r. rewrite <- Nth.
-      apply (Rows.size_zero_nth (Rows.weights r)); [apply (weights_positive _ _ _ _ _ _ I)|exact P|exact LW].
+      apply (Rows.size_zero_nth (Rows.weights r')); [apply (weights_positive _ _ _ _ _ _ I)|exact P|exact LW].
     + apply Exists_exists in NZ as (f & Hf & NZ). apply Exists_exists. exists (of_motion f).
       split; [now apply in_map|]. now rewrite Of.
 Qed.
@@ -628,7 +600,8 @@ Proof.
   apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
   intros row f Hr E Sp. destruct S as [F _ _ _ _ _ Ob _]. rewrite Law in Ob.
   apply In_nth_error in Hr as (k & Hr).
-  destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er (r' & j & p & G & mu & t & I & St & _)]).
+  destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er Se]).
+  destruct (seen_stands _ _ Se) as (r' & j & p & G & mu & t & I & St & _).
   destruct (fits_at _ _ _ _ _ Ob Nr) as ([a g] & _ & (La & _)).
   unfold Rows.normal_law in La. rewrite <- (same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I), Sp in La.
   destruct La as [_ V]. rewrite <- (same_pull j r r' d 1 lambda St) in V.

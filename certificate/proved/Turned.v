@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: MIT *)
 (* A contact in space whose normal n is not the n0 of the file (FORMAT.md section 7, "Why, where n is not n0").  Its
    motion seen along n is multilinear in n, where the motion across n is not.  `turned_stands`: a row of the motion seen
-   along n stands for the contact. *)
+   along n stands for the contact.  `turning_continuous`: the contact's own row changes continuously. *)
 From Coq Require Import Reals List Lra Lia.
-From Proved Require Import RowsOfModels Slips Leaf.
+From Proved Require Import Brouwer Homotopy RowLimits RowsOfModels Slips Leaf.
 From Proved Require Rows SpaceModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -127,12 +127,13 @@ Proof.
   now apply Rmult_lt_0_compat.
 Qed.
 
+Lemma n0n : dot n0 n = dot n0 n0.
+Proof. rewrite n_is. transitivity (dot n0 n0 + dot n0 m); [unfold dot, add; cbn; ring|]. rewrite flat. ring. Qed.
+
 Lemma seen_flat u : dot n0 (seen n0 n u) = 0.
 Proof.
-  assert (E : dot n0 n = dot n0 n0).
-  { rewrite n_is. transitivity (dot n0 n0 + dot n0 m); [unfold dot, add; cbn; ring|]. rewrite flat. ring. }
   transitivity (dot n0 u - dot n0 u / dot n0 n0 * dot n0 n); [unfold seen, dot, add, scale; cbn; ring|].
-  rewrite E. field. lra.
+  rewrite n0n. field. lra.
 Qed.
 
 Lemma across_seen u : across n (seen n0 n u) = across n u.
@@ -193,13 +194,52 @@ Proof. apply RowsOfModels.size_is. Qed.
 Lemma product_vectors s t : Rows.product [1; 1; 1] (vector_list s) (vector_list t) = dot s t.
 Proof. rewrite product_three. reflexivity. Qed.
 
+(* A force across n that does the work of F on what is seen; it is F, if F is across n0, turned with n. *)
+Definition turned_force (f : vector) : vector := add f (scale (- (dot f n / dot n0 n0)) n0).
+
+Lemma turned_force_work f u : dot (turned_force f) (across n u) = dot f (seen n0 n u).
+Proof.
+  set (q := dot f n / dot n0 n0).
+  assert (Fn : dot (turned_force f) n = 0).
+  { transitivity (dot f n - q * dot n0 n); [unfold turned_force, q, dot, add, scale; cbn; ring|].
+    rewrite n0n. unfold q. field. lra. }
+  transitivity (dot (turned_force f) u - dot u n / dot n n * dot (turned_force f) n);
+    [unfold across, dot, add, scale; cbn; ring|]. rewrite Fn.
+  transitivity (dot f u - q * dot n0 u); [unfold turned_force, q, dot, add, scale; cbn; ring|].
+  transitivity (dot f u - dot n0 u / dot n0 n0 * dot f n); [unfold q; field; lra|].
+  unfold seen, dot, add, scale; cbn. ring.
+Qed.
+
+Lemma turned_force_length f : L * norm (turned_force f) <= norm f * norm n.
+Proof.
+  pose proof L_positive as LP. pose proof (norm_nonneg f) as F0. pose proof (norm_nonneg n) as N0.
+  pose proof (norm_nonneg (turned_force f)) as T0.
+  assert (E : L * L * dot (turned_force f) (turned_force f) = dot f f * (L * L) + dot f m * dot f m - dot f n0 * dot f n0).
+  { rewrite LL. set (q := dot f n / dot n0 n0).
+    transitivity (dot n0 n0 * dot f f - 2 * (q * dot n0 n0) * dot f n0 + (q * dot n0 n0) * (q * dot n0 n0));
+      [unfold turned_force, q, dot, add, scale; cbn; ring|].
+    replace (q * dot n0 n0) with (dot f n) by (unfold q; field; lra).
+    replace (dot f n) with (dot f n0 + dot f m) by (rewrite n_is; unfold dot, add; cbn; ring). ring. }
+  apply Rnot_lt_le. intros Lt.
+  assert (P : 0 <= norm f * norm n) by now apply Rmult_le_pos.
+  assert (H : (norm f * norm n) * (norm f * norm n) < (L * norm (turned_force f)) * (L * norm (turned_force f)))
+    by (apply Rmult_le_0_lt_compat; assumption).
+  replace ((L * norm (turned_force f)) * (L * norm (turned_force f))) with (L * L * dot (turned_force f) (turned_force f))
+    in H by (rewrite <- norm_square; ring).
+  replace ((norm f * norm n) * (norm f * norm n)) with (dot f f * dot n n) in H by (rewrite <- !norm_square; ring).
+  rewrite E, nn in H. pose proof (dot_square f m) as Q. rewrite mm in Q.
+  pose proof (Rle_0_sqr (dot f n0)) as Q0. unfold Rsqr in Q0. lra.
+Qed.
+
 Theorem turned_stands : stands k (space_contact_row c) (turned_row n0 c).
 Proof.
   pose proof L_positive as LP. pose proof k_nonneg as K.
   assert (Slip : forall d, Rows.slip (space_contact_row c) d =
     vector_list (across n (seen n0 n (moved c (screw_of d))))).
   { intros d. rewrite space_slip_is, slip_across. fold n. now rewrite across_seen. }
-  constructor; try reflexivity; [apply three_positive|exact K| |].
+  constructor; try reflexivity; [apply three_positive|exact K| | | |].
+  - cbn [Rows.rho turned_row space_contact_row]. intros Z.
+    assert (friction c = 0) as ->; [|ring]. apply Rmult_integral in Z as [Z|Z]; [exact Z|]. fold L in Z. lra.
   - intros w d h l a g y (_ & Cone & Diss) A0. unfold work_within.
     rewrite !seen_slip, !Slip in *. cbn [Rows.weights Rows.rho turned_row space_contact_row] in *.
     rewrite !size_three in *. rewrite product_vectors, !product_three in *. fold n in Cone, Diss |- *.
@@ -264,13 +304,95 @@ Proof.
         by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
       replace ((norm m * norm s) * (norm m * norm t)) with (L * L * k * norm s * norm t) in H
         by (rewrite <- mm, <- norm_square; ring). lra.
-  - intros d S0. rewrite seen_slip. rewrite Slip in S0. cbn [Rows.weights turned_row space_contact_row] in *.
-    rewrite size_three in *. fold n. set (s := seen n0 n (moved c (screw_of d))) in *.
+  - intros a g' C. cbn [Rows.weights Rows.rho turned_row space_contact_row] in *. fold L in C.
+    rewrite <- size_of_list in C. change (length c) with (norm n). set (f := vector_of g') in *.
+    exists (vector_list (turned_force f)). rewrite size_three. split.
+    + apply Rmult_le_reg_l with L; [exact LP|]. eapply Rle_trans; [apply turned_force_length|].
+      replace (L * (friction c * norm n * a)) with (friction c * L * a * norm n) by ring.
+      apply Rmult_le_compat_r; [apply norm_nonneg|exact C].
+    + intros y. rewrite seen_slip, space_slip_is, slip_across, product_vectors, product_three. fold n f.
+      apply turned_force_work.
+  - intros d. rewrite seen_slip, Slip. cbn [Rows.weights turned_row space_contact_row]. rewrite !size_three. fold n.
+    set (s := seen n0 n (moved c (screw_of d))) in *.
     pose proof (seen_flat (moved c (screw_of d))) as Fs. fold s in Fs.
-    destruct (across_length s Fs) as [_ Hi]. pose proof (norm_nonneg s) as N0.
-    destruct (Rle_lt_or_eq_dec _ _ N0) as [P|Z]; [exact P|]. rewrite <- Z in Hi. exfalso.
+    destruct (across_length s Fs) as [Lo Hi]. pose proof (norm_nonneg s) as N0.
+    pose proof (norm_nonneg (across n s)) as A0.
     assert (0 < norm n) by (apply sqrt_lt_R0; apply nn_positive).
-    assert (0 < norm n * norm (across n s)) by now apply Rmult_lt_0_compat. lra.
+    split; intros P.
+    + destruct (Rle_lt_or_eq_dec _ _ N0) as [Q|Z]; [exact Q|]. rewrite <- Z in Hi. exfalso.
+      assert (0 < norm n * norm (across n s)) by now apply Rmult_lt_0_compat. lra.
+    + destruct (Rle_lt_or_eq_dec _ _ A0) as [Q|Z]; [exact Q|]. rewrite <- Z in Lo. exfalso.
+      assert (0 < L * norm s) by now apply Rmult_lt_0_compat. lra.
 Qed.
 
 End Turned.
+
+(* ---- As the normal turns ---- *)
+
+Definition cv_vector (vs : nat -> vector) (v : vector) : Prop :=
+  Un_cv (fun i => x (vs i)) (x v) /\ Un_cv (fun i => y (vs i)) (y v) /\ Un_cv (fun i => z (vs i)) (z v).
+
+(* Sums, differences and products of what converges. *)
+Ltac converge :=
+  lazymatch goal with
+  | |- Un_cv (fun _ => ?c) ?c => apply cv_constant
+  | |- Un_cv (fun i => @?f i + @?g i) (?a + ?b) => apply (CV_plus f g a b); converge
+  | |- Un_cv (fun i => @?f i - @?g i) (?a - ?b) => apply (CV_minus f g a b); converge
+  | |- Un_cv (fun i => @?f i * @?g i) (?a * ?b) => apply (CV_mult f g a b); converge
+  | |- Un_cv (fun i => - @?f i) (- ?a) => apply (CV_opp f a); converge
+  | |- _ => assumption
+  end.
+
+Lemma cv_dots us u vs v : cv_vector us u -> cv_vector vs v -> Un_cv (fun i => dot (us i) (vs i)) (dot u v).
+Proof. intros (U1 & U2 & U3) (V1 & V2 & V3). unfold dot. converge. Qed.
+
+Lemma cv_across ns n e : 0 < dot n n -> cv_vector ns n -> cv_vector (fun i => across (ns i) e) (across n e).
+Proof.
+  intros P N. assert (E : cv_vector (fun _ => e) e) by (repeat split; apply cv_constant).
+  pose proof (cv_dots _ _ _ _ E N) as D. pose proof (cv_dots _ _ _ _ N N) as Q.
+  apply cv_inverse in Q; [|lra]. destruct N as (N1 & N2 & N3).
+  unfold across, cv_vector, add, scale, Rdiv; cbn [x y z]. repeat split; converge.
+Qed.
+
+Lemma cv_force ps p fs f : cv_vector ps p -> cv_vector fs f ->
+  cv_list (fun i => screw_list (force_at (ps i) (fs i))) (screw_list (force_at p f)).
+Proof.
+  intros (P1 & P2 & P3) (F1 & F2 & F3). unfold screw_list, force_at, cross; cbn [linear angular x y z].
+  apply (cv_cons (fun i => x (fs i))); [assumption|]. apply (cv_cons (fun i => y (fs i))); [assumption|].
+  apply (cv_cons (fun i => z (fs i))); [assumption|].
+  apply (cv_cons (fun i => y (ps i) * z (fs i) - z (ps i) * y (fs i))); [converge|].
+  apply (cv_cons (fun i => z (ps i) * x (fs i) - x (ps i) * z (fs i))); [converge|].
+  apply (cv_cons (fun i => x (ps i) * y (fs i) - y (ps i) * x (fs i))); [converge|constructor].
+Qed.
+
+(* The contact at p with the normal n that has these numbers in its row. *)
+Definition contact_with (p n : vector) (mu preload growth stiffness : R) : contact :=
+  Contact p n mu (stiffness * (norm n * norm n)) (preload * norm n) (growth * norm n).
+
+(* N, and the slip's forms: nothing else of a contact's row depends on p and n but rho. *)
+Definition own_forms (p n : vector) : list (list R) :=
+  let c := contact_with p n 0 0 0 0 in screw_list (N c) :: slip_rows c.
+
+Lemma turning_continuous ps p ns n : 0 < dot n n -> cv_vector ps p -> cv_vector ns n ->
+  cv_lists (fun i => own_forms (ps i) (ns i)) (own_forms p n) /\ Un_cv (fun i => norm (ns i)) (norm n).
+Proof.
+  intros Pn P Ns. split.
+  - unfold own_forms, contact_with, N, slip_rows. cbn [position normal map].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (ns i)))); [now apply cv_force|].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (across (ns i) (Vector 1 0 0)))));
+      [apply cv_force; [exact P|now apply cv_across]|].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (across (ns i) (Vector 0 1 0)))));
+      [apply cv_force; [exact P|now apply cv_across]|].
+    apply (cv_lists_cons (fun i => screw_list (force_at (ps i) (across (ns i) (Vector 0 0 1)))));
+      [apply cv_force; [exact P|now apply cv_across]|constructor].
+  - apply cv_root; [intros i; apply dot_nonneg|now apply cv_dots].
+Qed.
+
+Lemma contact_with_row p n mu pr u k : 0 < dot n n ->
+  space_contact_row (contact_with p n mu pr u k) =
+  Rows.Row (hd [] (own_forms p n)) (tl (own_forms p n)) [1; 1; 1] (mu * norm n) pr u k false.
+Proof.
+  intros P. assert (0 < norm n) by now apply sqrt_lt_R0.
+  unfold space_contact_row, own_forms, contact_with, length, N, slip_rows. cbn [position normal friction preload growth
+    stiffness hd tl]. f_equal; field; lra.
+Qed.

@@ -51,9 +51,8 @@ Answers and exit codes:
                   space, that those are, those printed as "refuted" are not, and nothing of others
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
-  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability where normals in space are uncertain, of balls of loads and of
-                  regions; or it takes more work than the files' length allows
+  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of balls
+                  of loads and of regions; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json

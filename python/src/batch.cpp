@@ -6,11 +6,11 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/answers/question_text.hpp"
 #include "stickslip/batch/line.hpp"
 #include "stickslip/batch/results.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/equilibrium/option_text.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -26,9 +26,11 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
                          const std::string& certificates, const std::string& certificate_folder,
                          const std::optional<std::array<std::string, 5>>& quality) {
   BatchOptions options;
-  if (!wrench.empty()) options.question.wrench = row_of(wrench_option("--wrench", wrench));
-  if (!case_name.empty()) options.question.case_name = case_name;
-  if (!preload.empty()) options.question.preload = number_option("--preload", preload);
+  QuestionText asked;
+  asked.wrench = wrench;
+  asked.case_name = case_name;
+  asked.preload = preload;
+  options.question = question_options(asked);
   options.question.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   options.node_limit = node_limit;
   if (asks_class) options.inertia = inertia_numbers(inertia);

@@ -89,7 +89,7 @@ def parser() -> Parser:
     add = result.add_argument
     add("file", metavar="GRASPS", help="JSON Lines, a grasp (docs/grasp_file.md) on each line")
     add("--wrench", metavar="WX,WY,T", default="",
-        help="wrench applied to the object (replaces the file's)")
+        help="wrench applied to the object (replaces the file's); in space FX,FY,FZ,TX,TY,TZ")
     add("--case", metavar="NAME", default="", help="the case of the file whose load is applied")
     add("--preload", metavar="P", default="",
         help="preload of every contact (replaces the file's)")

@@ -12,7 +12,7 @@ import numpy as np
 
 from space_smt import smt
 from test_box import FRAGILE
-from test_cli import (CHECK, CORPUS, DONE, PROVED, STABLE, UNDECIDED, UNSTABLE, Case, checkers, read,
+from test_cli import (CHECK, CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, checkers, read,
                       run, stickslip)
 
 Z3 = os.environ.get("Z3", "z3")
@@ -47,12 +47,6 @@ def about(value, part):
 def quick_checker(_):
     """Of a proof whose numbers have all digits of doubles: the others take ten times as long, or a hundred times."""
     return [[CHECK]]
-
-
-def checkers_of_turns(proof):
-    """Where normals are uncertain: stickslip-proved does not judge that such a box is stable."""
-    stable = json.loads(read(proof))["verdict"] == "stable"
-    return [command for command in checkers(proof) if not (stable and command == [PROVED])]
 
 
 class Export(Case):
@@ -406,8 +400,6 @@ class Boxes(Space):
 
 class Normals(Space):
     """That are uncertain."""
-
-    judges = staticmethod(checkers_of_turns)
 
     def test_a_point_on_a_floor_whose_normal_is_known_to_a_slope(self):
         """The floor's reaction is within atan mu of the normal, and that within atan E of the file's: along U, where

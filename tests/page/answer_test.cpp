@@ -59,7 +59,8 @@ TEST(PageAnswer, TheGraspIsOfVersion2AndTheSame) {
           "units": {"length": "m", "force": "N"}, "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
           "contacts": [{"on": [0, "1/2"], "friction": {"min": 0, "max": 1}}],
           "cases": [{"name": "a", "wrench": [0, 1, 2]}]})")}) {
-    const std::string written = answer_about(text)["grasp"];
+    const std::string written =
+        answer_about(text, {true, false, false, false, false, false, false})["grasp"];
     EXPECT_EQ(written.rfind("{\"format\": \"stickslip-grasp/2\",", 0), 0) << written;
     const auto first = parse_any_grasp(text, "first");
     const auto second = parse_any_grasp(written, "second");
@@ -267,7 +268,7 @@ TEST(PageHtml, NothingInTheAnswerIsMarkup) {
 }
 
 TEST(PageHtml, EveryScriptHasTheNonceAndTheAnswerIsThere) {
-  const Json answer = answer_about(kPinch);
+  const Json answer = answer_about(kPinch, {true, true, true, true, false, false, true});
   const std::string html = page_html(answer, "0123");
   std::size_t scripts = 0;
   for (std::size_t at = html.find("<script"); at != std::string::npos;
@@ -297,16 +298,17 @@ TEST(PageHtml, FilesDoNotEndTheElementThatTheyStandIn) {
 TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
   QuestionText asked;
   asked.uncertain = "wrench=ball:1/10:length=2:about=1:0";
-  const Json plain = answer_about(kPinch);
-  const Json ball = answer_about(kPinch, {}, {}, asked);
+  const Json plain = answer_about(kPinch, {true, false, true, true, false, false, false});
+  const Json ball =
+      answer_about(kPinch, {true, false, true, true, true, true, false}, {}, asked);
   EXPECT_EQ(ball["decide"]["box"], true);
   EXPECT_EQ(ball["decide"]["ball"]["radius"], "1/10");
-  for (const char* part : {"region", "margin", "map"}) {
+  for (const char* part : {"region", "margin"}) {
     ASSERT_FALSE(plain[part].is_null()) << part;
     EXPECT_EQ(ball[part], plain[part]) << part;
   }
+  EXPECT_FALSE(ball["map"].is_null());
   EXPECT_EQ(ball["quality"]["ball"]["length"], "2");
-  EXPECT_EQ(plain["quality"]["ball"]["length"], "1");
   // With more than a ball there is more than one grasp in its centre.
   asked.uncertain += ",friction=1%";
   const Json more = answer_about(kPinch, {}, {}, asked);
@@ -318,8 +320,9 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
 // Forces up to 1 across the line of the pads are resisted, and the load is 1/2: so another 1/2
 // is all that there can be.
 TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
-  const Json answer = answer_about(kPinch);
+  const Json answer = answer_about(kPinch, {true, false, false, false, false, true, false});
   const Json& quality = answer["quality"];
+  EXPECT_EQ(quality["ball"]["length"], "1");
   EXPECT_GT(quality["proved_float"], 0.1);
   EXPECT_LT(quality["proved_float"], quality["refuted_float"]);
   EXPECT_LE(quality["proved_float"], 0.5);

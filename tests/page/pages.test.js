@@ -17,9 +17,13 @@ const FIG1 = path.join(ROOT, "paper_examples", "grasps", "fig1.json");
 const example = (name) => path.join(ROOT, "examples", "grasps", name + ".json");
 
 const pages = new Map();
-/** The page of a grasp file, and its answer. */
+/** The page of a grasp file, and its answer; each part of it is given up after 5 seconds. */
 function pageOf(grasp, ...options) {
-  const words = ["page", grasp, "--time-limit", "5", ...options];
+  return pageWithin("5", grasp, ...options);
+}
+
+function pageWithin(seconds, grasp, ...options) {
+  const words = ["page", grasp, "--time-limit", seconds, ...options];
   const key = words.join(" ");
   if (!pages.has(key)) {
     const text = execFileSync(process.env.STICKSLIP, words, { encoding: "utf-8", maxBuffer: 1e8 });
@@ -360,7 +364,7 @@ test("balls of loads in the plane are where they are, also about another point",
     // At the same torque about 0 a force (x, y) has the torque x / 2 about (0, 1/2).
     [[example("jaw"), "--uncertain", "wrench=ball:1:about=0:1/2"], Math.sqrt(1.25)],
   ]) {
-    const made = pageOf(...words);
+    const made = pageWithin("60", ...words);
     const opened = openWith(made);
     const { answer, find, page, root } = opened;
     isWhole(opened, made.answer, "stable");
@@ -393,7 +397,7 @@ test("balls of loads in the plane are where they are, also about another point",
 
 test("the load that is not resisted is shown on the body, with its proof", () => {
   for (const words of [[FIG1, "--wrench", "0,1/2,0"], [example("space-cup"), "--uncertain", "wrench=ball:1/10:length=4"]]) {
-    const made = pageOf(...words);
+    const made = pageWithin("60", ...words);
     const opened = openWith(made);
     const { page, find } = opened;
     assert.ok(find("#region path.ball.proved"));
@@ -409,7 +413,7 @@ test("the load that is not resisted is shown on the body, with its proof", () =>
 });
 
 test("a quality of nothing, of everything, and none", () => {
-  const made = pageOf(FIG1, "--wrench", "0,1/2,0");
+  const made = pageWithin("60", FIG1, "--wrench", "0,1/2,0");
   const { quality } = made.answer;
   const { not_resisted, not_resisted_float, ...without } = quality;
   for (const [parts, expected] of [
@@ -430,7 +434,7 @@ test("several bodies have the quality of the body that is asked about", () => {
   const plain = pageOf(...stack);
   assert.strictEqual(plain.answer.quality, null);
   assert.match(openWith(plain).text("#why"), /quality --body NAME/);
-  const made = pageOf(...stack, "--uncertain", "wrench=ball:1/10:body=up");
+  const made = pageWithin("60", ...stack, "--uncertain", "wrench=ball:1/10:body=up");
   const opened = openWith(made);
   isWhole(opened, made.answer, "stable");
   assert.match(opened.text("#quality"), / on up with /);

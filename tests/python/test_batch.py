@@ -66,6 +66,12 @@ def grasp(number, name="grasp"):
             "wrench": [0, f"{number % 21}/10", 0]}
 
 
+def grasp_in_space():
+    return {"format": "stickslip-grasp/2", "defaults": {"friction": "1/2", "preload": 1},
+            "contacts": [{"position": [-1, 0, 0], "normal": [1, 0, 0]}, {"position": [1, 0, 0], "normal": [-1, 0, 0]}],
+            "wrench": [0, 1, 0, 0, 0, 0]}
+
+
 def lines_of(count):
     return [json.dumps(grasp(number)) + "\n" for number in range(count)]
 
@@ -230,6 +236,13 @@ def test_exit_codes(cluster, tmp_path):
     assert batch(path, *at) == (DONE, reference(path)[1], "")
     assert batch(path, *at, "--node-limit", 1) == (
         UNDECIDED, reference(path, "--node-limit", 1)[1], "")
+    # A load of a line of the plane and one of space; each says that the other's is not for it.
+    path.write_text(json.dumps(grasp(20)) + "\n" + json.dumps(grasp_in_space()) + "\n")
+    for wrench in ("0,1,0", "0,1,0,0,0,0"):
+        code, out = reference(path, "--wrench", wrench)
+        found = batch(path, *at, "--wrench", wrench)
+        assert found[:2] == (code, out)
+        assert [("verdict" in json.loads(line)) for line in out.splitlines()] == [wrench == "0,1,0", wrench != "0,1,0"]
 
 
 @pytest.mark.parametrize("lines, options", [
@@ -371,7 +384,8 @@ def test_a_worker_of_a_local_cluster_killed_in_the_middle(gated, tmp_path):
     worker, = workers_of(process.pid)
     os.kill(worker, signal.SIGKILL)
     open_gate(gated)
-    assert process.communicate(timeout=DEADLINE) == ("", "")
+    printed, said = process.communicate(timeout=DEADLINE)
+    assert (printed, without_waiting(said)) == ("", "")
     assert process.returncode == DONE
     assert out.read_text() == reference(gated)[1]
 
@@ -542,7 +556,7 @@ def test_usage(tmp_path, grasps):
     fails(grasps, "--colour", naming=["--colour"])
     fails(grasps, "--node-limit=-1", naming=["--node-limit", "whole number"])
     fails(grasps, "--normal-law", "x", naming=["--normal-law", "unilateral"])
-    fails(grasps, "--wrench", "0,1", naming=["--wrench", "2 numbers", "torque"])
+    fails(grasps, "--wrench", "0,x", naming=["--wrench", "x"])
     fails(grasps, "--preload", "x", naming=["--preload", "3/5"])
     fails(grasps, "--wrench", "0,1,0", "--case", "x", naming=["--wrench", "--case"])
     fails(grasps, "--quality", "--class", naming=["--quality", "--class"])

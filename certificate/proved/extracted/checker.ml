@@ -531,6 +531,12 @@ module Coq_Pos =
   | S x -> succ (of_succ_nat x)
  end
 
+(** val hd : 'a1 -> 'a1 list -> 'a1 **)
+
+let hd default = function
+| [] -> default
+| x :: _ -> x
+
 (** val tl : 'a1 list -> 'a1 list **)
 
 let tl = function
@@ -1947,11 +1953,10 @@ let make_row b =
    else mmap (map (map (to_integer fs))) (geometry_tree b)); forms_scale =
   fs; metric = (map (to_integer ms) b.box_weights); metric_scale = ms;
   slip_certain =
-  (if b.box_signed
-   then same_at_corners (tau_tree b)
-   else (&&) (Nat.eqb n O) (negb b.box_turns)); tau = tau0; minus_tau =
-  (mmap negative tau0); edges_plus = (edges0 (minus_ends b.box_friction));
-  edges_minus = (edges0 (ends b.box_friction)); edges_none =
+  (if b.box_signed then same_at_corners (tau_tree b) else Nat.eqb n O); tau =
+  tau0; minus_tau = (mmap negative tau0); edges_plus =
+  (edges0 (minus_ends b.box_friction)); edges_minus =
+  (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
   separates =
   (match vs with
@@ -2550,6 +2555,39 @@ let leaf_holds_by m them ld strict0 rays0 y =
      positive_at_home strict0 rays0 (fun x ->
        Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
 
+(** val middle : interval -> q **)
+
+let middle i =
+  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+
+(** val only_middle : interval -> interval **)
+
+let only_middle i =
+  exactly (middle i)
+
+(** val middle_box : cbox -> cbox **)
+
+let middle_box b =
+  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
+    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
+    box_preload = (only_middle b.box_preload); box_growth =
+    (only_middle b.box_growth); box_stiffness =
+    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val friction_sound : cbox -> bool **)
+
+let friction_sound b =
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } b.box_friction.low)
+    ((||) (negb b.box_spring)
+      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
 (** val is_enclosure : interval -> q -> bool **)
 
 let is_enclosure i square =
@@ -2965,11 +3003,16 @@ let rec dot_q a b =
 let lift_q g f =
   map (fun g0 -> reduced (dot_q f g0)) g
 
+(** val lift_forms_q : q list list -> q list list -> q list list **)
+
+let lift_forms_q g fs =
+  (lift_q g (hd [] fs)) :: (map (lift_q g) (tl fs))
+
 (** val lift_box : q list list -> cbox -> cbox **)
 
 let lift_box g b =
   { box_names = b.box_names; box_geometry = b.box_geometry; box_forms =
-    (fun geometry -> map (lift_q g) (b.box_forms geometry)); box_friction =
+    (fun geometry -> lift_forms_q g (b.box_forms geometry)); box_friction =
     b.box_friction; box_preload = b.box_preload; box_growth = b.box_growth;
     box_stiffness = b.box_stiffness; box_square = b.box_square; box_normal =
     b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
@@ -4274,39 +4317,6 @@ let inverted n free a =
          (is_inverse n inverse m)) (is_inverse n m inverse)
   then Some (m, inverse)
   else None
-
-(** val middle : interval -> q **)
-
-let middle i =
-  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
-    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
-
-(** val only_middle : interval -> interval **)
-
-let only_middle i =
-  exactly (middle i)
-
-(** val middle_box : cbox -> cbox **)
-
-let middle_box b =
-  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
-    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
-    box_preload = (only_middle b.box_preload); box_growth =
-    (only_middle b.box_growth); box_stiffness =
-    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
-    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
-    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
-    b.box_slack }
-
-(** val friction_sound : cbox -> bool **)
-
-let friction_sound b =
-  (&&)
-    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int } b.box_friction.low)
-    ((||) (negb b.box_spring)
-      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
@@ -5711,12 +5721,10 @@ let check_tree advisor q0 s nodes =
     'a1 oracle -> question -> setting -> part list -> answer **)
 
 let check_parts advisor q0 s parts =
-  if negb (straight s)
-  then NotProvedHere "stability where normals in space are uncertain"
-  else (match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
-                Big_int_Z.zero_big_int) :: []) O with
-        | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
-        | None -> Stable)
+  match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
+          Big_int_Z.zero_big_int) :: []) O with
+  | Some p -> let (rule, found_at) = p in Rejected (rule, found_at)
+  | None -> Stable
 
 (** val check_margin :
     'a1 oracle -> question -> setting -> (q * q option) list -> segment list
@@ -5773,38 +5781,35 @@ let holding_fails advisor q0 s number lo hi evidence =
   let failing = fun rule second -> Some (Rejected (rule, (AtPointOf (number,
     second))))
   in
-  if negb (straight s)
-  then Some (NotProvedHere "stability where normals in space are uncertain")
-  else (match evidence with
-        | Inl p ->
-          (match part_fails advisor q0.bilateral (most_depth s.rows) low0
-                   high0 s p with
-           | Some p0 ->
-             let (rule, node0) = p0 in
-             Some (Rejected (rule, (AtProofOf (number, node0))))
-           | None -> None)
-        | Inr points ->
-          if negb (is_one_grasp s)
-          then failing "witness-box" false
-          else (match points with
-                | [] -> Some (NotProvedHere "no points")
-                | w :: more ->
-                  (match at_ low0 w with
-                   | Inl ss ->
-                     (match more with
-                      | [] ->
-                        if qeq_bool low0 high0
-                        then None
-                        else Some (NotProvedHere "one point of two")
-                      | w' :: _ ->
-                        (match at_ high0 w' with
-                         | Inl ss' ->
-                           if same_mode ss ss'
-                           then None
-                           else Some (Rejected ("segment-mode", (AtInterval
-                                  number)))
-                         | Inr rule -> failing rule true))
-                   | Inr rule -> failing rule false)))
+  (match evidence with
+   | Inl p ->
+     (match part_fails advisor q0.bilateral (most_depth s.rows) low0 high0 s p with
+      | Some p0 ->
+        let (rule, node0) = p0 in
+        Some (Rejected (rule, (AtProofOf (number, node0))))
+      | None -> None)
+   | Inr points ->
+     if negb (is_one_grasp s)
+     then failing "witness-box" false
+     else (match points with
+           | [] -> Some (NotProvedHere "no points")
+           | w :: more ->
+             (match at_ low0 w with
+              | Inl ss ->
+                (match more with
+                 | [] ->
+                   if qeq_bool low0 high0
+                   then None
+                   else Some (NotProvedHere "one point of two")
+                 | w' :: _ ->
+                   (match at_ high0 w' with
+                    | Inl ss' ->
+                      if same_mode ss ss'
+                      then None
+                      else Some (Rejected ("segment-mode", (AtInterval
+                             number)))
+                    | Inr rule -> failing rule true))
+              | Inr rule -> failing rule false)))
 
 (** val joined :
     (q * q option) list -> q -> q option -> (q * q option) list **)

@@ -114,6 +114,8 @@ module Coq_Pos :
   val of_succ_nat : nat -> Big_int_Z.big_int
  end
 
+val hd : 'a1 -> 'a1 list -> 'a1
+
 val tl : 'a1 list -> 'a1 list
 
 val nth : nat -> 'a1 list -> 'a1 -> 'a1
@@ -733,6 +735,14 @@ val leaf_holds_by :
   Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
   form -> bool
 
+val middle : interval -> q
+
+val only_middle : interval -> interval
+
+val middle_box : cbox -> cbox
+
+val friction_sound : cbox -> bool
+
 val is_enclosure : interval -> q -> bool
 
 val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
@@ -776,6 +786,8 @@ val enlarge_finger : Big_int_Z.big_int -> contact -> cbox option
 val dot_q : q list -> q list -> q
 
 val lift_q : q list list -> q list -> q list
+
+val lift_forms_q : q list list -> q list list -> q list list
 
 val lift_box : q list list -> cbox -> cbox
 
@@ -1052,14 +1064,6 @@ val free_motions : nat -> bool -> matrix -> matrix option
 val plus_square : vector -> matrix -> matrix
 
 val inverted : nat -> matrix -> matrix -> (matrix * matrix) option
-
-val middle : interval -> q
-
-val only_middle : interval -> interval
-
-val middle_box : cbox -> cbox
-
-val friction_sound : cbox -> bool
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;

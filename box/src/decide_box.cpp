@@ -82,7 +82,9 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
             : is_wide                ? kWideInSpace
                                      : kInSpace;
   }
-  const std::size_t walls = !box.is_one_planar_body() && !is_wide ? 24 : 8;
+  // Of a ball few walls are proposed, and each takes many nodes.
+  const std::size_t in_space = !is_wide ? 24 : box.ball ? 2 : 8;
+  const std::size_t walls = box.is_one_planar_body() ? 8 : in_space;
   const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
   return {nodes, std::max<std::size_t>(nodes / walls, 1), searches * nodes, most_parts,
           is_wide};

@@ -204,6 +204,25 @@ Place Examples::loaded_along(const RationalRow& twist, Place place) const {
   return place;
 }
 
+Place Examples::between_loads(const Place& one, const Place& other) const {
+  const auto size_of = [&](const Place& place) {
+    double square = 0;
+    for (std::size_t n = 0; n < numbers_.size(); ++n) {
+      if (numbers_[n].parameter == Parameter::kWrench) {
+        square += std::pow(to_double(place[n]), 2);
+      }
+    }
+    return std::sqrt(square);
+  };
+  Place place = one;
+  const double sizes[] = {size_of(one), size_of(other)};
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kWrench) continue;
+    place[n] = on_grid(to_double(one[n]) / sizes[0]) + on_grid(to_double(other[n]) / sizes[1]);
+  }
+  return place;
+}
+
 void Examples::turn(GraspBox& chosen, const std::vector<RationalRow>& parts) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     UncertainContact& c = chosen.contacts[i];

@@ -47,6 +47,8 @@ class Examples {
   std::vector<Place> turned(const Place& place, const Rational& step) const;
   /// The same with that load of a ball that does most work on a virtual twist.
   Place loaded_along(const RationalRow& twist, Place place) const;
+  /// In a ball, midway between the ways to the loads of two places.
+  Place between_loads(const Place& one, const Place& other) const;
 
  private:
   std::optional<double> distance(const Place& place) const;

@@ -7,6 +7,7 @@
 
 #include "examples.hpp"
 #include "one_grasp.hpp"
+#include "stickslip/degree/newton.hpp"
 
 namespace stickslip {
 
@@ -105,7 +106,8 @@ class RadiusSearch {
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     refute();
     prove(0);
-    prove(kMostParts);
+    // In space a proof of the whole takes all nodes that there are.
+    if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
     return result_;
   }
 
@@ -140,7 +142,7 @@ class RadiusSearch {
   bool differs(const Place& place, const Rational& factor) {
     const GraspBox box = box_.scaled(centre_, factor);
     GraspBox grasp = Examples(box, law_).at(place);
-    const std::optional<bool> stable = is_stable(grasp, law_, options_.box);
+    const std::optional<bool> stable = is_stable(grasp, law_, seeking());
     if (!stable || stable == result_.stable) return false;
     if (!result_.refuted || factor < *result_.refuted) {
       result_.refuted = factor;
@@ -216,6 +218,7 @@ class RadiusSearch {
   /// Seeks a load of a ball that is too much, as near as may be: along axes and between them;
   /// then it turns to where the border is nearer.
   void refute_ball() {
+    if (!box_.is_one_planar_body() && seek_in_doubles()) return;
     const std::vector<Place> starts = Examples(box_, law_).ball_directions();
     Rational farthest = bound();
     constexpr int kMostSizes = 6;
@@ -229,6 +232,150 @@ class RadiusSearch {
     }
     turn_to_normals();
     if (turn_nearby()) turn_to_normals();
+  }
+
+  /// A way from the centre, and a factor with which doubles find no equilibrium on it.
+  struct Suspect {
+    Place place;
+    Rational factor;
+  };
+
+  /// Where a decision takes long: doubles say which load is worth one. False if they know of no
+  /// equilibrium of the centre.
+  bool seek_in_doubles() {
+    std::vector<NearEquilibrium> at_centre =
+        near_equilibria(GraspLaw(centre_, law_).middle(), true);
+    if (at_centre.empty()) return false;
+    centre_equilibrium_ = std::move(at_centre.front());
+    std::vector<Suspect> suspects;
+    for (const Place& place : Examples(box_, law_).ball_directions()) {
+      if (auto found = first_lost(place)) suspects.push_back(std::move(*found));
+    }
+    std::stable_sort(suspects.begin(), suspects.end(),
+                     [](const Suspect& a, const Suspect& b) { return a.factor < b.factor; });
+    constexpr std::size_t kMostTried = 16;
+    constexpr std::size_t kMostDescents = 3;
+    std::size_t tried = 0;
+    std::size_t descents = 0;
+    for (Suspect& suspect : suspects) {
+      if (tried++ == kMostTried || descents == kMostDescents) break;
+      if (result_.refuted && suspect.factor > 2 * bound()) break;
+      draw_in(suspect);
+      if (!confirm(suspect, 2 * bound())) continue;
+      ++descents;
+      descend(suspect);
+    }
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds && result_.refuted; ++round) {
+      const Rational before = *result_.refuted;
+      for (const Place& place : along_normals()) {
+        Suspect suspect{place, bound() * (1 - options_.accuracy / 4)};
+        if (!seems_lost(place, suspect.factor)) continue;
+        draw_in(suspect);
+        if (confirm(suspect, bound())) descend(suspect);
+      }
+      if (*result_.refuted == before) break;
+    }
+    return true;
+  }
+
+  /// Whether doubles find no equilibrium there, and a little beyond: Newton's method misses one
+  /// at times.
+  bool seems_lost(const Place& place, const Rational& factor) {
+    for (const int beyond : {0, 4, 16}) {
+      if (!has_no_equilibrium(place, factor * (1 + Rational(beyond, 1000)))) return false;
+    }
+    return true;
+  }
+
+  bool has_no_equilibrium(const Place& place, const Rational& factor) {
+    const GraspBox box = box_.scaled(centre_, factor);
+    const GraspBox grasp = Examples(box, law_).at(place);
+    const RoundedGrasp rounded = rounded_middle(GraspLaw(grasp, law_).middle());
+    const Newton newton(rounded);
+    std::optional<NearEquilibrium> found;
+    for (const auto* known : {&last_equilibrium_, &centre_equilibrium_}) {
+      if (!found) found = newton.follow(*known);
+    }
+    if (!found) {
+      constexpr std::size_t kStarts = 3;
+      std::vector<NearEquilibrium> all = newton.solve_from(kStarts);
+      if (!all.empty()) found = std::move(all.front());
+    }
+    if (!found) return true;
+    last_equilibrium_ = std::move(*found);
+    return false;
+  }
+
+  /// Where on this way from the centre the equilibrium is lost first, up to a factor of two.
+  std::optional<Suspect> first_lost(const Place& place) {
+    last_equilibrium_ = centre_equilibrium_;
+    constexpr int kDoublings = 12;
+    Rational factor = result_.limit / (1 << kDoublings);
+    while (factor < result_.limit && !seems_lost(place, factor)) factor *= 2;
+    if (!(factor < result_.limit)) return std::nullopt;
+    return Suspect{place, factor};
+  }
+
+  /// To where this way begins to be lost.
+  void draw_in(Suspect& suspect) {
+    Rational low = 0;
+    Rational& high = suspect.factor;
+    for (Rational step = options_.accuracy / 4; step < 1; step *= 4) {
+      const Rational nearer = short_middle(high * (1 - step), high * (1 - step / 2));
+      if (!seems_lost(suspect.place, nearer)) {
+        low = nearer;
+        break;
+      }
+      high = nearer;
+    }
+    const Rational least = result_.limit / (1 << 20);
+    while (high - low > options_.accuracy / 8 * high && high > least) {
+      const Rational middle = short_middle(low, high);
+      (seems_lost(suspect.place, middle) ? high : low) = middle;
+    }
+  }
+
+  /// Turns it by smaller and smaller steps to where it is nearer; what is not confirmed is
+  /// forgotten.
+  void descend(Suspect suspect) {
+    for (int steps = 2; steps <= 64; steps *= 2) {
+      const Suspect before = suspect;
+      constexpr int kMostRounds = 12;
+      bool found = true;
+      for (int round = 0; found && round < kMostRounds; ++round) {
+        found = false;
+        for (const Place& place :
+             Examples(box_, law_).turned(suspect.place, Rational(1, steps))) {
+          Suspect nearer{place, suspect.factor * (1 - options_.accuracy / 4)};
+          if (!seems_lost(place, nearer.factor)) continue;
+          draw_in(nearer);
+          suspect = std::move(nearer);
+          found = true;
+        }
+      }
+      const bool is_turned = suspect.place != before.place;
+      if (is_turned && suspect.factor < bound() && !confirm(suspect, bound())) suspect = before;
+    }
+  }
+
+  /// Whether it, or another a little beyond it, is decided to be too much.
+  bool confirm(const Suspect& suspect, const Rational& most) {
+    for (const Rational& beyond : {Rational(0), Rational(1, 4), Rational(2)}) {
+      const Rational factor = suspect.factor * (1 + beyond * options_.accuracy);
+      if (!(factor < most)) return false;
+      if (differs(suspect.place, factor)) return true;
+    }
+    return false;
+  }
+
+  /// What a decision of one grasp may take.
+  SearchOptions seeking() const {
+    SearchOptions options = options_.box;
+    constexpr std::size_t kNodes = 2000;
+    const bool takes_long = box_.ball && !box_.is_one_planar_body();
+    if (takes_long && options.node_limit == 0) options.node_limit = kNodes;
+    return options;
   }
 
   /// Whether some way near that of the nearest load that is too much leads to one that is
@@ -269,7 +416,7 @@ class RadiusSearch {
 
   /// Those first along which the border is nearest, if it is flat.
   std::vector<Place> along_normals() const {
-    const Verdict verdict = decide_box(*result_.example, law_, options_.box).verdict;
+    const Verdict verdict = decide_box(*result_.example, law_, seeking()).verdict;
     const auto* unstable = std::get_if<Unstable>(&verdict);
     if (unstable == nullptr) return {};
     const BallPart ball = BallPart::all_of(box_);
@@ -294,7 +441,10 @@ class RadiusSearch {
     std::vector<Place> places;
     const Examples examples(box_, law_);
     for (const auto& [near, way] : ways) {
-      places.push_back(examples.loaded_along({way.begin(), way.end()}, example_place_));
+      const Place along = examples.loaded_along({way.begin(), way.end()}, example_place_);
+      places.push_back(along);
+      if (box_.is_one_planar_body()) continue;
+      places.push_back(examples.between_loads(example_place_, along));
     }
     return places;
   }
@@ -340,11 +490,16 @@ class RadiusSearch {
       // A smaller box may have no proof where a larger one has. While much is open that is
       // worth the tries.
       const bool is_much_open = 3 * result_.proved < 2 * bound();
+      Rational least_failed = high;
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
         if (!is_much_open || below <= result_.proved) break;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
-        if (try_to_prove(factor, parts)) break;
+        if (try_to_prove(factor, parts)) {
+          high = least_failed;
+          break;
+        }
+        least_failed = factor;
       }
     }
     constexpr int kMostSteps = 10;
@@ -366,6 +521,8 @@ class RadiusSearch {
   const std::function<void(const Radius&)>& progress_;
   Radius result_;
   Place example_place_;  ///< of result_.example
+  NearEquilibrium centre_equilibrium_;
+  NearEquilibrium last_equilibrium_;  ///< that doubles found, of some load
 };
 
 }  // namespace

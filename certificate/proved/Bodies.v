@@ -4,7 +4,7 @@
    stable if and only if its rows are.  `lift_seen`, `element_seen`: every choice of a question has its rows in the
    boxes. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Between Contacts Fingers.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Between Ways Contacts Fingers.
 From Proved Require Rows Model SpaceModel BodiesModel RowLimits Homotopy.
 Import ListNotations.
 

@@ -129,12 +129,12 @@ Definition negative (f : form) : form := map Z.opp f.
 (* FORMAT.md section 6.  Functions that differ by a positive factor are not the same, but v without preloads. *)
 Definition same_at_corners (t : multi (list Q)) : bool := same_forms (tips (integer_tree (scaling_of_trees [t]) t)).
 
-Definition is_zero (i : interval) : bool := Qeq_bool (low i) 0 && Qeq_bool (high i) 0.
+Definition vanishes (i : interval) : bool := Qeq_bool (low i) 0 && Qeq_bool (high i) 0.
 
 Definition pull_certain (b : cbox) : bool :=
   same_at_corners (mmap N_of (geometry_tree b)) &&
   ((certain (box_preload b) && certain (box_growth b) && certain (box_stiffness b)) ||
-   (is_zero (box_preload b) && is_zero (box_growth b))).
+   (vanishes (box_preload b) && vanishes (box_growth b))).
 
 Definition count (box : list interval) : nat :=
   List.length (filter (fun i => negb (certain i)) box).

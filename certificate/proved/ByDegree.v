@@ -3,7 +3,7 @@
    `stable_by_degree_in_box`: where they hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Walk Tree.
-From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between.
+From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between Ways Load.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -61,8 +61,8 @@ Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_
 (* The middle of the box, pushed by multiples of A e. *)
 Definition middle_setting (s : setting) : setting :=
   make_setting (dimension_of s) (map_all (fun r => make_row (middle_box (box r))) (rows s))
-    (make_load (map only_middle (load_box (the_load s))) (load_growth (the_load s)))
-    (map relative (direction_rows g)).
+    (middle_load (the_load s))
+    (Pushing (map relative (direction_rows g)) []).
 
 (* s = t. *)
 Definition middle_conditions : list (form * bool) :=
@@ -75,7 +75,7 @@ Definition point_box (b : cbox) : bool :=
   certain (box_stiffness b).
 
 Definition is_point (s : setting) : bool :=
-  forallb (fun r => point_box (box r)) (rows s) && forallb certain (load_box (the_load s)).
+  forallb (fun r => point_box (box r)) (rows s) && one_load (the_load s).
 
 (* No force of a contact depends on z, or does work on it. *)
 Definition row_free (z : vector) (b : cbox) : bool :=
@@ -84,19 +84,15 @@ Definition row_free (z : vector) (b : cbox) : bool :=
     (Qle_bool (high (box_friction b)) 0 || forallb (fun f => is_zero (inner f z)) (tl fs)))
     (tips (geometry_tree b)).
 
-(* z is 0 where the load is uncertain. *)
-Fixpoint load_free (z : vector) (w : list interval) : bool :=
-  match z, w with
-  | q :: z', i :: w' => (certain i || is_zero q) && load_free z' w'
-  | _, _ => true
-  end.
+(* No load does work on z. *)
+Definition load_free (z : vector) (ld : load) : bool :=
+  is_zero (low (work_of ld z)) && is_zero (high (work_of ld z)) && is_zero (inner (load_growth ld) z).
 
 (* degree-free; and what a question guarantees of friction. *)
 Definition all_free (free : matrix) (s : setting) : bool :=
   forallb (fun r => friction_sound (box r)) (rows s) &&
   forallb (fun z =>
-    forallb (fun r => row_free z (box r)) (rows s) && load_free z (load_box (the_load s)) &&
-    is_zero (inner (map low (load_box (the_load s))) z) && is_zero (inner (load_growth (the_load s)) z)) free.
+    forallb (fun r => row_free z (box r)) (rows s) && load_free z (the_load s)) free.
 
 (* Beginnings and ends that are there. *)
 Definition range_sound (s : setting) : bool :=
@@ -111,29 +107,27 @@ Definition range_sound (s : setting) : bool :=
 End Rules.
 
 Section Checking.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 (* K, with further conditions; and its walls. *)
-Definition k_region (g : degree_proof) (s : setting) (more : list (form * bool)) : region memory setting :=
-  root memory advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) []
+Definition k_region (g : degree_proof) (s : setting) (more : list (form * bool)) : region setting :=
+  root advisor setting (2 + dimension_of s) (Branch (base_conditions g ++ more ++ in_K_conditions g) []
     [] s).
 
-Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region memory
-  setting) :=
+Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bool)) : list (region setting) :=
   let k := k_region g s more in
-  map (fun f => child memory advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s))
+  map (fun f => child advisor setting k (Branch [(to_form (room g f), true)] [strict_form g] [] s))
     (walls g).
 
 (* List 1 and list 2. *)
-Definition root_regions (g : degree_proof) (s : setting) : list (region memory setting) :=
+Definition root_regions (g : degree_proof) (s : setting) : list (region setting) :=
   (if is_point s && one_multiple g then [] else wall_regions g s []) ++
   wall_regions g (middle_setting g s) (middle_conditions g).
 
 (* Under the bilateral law: no contact but a spring pulls in K. *)
 Definition law_holds (g : degree_proof) (s : setting) : bool :=
   let r := k_region g s [] in
-  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays memory setting r)) (pull_tips
+  forallb (fun row => box_spring (box row) || forallb (nowhere_negative (rays setting r)) (pull_tips
     row)) (rows s).
 
 (* The rule that fails; and at which node, if it is about one. *)
@@ -150,7 +144,7 @@ Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : d
         | Some _ =>
             if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
             else
-              match walk memory advisor setting split leaf_fails most_depth nodes
+              match walk advisor setting split (end_fails no_pieces) most_depth nodes
                       (root_regions g s) 0 with
               | None => None
               | Some (rule, number) => Some (rule, Some number)
@@ -315,15 +309,14 @@ Proof.
   apply to_form_nonneg. rewrite room_at by auto. specialize (K f Hf). cbn in K. lra.
 Qed.
 
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 (* and so are at home in its region; *)
 Lemma k_home (solves : setting -> list R -> Prop) more s t e : good_part g t -> dimension_of s = n ->
   Forall (fun f => List.length f = n) (walls g) ->
   solves s (point t e) -> Forall (meets (point t e)) more ->
   Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (walls g) ->
-  at_home memory setting solves (k_region memory advisor g s more) (point t e).
+  at_home setting solves (k_region advisor g s more) (point t e).
 Proof.
   intros T D L S M K. unfold k_region. rewrite D. apply root_home; [cbn; now rewrite length_listed|].
   constructor; cbn [branch_setting conditions new_strict new_moving]; [exact S| |constructor|constructor].
@@ -336,7 +329,7 @@ Lemma wall_home (solves : setting -> list R -> Prop) more s t e : good_part g t 
   solves s (point t e) -> Forall (meets (point t e)) more ->
   Forall (fun f => Rows.dot (real f) (listed n e) <= 1) (walls g) ->
   Exists (fun f => Rows.dot (real f) (listed n e) = 1) (walls g) ->
-  exists r, In r (wall_regions memory advisor g s more) /\ at_home memory setting solves r (point t e).
+  exists r, In r (wall_regions advisor g s more) /\ at_home setting solves r (point t e).
 Proof.
   intros T D L S M K Ex. apply Exists_exists in Ex as (f & Hf & E). rewrite Forall_forall in L.
   eexists. split; [apply in_map, Hf|]. apply child_home; [apply k_home; try assumption; now apply Forall_forall|].
@@ -348,7 +341,7 @@ Proof.
     unfold s_at, t_at in E1, E2. rewrite E1, E2, Q2R_1. lra.
 Qed.
 
-Lemma walls_good more s : Forall (good memory setting) (wall_regions memory advisor g s more).
+Lemma walls_good more s : Forall (good setting) (wall_regions advisor g s more).
 Proof. apply Forall_map, Forall_forall. intros f _. apply child_good, root_good. Qed.
 
 End Trees.
@@ -492,15 +485,11 @@ Proof.
   apply row_is_free with D (box row); [exact H1|exact I|exact (Forall_inv P)].
 Qed.
 
-Lemma load_is_free z box w : load_free z box = true -> is_zero (inner (map low box) z) = true ->
-  Forall2 within box w -> Rows.dot w (real z) = 0.
+Lemma load_is_free z ld w : load_free z ld = true -> is_load ld w ->
+  Rows.dot w (real z) = 0 /\ Rows.dot (real (load_growth ld)) (real z) = 0.
 Proof.
-  intros H Z F. apply is_zero_real in Z. rewrite inner_is in Z. rewrite <- Z. clear Z. revert z H.
-  induction F as [|i x box w Wx F IH]; intros [|q z] H; cbn in *; try reflexivity.
-  apply andb_true_iff in H as [H1 H2]. unfold real in *. rewrite (IH z H2). f_equal.
-  apply orb_true_iff in H1 as [H1|H1].
-  - now rewrite (certain_within i x H1 Wx).
-  - apply is_zero_real in H1. rewrite H1. ring.
+  unfold load_free. rewrite !andb_true_iff. intros [[Z1 Z2] Z3] L. apply is_zero_real in Z1, Z2, Z3.
+  rewrite inner_is in Z3. destruct (load_within ld w z L). split; [lra|exact Z3].
 Qed.
 
 End Free.
@@ -582,8 +571,7 @@ End Laws.
 Section Sound.
 Open Scope R_scope.
 
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 Variable g : degree_proof.
 Variable s : setting.
 Variable nodes : list node.
@@ -597,7 +585,7 @@ Record in_setting : Prop := InSetting {
   its_proper : Forall (proper D) (Rows.rows sys);
   its_lengths : List.length (Rows.wrench sys) = D /\ List.length (Rows.direction sys) = D;
   nothing_slips : slipping s = [];
-  nothing_pushes : pushes s = []
+  nothing_pushes : pushes s = no_push
 }.
 Hypothesis fit : in_setting.
 
@@ -662,7 +650,7 @@ Proof.
 Qed.
 
 Theorem stable_by_degree_in_box (two_sided : bool) (lambda : R) :
-  degree_fails memory advisor two_sided most s g nodes = None ->
+  degree_fails advisor two_sided most s g nodes = None ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Q2R (low_multiple g) <= lambda -> match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
   Rows.stable_at sys lambda.
@@ -672,37 +660,32 @@ Proof.
   destruct (range_sound g s && all_free free s) eqn:RA; [|discriminate]. cbn [negb] in H.
   apply andb_true_iff in RA as [RS AF].
   destruct (inverted D free (direction_rows g)) as [[m inv]|] eqn:INV; [|discriminate].
-  destruct (two_sided && negb (law_holds memory advisor g s)) eqn:LH; [discriminate|].
-  destruct (walk _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:W in H; [discriminate|]. clear H.
+  destruct (two_sided && negb (law_holds advisor g s)) eqn:LH; [discriminate|].
+  destruct (walk _ _ _ _ _ _ _ _) as [[? ?]|] eqn:W in H; [discriminate|]. clear H.
   destruct (range_sound_is RS) as (Range & L1 & L2).
   destruct (walls_bound _ _ _ _ FM) as (B & HB). destruct (free_lengths _ _ _ _ FM) as [FL EL].
   destruct (direction_inverse _ _ _ _ _ INV FL) as (LA & AL & Lm & HM & I1 & I2 & HA).
   unfold all_free in AF. apply andb_true_iff in AF as [FS AF]. rewrite forallb_forall in AF.
-  destruct fit as [(Fr & Fl & Fw & Fg) Fd Fp [Fl1 Fl2] Fs Fn].
+  destruct fit as [(Fr & Fw & Fg) Fd Fp [Fl1 Fl2] Fs Fn].
   destruct (ways_to D _ _ Fr Fp FS) as (ways & WE & WW).
   destruct (part_of lambda Range Lo Hi) as (t1 & T1 & H1 & E1).
-  set (w0 := map (fun i => Q2R (middle i)) (load_box (the_load s))).
-  assert (Lw : List.length w0 = List.length (Rows.wrench sys)).
-  { unfold w0. rewrite map_length. now apply (same_length within). }
+  destruct (middle_load_is _ _ Fw) as (w0 & Mw & W0 & Lw).
   set (system_at := fun q => Rows.System D (rows_at ways (clamp q)) (mixed (clamp q) w0 (Rows.wrench sys))
     (Rows.direction sys) Model.unilateral).
   set (part := fun q => mix (clamp q) middle_part t1).
   assert (Part : forall q, good_part g (part q)) by (intros q; apply part_on_the_way; [exact T1|apply clamp_range]).
   assert (Made : Forall (fun r => r = make_row (box r)) (rows s)).
   { clear - Fr. induction Fr as [|row r rws rs [E _] F IH]; constructor; assumption. }
-  assert (W0 : Forall2 within (load_box (the_load s)) w0).
-  { unfold w0. clear - Fw. induction Fw as [|i x is w Wx F IH]; cbn; constructor; [now apply middle_within with
-      x|exact IH]. }
-  assert (Ww : forall q, Forall2 within (load_box (the_load s)) (mixed (clamp q) w0 (Rows.wrench sys))).
-  { intros q. apply mixed_within; [apply clamp_range|exact W0|exact Fw]. }
+  assert (Ww : forall q, is_load (the_load s) (mixed (clamp q) w0 (Rows.wrench sys))).
+  { intros q. apply mixed_load; [apply clamp_range|exact W0|exact Fw]. }
   assert (Wd : Forall (fun f => List.length f = D) (walls g)) by now apply walls_real_length.
   assert (K_real : forall e, on_wall D (map real (walls g)) e ->
     Forall (fun f => Rows.dot (real f) (listed D e) <= 1) (walls g) /\
     Exists (fun f => Rows.dot (real f) (listed D e) = 1) (walls g)).
   { intros e [K X]. unfold in_K in K. rewrite Forall_map in K. rewrite Exists_map in X. split; assumption. }
   (* A point at home in a root does not exist. *)
-  apply (walk_refutes memory advisor setting split leaf_fails solves) in W;
-    [|intros s' n bs x; apply split_covers|intros s' st rs y x; apply leaf_refuted
+  apply (walk_refutes advisor setting split (end_fails no_pieces) solves (fun _ => False)) in W;
+    [|intros s' n bs x; apply split_covers|intros s' st rs n x; apply end_without_pieces
      |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|];
        apply walls_good].
   rewrite Forall_forall in W.
@@ -710,7 +693,7 @@ Proof.
     (twist_at g (part q)) 0 + e i)) ->
     is_point s && one_multiple g = false -> on_wall D (map real (walls g)) e -> False).
   { intros q e S NP OW. destruct (K_real e OW) as [K X].
-    destruct (wall_home g D L1 L2 Range memory advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
+    destruct (wall_home g D L1 L2 Range advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
     - apply Part.
     - reflexivity.
     - constructor.
@@ -719,7 +702,7 @@ Proof.
     solves (middle_setting g s) (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 + e i)) ->
     on_wall D (map real (walls g)) e -> False).
   { intros t e T Th S OW. destruct (K_real e OW) as [K X].
-    destruct (wall_home g D L1 L2 Range memory advisor solves (middle_conditions g) (middle_setting g s) t e)
+    destruct (wall_home g D L1 L2 Range advisor solves (middle_conditions g) (middle_setting g s) t e)
       as (r & Hr & Home); try assumption.
     - reflexivity.
     - unfold middle_conditions. destruct (one_multiple g) eqn:O; constructor; [|constructor].
@@ -734,7 +717,8 @@ Proof.
     pushed (pushes (middle_setting g s)) c (h_at g t :: l_at g t :: listed D (fun i => nth i (twist_at g t) 0 +
       e i)) y =
     c * Rows.dot y (times (map real (direction_rows g)) (listed D e))).
-  { intros t e T y c. unfold pushed. cbn [pushes middle_setting make_setting]. do 2 f_equal. unfold times.
+  { intros t e T y c. unfold pushed. cbn [pushes middle_setting make_setting a_multiple known_push map times].
+    rewrite dot_nil, Rminus_0_r. do 2 f_equal. unfold times.
     rewrite !map_map. apply map_ext_in. intros f Hf. apply relative_at; try assumption.
     rewrite Forall_forall in AL. now apply AL. }
   assert (InMiddle : forall q e fs c, (clamp q = 0 \/ is_point s = true) -> 0 <= c ->
@@ -748,19 +732,14 @@ Proof.
     exists (system_at q), (listed D (fun i => nth i (twist_at g (part q)) 0 + e i)), (h_at g (part q)),
       (l_at g (part q)), fs, c.
     split; [reflexivity|]. split; [exact C|]. split; [|intros k r Hk; discriminate].
-    constructor; cbn [middle_setting make_setting rows the_load make_load load_box load_growth]; try assumption.
+    constructor; cbn [middle_setting make_setting rows the_load middle_load load_growth]; try assumption.
     - rewrite map_all_is. destruct Q as [Q|Q].
       + cbn [system_at Rows.rows]. rewrite Q. now apply rows_in_middle with D.
       + unfold is_point in Q. apply andb_true_iff in Q as [Q _]. apply point_suits; [exact Q|].
         apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
-    - reflexivity.
     - cbn [system_at Rows.wrench]. destruct Q as [Q|Q].
-      + rewrite Q, mixed_start by congruence. unfold w0. clear.
-        induction (load_box (the_load s)) as [|i is IH]; cbn; constructor; [apply exactly_within|exact IH].
-      + unfold is_point in Q. apply andb_true_iff in Q as [_ Q]. clear - Q Ww. specialize (Ww q).
-        revert Q. induction Ww as [|i x is w Wx F IH]; intros Q; cbn in *; constructor; apply andb_true_iff in
-          Q as [Q1 Q2];
-          [now apply certain_middle|now apply IH].
+      + rewrite Q, mixed_start by congruence. exact Mw.
+      + unfold is_point in Q. apply andb_true_iff in Q as [_ Q]. exact (one_load_middle _ _ Q (Ww q)).
     - intros y. rewrite Pushed by apply Part. apply Bal. }
   assert (C0 : clamp 0 = 0) by (apply clamp_same; lra). assert (C1 : clamp 1 = 1) by (apply clamp_same; lra).
   assert (P0 : part 0 = middle_part) by (unfold part; rewrite C0; unfold mix; ring).
@@ -789,12 +768,10 @@ Proof.
   - exact I1.
   - exact I2.
   - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
-    destruct AF as [[[_ A2] A3] A4]. unfold Rows.load. cbn [system_at Rows.wrench Rows.direction].
-    rewrite (load_is_free z' _ _ A2 A3 (Ww q)). apply is_zero_real in A4. rewrite inner_is in A4. unfold real
-      in A4 at 1.
-    rewrite Fg in A4. rewrite A4. ring.
+    destruct AF as [_ A2]. unfold Rows.load. cbn [system_at Rows.wrench Rows.direction].
+    destruct (load_is_free z' _ _ A2 (Ww q)) as [Z1 Z2]. unfold real in Z2 at 1. rewrite Fg in Z2. rewrite Z1, Z2. ring.
   - intros q z Hz. apply in_map_iff in Hz as (z' & <- & Hz). specialize (AF z' Hz). rewrite !andb_true_iff in AF.
-    destruct AF as [[[A1 _] _] _]. apply rows_are_free with D (rows s); [exact A1| |].
+    destruct AF as [A1 _]. apply rows_are_free with D (rows s); [exact A1| |].
     + apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
     + apply rows_proper with (rows s); [exact WW|apply clamp_range].
   - intros z e Hz. apply in_map_iff in Hz as (z' & <- & Hz). now apply HA.
@@ -823,12 +800,12 @@ Proof.
       apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er Se] Sp.
       destruct (seen_stands _ _ Se) as (r' & k & p & G & mu & t & I & St & _).
       unfold law_holds in LH. rewrite forallb_forall in LH. specialize (LH row Hr). rewrite Sp in LH. cbn in LH.
-      assert (Home : at_home memory setting (fun _ _ => True) (k_region memory advisor g s [])
+      assert (Home : at_home setting (fun _ _ => True) (k_region advisor g s [])
         (h_at g t1 :: l_at g t1 :: d)).
       { assert (E : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
         rewrite E. apply (k_home g D L1 L2 Range); [exact T1|reflexivity|exact Wd|exact Logic.I|constructor|].
         rewrite Forall_map in K. eapply Forall_impl; [|exact K]. cbn. intros; lra. }
-      destruct (home_spanned _ _ _ _ _ Home) as (ws & Wt & Sp').
+      destruct (home_spanned _ _ _ _ (root_good _ _ _ _) Home) as (ws & Wt & Sp').
       rewrite Er in LH. rewrite <- (same_pull _ _ _ d (h_at g t1) (l_at g t1) St).
       exact (v_nonneg _ d (h_at g t1) (l_at g t1) ws Wt Sp' (box row) r' p G mu t I LH).
     + intros y. specialize (Bal y). unfold total_work, Rows.load in Bal.

@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Bodies Leaf Tree Witness Margin Parts Matrix Rigid RigidClass.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Bodies Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -21,29 +21,57 @@ Definition rows_of (bits : Z) (q : question) : option (list row) :=
       end
   end.
 
+(* The wrenches of unit forces at a point, and of unit torques. *)
+Definition unit_loads (point : list Q) : option matrix :=
+  match point with
+  | [x; y] => Some [[1; 0; - y]; [0; 1; x]; [0; 0; 1]]%Q
+  | [x; y; z] => Some [[1; 0; 0; 0; z; - y]; [0; 1; 0; - z; 0; x]; [0; 0; 1; y; - x; 0];
+                       [0; 0; 0; 1; 0; 0]; [0; 0; 0; 0; 1; 0]; [0; 0; 0; 0; 0; 1]]%Q
+  | _ => None
+  end.
+
+Definition addition_of (b : ball) : option addition :=
+  let forces := List.length (about b) in
+  match unit_loads (about b) with
+  | Some ways =>
+      if Qle_bool (radius b) 0 || Qle_bool (torque_length b) 0 then None
+      else
+        let most := (repeat (radius b) forces ++ repeat (radius b * torque_length b)%Q (List.length ways - forces))%list in
+        Some (Addition (map (fun m => Interval (- m) m) most) ways (map (fun m => m * m)%Q most))
+  | None => None
+  end.
+
+Definition load_of (q : question) : option load :=
+  match load_ball q, several q with
+  | None, _ => Some (Load (wrench q) (direction q) nothing_added)
+  | Some b, None =>
+      match addition_of b with
+      | Some it => Some (Load (wrench q) (direction q) it)
+      | None => None
+      end
+  | Some _, Some _ => None
+  end.
+
 (* The box that the question is about. *)
 Definition setting_of (bits : Z) (q : question) : option setting :=
-  match rows_of bits q with
-  | None => None
-  | Some rows => Some (make_setting (dimension q) rows (make_load (wrench q) (direction q)) [])
+  match rows_of bits q, load_of q with
+  | Some rows, Some ld => Some (make_setting (dimension q) rows ld no_push)
+  | _, _ => None
   end.
 
 (* Whether it is one point. *)
 Definition is_one_grasp (s : setting) : bool :=
-  exact_rows (rows s) && forallb certain (load_box (the_load s)).
+  exact_rows (rows s) && one_load (the_load s).
 
 (* No normal in space is uncertain. *)
 Definition straight (s : setting) : bool := forallb (fun r => negb (box_turns (box r))) (rows s).
 
 Section Check.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 Definition refute (q : question) (s : setting) (ranges : list range) (nodes : list node)
     : option (string * nat) :=
-  walk_ranges memory advisor (most_depth (rows s)) (bilateral q) s ranges nodes.
-
-Definition at_zero : range := Range 0 (Some 0%Q) false false.
+  walk_ranges advisor no_pieces (most_depth (rows s)) (bilateral q) s ranges nodes.
 
 Definition check_witness (q : question) (s : setting) (w : witness) : answer :=
   if is_one_grasp s then
@@ -60,7 +88,7 @@ Definition check_tree (q : question) (s : setting) (nodes : list node) : answer 
   end.
 
 Definition check_parts (q : question) (s : setting) (parts : list part) : answer :=
-  match parts_fail memory advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
+  match parts_fail advisor (bilateral q) (most_depth (rows s)) parts [(s, 0%Z)] 0 with
   | None => Stable
   | Some (rule, found_at) => Rejected rule found_at
   end.
@@ -72,7 +100,7 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
     | Some number => Rejected "resisted-order" (AtInterval number)
     | None =>
         match segments_fail (bilateral q) (dimension q) (rows s) (the_load s)
-                (segment_by_degree_fails memory advisor (bilateral q) (most_depth (rows s)) s) (unloaded s)
+                (segment_by_degree_fails advisor (bilateral q) (most_depth (rows s)) s) (unloaded s)
                 segments resisted None None 0 with
         | Some (rule, found_at) => Rejected rule found_at
         | None =>
@@ -104,7 +132,7 @@ Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (h
   let failing rule second := Some (Rejected rule (AtPointOf number second)) in
   match evidence with
   | inl p =>
-      match part_fails memory advisor (bilateral q) (most_depth (rows s)) low high s p with
+      match part_fails advisor (bilateral q) (most_depth (rows s)) low high s p with
       | Some (rule, node) => Some (Rejected rule (AtProofOf number node))
       | None => None
       end
@@ -165,7 +193,7 @@ Fixpoint check_claims (q : question) (s : setting) (claims : list claim) (before
 Definition check_class (q : question) (s : setting) (p : class_proof) : answer :=
   match masses (inertia q), all_some rigid_of (rows s) with
   | Some mass, Some xs =>
-      if Nat.eqb (List.length mass) (dimension q) && straight s && forallb certain (load_box (the_load s)) then
+      if Nat.eqb (List.length mass) (dimension q) && straight s && one_load (the_load s) then
         match class_fails (most_depth (rows s)) mass (map low (load_box (the_load s))) xs p with
         | None => Class (class_of p)
         | Some (rule, Some number) => Rejected rule (AtNode number)
@@ -175,11 +203,33 @@ Definition check_class (q : question) (s : setting) (p : class_proof) : answer :
   | _, _ => NotProvedHere "rigid contacts that are uncertain"
   end.
 
+(* Of a plane of loads. *)
+Definition check_region (q : question) (s : setting) (pieces : list (list load_point)) (nodes : list node) : answer :=
+  match load_plane q with
+  | Some (u, v) =>
+      let n := dimension q in
+      let w := load_box (the_load s) in
+      if Nat.eqb n 3 && is_one_grasp s && Nat.eqb (List.length w) n && Nat.eqb (List.length u) n &&
+         Nat.eqb (List.length v) n && forallb (fun r => does_not_grow (box r)) (rows s) then
+        match pieces_fail (bilateral q) n (rows s) w u v pieces 0 with
+        | Some (rule, found_at) => Rejected rule found_at
+        | None =>
+            let parts := map (map load_part) pieces in
+            match plane_fails advisor (most_depth (rows s)) (bilateral q) n (rows s) w u v parts nodes with
+            | None => Region parts
+            | Some (rule, number) => Rejected rule (AtNode number)
+            end
+        end
+      else NotProvedHere "a plane of loads of a box"
+  | None => NotProvedHere "a proof of something else than was asked"
+  end.
+
 Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "numbers of the question"
   | Some s =>
       match body c, is_margin q with
+      | RegionBy pieces nodes, _ => check_region q s pieces nodes
       | OfClass p, _ =>
           match inertia q with
           | [] => NotProvedHere "a proof of something else than was asked"

@@ -2,7 +2,7 @@
 (* The contacts of a question as boxes (FORMAT.md sections 1 and 6), in the plane and in space.
    `enlarge_plane`: every choice of the question has its row in the box; `enlarge_space`: or is seen in it. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels RowLimits Turned Between.
+From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels RowLimits Turned Ways.
 From Proved Require Rows Model SpaceModel.
 Import ListNotations.
 

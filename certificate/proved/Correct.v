@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: MIT *)
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Fingers Bodies Leaf Tree Witness Margin
-  RowLimits Between ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
-  RigidClass RigidTrue.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Fingers Bodies Load Leaf Tree Witness Margin
+  RowLimits Ways ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
+  RigidClass RigidTrue Plane.
 From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -41,15 +41,129 @@ Definition shaped_row (D : nat) (r : Rows.row) : Prop :=
 (* All that the proofs need to know of a choice. *)
 Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_rows : Forall2 suits (rows st) (Rows.rows s);
-  posed_load : the_load st = make_load (wrench q) (direction q);
-  posed_slipping : slipping st = [] /\ pushes st = [];
+  posed_slipping : slipping st = [] /\ pushes st = no_push;
   posed_dimension : dimension_of st = Rows.dimension s /\ dimension q = Rows.dimension s;
-  posed_wrench : Forall2 within (wrench q) (Rows.wrench s);
-  posed_direction : map Q2R (direction q) = Rows.direction s;
+  posed_wrench : is_load (the_load st) (Rows.wrench s);
+  posed_direction : map Q2R (load_growth (the_load st)) = Rows.direction s;
   posed_lengths : List.length (Rows.direction s) = List.length (Rows.wrench s);
   posed_shapes : List.length (Rows.wrench s) = Rows.dimension s /\ Forall (shaped_row (Rows.dimension s)) (Rows.rows s);
   posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral
 }.
+
+(* ---- Loads ---- *)
+
+(* A number of a ball, over m^2. *)
+Lemma number_in_ball m z : 0 < Q2R m -> z * z <= Q2R m * Q2R m ->
+  within (Interval (- m) m) (Q2R (m * m) * (z / Q2R (m * m))) /\
+  Q2R (m * m) * (z / Q2R (m * m)) = z /\
+  Q2R (m * m) * (z / Q2R (m * m)) * (z / Q2R (m * m)) = z * z / (Q2R m * Q2R m).
+Proof.
+  intros M Z. rewrite Q2R_mult. assert (E : Q2R m * Q2R m * (z / (Q2R m * Q2R m)) = z) by (field; lra).
+  split; [|split; [exact E|field; lra]]. rewrite E. unfold within; cbn. rewrite Q2R_opp. split; nra.
+Qed.
+
+Lemma ball_sizes b it : addition_of b = Some it ->
+  0 < Q2R (radius b) /\ 0 < Q2R (torque_length b) /\ exists ways, unit_loads (about b) = Some ways /\
+  let most := (repeat (radius b) (List.length (about b)) ++
+    repeat (radius b * torque_length b)%Q (List.length ways - List.length (about b)))%list in
+  it = Addition (map (fun m => Interval (- m) m) most) ways (map (fun m => m * m)%Q most).
+Proof.
+  unfold addition_of. destruct (unit_loads (about b)) as [ways|]; [|discriminate].
+  destruct (_ || _) eqn:P; [discriminate|]. apply orb_false_iff in P as [P1 P2]. intros [= <-].
+  assert (Pos : forall q, Qle_bool q 0 = false -> 0 < Q2R q).
+  { intros q H. apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle, Qle_bool_iff in L. congruence. }
+  split; [now apply Pos|]. split; [now apply Pos|]. now exists ways.
+Qed.
+
+(* Forces and torques of a ball, number by number. *)
+Lemma in_ball_numbers b f t : 0 < Q2R (radius b) -> 0 < Q2R (torque_length b) -> 0 <= f -> 0 <= t -> in_ball b f t ->
+  f <= Q2R (radius b) * Q2R (radius b) /\
+  t <= Q2R (radius b * torque_length b) * Q2R (radius b * torque_length b) /\
+  f / (Q2R (radius b) * Q2R (radius b)) + t / (Q2R (radius b * torque_length b) * Q2R (radius b * torque_length b)) <= 1.
+Proof.
+  intros R L F T H. unfold in_ball in H. rewrite Q2R_mult. set (r := Q2R (radius b)) in *. set (l := Q2R (torque_length b)) in *.
+  assert (LL : 0 < l * l) by now apply Rmult_lt_0_compat. assert (RR : 0 < r * r) by now apply Rmult_lt_0_compat.
+  assert (Tl : 0 <= t / (l * l)) by (apply Rmult_le_pos; [exact T|left; now apply Rinv_0_lt_compat]).
+  assert (E : t = t / (l * l) * (l * l)) by (field; lra).
+  split; [lra|]. split.
+  - rewrite E. replace (r * l * (r * l)) with (r * r * (l * l)) by ring. apply Rmult_le_compat_r; lra.
+  - apply Rmult_le_reg_r with (r * r); [exact RR|].
+    replace ((f / (r * r) + t / (r * l * (r * l))) * (r * r)) with (f + t / (l * l)) by (field; lra). lra.
+Qed.
+
+Lemma load_grows q ld : load_of q = Some ld -> load_growth ld = direction q.
+Proof.
+  unfold load_of. destruct (load_ball q) as [b|], (several q); try discriminate; [|now intros [= <-]..].
+  destruct (addition_of b); [|discriminate]. now intros [= <-].
+Qed.
+
+Lemma plane_load q ld g : load_of q = Some ld -> several q = None ->
+  (exists w0 w1, Forall2 within (wrench q) (three_numbers w0) /\ added (load_ball q) w1 /\ Model.wrench g = Model.add w0 w1) ->
+  is_load ld (motion_list (Model.wrench g)).
+Proof.
+  unfold load_of. intros H One (w0 & w1 & W & A & ->). unfold added in A. rewrite One in H. destruct (load_ball q) as [b|].
+  2:{ injection H as <-. exists (three_numbers w0), []. split; [exact W|]. split; [reflexivity|].
+      split; [apply nothing_is_added|]. intros y. subst w1. unfold work_added; cbn [load_added nothing_added ball_squares real map Rows.product].
+      rewrite dot_motion. change (three_numbers w0) with (motion_list w0). rewrite dot_motion.
+      unfold Model.work, Model.add, Model.zero; cbn. ring. }
+  destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. injection H as <-.
+  destruct A as (x & y & fx & fy & t & Ab & In_b & ->).
+  destruct (ball_sizes b it Ad) as (R0 & L0 & ways & U & ->).
+  destruct (about b) as [|cx [|cy [|? ?]]]; try discriminate Ab. injection Ab as <- <-. cbn in U. injection U as <-.
+  pose proof (Rle_0_sqr fx) as X0. pose proof (Rle_0_sqr fy) as Y0. pose proof (Rle_0_sqr t) as T0. unfold Rsqr in *.
+  destruct (in_ball_numbers b (fx * fx + fy * fy) (t * t) R0 L0 ltac:(lra) T0 In_b) as (F1 & T1 & S).
+  set (r := radius b) in *. set (m := (r * torque_length b)%Q) in *.
+  assert (M0 : 0 < Q2R m) by (unfold m; rewrite Q2R_mult; now apply Rmult_lt_0_compat).
+  destruct (number_in_ball r fx R0 ltac:(lra)) as (Wx & Ex & Sx). destruct (number_in_ball r fy R0 ltac:(lra)) as (Wy & Ey & Sy).
+  destruct (number_in_ball m t M0 T1) as (Wt & Et & St).
+  exists (three_numbers w0), [fx / Q2R (r * r); fy / Q2R (r * r); t / Q2R (m * m)].
+  split; [exact W|]. split; [reflexivity|]. split.
+  - constructor; cbn.
+    + rewrite !Q2R_mult. repeat constructor; now apply Rmult_lt_0_compat.
+    + repeat constructor.
+    + reflexivity.
+    + constructor; [exact Wx|constructor; [exact Wy|constructor; [exact Wt|constructor]]].
+    + rewrite Sx, Sy, St. unfold Rdiv in *. rewrite !Rmult_plus_distr_r in S. lra.
+  - intros z. unfold work_added. rewrite product_is_dot. cbn -[Q2R Qmult]. rewrite Ex, Ey, Et.
+    destruct z as [|z1 [|z2 [|z3 z]]]; cbn -[Q2R]; rewrite ?Q2R_opp, ?Q2R_0, ?Q2R_1; try ring.
+Qed.
+
+Lemma space_load q ld g : load_of q = Some ld -> several q = None ->
+  (exists w0 w1, Forall2 within (wrench q) (six_numbers w0) /\ added_in_space (load_ball q) w1 /\
+     SpaceModel.wrench g = SpaceModel.add_screw w0 w1) ->
+  is_load ld (screw_list (SpaceModel.wrench g)).
+Proof.
+  unfold load_of. intros H One (w0 & w1 & W & A & ->). unfold added_in_space in A. rewrite One in H. destruct (load_ball q) as [b|].
+  2:{ injection H as <-. exists (six_numbers w0), []. split; [exact W|]. split; [reflexivity|].
+      split; [apply nothing_is_added|]. intros y. subst w1. unfold work_added; cbn [load_added nothing_added ball_squares real map Rows.product].
+      change (six_numbers w0) with (screw_list w0). rewrite !dot_screw.
+      unfold SpaceModel.work, SpaceModel.add_screw, SpaceModel.no_screw, SpaceModel.dot, SpaceModel.add, SpaceModel.zero; cbn. ring. }
+  destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. injection H as <-.
+  destruct A as ([px py pz] & [fx fy fz] & [tx ty tz] & Ab & In_b & ->).
+  unfold SpaceModel.dot in In_b. cbn [SpaceModel.x SpaceModel.y SpaceModel.z] in *.
+  destruct (ball_sizes b it Ad) as (R0 & L0 & ways & U & ->).
+  destruct (about b) as [|cx [|cy [|cz [|? ?]]]]; try discriminate Ab. injection Ab as <- <- <-. cbn in U. injection U as <-.
+  pose proof (Rle_0_sqr fx) as X0. pose proof (Rle_0_sqr fy) as Y0. pose proof (Rle_0_sqr fz) as Z0.
+  pose proof (Rle_0_sqr tx) as X1. pose proof (Rle_0_sqr ty) as Y1. pose proof (Rle_0_sqr tz) as Z1. unfold Rsqr in *.
+  destruct (in_ball_numbers b (fx * fx + fy * fy + fz * fz) (tx * tx + ty * ty + tz * tz) R0 L0
+    ltac:(lra) ltac:(lra) In_b) as (F1 & T1 & S).
+  set (r := radius b) in *. set (m := (r * torque_length b)%Q) in *.
+  assert (M0 : 0 < Q2R m) by (unfold m; rewrite Q2R_mult; now apply Rmult_lt_0_compat).
+  destruct (number_in_ball r fx R0 ltac:(lra)) as (Wx & Ex & Sx). destruct (number_in_ball r fy R0 ltac:(lra)) as (Wy & Ey & Sy).
+  destruct (number_in_ball r fz R0 ltac:(lra)) as (Wz & Ez & Sz). destruct (number_in_ball m tx M0 ltac:(lra)) as (Wu & Eu & Su).
+  destruct (number_in_ball m ty M0 ltac:(lra)) as (Wv & Ev & Sv). destruct (number_in_ball m tz M0 ltac:(lra)) as (Ww & Ew & Sw).
+  exists (six_numbers w0), [fx / Q2R (r * r); fy / Q2R (r * r); fz / Q2R (r * r);
+                            tx / Q2R (m * m); ty / Q2R (m * m); tz / Q2R (m * m)].
+  split; [exact W|]. split; [reflexivity|]. split.
+  - constructor; cbn.
+    + rewrite !Q2R_mult. repeat constructor; now apply Rmult_lt_0_compat.
+    + repeat constructor.
+    + reflexivity.
+    + constructor; [exact Wx|constructor; [exact Wy|constructor; [exact Wz|constructor; [exact Wu|constructor; [exact Wv|constructor; [exact Ww|constructor]]]]]].
+    + rewrite Sx, Sy, Sz, Su, Sv, Sw. unfold Rdiv in *. rewrite !Rmult_plus_distr_r in S. lra.
+  - intros z. unfold work_added. rewrite product_is_dot. cbn -[Q2R Qmult]. rewrite Ex, Ey, Ez, Eu, Ev, Ew.
+    destruct z as [|z1 [|z2 [|z3 [|z4 [|z5 [|z6 z]]]]]]; cbn -[Q2R]; rewrite ?Q2R_opp, ?Q2R_0, ?Q2R_1; try ring.
+Qed.
 
 Lemma seen_suits boxes rs : Forall2 seen_in boxes rs -> Forall2 suits (map_all make_row boxes) rs.
 Proof.
@@ -67,17 +181,19 @@ Qed.
 
 Lemma bodies_pose k (row_of : BodiesModel.contact k -> Rows.row)
     (chosen_contact : contact -> BodiesModel.contact k -> Prop) bits q st its m :
-  BodiesModel.numbers k = numbers_of its ->
+  BodiesModel.numbers k = Bodies.numbers_of its ->
   (forall c c' b, chosen_contact c c' -> enlarge_finger bits c = Some b -> seen_in b (row_of c')) ->
   (forall c, List.length (Rows.weights (row_of c)) = List.length (Rows.slips (row_of c))) ->
   setting_of bits q = Some st -> chosen_bodies chosen_contact q its m -> poses q st (mechanism_rows k row_of m).
 Proof.
   intros En Seen Lr H Ch. unfold setting_of, rows_of in H. pose proof Ch as (Sv & D & Nu & _ & _ & _ & W & U & Law).
-  rewrite Sv in H. destruct (mechanism_boxes _ _ _ _) as [boxes|] eqn:B; [|discriminate]. injection H as <-.
+  rewrite Sv in H. destruct (mechanism_boxes _ _ _ _) as [boxes|] eqn:B; [|discriminate].
+  unfold load_of in H. rewrite Sv in H. destruct (load_ball q); [discriminate|]. injection H as <-.
   destruct Nu as (Lw & Lu & _).
   constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.wrench Rows.direction Rows.normal mechanism_rows
-    pushes make_setting]; try assumption; try reflexivity; try (now split); try congruence.
+    pushes make_setting load_growth]; try assumption; try reflexivity; try (now split); try congruence.
   - apply seen_suits. eapply mechanism_seen; eassumption.
+  - now apply box_is_load.
   - split; [exact Lw|]. apply (mechanism_shapes k row_of m); [|exact Lr]. apply Ch.
 Qed.
 
@@ -85,9 +201,11 @@ Lemma choice_poses bits q st s : setting_of bits q = Some st -> choice_of q s ->
 Proof.
   intros H C. destruct C as [(g & (Sv & D & F & W & U & N) & ->)|[(g & (Sv & D & F & W & U & N) & ->)|[C|C]]].
   1, 2: unfold setting_of, rows_of in H; rewrite Sv in H;
-    destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate]; injection H as <-;
-    (constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
-       Rows.normal grasp_rows space_grasp_rows]; try assumption; try reflexivity; try (now split);
+    destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate];
+    destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]; pose proof (load_grows _ _ Ld) as Grows; injection H as <-;
+    (constructor; cbn [make_setting rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
+       Rows.normal grasp_rows space_grasp_rows]; rewrite ?Grows; try assumption; try reflexivity; try (now split);
+     try (now apply (plane_load q)); try (now apply (space_load q));
      try (split; [reflexivity|]; apply Forall_map, Forall_forall; intros c _; now repeat constructor)).
   - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
     + intros q0 b r B (c & Ch & ->). eapply plane_seen; eassumption.
@@ -97,12 +215,12 @@ Proof.
     + intros q0 b r B (c & Ch & ->). eapply enlarge_space; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
   - destruct C as (m & (its & Sp & Ch) & ->).
-    eapply (bodies_pose BodiesModel.in_plane); try eassumption; [unfold numbers_of; now rewrite Sp| |reflexivity].
+    eapply (bodies_pose BodiesModel.in_plane); try eassumption; [unfold Bodies.numbers_of; now rewrite Sp| |reflexivity].
     intros c c' b Cc B. apply (plane_seen bits c); [exact Cc|]. unfold enlarge_finger in B.
     destruct (enlarge bits c) as [b'|] eqn:E; [|discriminate]. destruct (Qeq_bool (torsion c) 0); [exact B|].
     rewrite (plane_signed bits c b' c') in B by assumption. discriminate.
   - destruct C as (m & (its & Sp & Ch) & ->).
-    eapply (bodies_pose BodiesModel.in_space); try eassumption; [unfold numbers_of; now rewrite Sp| |].
+    eapply (bodies_pose BodiesModel.in_space); try eassumption; [unfold Bodies.numbers_of; now rewrite Sp| |].
     + intros c c' b. apply finger_seen.
     + intros t. unfold finger_row. destruct (Req_EM_T _ _); reflexivity.
 Qed.
@@ -120,6 +238,9 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | Class c => forall s, choice_of q s -> exists mass, masses (inertia q) = Some mass /\
       List.length mass = Rows.dimension s /\
       (good_mass (Rows.dimension s) (map real mass) -> is_of_class c (repeat 0 (Rows.dimension s)) (can_rows mass s))
+  | Region pieces => forall s, choice_of q s -> forall u v, load_plane q = Some (u, v) -> Rows.dimension s = 3%nat ->
+      forall a b w, (forall y, Rows.dot w y = Rows.dot (Rows.wrench s) y + a * Rows.dot (real u) y + b * Rows.dot (real v) y) ->
+      (Rows.stable_at (loaded s w) 0 <-> Exists (in_piece a b) pieces)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
@@ -144,7 +265,7 @@ Qed.
 
 Lemma true_of_grasps q a : true_of_rows q a -> true_answer q a.
 Proof.
-  destruct a; cbn; intros H; try exact I.
+  destruct a as [| |intervals|resisted refuted|c|pieces| |]; cbn; intros H; try exact I.
   1-4: apply of_all_rows; [|exact H]; intros A B E S.
   - now apply E.
   - intros St. now apply S, E.
@@ -152,32 +273,37 @@ Proof.
   - intros l L. rewrite E. now apply S.
   - split; intros g C.
     + destruct (H (grasp_rows g)) as (m & M & Lm & Cl); [left; now exists g|].
-    destruct (plane_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
-    apply (plane_class _ g i m E). apply Cl. rewrite E. now apply plane_mass_good.
+      destruct (plane_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
+      apply (plane_class _ g i m E). apply Cl. rewrite E. now apply plane_mass_good.
     + destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; left; now exists g|].
-    destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
-    apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
+      destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
+      apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
+  - intros g C a b g' (u & v & Pl & u' & v' & Eu & Ev & ->). unfold Model.stable. rewrite stable_as_rows.
+    apply (H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl))) u v Pl eq_refl a b
+      (motion_list (Model.add (Model.wrench g) (Model.add (Model.scale a u') (Model.scale b v'))))).
+    intros y. unfold real. rewrite Eu, Ev. change (three_numbers u') with (motion_list u').
+    change (three_numbers v') with (motion_list v'). cbn [grasp_rows Rows.wrench]. rewrite !dot_motion.
+    unfold Model.work, Model.add, Model.scale; cbn. ring.
 Qed.
 
 Section Correct.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
 (* Where trees about ranges are accepted, no multiple in these ranges has an equilibrium. *)
 Theorem refute_correct q st s ranges nodes lambda : poses q st s ->
-  refute memory advisor q st ranges nodes = None -> 0 <= lambda ->
+  refute advisor q st ranges nodes = None -> 0 <= lambda ->
   Exists (fun r => in_range r lambda) ranges -> ~ Rows.stable_at s lambda.
 Proof.
   intros P R L X (d & fs & Ld & O & B). destruct P. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D _].
-  apply (refuted_multiple memory advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
+  apply (refuted_multiple advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
     try assumption.
   - congruence.
-  - constructor; try assumption; try lra; rewrite posed_load0; try assumption; reflexivity.
+  - constructor; try assumption; lra.
 Qed.
 
 Lemma posed_fits q st s : poses q st s -> straight st = true -> Forall2 fits (rows st) (Rows.rows s).
 Proof.
-  intros [Su _ _ _ _ _ _ _ _] St. unfold straight in St. revert St.
+  intros [Su _ _ _ _ _ _ _] St. unfold straight in St. revert St.
   induction Su as [|row r rows rs H Su IH]; intros St; constructor; cbn in St; apply andb_true_iff in St as [Sr St].
   - apply suits_fits; [exact H|]. now apply negb_true_iff.
   - now apply IH.
@@ -188,7 +314,7 @@ Proof.
   intros P. destruct P.
   destruct posed_slipping0 as [NS NP], posed_dimension0 as [D1 D2], posed_shapes0 as [Lw Sh].
   constructor; try congruence.
-  - unfold contains. rewrite posed_load0. now repeat split.
+  - unfold contains. now repeat split.
   - rewrite D1. clear - posed_rows0 Sh. revert Sh.
     induction posed_rows0 as [|row r rows rs [_ Se] P IH]; intros Sh; constructor.
     + destruct (Forall_inv Sh) as (A & B & C). now apply (seen_proper _ (box row)).
@@ -200,7 +326,7 @@ Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
   exact_rows (rows st) = true /\ exact_load (the_load st) s /\ straight st = true.
 Proof.
   intros [] X. unfold is_one_grasp in X. apply andb_true_iff in X as [X1 X2].
-  split; [exact X1|]. split; [rewrite posed_load0 in *; now constructor|].
+  split; [exact X1|]. split; [now constructor|].
   unfold straight, exact_rows in *. rewrite forallb_forall in *. intros r Hr. specialize (X1 r Hr).
   unfold exact_box in X1. rewrite !andb_true_iff in X1. tauto.
 Qed.
@@ -226,7 +352,7 @@ Proof.
 Qed.
 
 Lemma evidence_holds q st number lo hi evidence s l : poses q st s ->
-  holding_fails memory advisor q st number lo hi evidence = None ->
+  holding_fails advisor q st number lo hi evidence = None ->
   (hi = None -> Qeq_bool lo 0 && unloaded st = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
 Proof.
   intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
@@ -239,8 +365,8 @@ Proof.
     specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ U].
     apply (unloaded_stable s st l In_s U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
   destruct evidence as [p|points].
-  - destruct (part_fails _ _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
-    exact (part_stable _ _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
+  - destruct (part_fails _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
+    exact (part_stable _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
   - destruct (is_one_grasp st) eqn:X; [cbn [negb] in H|discriminate].
     destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi.
     destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
@@ -258,7 +384,7 @@ Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
   forall claims before number resisted refuted,
   match before with Some b => 0 <= Q2R b | None => True end ->
   true_of_rows q (Claims (rev_append resisted []) (rev_append refuted [])) ->
-  true_of_rows q (check_claims memory advisor q st claims before number resisted refuted).
+  true_of_rows q (check_claims advisor q st claims before number resisted refuted).
 Proof.
   intros P. induction claims as [|cl claims IH]; intros before number resisted refuted B0 T; cbn [check_claims];
     [exact T|].
@@ -276,7 +402,7 @@ Proof.
   - destruct (in_order true before lo hi) eqn:O; [cbn [negb]|exact I].
     destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
     destruct (match hi with None => _ | Some _ => false end) eqn:Wh; [exact I|].
-    destruct (holding_fails memory advisor q st number lo hi evidence) as [a|] eqn:K.
+    destruct (holding_fails advisor q st number lo hi evidence) as [a|] eqn:K.
     { destruct a; try exact I; exfalso; revert K; clear; unfold holding_fails;
         repeat match goal with |- context [match ?x with _ => _ end] => destruct x end; discriminate. }
     apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
@@ -286,7 +412,7 @@ Proof.
   - destruct (in_order false before lo hi) eqn:O; [cbn [negb]|exact I].
     destruct before as [b|]; [|discriminate]. destruct (in_order_from _ _ _ _ b O eq_refl) as [O1 O2].
     set (with_low := match number with O => _ | S _ => false end).
-    destruct (refute _ _ _ _ _ _) as [[rule node]|] eqn:R; [exact I|].
+    destruct (refute _ _ _ _ _) as [[rule node]|] eqn:R; [exact I|].
     apply IH; [destruct hi; [lra|exact I]|]. apply Back. intros s C l L. destruct (T' s C l L) as [A B].
     split; [exact A|]. intros E. apply Exists_cons in E as [E|E]; [|now apply B].
     unfold refuted_by in E. destruct E as [Lo Hi].
@@ -296,7 +422,7 @@ Proof.
     + destruct hi as [h|]; [|exact I]. split; [lra|auto].
 Qed.
 
-Theorem check_of_rows q c : true_of_rows q (check memory advisor q c).
+Theorem check_of_rows q c : true_of_rows q (check advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
   assert (P := fun s => choice_poses _ _ _ s S).
@@ -313,12 +439,27 @@ Proof.
     apply Nat.eqb_eq in Lm. exists mass. split; [exact M|]. split; [congruence|]. intros (_ & Sym & Pos).
     apply (class_holds mass (map low (load_box (the_load st))) s xs) with (most := most_depth (rows st)); try assumption.
     - now apply all_rigid with (rows st).
-    - rewrite posed_load0 in *. cbn [load_box make_load] in *. clear - posed_wrench0 Ce.
-      induction posed_wrench0 as [|i x is w W F IH]; cbn in *; [reflexivity|]. apply andb_true_iff in Ce as [C1 C2].
-      f_equal; [now apply certain_within|now apply IH].
+    - exact (one_load_is _ _ Ce posed_wrench0).
     - congruence. }
-  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p];
-    [| | | | |now apply Rigid_]; destruct (is_margin q); try exact I.
+  assert (Region_ : forall pieces nodes, true_of_rows q (check_region advisor q st pieces nodes)).
+  { intros pieces nodes. unfold check_region. destruct (load_plane q) as [[u v]|] eqn:Pl; [|exact I].
+    destruct (_ && _) eqn:Ch; [|exact I]. rewrite !andb_true_iff in Ch. destruct Ch as [[[[[D3 X] Lw] Lu] Lv] G].
+    destruct (pieces_fail _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Pf; [exact I|].
+    destruct (plane_fails _ _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Tf; [exact I|].
+    apply Nat.eqb_eq in D3, Lw, Lu, Lv.
+    intros s C u' v' Pl' _ a b w Ew. rewrite Pl in Pl'. injection Pl' as <- <-. specialize (P s C).
+    destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P.
+    destruct posed_dimension0 as [_ D]. rewrite D in *. destruct Lo as [L1 L2 _ _].
+    pose proof (one_load_is _ _ L1 L2) as W. pose proof (one_load_box _ _ L1 L2) as Wb.
+    unfold one_load in L1. apply andb_true_iff in L1 as [L1 _].
+    split; intros H.
+    - refine (plane_covered advisor (most_depth (rows st)) (bilateral q) (rows st) (load_box (the_load st)) u v s
+        (map (map load_part) pieces) nodes a b w Fi Wb _ _ posed_law0 Tf Ew H); [|congruence].
+      destruct posed_shapes0 as [_ Sh]. eapply Forall_impl; [|exact Sh]. intros r (A & B & _). now split.
+    - refine (piece_resisted _ (rows st) (load_box (the_load st)) u v s Fi E L1 W Wb _ _ posed_law0 pieces 0 a b w Pf _ Ew H);
+        [congruence|congruence|]. now apply (nothing_grows (rows st)). }
+  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p|pieces nodes];
+    [| | | | |now apply Rigid_|now apply Region_]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).
@@ -327,12 +468,12 @@ Proof.
     replace 0 with (Q2R 0) by apply Q2R_0.
     eapply point_resists; try eassumption. reflexivity.
   - (* parts *)
-    unfold check_parts. destruct (parts_fail _ _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
+    unfold check_parts. destruct (parts_fail _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
     intros s C. specialize (P s C).
-    pose proof (parts_stable memory advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
+    pose proof (parts_stable advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
     apply (Forall_inv A). cbn. now apply posed_in_setting with q.
   - (* a tree *)
-    unfold check_tree. destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
+    unfold check_tree. destruct (refute _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C. apply (refute_correct q st s _ _ 0 (P s C) R (Rle_refl 0)).
     constructor. unfold in_range, at_zero; cbn. rewrite Q2R_0.
     repeat split; try discriminate; lra.
@@ -340,14 +481,14 @@ Proof.
     unfold check_margin. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (order_fails _ _ resisted 0); [exact I|].
     destruct (segments_fail _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
-    destruct (refute _ _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
+    destruct (refute _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as (E & L & Sg). split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
     + intros A. pose proof (posed_in_setting q st s P) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
       rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
       { intros a b d1 d2 walls direction tree l Hd Z La Lb.
-        eapply (segment_by_degree_resists memory advisor); eassumption. }
+        eapply (segment_by_degree_resists advisor); eassumption. }
       destruct resisted as [|[lo hi] resisted']; inversion A; subst; [left|right]; assumption.
   - (* claims *)
     apply claims_true; [exact P|rewrite Q2R_0; lra|].
@@ -355,7 +496,7 @@ Proof.
 Qed.
 
 (* Whatever the certificate and the oracle's advice are, the answer is true. *)
-Theorem check_correct q c : true_answer q (check memory advisor q c).
+Theorem check_correct q c : true_answer q (check advisor q c).
 Proof. apply true_of_grasps, check_of_rows. Qed.
 
 End Correct.

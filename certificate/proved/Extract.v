@@ -7,6 +7,8 @@ From Proved Require Import Json Judge Numeral Pose Question Checker.
 
 Extract Constant Z.ltb => "Big_int_Z.lt_big_int".
 Extract Constant Z.leb => "Big_int_Z.le_big_int".
+Extract Constant Z.land => "Big_int_Z.and_big_int".
+Extract Constant Z.lor => "Big_int_Z.or_big_int".
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 Extract Constant Z.sqrt =>
   "(fun n -> Big_int_Z.sqrt_big_int (Big_int_Z.max_big_int n Big_int_Z.zero_big_int))".

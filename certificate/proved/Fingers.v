@@ -2,7 +2,7 @@
 (* Soft fingers (FORMAT.md section 15): a contact in space that may have torsion, as a row whose slips have the turn about
    the normal as one number more.  `finger_seen`: every choice of a question has its row in the box. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Between Contacts Turned.
+From Proved Require Import Question Cone Meaning Numbers Root Box Slips Leaf RowsOfModels Ways Contacts Turned.
 From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 

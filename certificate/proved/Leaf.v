@@ -2,8 +2,9 @@
 (* The leaf of a tree (FORMAT.md sections 4, 6 and 7): the sum of what the load and all contacts can do of
    work on a virtual twist.  `leaf_refutes`: where a leaf holds, no equilibrium is at home. *)
 From Coq Require Import List ZArith QArith Qreals Reals Lra Lia Bool.
+From Proved Require Import Matrix Load.
 From Proved Require Import Question Cone Meaning Numbers Root Box Terms Edges Slips.
-From Proved Require Rows Model RowLimits.
+From Proved Require Rows Degree Model RowLimits.
 Import ListNotations.
 
 Section Checker.
@@ -11,29 +12,13 @@ Open Scope Z_scope.
 
 (* ---- The load ---- *)
 
-(* w and u, in integers by one factor. *)
-Record load := Load {
-  load_box : list interval; load_growth : list Q;
-  lows_of_w : form; highs_of_w : form; form_of_u : form;
-  load_scaling : scaling
-}.
+(* The most work that loads do on y, which is `factor` times these integers, over the factor: of w, and of u. *)
+Definition load_works (ld : load) (factor : Q) (y : form) : Q * Q :=
+  let y := map (fun c => (factor * inject_Z c)%Q) y in
+  (reduced (high (work_of ld y) / factor), reduced (inner (load_growth ld) y / factor)).
 
-Definition make_load (w : list interval) (u : list Q) : load :=
-  let s := scaling_of (map low w ++ map high w ++ u) in
-  let z := map (to_integer s) in
-  Load w u (z (map low w)) (z (map high w)) (z u) s.
-
-(* The largest y.w. *)
-Fixpoint most_work (y lows highs : form) : Z :=
-  match y, lows, highs with
-  | c :: y', l :: lows', h :: highs' => c * (if 0 <? c then h else l) + most_work y' lows' highs'
-  | _, _, _ => 0
-  end.
-
-Definition load_term (m : Z) (y : form) (ld : load) : form :=
-  let t := m * times (load_scaling ld) in
-  [up (t * most_work y (lows_of_w ld) (highs_of_w ld)) (over (load_scaling ld));
-   up (t * dot (form_of_u ld) y) (over (load_scaling ld))].
+Definition load_term (m : Z) (works : Q * Q) : form :=
+  let (a, b) := works in [up (m * Qnum a) (Zpos (Qden a)); up (m * Qnum b) (Zpos (Qden b))].
 
 (* ---- Contacts that press ---- *)
 
@@ -71,18 +56,21 @@ Definition term_of (m : Z) (y : form) (p : presser) : term :=
   end.
 
 (* A multiple of a multiple of the denominators of edges, of the others too. *)
-Definition with_alphas (m : Z) (them : list presser) : Z :=
+Definition with_all (m : Z) (works : Q * Q) (more : list Q) (them : list presser) : Z :=
+  let m := fold_left (fun m q => Z.lcm m (Zpos (Qden q))) more m in
   fold_left (fun m p => match by_ p with
                         | Along _ => m
                         | Most a => Z.lcm m (alpha_over a (pressing p))
-                        end) them m.
+                        end) them (Z.lcm (Z.lcm m (Zpos (Qden (fst works)))) (Zpos (Qden (snd works)))).
 
 (* ---- The leaf ---- *)
 
-Definition leaf_holds_by (m : Z) (them : list presser) (ld : load) (strict : list (list form))
+(* `more`: a form that is added to g, exactly. *)
+Definition leaf_holds_by (m : Z) (them : list presser) (works : Q * Q) (more : list Q) (strict : list (list form))
     (rays : list ray) (y : form) : bool :=
-  (0 <? m) &&
-  let (linear, bends) := collect (term_of m y) them (load_term m y ld) [] in
+  (0 <? m) && forallb (fun q => (m * Qnum q) mod Zpos (Qden q) =? 0) more &&
+  let form := combine 1 (load_term m works) 1 (map (fun q => m * Qnum q / Zpos (Qden q)) more) in
+  let (linear, bends) := collect (term_of m y) them form [] in
   positive_at_home strict rays (fun x => - fold_left (fun s t => s + value t x) bends (dot linear x)).
 
 End Checker.
@@ -192,8 +180,7 @@ Qed.
 Record solution (rows : list row) (ld : load) (push : list R -> R) (s : Rows.system) (d : list R) (h l : R)
     (fs : list Rows.force) : Prop := Solution {
   rows_suit : Forall2 suits rows (Rows.rows s);
-  load_fits : ld = make_load (load_box ld) (load_growth ld);
-  wrench_fits : Forall2 within (load_box ld) (Rows.wrench s);
+  wrench_fits : is_load ld (Rows.wrench s);
   growth_fits : map Q2R (load_growth ld) = Rows.direction s;
   h_nonneg : 0 <= h;
   l_nonneg : 0 <= l;
@@ -205,32 +192,6 @@ Record solution (rows : list row) (ld : load) (push : list R -> R) (s : Rows.sys
 Definition slips_at (slipping : list Z) (rs : list Rows.row) (d : list R) :=
   forall k r, existsb (Z.eqb (Z.of_nat k)) slipping = true -> nth_error rs k = Some r ->
   0 < Rows.size (Rows.weights r) (Rows.slip r d).
-
-Lemma most_work_bound sc y box w : 0 < unit sc ->
-  (forall i, In i box -> Q2R (low i) = unit sc * IZR (to_integer sc (low i)) /\
-                         Q2R (high i) = unit sc * IZR (to_integer sc (high i))) ->
-  Forall2 within box w ->
-  Rows.dot w (map IZR y) <= unit sc * IZR (most_work y (map (to_integer sc) (map low box))
-                                             (map (to_integer sc) (map high box))).
-Proof.
-  intros U H F. revert y. induction F as [|i t box w [L1 L2] F IH]; intros y.
-  - destruct y; cbn; lra.
-  - destruct y as [|c y]; [cbn; lra|]. cbn [Rows.dot map most_work].
-    assert (IH' := IH ltac:(intros; apply H; now right) y).
-    destruct (H i (or_introl eq_refl)) as [E1 E2]. rewrite E1 in L1. rewrite E2 in L2.
-    rewrite plus_IZR, Rmult_plus_distr_l. apply Rplus_le_compat; [|exact IH']. rewrite mult_IZR.
-    destruct (Z.ltb_spec 0 c) as [P|P].
-    + apply IZR_lt in P. nra.
-    + apply IZR_le in P. nra.
-Qed.
-
-Lemma growth_work sc y us : (forall q, In q us -> Q2R q = unit sc * IZR (to_integer sc q)) ->
-  Rows.dot (map Q2R us) (map IZR y) = unit sc * IZR (dot (map (to_integer sc) us) y).
-Proof.
-  revert y. induction us as [|q us IH]; intros y H; destruct y as [|c y]; cbn; try ring.
-  rewrite IH by (intros; apply H; now right). rewrite (H q) by now left.
-  rewrite plus_IZR, mult_IZR. ring.
-Qed.
 
 Variable strict : list (list form).
 Variable rays : list ray.
@@ -250,40 +211,31 @@ Hypothesis factor_positive : 0 < Q2R factor.
 Variable m : Z.
 Hypothesis m_positive : (0 < m)%Z.
 
-Lemma load_bound ld s :
-  ld = make_load (load_box ld) (load_growth ld) ->
-  Forall2 within (load_box ld) (Rows.wrench s) -> map Q2R (load_growth ld) = Rows.direction s ->
+Lemma load_bound ld s : is_load ld (Rows.wrench s) -> map Q2R (load_growth ld) = Rows.direction s ->
   0 <= h -> 0 <= l ->
-  IZR m * Rows.load s h l yv <= rdot (load_term m y ld) x.
+  IZR m * Rows.load s h l yv <= rdot (load_term m (load_works ld factor y)) x.
 Proof.
-  intros E Hw Hu H0 L0. rewrite E. set (bx := load_box ld) in *. set (us := load_growth ld) in *.
-  clearbody bx us. clear E ld. unfold load_term, make_load.
-  cbn [lows_of_w highs_of_w form_of_u load_scaling].
-  set (qs := map low bx ++ map high bx ++ us). set (sc := scaling_of qs).
-  assert (X : forall q, In q qs -> Q2R q = unit sc * IZR (to_integer sc q))
-    by (intros; now apply to_integer_exact).
-  assert (UP : 0 < unit sc) by apply unit_positive.
-  assert (OP : (0 < over sc)%Z) by apply common_denominator_positive.
+  intros Hw Hu H0 L0. unfold load_works, load_term. set (yq := map _ y).
+  assert (NZ : ~ (factor == 0)%Q) by (intros Z; apply Qeq_eqR in Z; rewrite Q2R_0 in Z; lra).
+  assert (Yq : forall w, Rows.dot w (real yq) = Q2R factor * Rows.dot w yv).
+  { intros w. rewrite Degree.dot_sym, (Degree.dot_sym w), <- Rows.dot_scaled. f_equal. unfold yq, yv, real, Rows.scaled.
+    rewrite !map_map. apply map_ext. intros c. rewrite Q2R_mult. f_equal. unfold Q2R; cbn. field. }
   apply IZR_lt in m_positive as MP.
-  assert (Step : forall z, IZR m * (unit sc * IZR z) <= IZR (up (m * times sc * z) (over sc))).
-  { intros z. eapply Rle_trans; [|apply up_above; exact OP]. rewrite !mult_IZR. right.
-    unfold unit, Rdiv. ring. }
-  assert (Bw : Rows.dot (Rows.wrench s) yv <= unit sc * IZR (most_work y
-    (map (to_integer sc) (map low bx)) (map (to_integer sc) (map high bx)))).
-  { apply most_work_bound; [exact UP| |exact Hw]. intros i Hi. split; apply X; unfold qs.
-    - apply in_or_app; left. now apply in_map.
-    - apply in_or_app; right. apply in_or_app; left. now apply in_map. }
-  assert (Bu : Rows.dot (Rows.direction s) yv = unit sc * IZR (dot (map (to_integer sc) us) y)).
-  { rewrite <- Hu. apply growth_work. intros q Hq. apply X. unfold qs.
-    apply in_or_app; right. apply in_or_app; now right. }
-  pose proof (Step (most_work y (map (to_integer sc) (map low bx)) (map (to_integer sc) (map high bx)))) as Sw.
-  pose proof (Step (dot (map (to_integer sc) us) y)) as Su. rewrite <- Bu in Su.
-  set (cw := up _ _) in Sw. set (cu := up _ _) in Su.
-  match goal with |- _ <= rdot [?A; ?B] _ => change A with cw; change B with cu end.
-  clearbody cw cu. unfold Rows.load, x; cbn [rdot].
+  assert (Step : forall q t, Q2R factor * t <= Q2R q -> IZR m * t <=
+    IZR (up (m * Qnum (reduced (q / factor)%Q)) (Zpos (Qden (reduced (q / factor)%Q))))).
+  { intros q t T. set (a := reduced (q / factor)%Q).
+    eapply Rle_trans; [|apply up_above; reflexivity]. rewrite mult_IZR.
+    replace (IZR m * IZR (Qnum a) / IZR (Zpos (Qden a))) with (IZR m * Q2R a) by (unfold Q2R, Rdiv; ring).
+    apply Rmult_le_compat_l; [lra|]. unfold a. rewrite reduced_same, Q2R_div by exact NZ.
+    apply Rmult_le_reg_l with (Q2R factor); [exact factor_positive|]. field_simplify; lra. }
+  destruct (load_within ld _ yq Hw) as [_ Bw]. rewrite Yq in Bw. apply Step in Bw.
+  assert (Bu : Q2R factor * Rows.dot (Rows.direction s) yv <= Q2R (inner (load_growth ld) yq))
+    by (rewrite Matrix.inner_is, <- Yq, <- Hu; right; reflexivity).
+  apply Step in Bu. unfold Rows.load, x; cbn [rdot].
+  match type of Bw with _ <= IZR ?z => set (cw := z) in * end.
+  match type of Bu with _ <= IZR ?z => set (cu := z) in * end.
   set (yw := Rows.dot (Rows.wrench s) yv) in *. set (yu := Rows.dot (Rows.direction s) yv) in *.
-  assert (A : h * (IZR m * yw) <= h * IZR cw).
-  { apply Rmult_le_compat_l; [exact H0|]. eapply Rle_trans; [|exact Sw]. apply Rmult_le_compat_l; lra. }
+  assert (A : h * (IZR m * yw) <= h * IZR cw) by (apply Rmult_le_compat_l; assumption).
   assert (B : l * (IZR m * yu) <= l * IZR cu) by (apply Rmult_le_compat_l; assumption).
   lra.
 Qed.
@@ -378,20 +330,34 @@ Proof.
     rewrite (open_works w (box row) r a g I Oc Sp Open). lra.
 Qed.
 
-Theorem leaf_refutes rows ld push slipping s fs :
-  solution rows ld push s d h l fs -> slips_at slipping (Rows.rows s) d -> 0 <= push yv ->
-  leaf_holds_by m (pressers strict rays slipping factor y rows 0 []) ld strict rays y = false.
+Lemma exact_form more : forallb (fun q => (m * Qnum q) mod Zpos (Qden q) =? 0)%Z more = true ->
+  rdot (map (fun q => m * Qnum q / Zpos (Qden q))%Z more) x = IZR m * Rows.dot (real more) x.
 Proof.
-  intros [F LE LW LU H0 L0 Ob Bal] SL P. apply not_true_is_false. intros H.
-  unfold leaf_holds_by in H. apply andb_true_iff in H as [_ H].
+  generalize x. induction more as [|q more IH]; intros [|t z] H; cbn in *; try ring.
+  apply andb_true_iff in H as [H1 H2]. unfold real in IH. rewrite IH by exact H2. apply Z.eqb_eq in H1.
+  assert (E : (m * Qnum q = Zpos (Qden q) * (m * Qnum q / Zpos (Qden q)))%Z) by (apply Z_div_exact_full_2; lia).
+  apply (f_equal IZR) in E. rewrite !mult_IZR in E. set (k := (_ / _)%Z) in *.
+  replace (IZR k) with (IZR m * Q2R q); [ring|]. unfold Q2R.
+  assert (P : 0 < IZR (Zpos (Qden q))) by (apply IZR_lt; lia).
+  apply Rmult_eq_reg_l with (IZR (Zpos (Qden q))); [|lra]. rewrite <- E. field. lra.
+Qed.
+
+Theorem leaf_refutes rows ld push slipping s fs more :
+  solution rows ld push s d h l fs -> slips_at slipping (Rows.rows s) d ->
+  0 <= push yv + Rows.dot (real more) x ->
+  leaf_holds_by m (pressers strict rays slipping factor y rows 0 []) (load_works ld factor y) more strict rays y = false.
+Proof.
+  intros [F LW LU H0 L0 Ob Bal] SL P. apply not_true_is_false. intros H.
+  unfold leaf_holds_by in H. apply andb_true_iff in H as [Ex H]. apply andb_true_iff in Ex as [_ Ex].
   destruct (collect _ _ _ []) as [linear bends] eqn:C in H.
   apply (positive_at_home_positive strict rays _ rays_know strict_at_x ws W spanned) in H.
   rewrite (sum_of_values _ ws spanned) in H.
   pose proof (collect_sum _ ws spanned _ _ _ _ _ _ C) as Sum. cbn [bounds] in Sum.
   pose proof (forces_bound _ slipping rows (Rows.rows s) fs 0%Z [] F Ob SL) as FB. cbn [map bounds] in FB.
-  pose proof (load_bound ld s LE LW LU H0 L0) as LB. specialize (Bal yv).
+  pose proof (load_bound ld s LW LU H0 L0) as LB. specialize (Bal yv).
   set (A := Rows.load s h l yv) in *. set (B := Rows.works (Rows.rows s) fs yv) in *.
-  apply IZR_lt in m_positive as MP. assert (0 <= IZR m * (A + B)) by (rewrite Bal; apply Rmult_le_pos; lra). lra.
+  rewrite rdot_combine, (exact_form more Ex) in Sum. set (C' := Rows.dot (real more) x) in *.
+  apply IZR_lt in m_positive as MP. assert (0 <= IZR m * (A + B + C')) by (rewrite Bal; apply Rmult_le_pos; lra). lra.
 Qed.
 
 End Leaf.

@@ -3,7 +3,7 @@
    In the plane points are segments, and the trees are about the gaps between them (`segments_resist`,
    `gaps_cover`); else they are claims (Correct.v, `claims_true`). *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Tree Witness.
+From Proved Require Import Matrix Load Lists Question Cone Meaning Numbers Root Box Leaf Tree Witness.
 From Proved Require Rows Model.
 Import ListNotations.
 

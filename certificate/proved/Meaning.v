@@ -23,16 +23,27 @@ Definition chosen_contact (q : contact) (c : Model.contact) :=
 
 Definition law_of (q : question) : Model.law := if bilateral q then Model.bilateral else Model.unilateral.
 
+Definition three_numbers (w : Model.vector) : list R := [Model.along_x w; Model.along_y w; Model.about_z w].
+
+(* A ball has the forces and torques of these squares. *)
+Definition in_ball (b : ball) (force torque : R) :=
+  force + torque / (Q2R (torque_length b) * Q2R (torque_length b)) <= Q2R (radius b) * Q2R (radius b).
+
+(* What a ball adds to w: a force and a torque at its point; without one, nothing. *)
+Definition added (b : option ball) (w : Model.vector) : Prop :=
+  match b with
+  | None => w = Model.zero
+  | Some b => exists x y fx fy t, map Q2R (about b) = [x; y] /\ in_ball b (fx * fx + fy * fy) (t * t) /\
+      w = Model.add (Model.force_at x y fx fy) (Model.Vector 0 0 t)
+  end.
+
 Definition chosen (q : question) (g : Model.grasp) :=
   several q = None /\
   dimension q = 3%nat /\
   Forall2 chosen_contact (contacts q) (Model.contacts g) /\
-  Forall2 within (wrench q)
-    [Model.along_x (Model.wrench g); Model.along_y (Model.wrench g);
-     Model.about_z (Model.wrench g)] /\
-  map Q2R (direction q) =
-    [Model.along_x (Model.direction g); Model.along_y (Model.direction g);
-     Model.about_z (Model.direction g)] /\
+  (exists w0 w1, Forall2 within (wrench q) (three_numbers w0) /\ added (load_ball q) w1 /\
+     Model.wrench g = Model.add w0 w1) /\
+  map Q2R (direction q) = three_numbers (Model.direction g) /\
   Model.normal g = law_of q.
 
 (* The same in space, where n0 may turn every way: n = n0 + t with t across n0, and the tangent of
@@ -59,15 +70,24 @@ Definition six_numbers (w : SpaceModel.screw) : list R :=
   let t := SpaceModel.angular w in
   [SpaceModel.x f; SpaceModel.y f; SpaceModel.z f; SpaceModel.x t; SpaceModel.y t; SpaceModel.z t].
 
+Definition added_in_space (b : option ball) (w : SpaceModel.screw) : Prop :=
+  match b with
+  | None => w = SpaceModel.no_screw
+  | Some b => exists p f t, map Q2R (about b) = [SpaceModel.x p; SpaceModel.y p; SpaceModel.z p] /\
+      in_ball b (SpaceModel.dot f f) (SpaceModel.dot t t) /\
+      w = SpaceModel.add_screw (SpaceModel.force_at p f) (SpaceModel.Screw SpaceModel.zero t)
+  end.
+
 Definition chosen_in_space (q : question) (g : SpaceModel.grasp) :=
   several q = None /\
   dimension q = 6%nat /\
   Forall2 chosen_contact_in_space (contacts q) (SpaceModel.contacts g) /\
-  Forall2 within (wrench q) (six_numbers (SpaceModel.wrench g)) /\
+  (exists w0 w1, Forall2 within (wrench q) (six_numbers w0) /\ added_in_space (load_ball q) w1 /\
+     SpaceModel.wrench g = SpaceModel.add_screw w0 w1) /\
   map Q2R (direction q) = six_numbers (SpaceModel.direction g) /\
   SpaceModel.normal_law g = law_of q.
 
-(* Of several bodies, which meet in contacts chosen so.  Hinges, slides and levers are not uncertain. *)
+(* Of several bodies, without a ball, which meet in contacts chosen so.  Hinges, slides and levers are not uncertain. *)
 Definition real_body (b : rigid_body) : BodiesModel.rigid_body :=
   match b with
   | Free first => BodiesModel.Free first
@@ -136,6 +156,20 @@ Definition is_of_class {A : Type} (c : class) (at_rest : A) (can : A -> Prop) : 
   | Open => is_open at_rest can
   end.
 
+(* The grasp under the load of s and t in the plane of a question. *)
+Definition in_plane (q : question) (g : Model.grasp) (s t : R) (g' : Model.grasp) : Prop :=
+  exists u v, load_plane q = Some (u, v) /\ exists u' v', map Q2R u = three_numbers u' /\ map Q2R v = three_numbers v' /\
+    g' = Model.Grasp (Model.contacts g)
+           (Model.add (Model.wrench g) (Model.add (Model.scale s u') (Model.scale t v'))) (Model.direction g) (Model.normal g).
+
+(* Sums of multiples >= 0 of points; a piece of the plane is where (1, s, t) is such a sum. *)
+Inductive sum_of (points : list (Q * Q * Q)) : R -> R -> R -> Prop :=
+  | nothing : sum_of points 0 0 0
+  | one_more c a b e h s t : 0 <= c -> In (a, b, e) points -> sum_of points h s t ->
+      sum_of points (c * Q2R a + h) (c * Q2R b + s) (c * Q2R e + t).
+
+Definition in_piece (s t : R) (points : list (Q * Q * Q)) := sum_of points 1 s t.
+
 (* What an answer says about a question.  That a certificate is rejected says nothing. *)
 Definition true_answer (q : question) (a : answer) : Prop :=
   match a with
@@ -148,6 +182,9 @@ Definition true_answer (q : question) (a : answer) : Prop :=
       (forall g, chosen q g -> exists m, inertia_of (inertia q) m /\ is_of_class c Model.zero (can g m)) /\
       (forall g, chosen_in_space q g -> exists m, inertia_of_space (inertia q) m /\
          is_of_class c SpaceModel.no_screw (can_in_space g m))
+  | Region pieces =>
+      forall g, chosen q g -> forall s t g', in_plane q g s t g' ->
+        (Model.stable g' <-> Exists (in_piece s t) pieces)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

@@ -3,13 +3,12 @@
    by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits
-  ByDegree Rest.
+  Load ByDegree Rest.
 From Proved Require Rows Model.
 Import ListNotations.
 
 Section Checker.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 Variable two_sided : bool.
 Variable most_depth : Z.
 
@@ -17,7 +16,7 @@ Variable most_depth : Z.
 Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string * option nat) :=
   match p with
   | PartProof d0 simplex walls direction tree =>
-      degree_fails memory advisor two_sided most_depth s (DegreeProof alpha (Some beta) d0 d0 simplex walls
+      degree_fails advisor two_sided most_depth s (DegreeProof alpha (Some beta) d0 d0 simplex walls
         direction) tree
   | PartAtRest forces answers reach =>
       match rest_fails s alpha beta (RestProof forces answers reach) with
@@ -30,13 +29,13 @@ Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string
 (* A segment by degree of a margin, from a multiple to another or without end; where w and P are 0, what holds
    from 1 on holds from 0 on. *)
 Definition unloaded (s : setting) : bool :=
-  forallb (fun i => is_zero (low i) && is_zero (high i)) (load_box (the_load s)) &&
+  one_load (the_load s) && forallb is_zero (map low (load_box (the_load s))) &&
   forallb (fun r => is_zero (low (box_preload (box r))) && is_zero (high (box_preload (box r)))) (rows s).
 
 Definition segment_by_degree_fails (s : setting) (alpha : Q) (beta : option Q) (d1 d2 : list Q)
     (walls direction : list (list Q)) (tree : list node) : option (string * option nat) :=
   let alpha := match beta with None => if is_zero alpha then 1%Q else alpha | Some _ => alpha end in
-  degree_fails memory advisor two_sided most_depth s (DegreeProof alpha beta d1 d2 false walls direction) tree.
+  degree_fails advisor two_sided most_depth s (DegreeProof alpha beta d1 d2 false walls direction) tree.
 
 (* The boxes that parts still have to be about, with their depth, the next one first. *)
 Fixpoint parts_fail (parts : list part) (todo : list (setting * Z)) (number : nat) : option (string * place) :=
@@ -66,20 +65,19 @@ End Checker.
 Section Proofs.
 Open Scope R_scope.
 
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 Variable two_sided : bool.
 Variable most_depth : Z.
 Variable sys : Rows.system.
 Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral).
 
 (* A part that is not cut makes every system in its box stable. *)
-Theorem part_stable alpha beta s p lambda : part_fails memory advisor two_sided most_depth alpha beta s p = None ->
+Theorem part_stable alpha beta s p lambda : part_fails advisor two_sided most_depth alpha beta s p = None ->
   in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at sys lambda.
 Proof.
   intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; cbn in H;
     [discriminate| |].
-  - eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law| |]; cbn; apply L.
+  - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
 Qed.
 
@@ -87,12 +85,11 @@ Qed.
 Lemma unloaded_stable s lambda : in_setting s sys -> unloaded s = true -> 0 <= lambda ->
   Rows.stable_at sys 1 -> Rows.stable_at sys lambda.
 Proof.
-  intros I U L (d & fs & Ld & O & B). unfold unloaded in U. apply andb_true_iff in U as [Uw Up].
-  destruct (its_box _ _ I) as (Fr & _ & Fw & _).
+  intros I U L (d & fs & Ld & O & B). unfold unloaded in U. rewrite !andb_true_iff in U. destruct U as [[Uo Uw] Up].
+  destruct (its_box _ _ I) as (Fr & Fw & _). apply (one_load_is _ _ Uo) in Fw.
   assert (W : forall y, Rows.dot (Rows.wrench sys) y = 0).
-  { clear - Fw Uw. revert Uw. induction Fw as [|i x is w [W1 W2] Fw IH]; intros Uw y; [reflexivity|].
-    cbn in Uw. rewrite !andb_true_iff in Uw. destruct Uw as [[U1 U2] Uw]. apply is_zero_real in U1, U2.
-    destruct y as [|t y]; [reflexivity|]. cbn. rewrite IH by exact Uw. replace x with 0 by lra. ring. }
+  { rewrite Fw. clear - Uw. induction (map low _) as [|q w IH]; intros [|t y]; cbn in *; try reflexivity.
+    apply andb_true_iff in Uw as [U Uw]. apply is_zero_real in U. unfold real in IH. rewrite U, IH by exact Uw. ring. }
   assert (P : Forall (fun r => Rows.preload r = 0) (Rows.rows sys)).
   { clear - Fr Up. revert Up. induction Fr as [|row r rows rs [_ Se] Fr IH]; intros Up; constructor;
       cbn in Up; rewrite !andb_true_iff in Up; destruct Up as [[U1 U2] Up]; [|now apply IH].
@@ -118,33 +115,33 @@ Qed.
 
 (* A segment by degree proves what it spans. *)
 Theorem segment_by_degree_resists s alpha beta d1 d2 walls direction tree lambda :
-  segment_by_degree_fails memory advisor two_sided most_depth s alpha beta d1 d2 walls direction tree = None ->
+  segment_by_degree_fails advisor two_sided most_depth s alpha beta d1 d2 walls direction tree = None ->
   in_setting s sys -> match beta with Some _ => True | None => Q2R alpha <> 0 \/ unloaded s = true end ->
   Q2R alpha <= lambda -> match beta with Some b => lambda <= Q2R b | None => True end -> Rows.stable_at sys lambda.
 Proof.
   unfold segment_by_degree_fails. intros H I Z L B. destruct beta as [b|].
-  - eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law|exact L|exact B].
+  - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law|exact L|exact B].
   - destruct (is_zero alpha) eqn:A.
     + apply is_zero_real in A. destruct Z as [Z|Z]; [contradiction|].
       apply (unloaded_stable s lambda I Z); [lra|].
-      eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law| |exact Logic.I].
+      eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |exact Logic.I].
       cbn. rewrite Q2R_1. lra.
-    + eapply (stable_by_degree_in_box memory advisor); [exact I|exact H|exact law|exact L|exact Logic.I].
+    + eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law|exact L|exact Logic.I].
 Qed.
 
 (* Of boxes that are cut, one half or the other has the system. *)
-Theorem parts_stable parts todo number : parts_fail memory advisor two_sided most_depth parts todo number = None ->
+Theorem parts_stable parts todo number : parts_fail advisor two_sided most_depth parts todo number = None ->
   Forall (fun sd => in_setting (fst sd) sys -> Rows.stable_at sys 0) todo.
 Proof.
   revert todo number. induction parts as [|p parts IH]; intros [|[s depth] todo] number H; cbn [parts_fail] in H;
     try discriminate; [constructor|].
   destruct (Z.ltb most_depth depth); [discriminate|].
   assert (Q0 : Q2R 0 <= 0 <= Q2R 0) by (rewrite Q2R_0; lra).
-  assert (Whole : match part_fails memory advisor two_sided most_depth 0 0 s p with
+  assert (Whole : match part_fails advisor two_sided most_depth 0 0 s p with
       | Some (rule, node) => Some (rule, AtPart number node)
-      | None => parts_fail memory advisor two_sided most_depth parts todo (S number)
+      | None => parts_fail advisor two_sided most_depth parts todo (S number)
       end = None -> Forall (fun sd => in_setting (fst sd) sys -> Rows.stable_at sys 0) ((s, depth) :: todo)).
-  { destruct (part_fails _ _ _ _ _ _ s p) as [[rule node]|] eqn:E; [discriminate|]. intros H'.
+  { destruct (part_fails _ _ _ _ _ s p) as [[rule node]|] eqn:E; [discriminate|]. intros H'.
     constructor; [|now apply (IH todo (S number))]. cbn. intros I. exact (part_stable 0 0 s p 0 E I Q0). }
   destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; try (now apply Whole).
   clear Whole. destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate].

@@ -12,6 +12,13 @@ Record tolerance : Set := { amount : Q; percent : bool }.
 (** How preloads grow: in proportion to themselves, or by these numbers, one for each contact. *)
 Inductive growth : Set := Scale | By (numbers : list Q).
 
+(** A ball of loads, in place of the tolerance of the wrench; no point stands for 0. *)
+Record stated_ball : Set := {
+  stated_radius : Q;
+  stated_length : Q;
+  stated_point : list Q;
+  stated_body : option string }.
+
 (** What is not given is that of the grasp file, or none. *)
 Record options : Set := {
   asked_wrench : option (list Q);
@@ -20,8 +27,10 @@ Record options : Set := {
   asked_bilateral : bool;
   asked_direction : option (list Q);
   asked_growth : option growth;
+  asked_plane : option (list Q * list Q);
   asked_inertia : option (list Q);  (** in full *)
-  asked_uncertain : list (string * tolerance)  (** by kind *) }.
+  asked_uncertain : list (string * tolerance);  (** by kind *)
+  asked_ball : option stated_ball }.
 
 Definition uncertain_kinds : list string :=
   ["friction"; "stiffness"; "preload"; "position"; "normal"; "wrench"].
@@ -29,8 +38,14 @@ Definition uncertain_kinds : list string :=
 Definition asks_margin (asked : options) : bool :=
   match asked_direction asked, asked_growth asked with None, None => false | _, _ => true end.
 
+Definition asks_plane (asked : options) : bool :=
+  match asked_plane asked with Some _ => true | None => false end.
+
 Definition asks_class (asked : options) : bool :=
   match asked_inertia asked with Some _ => true | None => false end.
+
+(** Whatever is about one grasp. *)
+Definition asks_one (asked : options) : bool := asks_margin asked || asks_class asked || asks_plane asked.
 
 (** With xy, xz and yz, which may be left out. *)
 Definition in_full (numbers : list Q) : list Q :=
@@ -42,7 +57,7 @@ Record posed : Set := {
   free_coordinates : list string;  (** of several bodies, to be printed *)
   joint_coordinates : list (option string);
   stated_wrench : list interval;  (** before it was widened *)
-  the_options : options;
+  the_options : options;  (** a ball with its point *)
   is_box : bool }.
 
 (** Places that are about the question and not about the file begin so. *)
@@ -77,10 +92,10 @@ Definition wrench_asked (file : grasp) (asked : options) : result (list interval
       | None => refuse here ("the grasp has no case """ ++ name ++ """")
       end
   | None, None =>
-      match asked_direction asked, has_loads file, cases file with
-      | Some d, _, _ => Fine (map (fun _ => exactly 0) d)
-      | None, true, _ | None, _, [] => Fine (common_wrench file)
-      | None, false, (name, _) :: _ =>
+      match asked_direction asked, asked_plane asked, has_loads file, cases file with
+      | Some d, _, _, _ | None, Some (d, _), _, _ => Fine (map (fun _ => exactly 0) d)
+      | None, None, true, _ | None, None, _, [] => Fine (common_wrench file)
+      | None, None, false, (name, _) :: _ =>
           refuse here ("the grasp has cases, and none is chosen; expected the name of one, such as """
                        ++ name ++ """")
       end
@@ -113,13 +128,38 @@ Definition asked_element (asked : options) (it : element) : element :=
      element_preload := widen (find_tolerance "preload" asked) (element_preload it);
      element_growth := element_growth it |}.
 
+(** The ball, with its point. *)
+Definition ball_asked (file : grasp) (asked : options) (stated : list interval) : result (option stated_ball) :=
+  match asked_ball asked with
+  | None => Fine None
+  | Some b =>
+      let here := of_question "uncertain" in
+      let point := match stated_point b with
+                   | [] => repeat 0%Q (if in_space file then 3 else 2)
+                   | p => p
+                   end in
+      let* _ := check_that (negb (asks_one asked)) here
+                  "a margin, a region or a class is about one grasp; expected no uncertainty" in
+      let* _ := check_that (is_below 0 (stated_radius b)) here "expected a radius above 0" in
+      let* _ := check_that (is_below 0 (stated_length b)) here "expected a length above 0" in
+      let* _ := check_that (has_length (if in_space file then 3 else 2) point) here
+                  (if in_space file then "expected a point of three coordinates, as the grasp is in space"
+                   else "expected a point of two coordinates, as the grasp is planar") in
+      let* _ := check_that (forallb (fun it => Qeq_bool (low it) (high it)) stated) here
+                  "expected a load without intervals" in
+      let* _ := check_that (match stated_body b with None => true | Some _ => false end) here
+                  "expected no body, as the grasp has one only" in
+      Fine (Some {| stated_radius := stated_radius b; stated_length := stated_length b; stated_point := point;
+                    stated_body := None |})
+  end.
+
 Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) : result unit :=
   match them with
   | [] => Fine tt
   | (kind, t) :: rest =>
       let here := of_question "uncertain" in
-      let* _ := check_that (negb (asks_margin asked || asks_class asked)) here
-                  "a margin or a class is about one grasp; expected no uncertainty" in
+      let* _ := check_that (negb (asks_one asked)) here
+                  "a margin, a region or a class is about one grasp; expected no uncertainty" in
       let* _ := check_that (Qle_bool 0 (amount t)) here "expected tolerances of 0 or more" in
       let* _ := check_that (negb (String.eqb kind "normal" && percent t)) here
                   "of normals a slope is expected, such as 0.01" in
@@ -189,14 +229,35 @@ Fixpoint with_growths {A : Type} (grown : A -> Q -> A) (items : list A) (numbers
   | _ :: _, [] => None
   end.
 
+(** The plane has two directions that differ, and nothing else grows. *)
+Definition check_plane (file : grasp) (asked : options) : result unit :=
+  let here := of_question "plane" in
+  match asked_plane asked with
+  | None => Fine tt
+  | Some (u, v) =>
+      let* _ := check_that (match bodies_read file with Some _ => false | None => true end) here
+                  "the grasp is of several bodies; expected a question about a wrench or a direction" in
+      let* _ := check_that (negb (in_space file)) here
+                  "the grasp is in space; a region is about a planar grasp" in
+      let* _ := check_that (negb (asks_margin asked)) here "a direction is given as well; expected one of them" in
+      check_that
+        (match u, v with
+         | [a; b; c], [d; e; f] =>
+             negb (is_0 (b * f - c * e) && is_0 (c * d - a * f) && is_0 (a * e - b * d))
+         | _, _ => false
+         end) here "its directions are multiples of one another; expected a plane"
+  end.
+
 Definition pose (file : grasp) (asked : options) : result posed :=
   let claims := in_space file || match bodies_read file with Some _ => true | None => false end in
   let* _ := check_dimension file "wrench" (asked_wrench asked) in
   let* _ := check_dimension file "direction" (asked_direction asked) in
   let* _ := check_that (match asked_preload asked with Some p => Qle_bool 0 p | None => true end)
               (of_question "preload") "expected 0 or more" in
+  let* _ := check_plane file asked in
   let* stated := wrench_asked file asked in
   let* _ := check_tolerances asked (asked_uncertain asked) in
+  let* ball := ball_asked file asked stated in
   let them := map_all (asked_contact asked) (all_contacts file) in
   let others := match bodies_read file with Some its => map_all (asked_element asked) (elements its) | None => [] end in
   let* '(them, others) :=
@@ -225,14 +286,15 @@ Definition pose (file : grasp) (asked : options) : result posed :=
         let here := of_question "inertia" in
         let* _ := check_that (match bodies_read file with Some _ => false | None => true end) here
                     "the grasp is of several bodies; expected a question about a wrench or a direction" in
-        let* _ := check_that (negb (asks_margin asked)) here "a direction is given as well" in
+        let* _ := check_that (negb (asks_margin asked || asks_plane asked)) here
+                    "a direction or a plane is given as well; expected one of them" in
         let* _ := check_that (has_length (if in_space file then 9 else 3) numbers) here
                     (if in_space file then "expected 6 or 9 numbers" else "expected 3 numbers") in
         check_that (match masses numbers with Some _ => true | None => false end) here
           (if in_space file then "the tensor is not positive definite"
            else "the squared radius of gyration must be > 0")
     end in
-  let margin := asks_margin asked || asks_class asked in
+  let margin := asks_one asked in
   let* boxes := each (check_contact margin claims) [Member "contacts"] them in
   let* other_boxes := each (check_element margin) [Member "ratchets and springs"] others in
   let widened := map (widen (find_tolerance "wrench" asked)) stated in
@@ -256,7 +318,12 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                is_margin := asks_margin asked;
                contacts := them;
                wrench := widened;
+               load_ball := match ball with
+                            | Some b => Some (Ball (stated_radius b) (stated_length b) (stated_point b))
+                            | None => None
+                            end;
                direction := u;
+               load_plane := asked_plane asked;
                inertia := match asked_inertia asked with Some numbers => numbers | None => [] end;
                several := match bodies_read file with
                           | Some its => Some {| bodies_in_space := bodies_in_space its; bodies := bodies its;
@@ -266,5 +333,11 @@ Definition pose (file : grasp) (asked : options) : result posed :=
           free_coordinates := names_of_bodies file;
           joint_coordinates := names_of_joints file;
           stated_wrench := stated;
-          the_options := asked;
-          is_box := negb certain || existsb (fun box => box) (boxes ++ other_boxes)%list |}.
+          the_options :=
+            {| asked_wrench := asked_wrench asked; asked_case := asked_case asked;
+               asked_preload := asked_preload asked; asked_bilateral := asked_bilateral asked;
+               asked_direction := asked_direction asked; asked_growth := asked_growth asked;
+               asked_plane := asked_plane asked; asked_inertia := asked_inertia asked; asked_uncertain := asked_uncertain asked;
+               asked_ball := ball |};
+          is_box := negb certain || (match ball with Some _ => true | None => false end)
+                    || existsb (fun box => box) (boxes ++ other_boxes)%list |}.

@@ -51,13 +51,19 @@ Record mechanism := Mechanism {
   elements : list element
 }.
 
+(* A ball of loads: those of a force and a torque at a point whose size, with torques divided by a length, is at most
+   its radius. *)
+Record ball := Ball { radius : Q; torque_length : Q; about : list Q }.
+
 Record question := Question {
   dimension : nat;           (* of motions: 3 in the plane, 6 in space, of several bodies as many as coordinates *)
   bilateral : bool;          (* the normal law *)
   is_margin : bool;          (* a direction of either kind was given *)
   contacts : list contact;
   wrench : list interval;    (* w, after the table of FORMAT.md 1, widened *)
+  load_ball : option ball;   (* of which any load is added to w *)
   direction : list Q;        (* u; as many zeros without a direction of wrenches *)
+  load_plane : option (list Q * list Q);   (* u and v, if it is about w + s u + t v *)
   inertia : list Q;          (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
   several : option mechanism (* of several bodies *)
 }.
@@ -71,7 +77,8 @@ Inductive node :=
   | Separation (contact_index : Z)
   | Plane (numbers : list Q)          (* without the number of l in a verdict: as in the file *)
   | Cut (name : parameter) (index : Z) (at_number : Q)             (* `part` *)
-  | Leaf (y : list Q).
+  | Leaf (y : list Q)
+  | Held (piece : Z).                 (* a leaf, of a plane of loads *)
 
 Record witness := Witness {
   twist : list Q;
@@ -97,6 +104,9 @@ Inductive part :=
 Inductive claim :=
   | ClaimStable (low : Q) (high : option Q) (evidence : part + list witness)
   | ClaimUnstable (low : Q) (high : option Q) (tree : list node).
+
+(* POINT of a piece of a plane of loads: `at` or `towards` s, t. *)
+Record load_point := LoadPoint { is_at : bool; along_u : Q; along_v : Q; load_witness : witness }.
 
 (* Nodes of a tree about rigid contacts. *)
 Inductive rigid_node :=
@@ -124,7 +134,8 @@ Inductive proof :=
   | UnstableByTree (tree : list node)
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
   | MarginInSpace (claims : list claim)
-  | OfClass (p : class_proof).
+  | OfClass (p : class_proof)
+  | RegionBy (pieces : list (list load_point)) (tree : list node).
 
 Record certificate := Certificate {
   bits : Z;                           (* 128 if left out *)
@@ -141,7 +152,8 @@ Inductive place :=
   | AtPoint (segment : nat) (second : bool)
   | AtPart (number : nat) (node : option nat)    (* and the number in the part's own tree *)
   | AtPointOf (interval : nat) (second : bool)
-  | AtProofOf (interval : nat) (node : option nat).
+  | AtProofOf (interval : nat) (node : option nat)
+  | AtPiece (number : nat) (point : option nat).
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)
@@ -151,28 +163,20 @@ Inductive answer :=
      either.  Nothing is claimed of others. *)
   | Claims (resisted : list (Q * option Q)) (refuted : list (Q * option Q * bool))
   | Class (found : class)                          (* of rigid contacts *)
+  (* Exactly the (s, t) in these pieces, of which each is known by points (1, s, t), or towards (0, s, t). *)
+  | Region (pieces : list (list (Q * Q * Q)))
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 
-(* Advice about one ray of a region, which nobody has to believe: to keep it, or to drop it as
-   factor * ray = sum of coefficient * (the ray of that number among those kept). *)
-Inductive advice :=
-  | Keep
-  | Drop (factor : Z) (terms : list (nat * Z)).
-
-(* An oracle has a memory of any type for each region.  `advise` hears that a region is cut by
-   form >= 0, or by form = 0 if the flag is set, and gives advice about each candidate ray in
-   the order of Cone.v.  `foremost` says by which of many forms, as their numbers from 0, it is best to cut
-   first, so that most others change nothing.  Theorems hold for every oracle. *)
-Record oracle (memory : Type) := Oracle {
-  begin : nat -> memory;              (* all of R^n *)
-  advise : memory -> list Z -> bool -> memory * list advice;
-  foremost : memory -> list (list Z * bool) -> list Z
+(* Advice, which nobody has to believe: theorems hold for every oracle.  `permits` hears how many combinations of
+   rays a cut may have to make, and may forbid it: a region that is not cut is only larger.  `foremost` hears of the
+   rays of a region and of forms f >= 0, or f = 0 if the flag is set, and says by which, as its number from 0,
+   it is best to cut next, if many others then change nothing. *)
+Record oracle := Oracle {
+  permits : Z -> bool;
+  foremost : list (list Z) -> list (list Z * bool) -> option Z
 }.
-Arguments begin {memory}.
-Arguments advise {memory}.
-Arguments foremost {memory}.
 
 (* The checker (Checker.v) is
-     check : forall memory, oracle memory -> question -> certificate -> answer. *)
-Definition checker := forall memory, oracle memory -> question -> certificate -> answer.
+     check : oracle -> question -> certificate -> answer. *)
+Definition checker := oracle -> question -> certificate -> answer.

@@ -19,6 +19,7 @@ Record shape : Set := {
   size_of_twist : Z;      (** D *)
   soft : list bool;       (** whether each contact has torsion *)
   of_margin : bool;
+  of_plane : bool;
   of_class : bool }.
 
 (** All margins are claims but those of one body in the plane. *)
@@ -74,21 +75,39 @@ Definition read_tolerance (at_path : path) (value : json) : result tolerance :=
   | None => let* x := read_fraction at_path value in Fine {| amount := x; percent := false |}
   end.
 
-Fixpoint read_all_tolerances (at_path : path) (members : list (string * json))
-  : result (list (string * tolerance)) :=
+(** BALL. *)
+Definition read_ball (in_space : bool) (at_path : path) (value : json) : result stated_ball :=
+  let coordinates := if in_space then 3%Z else 2%Z in
+  let* members := members_in_order ["ball"; "length"; "about"] at_path value in
+  let* r := member "ball" read_fraction at_path members in
+  let* l := member "length" read_fraction at_path members in
+  let* c := optional_member "about" (read_sized coordinates "an array of the coordinates of a point" read_fraction)
+              at_path members in
+  Fine {| stated_radius := r; stated_length := l; stated_body := None;
+          stated_point := match c with Some c => c | None => repeat 0%Q (Z.to_nat coordinates) end |}.
+
+(** Tolerances, and the ball that may stand in place of that of the wrench. *)
+Fixpoint read_all_tolerances (in_space : bool) (at_path : path) (members : list (string * json))
+  : result (list (string * tolerance) * option stated_ball) :=
   match members with
-  | [] => Fine []
+  | [] => Fine ([], None)
   | (kind, value) :: rest =>
-      let* t := read_tolerance (Member kind :: at_path) value in
-      let* others := read_all_tolerances at_path rest in
-      Fine ((kind, t) :: others)
+      if (kind =? "wrench") && (match value with Object _ => true | _ => false end) then
+        let* b := read_ball in_space (Member kind :: at_path) value in
+        let* '(others, _) := read_all_tolerances in_space at_path rest in
+        Fine (others, Some b)
+      else
+        let* t := read_tolerance (Member kind :: at_path) value in
+        let* '(others, b) := read_all_tolerances in_space at_path rest in
+        Fine ((kind, t) :: others, b)
   end.
 
-Definition read_tolerances (at_path : path) (value : json) : result (list (string * tolerance)) :=
+Definition read_tolerances (in_space : bool) (at_path : path) (value : json)
+  : result (list (string * tolerance) * option stated_ball) :=
   let* members := members_in_order uncertain_kinds at_path value in
   match members with
   | [] => expected "an object of one tolerance or more" at_path value
-  | _ => read_all_tolerances at_path members
+  | _ => read_all_tolerances in_space at_path members
   end.
 
 Definition read_inertia (in_space : bool) (at_path : path) (value : json) : result (list Q) :=
@@ -97,10 +116,16 @@ Definition read_inertia (in_space : bool) (at_path : path) (value : json) : resu
               (if in_space then "expected 6 or 9 numbers" else "expected 3 numbers") in
   Fine (in_full numbers).
 
+(** The directions of a plane. *)
+Definition read_plane (at_path : path) (value : json) : result (list Q * list Q) :=
+  let* them := read_sized 2 "two directions of three numbers" (read_numbers 3) at_path value in
+  Fine (nth 0 them [], nth 1 them []).
+
 Definition read_statement (s : shape) (at_path : path) (value : json) : result statement :=
   let* members :=
-    members_in_order ["contacts"; "wrench"; "preload"; "normal_law"; "direction";
-                      "preload_direction"; "inertia"; "uncertain"] at_path value in
+    members_in_order (["contacts"; "wrench"; "preload"; "normal_law"; "direction"; "preload_direction"]
+                      ++ (if of_claims s then [] else ["plane"]) ++ (if of_bodies s then [] else ["inertia"])
+                      ++ ["uncertain"])%list at_path value in
   let count := size_of_twist s in
   let* m := member "contacts" read_index at_path members in
   let* w := member "wrench" (read_sized count "an array of the components" read_stated_component)
@@ -109,16 +134,17 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
   let* law := member "normal_law" read_law at_path members in
   let* u := optional_member "direction" (read_numbers count) at_path members in
   let* growing := optional_member "preload_direction" read_growth at_path members in
-  let* _ := check_that (negb (of_bodies s && has_member "inertia" members)) (Member "inertia" :: at_path)
-              "expected none, of a question about several bodies" in
+  let* plane := optional_member "plane" read_plane at_path members in
   let* i := optional_member "inertia" (read_inertia (spatial s)) at_path members in
-  let* uncertain := optional_member "uncertain" read_tolerances at_path members in
+  let* uncertain := optional_member "uncertain" (read_tolerances (spatial s)) at_path members in
   Fine {| stated_contacts := m;
           wrench_stated := w;
           options_stated :=
             {| asked_wrench := None; asked_case := None; asked_preload := p; asked_bilateral := law;
-               asked_direction := u; asked_growth := growing; asked_inertia := i;
-               asked_uncertain := match uncertain with Some it => it | None => [] end |} |}.
+               asked_direction := u; asked_growth := growing; asked_plane := plane;
+               asked_inertia := i;
+               asked_uncertain := match uncertain with Some (it, _) => it | None => [] end;
+               asked_ball := match uncertain with Some (_, b) => b | None => None end |} |}.
 
 (** Nodes. *)
 Definition read_parameter (s : shape) (at_path : path) (value : json) : result parameter :=
@@ -158,10 +184,11 @@ Definition read_node (s : shape) (at_path : path) (value : json) : result node :
       else if kind =? "slip" then let* i := contact_of items in Fine (Slip i)
       else if kind =? "separation" then let* i := contact_of items in Fine (Separation i)
       else if kind =? "plane" then
-        if has_length (twist + (if of_margin s then 2 else 1)) items
+        if has_length (twist + (if of_plane s then 3 else if of_margin s then 2 else 1)) items
         then let* a := each read_fraction at_path items in Fine (Plane a)
         else expected "plane, and a number for each coordinate of a point" at_path value
-      else if (kind =? "part") && negb (of_margin s) then
+      else if (kind =? "held") && of_plane s then let* k := contact_of items in Fine (Held k)
+      else if (kind =? "part") && negb (of_margin s || of_plane s) then
         let* '(p, i, c) := read_cut s at_path items value in Fine (Cut p i c)
       else expected "slip, separation, plane, leaf or, without a direction, part" at_path value
   | _ => expected "an array that begins with the kind of the node" at_path value
@@ -483,6 +510,31 @@ Definition read_body (s : shape) (good : bool) (members : list (string * json)) 
     let* tree := finish it in
     Fine (UnstableByTree tree).
 
+(** POINT of a piece of a plane of loads. *)
+Definition read_load_point (s : shape) (at_path : path) (value : json) : result load_point :=
+  let what := "[""at"", s, t, twist, shares] or [""towards"", s, t, twist, shares]" in
+  match value with
+  | Array [kind; a; b; motion; list] =>
+      if is_text "at" kind || is_text "towards" kind then
+        let* a := read_fraction at_path a in
+        let* b := read_fraction at_path b in
+        let* d := read_twist s at_path motion in
+        let* them := read_shares s at_path list in
+        Fine (LoadPoint (is_text "at" kind) a b (Witness d them))
+      else expected what at_path value
+  | _ => expected what at_path value
+  end.
+
+Definition read_region (s : shape) (members : list (string * json)) : result proof :=
+  let* '(verdict, rest) := next "verdict" members in
+  if is_text "region" verdict then
+    let* '(pieces, rest) :=
+      next_read "pieces" (read_array "an array of pieces" (read_array "an array of points" (read_load_point s))) rest in
+    let* it := next_read "tree" (read_nodes s) rest in
+    let* tree := finish it in
+    Fine (RegionBy pieces tree)
+  else expected """region"", as the question has a plane" [Member "verdict"] verdict.
+
 (** The verdict about rigid contacts, and what proves it. *)
 Definition read_class (s : shape) (members : list (string * json)) : result proof :=
   let* '(verdict, rest) := next "verdict" members in
@@ -508,12 +560,13 @@ Definition read_known_format (at_path : path) (value : json) : result unit :=
   else expected """stickslip-certificate/2"", the only one that this program knows" at_path value.
 
 Definition read_certificate (q : question) (value : json) : result (statement * certificate) :=
-  let asked (margin class : bool) : shape :=
+  let asked (margin plane class : bool) : shape :=
     {| spatial := match several q with Some its => bodies_in_space its | None => Nat.eqb (dimension q) 6 end;
        of_bodies := match several q with Some _ => true | None => false end;
        size_of_twist := Z.of_nat (dimension q);
        soft := map_all (fun it => negb (is_0 (torsion it))) (contacts q);
        of_margin := margin;
+       of_plane := plane;
        of_class := class |} in
   match value with
   | Object members =>
@@ -522,14 +575,15 @@ Definition read_certificate (q : question) (value : json) : result (statement * 
         if begins_with "producer" rest
         then let* '(_, rest) := next_read "producer" read_any_text rest in Fine rest
         else Fine rest in
-      let* '(stated, rest) := next_read "question" (read_statement (asked false false)) rest in
-      let margin := asks_margin (options_stated stated) in
-      let s := asked margin (asks_class (options_stated stated) && negb margin) in
+      let* '(stated, rest) := next_read "question" (read_statement (asked false false false)) rest in
+      let o := options_stated stated in
+      let s := asked (asks_margin o) (asks_plane o) (asks_class o && negb (asks_margin o || asks_plane o)) in
       let* '(b, rest) :=
-        if begins_with "bits" rest && (negb (of_margin s) || of_claims s) && negb (of_class s)
+        if begins_with "bits" rest && (negb (of_margin s) || of_claims s) && negb (of_class s || of_plane s)
         then next_read "bits" read_bits rest
         else Fine (default_bits, rest) in
-      if of_class s then let* it := read_class s rest in Fine (stated, Certificate b it)
+      if of_plane s then let* it := read_region s rest in Fine (stated, Certificate b it)
+      else if of_class s then let* it := read_class s rest in Fine (stated, Certificate b it)
       else
         let* '(good, rest) := next_read "verdict" (read_verdict s) rest in
         let* it := read_body s good rest in
@@ -565,6 +619,11 @@ Definition same_growth (a b : growth) : bool :=
 Definition same_tolerance (a b : tolerance) : bool :=
   Qeq_bool (amount a) (amount b) && Bool.eqb (percent a) (percent b).
 
+Definition same_ball (a b : stated_ball) : bool :=
+  Qeq_bool (stated_radius a) (stated_radius b) && Qeq_bool (stated_length a) (stated_length b)
+  && same_list Qeq_bool (stated_point a) (stated_point b)
+  && same_option String.eqb (stated_body a) (stated_body b).
+
 Definition broken_question_rule (stated : statement) (asked : posed) : option string :=
   let said := options_stated stated in
   let options := the_options asked in
@@ -581,9 +640,13 @@ Definition broken_question_rule (stated : statement) (asked : posed) : option st
   then Some "question-direction"
   else if negb (same_option same_growth (asked_growth said) (asked_growth options))
   then Some "question-preload-direction"
+  else if negb (same_option (fun a b => same_list Qeq_bool (fst a) (fst b) && same_list Qeq_bool (snd a) (snd b))
+                  (asked_plane said) (asked_plane options))
+  then Some "question-plane"
   else if negb (same_option (same_list Qeq_bool) (asked_inertia said) (asked_inertia options))
   then Some "question-inertia"
   else if negb (forallb (fun kind => same_option same_tolerance (find_tolerance kind said)
-                                       (find_tolerance kind options)) uncertain_kinds)
+                                       (find_tolerance kind options)) uncertain_kinds
+                  && same_option same_ball (asked_ball said) (asked_ball options))
   then Some "question-uncertain"
   else None.

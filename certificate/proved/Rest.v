@@ -3,7 +3,7 @@
    the load.  `stable_at_rest`: where the rules hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Qminmax Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree.
-From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between ByDegree.
+From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between Ways Load ByDegree.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -80,7 +80,8 @@ Definition pressures (b : cbox) (lambda : Q) : list Q :=
 
 (* w + lambda u *)
 Definition loads_at (s : setting) (lambda : Q) : list interval :=
-  map (fun p => shifted (fst p) (lambda * snd p)) (List.combine (load_box (the_load s)) (load_growth (the_load s))).
+  let n := dimension_of s in
+  map (fun k => shifted (work_of (the_load s) (unit_vector n k)) (lambda * nth k (load_growth (the_load s)) 0)) (seq 0 n).
 
 (* W *)
 Definition left_over (n : nat) (s : setting) (them : list resting) (lambda : Q) : list interval :=
@@ -671,18 +672,18 @@ Qed.
 
 Lemma loads_within q : all_within n (loads_at s q) (fun k => Rows.load sys 1 (Q2R q) (basis_vector n k)).
 Proof.
-  destruct fit as [(_ & _ & Fw & Fg) _ _ [L1 L2] _ _]. rewrite n_is in *. unfold loads_at, Rows.load.
-  set (box := load_box (the_load s)) in *. set (u := load_growth (the_load s)) in *.
-  apply (all_within_same n _ (fun k => nth k (Rows.wrench sys) 0 + Q2R q * nth k (Rows.direction sys) 0)).
-  { intros k K. rewrite !dot_unit by exact K. ring. }
-  clearbody box u. revert Fw Fg L1 L2. generalize (Rows.wrench sys) (Rows.direction sys). clear. intros w d Fw.
-    revert n u d.
-  induction Fw as [|i x box w Wx Fw IH]; intros n u d Fg L1 L2; cbn in L1; subst n.
-  - split; [reflexivity|]. intros k K. lia.
-  - destruct u as [|g u]; [subst d; discriminate|]. destruct d as [|y d]; [discriminate|].
-    injection Fg as Fg1 Fg2. injection L2 as L2. destruct (IH _ u d Fg2 eq_refl L2) as [Ls W]. split.
-    + cbn. now f_equal.
-    + intros [|k] K; cbn; [|apply W; lia]. rewrite <- Fg1, <- Q2R_mult. now apply shifted_within.
+  destruct fit as [(_ & Fw & Fg) _ _ [L1 L2] _ _]. unfold loads_at, Rows.load. rewrite n_is in *. split.
+  - now rewrite map_length, seq_length.
+  - intros k K. rewrite nth_indep with (d' := shifted (work_of (the_load s) (unit_vector n 0))
+      (q * nth 0 (load_growth (the_load s)) 0%Q)) by (now rewrite map_length, seq_length).
+    rewrite (map_nth (fun k => shifted (work_of (the_load s) (unit_vector n k)) (q * nth k (load_growth (the_load s)) 0%Q))).
+    rewrite seq_nth by exact K. cbn [Nat.add].
+    pose proof (load_within _ _ (unit_vector n k) Fw) as W. rewrite (unit_vector_is n k K) in W.
+    apply (shifted_within _ (q * nth k (load_growth (the_load s)) 0%Q)) in W.
+    rewrite Q2R_mult in W. replace (Q2R (nth k (load_growth (the_load s)) 0%Q)) with
+      (Rows.dot (Rows.direction sys) (basis_vector n k)) in W.
+    + now rewrite Rmult_1_l.
+    + rewrite dot_unit by exact K. rewrite <- Fg. rewrite <- Q2R_0 at 1. apply map_nth.
 Qed.
 
 Lemma nth_exactly k : nth k (repeat (exactly 0) n) (exactly 0) = exactly 0.
@@ -855,12 +856,11 @@ End Standing.
 Theorem stable_at_rest s sys alpha beta p lambda : in_setting s sys -> rest_fails s alpha beta p = None ->
   (Q2R alpha <= lambda <= Q2R beta)%R -> Rows.stable_at sys lambda.
 Proof.
-  intros [(Su & LE & LW & LU) D P Le Sl Pu] H L.
+  intros [(Su & LW & LU) D P Le Sl Pu] H L.
   destruct (standing_rows _ _ _ Su P) as (rs' & Fi & St & P').
   set (sys' := Rows.System (Rows.dimension sys) rs' (Rows.wrench sys) (Rows.direction sys) (Rows.normal sys)).
   assert (Fit : in_setting s sys').
-  { constructor; try assumption. split; [|now repeat split]. clear - Fi. cbn.
-    induction Fi; constructor; [now apply fits_suits|assumption]. }
+  { constructor; try assumption. split; [now apply all_suit|now repeat split]. }
   destruct (rests_in_box s sys' alpha beta p lambda Fit Fi H L) as (fs' & Ld & O & B).
   destruct (holds_at_rest _ _ _ _ _ _ St O) as (fs & Of & Wf).
   exists (listed (dimension_of s) (fun _ => 0%R)), fs. split; [exact Ld|]. split; [exact Of|].

@@ -98,23 +98,44 @@ Definition separator (gens : list form) (w : form) : option form :=
   | None => None
   end.
 
+(* Whether -s is shown to be outside of the cone, by one of the separators or one more. *)
+Definition outside (gens separators : list form) (s : form) : option (list form) :=
+  let w := negative s in
+  if existsb (fun e => 0 <? inner w e) separators then Some separators
+  else if all_zero s then None
+  else match separator gens w with
+       | Some e => Some (e :: separators)
+       | None => None
+       end.
+
 (* The rays with -s in the cone. `separators` are those that were found. *)
 Fixpoint opposed (gens separators : list form) (rays : list (form * ray)) : list ray :=
   match rays with
   | [] => []
   | (s, r) :: rays' =>
-      let w := negative s in
-      if existsb (fun e => 0 <? inner w e) separators then opposed gens separators rays'
-      else match separator gens w with
-           | Some e => opposed gens (e :: separators) rays'
-           | None => r :: opposed gens separators rays'
-           end
+      match outside gens separators s with
+      | Some more => opposed gens more rays'
+      | None => r :: opposed gens separators rays'
+      end
+  end.
+
+(* Whether some strict function is zero on all of them, of those that are marked; as soon as none is, the others are
+   not looked at. *)
+Fixpoint opposed_barred (gens separators : list form) (marks : list bool) (rays : list (form * ray)) : bool :=
+  existsb (fun z => z) marks &&
+  match rays with
+  | [] => true
+  | (s, r) :: rays' =>
+      match outside gens separators s with
+      | Some more => opposed_barred gens more marks rays'
+      | None => opposed_barred gens separators (both (zeros r) marks) rays'
+      end
   end.
 
 Definition must_move (strict : list (list form)) (g : multi (list form)) (gens : list form)
     (rays : list ray) : bool :=
   forallb (fun t =>
-    barred strict (opposed gens [] (map (fun r => (slip_at t (motion_of r), r)) rays))) (tips g).
+    opposed_barred gens [] (map (fun _ => true) strict) (map (fun r => (slip_at t (motion_of r), r)) rays)) (tips g).
 
 (* The largest w.s / |s| in the cone, for w = -z: its sign, and its square as a fraction. If w is in the
    cone, |z|. *)
@@ -370,22 +391,43 @@ Lemma opposed_is gs seps rs : Forall (separates_cone gs) seps ->
     exists e, separates_cone gs e /\ (0 < inner (negative s) e)%Z.
 Proof.
   revert seps. induction rs as [|[s q] rs IH]; intros seps V; [split; [intros ? []|intros ? ? []]|].
-  cbn [opposed].
+  cbn [opposed]. unfold outside.
   destruct (existsb (fun e => (0 <? inner (negative s) e)%Z) seps) eqn:Ex.
   - destruct (IH seps V) as [A B]. split.
     + intros q' Hq. destruct (A q' Hq) as (s' & H). exists s'. now right.
     + intros s' q' [E|H]; [|exact (B s' q' H)]. injection E as <- <-. right.
       apply existsb_exists in Ex as (e & He & P). rewrite Forall_forall in V.
       exists e. split; [auto|now apply Z.ltb_lt].
-  - destruct (separator ms gs (negative s)) as [e|] eqn:Sep.
-    + destruct (separator_is _ _ _ Sep) as [V1 P].
-      destruct (IH (e :: seps) (Forall_cons _ V1 V)) as [A B]. split.
-      * intros q' Hq. destruct (A q' Hq) as (s' & H). exists s'. now right.
-      * intros s' q' [E|H]; [|exact (B s' q' H)]. injection E as <- <-. right. now exists e.
-    + destruct (IH seps V) as [A B]. split.
+  - assert (None_ : (forall q', In q' (q :: opposed ms gs seps rs) -> exists s', In (s', q') ((s, q) :: rs)) /\
+      forall s' q', In (s', q') ((s, q) :: rs) -> In q' (q :: opposed ms gs seps rs) \/
+        exists e, separates_cone gs e /\ (0 < inner (negative s') e)%Z).
+    { destruct (IH seps V) as [A B]. split.
       * intros q' [<-|Hq]; [exists s; now left|]. destruct (A q' Hq) as (s' & H). exists s'. now right.
       * intros s' q' [E|H]; [injection E as <- <-; left; now left|].
-        destruct (B s' q' H); [left; now right|now right].
+        destruct (B s' q' H); [left; now right|now right]. }
+    destruct (all_zero s); [exact None_|].
+    destruct (separator ms gs (negative s)) as [e|] eqn:Sep; [|exact None_].
+    destruct (separator_is _ _ _ Sep) as [V1 P].
+    destruct (IH (e :: seps) (Forall_cons _ V1 V)) as [A B]. split.
+    + intros q' Hq. destruct (A q' Hq) as (s' & H). exists s'. now right.
+    + intros s' q' [E|H]; [|exact (B s' q' H)]. injection E as <- <-. right. now exists e.
+Qed.
+
+Lemma both_swap a b z : both a (both b z) = both b (both a z).
+Proof.
+  revert b z. induction a as [|x a IH]; intros [|y b] [|t z]; cbn; try reflexivity.
+  rewrite IH, !andb_assoc, (andb_comm x y). reflexivity.
+Qed.
+
+Lemma opposed_barred_is gs rs : forall seps marks, opposed_barred ms gs seps marks rs = true ->
+  existsb (fun z => z) (fold_right (fun r z => both (zeros r) z) marks (opposed ms gs seps rs)) = true.
+Proof.
+  induction rs as [|[s q] rs IH]; intros seps marks H; cbn [opposed_barred opposed] in *;
+    apply andb_true_iff in H as [M H]; [exact M|].
+  destruct (outside ms gs seps s) as [more|]; [now apply IH|]. apply IH in H. cbn [fold_right].
+  replace (both (zeros q) (fold_right (fun r z => both (zeros r) z) marks (opposed ms gs seps rs)))
+    with (fold_right (fun r z => both (zeros r) z) (both (zeros q) marks) (opposed ms gs seps rs)); [exact H|].
+  clear. induction (opposed ms gs seps rs) as [|r rays IH]; [reflexivity|]. cbn [fold_right]. now rewrite IH, both_swap.
 Qed.
 
 (* The corner that a choice in the box is not far from: a sum over corners that is 0, of terms that are not
@@ -617,7 +659,7 @@ Proof.
     [now apply Rmult_lt_0_compat|]. exfalso. symmetry in Zero.
   unfold must_move in M. rewrite forallb_forall in M.
   destruct (heavy_tip (forms it) ss (shares_valid b r p F mu st I)) as (t0 & Ht & Heavy).
-  specialize (M t0 Ht).
+  specialize (M t0 Ht). apply opposed_barred_is in M.
   set (rs := map (fun q => (slip_at t0 (motion_of q), q)) rays) in *.
   destruct (opposed_is ms gens [] rs (Forall_nil _)) as [Sub Out].
   refine (not_barred strict rays x rays_know strict_at_x ws spanned (opposed ms gens [] rs) _ M _).

@@ -3,7 +3,8 @@
    `refuted_multiple`: where trees about ranges are accepted, no multiple in a range has an
    equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk Matrix.
+From Proved Require Import Matrix Load.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -27,30 +28,37 @@ Record range := Range {
   range_low : Q; range_high : option Q; open_low : bool; open_high : bool
 }.
 
+(* Wrenches in addition, as forms of the point: some multiple >= 0 of one (in proofs by degree), and another (of a plane
+   of loads). *)
+Record pushing := Pushing { a_multiple : matrix; known_push : matrix }.
+
+Definition no_push : pushing := Pushing [] [].
+
 (* The box that a tree is about: the dimension of motions, rows, load, the contacts whose slip is strict; and
-   two numbers M for leaves, a short one and one that makes them exact but for what with_alphas adds.  Solutions
-   may need some multiple of `pushes` in addition, forms of the point for a wrench (in proofs by degree). *)
+   two numbers M for leaves, a short one and one that makes them exact but for what with_all adds.  Solutions
+   may be pushed. *)
 Record setting := Setting {
-  dimension_of : nat; rows : list row; the_load : load; pushes : matrix; slipping : list Z; short : Z; exact : Z
+  dimension_of : nat; rows : list row; the_load : load; pushes : pushing; slipping : list Z; short : Z; exact : Z
 }.
 
 Section Numbers.
 Open Scope Z_scope.
 
-(* A multiple of all denominators of leaves, but for those of alphas; and a power of two with which every term
-   of a leaf keeps about 64 bits, if that is shorter and there are no alphas. *)
-Definition common_multiple (rows : list row) (ld : load) : Z :=
-  fold_left (fun m r => Z.lcm m (over_weight r)) rows (over (load_scaling ld)).
+(* A multiple of all denominators of leaves, but for those of loads and of alphas; and a power of two with which
+   every term of a leaf keeps about 64 bits, if that is shorter, or if there are alphas. *)
+Definition common_multiple (rows : list row) : Z := fold_left (fun m r => Z.lcm m (over_weight r)) rows 1.
 
 Definition short_multiple (rows : list row) (multiple : Z) : Z :=
-  let most := fold_left (fun b r => Z.max b (over_weight r / weight r)) rows 1 in
+  let size (r : row) := if box_signed (box r) then over_weight r / weight r
+                        else over (pull_scale r) / times (pull_scale r) in
+  let most := fold_left (fun b r => Z.max b (size r)) rows 1 in
   let short := Z.shiftl 1 (Z.log2 most + 65) in
-  if (short <? multiple) && forallb (fun r => box_signed (box r)) rows then short else multiple.
+  if (short <? multiple) || negb (forallb (fun r => box_signed (box r)) rows) then short else multiple.
 
 End Numbers.
 
-Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : matrix) : setting :=
-  let m := common_multiple rows ld in
+Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : pushing) : setting :=
+  let m := common_multiple rows in
   Setting dimension rows ld pushes [] (short_multiple rows m) m.
 
 (* ---- Nodes ---- *)
@@ -62,12 +70,25 @@ Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray
   if barred strict rays then None
   else
     let them := pressers strict rays (slipping s) (unit_of sc) y' (rows s) 0 [] in
-    let holds m := leaf_holds_by m them (the_load s) strict rays y' in
-    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_alphas (exact s) them) then
-      let along := of_rows y (pushes s) in
+    let works := load_works (the_load s) (unit_of sc) y' in
+    let more := map (fun q => reduced (q / unit_of sc)%Q) (of_rows y (known_push (pushes s))) in
+    let holds m := leaf_holds_by m them works more strict rays y' in
+    if (negb (Z.eqb (short s) (exact s)) && holds (short s)) || holds (with_all (exact s) works more them) then
+      let along := of_rows y (a_multiple (pushes s)) in
       if nowhere_negative rays (map (to_integer (scaling_of along)) along) then None
       else Some "leaf-direction"%string
     else Some "leaf-bound"%string.
+
+(* What a leaf that is held says; without pieces there are none. *)
+Definition end_fails (held : Z -> list ray -> option string) (s : setting) (strict : list (list form)) (rays : list ray)
+    (n : node) : option string :=
+  match n with
+  | Leaf y => leaf_fails s strict rays y
+  | Held k => held k rays
+  | _ => Some "node-contact"%string
+  end.
+
+Definition no_pieces (k : Z) (rays : list ray) : option string := Some "held-piece"%string.
 
 Definition is_inside (i : interval) (c : Q) : bool :=
   negb (Qle_bool c (low i)) && negb (Qle_bool (high i) c).
@@ -124,21 +145,32 @@ Definition set_row (s : setting) (index : Z) (b : cbox) : setting :=
   Setting (dimension_of s) (replace (rows s) index row) (the_load s) (pushes s) (slipping s) (short s)
     (Z.lcm (exact s) (over_weight row)).
 
-Definition set_load (s : setting) (w : list interval) : setting :=
-  let ld := make_load w (load_growth (the_load s)) in
-  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (Z.lcm (exact s) (over (load_scaling ld))).
+Definition set_load (s : setting) (ld : load) : setting :=
+  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (exact s).
+
+(* What is uncertain of the load: numbers of a ball if there are any, else components. *)
+Definition numbers_of (ld : load) : list interval :=
+  match ball_numbers (load_added ld) with [] => load_box ld | zs => zs end.
+
+Definition with_numbers (ld : load) (is : list interval) : load :=
+  let a := load_added ld in
+  match ball_numbers a with
+  | [] => Load is (load_growth ld) a
+  | _ => Load (load_box ld) (load_growth ld) (Addition is (ball_ways a) (ball_squares a))
+  end.
 
 (* The two halves of a box, or the rule that fails. *)
 Definition halves (s : setting) (name : parameter) (index : Z) (c : Q)
     : (setting * setting) + string :=
   match name with
   | PWrench =>
-      match numbered (load_box (the_load s)) index with
+      let ld := the_load s in
+      match numbered (numbers_of ld) index with
       | None => inr "part-contact"%string
       | Some i =>
           if is_inside i c then
-            inl (set_load s (replace (load_box (the_load s)) index (low_half i c)),
-                 set_load s (replace (load_box (the_load s)) index (high_half i c)))
+            inl (set_load s (with_numbers ld (replace (numbers_of ld) index (low_half i c))),
+                 set_load s (with_numbers ld (replace (numbers_of ld) index (high_half i c))))
           else inr "part-inside"%string
       end
   | _ =>
@@ -172,7 +204,7 @@ Definition slip_forms (row : row) : list form := map of_motion (firstn (List.len
 (* The children of a node, or the rule that fails. *)
 Definition split (s : setting) (n : node) : list (branch setting) + string :=
   match n with
-  | Leaf _ => inl []
+  | Leaf _ | Held _ => inl []
   | Plane a =>
       let a := plane_numbers (dimension_of s) a in
       let f := map (to_integer (scaling_of a)) a in
@@ -360,10 +392,23 @@ Proof.
   - destruct (Keep (high_half i c)) as [K ->]. now split.
 Qed.
 
+Lemma with_numbers_either ld w i iv c : is_load ld w -> numbered (numbers_of ld) i = Some iv ->
+  is_load (with_numbers ld (replace (numbers_of ld) i (low_half iv c))) w \/
+  is_load (with_numbers ld (replace (numbers_of ld) i (high_half iv c))) w.
+Proof.
+  intros (w0 & e & B & L & A & E) N. unfold with_numbers, numbers_of in *.
+  assert (Ends : forall x, within iv x -> within (low_half iv c) x \/ within (high_half iv c) x)
+    by (intros; now apply within_halves).
+  destruct (ball_numbers (load_added ld)) as [|z zs] eqn:Z.
+  - destruct (numbered_replace_either within _ _ _ _ _ _ B N Ends) as [F|F]; [left|right]; now exists w0, e.
+  - rewrite <- Z in *. destruct A as [P W Le Nu I].
+    destruct (numbered_replace_either within _ _ _ _ _ _ Nu N Ends) as [F|F]; [left|right];
+      (exists w0, e; split; [exact B|split; [exact L|split; [constructor; assumption|exact E]]]).
+Qed.
+
 (* A system in the box. *)
 Definition contains (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
-  Forall2 suits rows (Rows.rows sys) /\ ld = make_load (load_box ld) (load_growth ld) /\
-  Forall2 within (load_box ld) (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
+  Forall2 suits rows (Rows.rows sys) /\ is_load ld (Rows.wrench sys) /\ map Q2R (load_growth ld) = Rows.direction sys.
 
 Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
   contains (rows s) (the_load s) sys ->
@@ -371,7 +416,7 @@ Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
      dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
   (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
 Proof.
-  intros H (F & LE & LW & LU).
+  intros H (F & LW & LU).
   assert (Row : match numbered (rows s) i with
       | None => inr "part-contact"%string
       | Some row => match get (box row) name with
@@ -395,10 +440,10 @@ Proof.
       as [F'|F']; [|left; now repeat split|right; now repeat split].
     intros k [_ Ik]. destruct (set_seen _ name c iv k Ik Ge C G); [left|right]; (split; [reflexivity|assumption]). }
   destruct name; cbn [halves] in H; try (apply Row; exact H).
-  destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
+  destruct (numbered (numbers_of (the_load s)) i) as [iv|] eqn:N; [|discriminate].
   destruct (is_inside iv c); [|discriminate]. injection H as <- <-. split; [intros t [-> | ->]; auto|].
-  destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
-    (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right]; now repeat split.
+  destruct (with_numbers_either (the_load s) (Rows.wrench sys) i iv c LW N) as [F'|F']; [left|right]; repeat split;
+    try assumption; cbn [set_load the_load]; unfold with_numbers; destruct (ball_numbers _); exact LU.
 Qed.
 
 Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
@@ -406,10 +451,10 @@ Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl 
   (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
   (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
 Proof.
-  intros H [F LE LW LU H0 L0 E Bal].
+  intros H [F LW LU H0 L0 E Bal].
   destruct (halves_contain s name i c lo hi sys H) as [S C]; [now repeat split|].
   destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
-  split; [auto|]. destruct C as [(F' & LE' & LW' & LU')|(F' & LE' & LW' & LU')]; [left|right]; constructor; assumption.
+  split; [auto|]. destruct C as [(F' & LW' & LU')|(F' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
 
 Definition in_range (g : range) (lambda : R) :=
@@ -446,9 +491,11 @@ Qed.
 
 (* ---- Solutions ---- *)
 
-Definition pushed (pushes : matrix) (c : R) (x y : list R) : R := c * Rows.dot y (Degree.times (map real pushes) x).
+Definition pushed (pushes : pushing) (c : R) (x y : list R) : R :=
+  c * Rows.dot y (Degree.times (map real (a_multiple pushes)) x) -
+  Rows.dot y (Degree.times (map real (known_push pushes)) x).
 
-Lemma not_pushed c x y : pushed [] c x y = 0.
+Lemma not_pushed c x y : pushed no_push c x y = 0.
 Proof. unfold pushed. cbn. rewrite Degree.dot_nil. ring. Qed.
 
 Definition solves (s : setting) (x : list R) :=
@@ -498,11 +545,11 @@ Proof.
       split; [now apply in_map|]. now rewrite Of.
 Qed.
 
-Lemma split_covers s n bs x : (forall y, n <> Leaf y) -> split s n = inl bs -> solves s x ->
+Lemma split_covers s n bs x : is_leaf n = false -> split s n = inl bs -> solves s x ->
   exists b, In b bs /\ takes solves b x.
 Proof.
   intros NL H S.
-  destruct n as [i|i|a|name i c|y]; cbn [split] in H.
+  destruct n as [i|i|a|name i c|y|k]; cbn [split] in H; try discriminate NL.
   - destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (negb (has_friction (box row))); [discriminate|].
     destruct (slip_certain row) eqn:SC; [|discriminate]. cbn [negb] in H.
@@ -537,7 +584,6 @@ Proof.
       exists sys, d, h, l, fs, t. rewrite El, Pl. auto.
     + exists (Branch [] [] [] hi). split; [cbn; auto|]. constructor; cbn; try constructor.
       exists sys, d, h, l, fs, t. rewrite Eh, Ph. auto.
-  - now destruct (NL y).
 Qed.
 
 Lemma leaf_refuted s strict rays y x :
@@ -555,18 +601,28 @@ Proof.
   { rewrite unit_of_is by apply common_denominator_positive. apply unit_positive. }
   destruct ((_ && _) || _) eqn:C in H; [|discriminate].
   destruct (nowhere_negative rays _) eqn:N in H; [|discriminate]. clear H.
-  assert (P : 0 <= pushed (pushes s) c (h :: l :: d) (map IZR y')).
-  { apply (nowhere_negative_nonneg rays (h :: l :: d) ws W Sp) in N. set (along := of_rows y (pushes s)) in *.
-    apply Rmult_le_pos; [exact C0|]. unfold y'. pose proof (unit_positive y) as Uy. pose proof (unit_positive along) as Ua.
+  assert (Yr : real y = Rows.scaled (unit (scaling_of y)) (map IZR y')).
+  { unfold y', real, Rows.scaled. rewrite !map_map. apply map_ext_in. intros q Hq. now apply to_integer_exact. }
+  set (more := map _ (of_rows y (known_push (pushes s)))) in *.
+  assert (More : Rows.dot (real more) (h :: l :: d) =
+    Rows.dot (map IZR y') (Degree.times (map real (known_push (pushes s))) (h :: l :: d))).
+  { assert (Di : forall qs z, Rows.dot (real (map (fun q => reduced (q / unit_of (scaling_of y))%Q) qs)) z =
+      / unit (scaling_of y) * Rows.dot (real qs) z).
+    { assert (NZ : ~ (unit_of (scaling_of y) == 0)%Q) by (intros Z; apply Qeq_eqR in Z; rewrite Q2R_0 in Z; lra).
+      induction qs as [|q qs IH]; intros [|t z]; cbn; try ring. unfold real in IH. rewrite IH, reduced_same, Q2R_div by exact NZ.
+      rewrite unit_of_is by apply common_denominator_positive. unfold Rdiv. ring. }
+    unfold more. rewrite Di, Matrix.dot_of_rows, Yr, Rows.dot_scaled. pose proof (unit_positive y). field. lra. }
+  assert (P : 0 <= pushed (pushes s) c (h :: l :: d) (map IZR y') + Rows.dot (real more) (h :: l :: d)).
+  { rewrite More. unfold pushed. match goal with |- 0 <= ?a - ?b + ?b => replace (a - b + b) with a by ring end.
+    apply (nowhere_negative_nonneg rays (h :: l :: d) ws W Sp) in N. set (along := of_rows y (a_multiple (pushes s))) in *.
+    apply Rmult_le_pos; [exact C0|]. pose proof (unit_positive y) as Uy. pose proof (unit_positive along) as Ua.
     apply Rmult_le_reg_l with (unit (scaling_of y)); [exact Uy|]. rewrite Rmult_0_r, <- Rows.dot_scaled.
-    replace (Rows.scaled _ _) with (real y).
-    - rewrite <- Matrix.dot_of_rows. fold along. unfold real. rewrite <- qdot_is, (qdot_to_integers along) by auto.
-      apply Rmult_le_pos; lra.
-    - unfold real, Rows.scaled. rewrite !map_map. apply map_ext_in. intros q Hq. now apply to_integer_exact. }
-  assert (L : forall m, leaf_holds_by m them (the_load s) strict rays y' = true -> False).
+    rewrite <- Yr, <- Matrix.dot_of_rows. fold along. unfold real. rewrite <- qdot_is, (qdot_to_integers along) by auto.
+    apply Rmult_le_pos; lra. }
+  assert (L : forall m, leaf_holds_by m them (load_works (the_load s) (unit_of (scaling_of y)) y') more strict rays y' = true -> False).
   { intros m Hm. assert (Hm' := Hm). unfold leaf_holds_by in Hm'.
-    apply andb_true_iff in Hm' as [M _]. apply Z.ltb_lt in M. unfold them in Hm.
-    rewrite (leaf_refutes strict rays d h l G T ws W Sp y' _ FP m M (rows s) (the_load s) _ (slipping s) sys fs S SL P)
+    apply andb_true_iff in Hm' as [M _]. apply andb_true_iff in M as [M _]. apply Z.ltb_lt in M. unfold them in Hm.
+    rewrite (leaf_refutes strict rays d h l G T ws W Sp y' _ FP m M (rows s) (the_load s) _ (slipping s) sys fs more S SL P)
       in Hm. discriminate. }
   apply orb_true_iff in C as [C|C]; [|exact (L _ C)]. apply andb_true_iff in C as [_ C]. exact (L _ C).
 Qed.
@@ -585,20 +641,19 @@ Proof.
 Qed.
 
 Lemma root_takes (two_sided : bool) s rng sys d lambda fs :
-  solution (rows s) (the_load s) (fun _ => 0) sys d 1 lambda fs -> slips_at (slipping s) (Rows.rows sys) d ->
-  pushes s = [] -> Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  solution (rows s) (the_load s) (pushed (pushes s) 0 (1 :: lambda :: d)) sys d 1 lambda fs ->
+  slips_at (slipping s) (Rows.rows sys) d -> Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   in_range rng lambda -> takes solves (root_branch two_sided s rng) (1 :: lambda :: d).
 Proof.
-  intros S SL NP Law R. set (x := 1 :: lambda :: d).
+  intros S SL Law R. set (x := 1 :: lambda :: d).
   destruct (range_conditions_met d rng lambda R) as [C T].
   constructor; cbn [branch_setting conditions new_strict new_moving root_branch];
     [| |exact T|constructor].
-  { exists sys, d, 1, lambda, fs, 0. split; [reflexivity|]. split; [lra|]. split; [|exact SL].
-    destruct S as [S1 S2 S3 S4 S5 S6 S7 S8]. constructor; try assumption. intros y. rewrite NP, not_pushed. apply S8. }
+  { exists sys, d, 1, lambda, fs, 0. split; [reflexivity|]. split; [lra|]. now split. }
   rewrite map_all_is. apply Forall_map.
   destruct two_sided; [|exact C].
   apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
-  intros row f Hr E Sp. destruct S as [F _ _ _ _ _ Ob _]. rewrite Law in Ob.
+  intros row f Hr E Sp. destruct S as [F _ _ _ _ Ob _]. rewrite Law in Ob.
   apply In_nth_error in Hr as (k & Hr).
   destruct (fits_at _ _ _ _ _ F Hr) as (r & Nr & [Er Se]).
   destruct (seen_stands _ _ Se) as (r' & j & p & G & mu & t & I & St & _).
@@ -609,35 +664,64 @@ Proof.
   exact (separates_nonneg d 1 lambda (box row) r' p G mu t I f E V).
 Qed.
 
+(* What a leaf shows of a solution: nothing, as there is none, or what one that is held does. *)
+Lemma end_shows held (shown : list R -> Prop) s strict rays n x :
+  (forall k, held k rays = None -> spans (map coordinates rays) (fun a => rdot a x) -> shown x) ->
+  is_leaf n = true -> end_fails held s strict rays n = None -> Forall (knows strict) rays ->
+  spans (map coordinates rays) (fun a => rdot a x) -> Forall (not_zero x) strict ->
+  solves s x -> shown x.
+Proof.
+  intros He Le H K Sp T S. destruct n; try discriminate Le; cbn in H.
+  - exfalso. eapply leaf_refuted; eassumption.
+  - now apply (He piece).
+Qed.
+
+Lemma end_without_pieces s strict rays n x :
+  is_leaf n = true -> end_fails no_pieces s strict rays n = None -> Forall (knows strict) rays ->
+  spans (map coordinates rays) (fun a => rdot a x) -> Forall (not_zero x) strict -> solves s x -> False.
+Proof. apply (end_shows no_pieces (fun _ => False)). discriminate. Qed.
+
 End Proofs.
 
 Section Refuting.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 
-Definition walk_ranges (most_depth : Z) (two_sided : bool) (s : setting) (ranges : list range)
-    (nodes : list node) : option (string * nat) :=
-  walk memory advisor setting split leaf_fails most_depth nodes
-    (map_all (fun g => root memory advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
+Definition walk_ranges (held : Z -> list ray -> option string) (most_depth : Z) (two_sided : bool) (s : setting)
+    (ranges : list range) (nodes : list node) : option (string * nat) :=
+  walk advisor setting split (end_fails held) most_depth nodes
+    (map_all (fun g => root advisor setting (2 + dimension_of s) (root_branch two_sided s g)) ranges) 0.
+
+Theorem ranges_shown held (shown : list R -> Prop) most (two_sided : bool) s ranges nodes sys lambda d fs :
+  (forall k rays x, held k rays = None -> spans (map coordinates rays) (fun a => rdot a x) -> shown x) ->
+  slipping s = [] -> List.length d = dimension_of s ->
+  walk_ranges held most two_sided s ranges nodes = None ->
+  solution (rows s) (the_load s) (pushed (pushes s) 0 (1 :: lambda :: d)) sys d 1 lambda fs ->
+  Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  Exists (fun r => in_range r lambda) ranges -> shown (1 :: lambda :: d).
+Proof.
+  intros He SE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
+  unfold walk_ranges in W. rewrite map_all_is in W.
+  apply (walk_refutes advisor setting split (end_fails held) solves shown) in W.
+  - rewrite Forall_forall in W. eapply W.
+    + apply in_map_iff. now exists rng.
+    + apply (root_home _ _ _ _ _ (1 :: lambda :: d)).
+      * cbn. now rewrite D.
+      * eapply root_takes; try eassumption. intros k r H. rewrite SE in H. discriminate.
+  - intros s' n bs x. apply split_covers.
+  - intros s' st rs n x. apply end_shows. intros k. apply He.
+  - apply Forall_map, Forall_forall. intros r _. apply root_good.
+Qed.
 
 Theorem refuted_multiple most (two_sided : bool) s ranges nodes sys lambda d fs :
-  slipping s = [] -> pushes s = [] -> List.length d = dimension_of s ->
-  walk_ranges most two_sided s ranges nodes = None ->
+  slipping s = [] -> pushes s = no_push -> List.length d = dimension_of s ->
+  walk_ranges no_pieces most two_sided s ranges nodes = None ->
   solution (rows s) (the_load s) (fun _ => 0) sys d 1 lambda fs ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Exists (fun r => in_range r lambda) ranges -> False.
 Proof.
-  intros SE PE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
-  unfold walk_ranges in W. rewrite map_all_is in W.
-  apply (walk_refutes memory advisor setting split leaf_fails solves) in W.
-  - rewrite Forall_forall in W. eapply W.
-    + apply in_map_iff. now exists rng.
-    + apply (root_home _ _ _ _ _ _ (1 :: lambda :: d)).
-      * cbn. now rewrite D.
-      * eapply root_takes; try eassumption. intros k r H. rewrite SE in H. discriminate.
-  - intros s' n bs x. apply split_covers.
-  - intros s' st rs y x. apply leaf_refuted.
-  - apply Forall_map, Forall_forall. intros r _. apply root_good.
+  intros SE PE D W S Law X. apply (ranges_shown no_pieces (fun _ => False) most two_sided s ranges nodes sys lambda d fs);
+    try assumption; [discriminate|].
+  destruct S as [S1 S2 S3 S4 S5 S6 S7]. constructor; try assumption. intros y. rewrite PE, not_pushed. apply S7.
 Qed.
 
 End Refuting.

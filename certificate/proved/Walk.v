@@ -1,23 +1,23 @@
 (* SPDX-License-Identifier: MIT *)
-(* Trees (FORMAT.md section 4), the same in the plane and in space: regions, and the walk over a list of
-   nodes.  What a node's children are and when a leaf holds are arguments here, given by Tree.v for
-   the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
-   list of nodes is accepted for some roots, no solution is at home in any of them. *)
+(* Trees (FORMAT.md section 4): regions, and the walk over a list of nodes.  What a node's children are and when a
+   leaf holds are arguments here, given by Tree.v; so is which points are solutions.  `walk_refutes`: if a
+   list of nodes is accepted for some roots, no solution is at home in any of them, unless a leaf holds it. *)
 From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
-From Proved Require Import Lists Question Cone Box Terms.
+From Proved Require Import Lists Question Cone Cutting Box Terms.
 Import ListNotations.
 
 Section Walk.
-Variable memory : Type.
-Variable advisor : oracle memory.
+Variable advisor : oracle.
 Variable setting : Type.     (* the box that a tree is about *)
 
+(* Points have [size] numbers; those with values of 0 or more of all [sides] are those that the rays span. *)
 Record region := Region {
+  size : nat;
+  sides : list form;
   rays : list ray;
   strict : list (list form);      (* those that rays keep account of: conditions of the region *)
   moving : list (list form);      (* slips in space, which are not *)
   around : setting;
-  remembered : memory;
   depth : Z
 }.
 
@@ -30,34 +30,50 @@ Record branch := Branch {
   branch_setting : setting
 }.
 
-(* A condition that holds on all rays changes nothing, and nobody has to hear of it. *)
-Definition cut_region (r : region) (c : form * bool) : region :=
-  if negb (snd c) && nowhere_negative (rays r) (fst c) then r
+(* A condition that holds on all rays changes nothing. *)
+Definition cut_above (r : region) (f : form) : region :=
+  let hs := heights f (rays r) in
+  if forallb (fun h => Z.leb 0 (fst h)) hs || negb (permits advisor (most_combinations hs)) then r
   else
-  let (remembered', advices) := advise advisor (remembered r) (fst c) (snd c) in
-  Region (cut (rays r) (fst c) (snd c) advices) (strict r) (moving r) (around r) remembered'
-    (depth r).
+    match cut (List.length (sides r)) hs with
+    | Some them => Region (size r) (sides r ++ [f]) them (strict r) (moving r) (around r) (depth r)
+    | None => r
+    end.
+
+Definition cut_region (r : region) (c : form * bool) : region :=
+  let r' := cut_above r (fst c) in
+  if snd c then cut_above r' (negative (fst c)) else r'.
 
 Definition strictly (r : region) (f : form) : region :=
-  Region (map (add_strict [f]) (rays r)) ([f] :: strict r) (moving r) (around r) (remembered r)
-    (depth r).
+  Region (size r) (sides r) (map (add_strict [f]) (rays r)) ([f] :: strict r) (moving r) (around r) (depth r).
 
-(* The conditions of these numbers. *)
-Definition of_numbers (cs : list (form * bool)) (numbers : list Z) : list (form * bool) :=
-  flat_map (fun k => match numbered cs k with Some c => [c] | None => [] end) numbers.
+(* As long as there is advice, and not more often than there are conditions. *)
+Fixpoint cut_foremost (times : list (form * bool)) (r : region) (cs : list (form * bool)) : region :=
+  match times with
+  | [] => r
+  | _ :: times' =>
+      match foremost advisor (map coordinates (rays r)) cs with
+      | Some k => match numbered cs k with
+                  | Some c => cut_foremost times' (cut_region r c) cs
+                  | None => r
+                  end
+      | None => r
+      end
+  end.
 
 Definition cut_by (r : region) (cs : list (form * bool)) : region :=
-  fold_left cut_region cs
-    (fold_left cut_region (of_numbers cs (foremost advisor (remembered r) cs)) r).
+  fold_left cut_region cs (cut_foremost cs r cs).
 
 Definition child (r : region) (b : branch) : region :=
   let r := fold_left strictly (new_strict b) (cut_by r (conditions b)) in
-  Region (rays r) (strict r) (new_moving b ++ moving r) (branch_setting b) (remembered r) (depth r + 1).
+  Region (size r) (sides r) (rays r) (strict r) (new_moving b ++ moving r) (branch_setting b) (depth r + 1).
 
 (* The children's branches, or the rule that fails. *)
 Variable split : setting -> node -> list branch + string.
 (* The rule that fails, at a leaf with these strict functions and rays. *)
-Variable leaf_fails : setting -> list (list form) -> list ray -> list Q -> option string.
+Variable leaf_fails : setting -> list (list form) -> list ray -> node -> option string.
+
+Definition is_leaf (n : node) : bool := match n with Leaf _ | Held _ => true | _ => false end.
 
 Definition at_leaf (r : region) : list (list form) * list ray :=
   fold_left (fun sr fs => (fs :: fst sr, map (add_strict fs) (snd sr))) (moving r)
@@ -66,19 +82,17 @@ Definition at_leaf (r : region) : list (list form) * list ray :=
 Definition visit (most_depth : Z) (n : node) (r : region) : list region + string :=
   if Z.ltb most_depth (depth r) then inr "node-depth"%string
   else
-    match n with
-    | Leaf y =>
-        let (strict', rays') := at_leaf r in
-        match leaf_fails (around r) strict' rays' y with
-        | None => inl []
-        | Some rule => inr rule
-        end
-    | _ =>
-        match split (around r) n with
-        | inl bs => inl (map (child r) bs)
-        | inr rule => inr rule
-        end
-    end.
+    if is_leaf n then
+      let (strict', rays') := at_leaf r in
+      match leaf_fails (around r) strict' rays' n with
+      | None => inl []
+      | Some rule => inr rule
+      end
+    else
+      match split (around r) n with
+      | inl bs => inl (map (child r) bs)
+      | inr rule => inr rule
+      end.
 
 (* The regions that nodes still have to be about, the next one first. *)
 Fixpoint walk (most_depth : Z) (nodes : list node) (todo : list region) (number : nat)
@@ -105,8 +119,7 @@ Fixpoint basis (before n : nat) : list form :=
 
 (* All of R^n: each line is two rays. *)
 Definition everywhere (n : nat) (s : setting) : region :=
-  Region (flat_map (fun e => [Ray e []; Ray (map Z.opp e) []]) (basis 0 n)) [] [] s
-    (begin advisor n) (-1).
+  Region n [] (flat_map (fun e => [Ray e [] 0; Ray (map Z.opp e) [] 0]) (basis 0 n)) [] [] s (-1).
 
 (* With one branch after another; its depth is then 0. *)
 Definition root (n : nat) (b : branch) : region := child (everywhere n (branch_setting b)) b.
@@ -117,8 +130,9 @@ End Roots.
 
 Open Scope R_scope.
 
-(* Which points are solutions of a choice in a box. *)
+(* Which points are solutions of a choice in a box; and what leaves show of these, False where they only refute. *)
 Variable solves : setting -> list R -> Prop.
+Variable shown : list R -> Prop.
 
 Definition meets (x : list R) (c : form * bool) :=
   if snd c then rdot (fst c) x = 0 else 0 <= rdot (fst c) x.
@@ -148,29 +162,69 @@ Proof.
   - split; [right; now left|]. apply takes_above; [exact S|]. rewrite rdot_negative. lra.
 Qed.
 
-Hypothesis split_covers : forall s n bs x, (forall y, n <> Leaf y) ->
+Hypothesis split_covers : forall s n bs x, is_leaf n = false ->
   split s n = inl bs -> solves s x -> exists b, In b bs /\ takes b x.
 
-Hypothesis leaf_refutes : forall s strict' rays' y x,
-  leaf_fails s strict' rays' y = None -> Forall (knows strict') rays' ->
+Hypothesis leaf_refutes : forall s strict' rays' n x, is_leaf n = true ->
+  leaf_fails s strict' rays' n = None -> Forall (knows strict') rays' ->
   spans (map coordinates rays') (fun a => rdot a x) -> Forall (not_zero x) strict' ->
-  solves s x -> False.
+  solves s x -> shown x.
 
 Record at_home (r : region) (x : list R) : Prop := AtHome {
   home_solves : solves (around r) x;
-  home_spanned : spans (map coordinates (rays r)) (fun a => rdot a x);
+  home_size : (List.length x <= size r)%nat;
+  home_inside : Forall (fun f => 0 <= rdot f x) (sides r);
   home_strict : Forall (not_zero x) (strict r);
   home_moving : Forall (not_zero x) (moving r)
 }.
 
-Definition good (r : region) := Forall (knows (strict r)) (rays r).
+Record good (r : region) : Prop := Good {
+  all_know : Forall (knows (strict r)) (rays r);
+  is_described : described (size r) (sides r) (rays r)
+}.
 
-Definition refuted (r : region) := forall x, ~ at_home r x.
+Lemma home_spanned r x : good r -> at_home r x -> spans (map coordinates (rays r)) (fun a => rdot a x).
+Proof.
+  intros [_ D] [_ L I _ _]. rewrite Forall_forall in I. now apply (all_spanned _ _ _ D).
+Qed.
+
+Definition refuted (r : region) := forall x, at_home r x -> shown x.
+
+Lemma cut_above_good r f : good r -> good (cut_above r f).
+Proof.
+  intros G. unfold cut_above. destruct (_ || _); [exact G|].
+  destruct (cut _ _) as [them|] eqn:E; [|exact G]. destruct G as [K D]. constructor; cbn.
+  - exact (cut_knows _ _ _ _ _ K E).
+  - exact (cut_described _ _ _ _ _ D E).
+Qed.
+
+Lemma cut_above_home r f x : at_home r x -> 0 <= rdot f x -> at_home (cut_above r f) x.
+Proof.
+  intros [S L I T M] P. unfold cut_above. destruct (_ || _); [now constructor|].
+  destruct (cut _ _); [|now constructor]. constructor; cbn; try assumption.
+  apply Forall_app. split; [exact I|]. now constructor.
+Qed.
 
 Lemma cut_good r c : good r -> good (cut_region r c).
+Proof. intros G. unfold cut_region. destruct (snd c); now repeat apply cut_above_good. Qed.
+
+Lemma cut_home r c x : at_home r x -> meets x c -> at_home (cut_region r c) x.
 Proof.
-  unfold good, cut_region. destruct (_ && _); [auto|]. destruct (advise advisor (remembered r) (fst c) (snd c)). cbn.
-  apply cut_knows.
+  intros Home H. unfold cut_region, meets in *. destruct (snd c); [|now apply cut_above_home].
+  apply cut_above_home; [apply cut_above_home; [exact Home|lra]|]. rewrite rdot_negative. lra.
+Qed.
+
+Lemma foremost_good times cs : forall r, good r -> good (cut_foremost times r cs).
+Proof.
+  induction times as [|t times IH]; intros r G; cbn; [exact G|].
+  destruct (foremost _ _ _) as [k|]; [|exact G]. destruct (numbered cs k) as [c|]; [|exact G]. now apply IH, cut_good.
+Qed.
+
+Lemma foremost_home times cs x : Forall (meets x) cs -> forall r, at_home r x -> at_home (cut_foremost times r cs) x.
+Proof.
+  intros M. rewrite Forall_forall in M. induction times as [|t times IH]; intros r H; cbn; [exact H|].
+  destruct (foremost _ _ _) as [k|]; [|exact H]. destruct (numbered cs k) as [c|] eqn:N; [|exact H].
+  apply IH, cut_home; [exact H|]. apply numbered_is in N as (j & _ & N). apply M. eapply nth_error_In; exact N.
 Qed.
 
 Lemma add_strict_all fs strict' rays' :
@@ -179,30 +233,29 @@ Proof.
   intros H. apply Forall_map. eapply Forall_impl; [|exact H]. intros a. apply add_strict_knows.
 Qed.
 
+Lemma strictly_good r f : good r -> good (strictly r f).
+Proof.
+  intros [K [A S]]. constructor; cbn; [now apply add_strict_all|]. constructor.
+  - apply Forall_map. eapply Forall_impl; [|exact A]. intros q [L I M]. now constructor.
+  - rewrite map_map. exact S.
+Qed.
+
 Lemma child_good r b : good r -> good (child r b).
 Proof.
   intros G. unfold child. set (r1 := cut_by r (conditions b)).
   assert (G1 : good r1).
   { assert (All : forall cs r, good r -> good (fold_left cut_region cs r)).
     { induction cs as [|c cs IH]; intros r' G'; cbn; auto. apply IH. now apply cut_good. }
-    unfold r1, cut_by. now apply All, All. }
-  change (good (fold_left strictly (new_strict b) r1)). clearbody r1. clear r G.
-  revert r1 G1. induction (new_strict b) as [|f fs IH]; intros r G; cbn; auto.
-  apply IH. apply add_strict_all. exact G.
-Qed.
-
-Lemma cut_home r c x : at_home r x -> meets x c -> at_home (cut_region r c) x.
-Proof.
-  intros [S P T M] H. unfold cut_region. destruct (_ && _); [now constructor|].
-  destruct (advise advisor (remembered r) (fst c) (snd c)) as [m' adv].
-  constructor; cbn; [exact S| |exact T|exact M]. now apply cut_keeps_region.
+    unfold r1, cut_by. now apply All, foremost_good. }
+  assert (G2 : good (fold_left strictly (new_strict b) r1)).
+  { clearbody r1. clear r G. revert r1 G1. induction (new_strict b) as [|f fs IH]; intros r G; cbn; auto.
+    apply IH. now apply strictly_good. }
+  destruct G2. now constructor.
 Qed.
 
 Lemma strictly_home r f x : at_home r x -> rdot f x <> 0 -> at_home (strictly r f) x.
 Proof.
-  intros [S P T M] H. constructor; cbn; [exact S| | |exact M].
-  - rewrite map_map. cbn. exact P.
-  - constructor; [|exact T]. now constructor.
+  intros [S L P T M] H. constructor; cbn; try assumption. constructor; [|exact T]. now constructor.
 Qed.
 
 Lemma child_home r b x : at_home r x -> takes b x -> at_home (child r b) x.
@@ -212,22 +265,19 @@ Proof.
   { assert (All : forall cs, Forall (meets x) cs -> forall r, at_home r x -> at_home (fold_left cut_region cs r) x).
     { intros cs Cs. induction Cs as [|c cs Hc Cs IH]; intros r' H'; cbn; [exact H'|].
       apply IH. now apply cut_home. }
-    unfold cut_by. apply All; [exact C|]. apply All; [|exact H]. apply Forall_forall. intros c Hc.
-    apply in_flat_map in Hc as (k & _ & Hc). destruct (numbered _ k) as [c'|] eqn:N; [|destruct Hc].
-    destruct Hc as [<-|[]]. apply numbered_is in N as (j & _ & N). apply nth_error_In in N.
-    rewrite Forall_forall in C. auto. }
+    unfold cut_by. apply All; [exact C|]. now apply foremost_home. }
   set (r1 := cut_by r (conditions b)) in *. clearbody r1.
   assert (H2 : at_home (fold_left strictly (new_strict b) r1) x).
   { clear H C M. revert r1 H1. induction T as [|f fs Hf T IH]; intros r1 H1; cbn; [exact H1|].
     apply IH. now apply strictly_home. }
-  destruct H2 as [_ P T' M']. constructor; cbn; try assumption. now apply Forall_app.
+  destruct H2 as [_ L P T' M']. constructor; cbn; try assumption. now apply Forall_app.
 Qed.
 
 Lemma at_leaf_good r x strict' rays' : good r -> at_home r x -> at_leaf r = (strict', rays') ->
   Forall (knows strict') rays' /\ spans (map coordinates rays') (fun a => rdot a x) /\
   Forall (not_zero x) strict'.
 Proof.
-  intros G [_ P T M] E. unfold at_leaf in E.
+  intros G H E. pose proof (home_spanned r x G H) as P. destruct H as [_ _ _ T M]. destruct G as [G _]. unfold at_leaf in E.
   assert (A : forall ms st rs, Forall (not_zero x) ms -> Forall (knows st) rs ->
     spans (map coordinates rs) (fun a => rdot a x) -> Forall (not_zero x) st ->
     forall st' rs', fold_left (fun sr fs => (fs :: fst sr, map (add_strict fs) (snd sr))) ms (st, rs)
@@ -249,8 +299,7 @@ Proof.
   intros G H. unfold visit in H. destruct (Z.ltb most (depth r)); [discriminate|].
   assert (C : forall bs, Forall good (map (child r) bs)).
   { intros bs. apply Forall_map, Forall_forall. intros b _. now apply child_good. }
-  destruct n; try (destruct (split (around r) _) as [bs|]; [|discriminate];
-    injection H as <-; apply C).
+  destruct (is_leaf n); [|destruct (split (around r) _) as [bs|]; [|discriminate]; injection H as <-; apply C].
   destruct (at_leaf r). destruct (leaf_fails _ _ _ _); [discriminate|]. injection H as <-. constructor.
 Qed.
 
@@ -259,12 +308,10 @@ Lemma visit_refutes most n r children : good r -> visit most n r = inl children 
 Proof.
   intros G H RF x Home. unfold visit in H. destruct (Z.ltb most (depth r)); [discriminate|].
   rewrite Forall_forall in RF.
-  assert (C : forall n bs, (forall y, n <> Leaf y) -> split (around r) n = inl bs ->
-    children = map (child r) bs -> False).
-  { intros n' bs NL E ->. destruct (split_covers _ _ _ x NL E (home_solves _ _ Home)) as (b & Hb & T).
-    apply (RF (child r b) (in_map _ _ _ Hb) x). now apply child_home. }
-  destruct n; try (destruct (split (around r) _) as [bs|] eqn:E; [|discriminate];
-    injection H as <-; eapply C; [|exact E|reflexivity]; discriminate).
+  destruct (is_leaf n) eqn:NL.
+  2:{ destruct (split (around r) n) as [bs|] eqn:E; [|discriminate]. injection H as <-.
+      destruct (split_covers _ _ _ x NL E (home_solves _ _ Home)) as (b & Hb & T).
+      apply (RF (child r b) (in_map _ _ _ Hb) x). now apply child_home. }
   destruct (at_leaf r) as [strict' rays'] eqn:AL.
   destruct (leaf_fails _ _ _ _) eqn:L; [discriminate|].
   destruct (at_leaf_good r x _ _ G Home AL) as (K & Sp & T).
@@ -323,20 +370,47 @@ Proof.
       * apply IH. intros e He. apply H. now right.
 Qed.
 
-Lemma root_good n b : good (root n b).
+Lemma padded a x k : rdot a (x ++ repeat 0 k) = rdot a x.
 Proof.
-  apply child_good. unfold good. cbn. apply Forall_forall. intros r Hr.
-  apply in_flat_map in Hr as (e & _ & [<-|[<-|[]]]); constructor.
+  revert a. induction x as [|t x IH]; intros a.
+  - cbn [app]. replace (rdot a []) with 0 by now destruct a. revert a.
+    induction k as [|k IHk]; intros [|c a]; cbn; try reflexivity. rewrite IHk. ring.
+  - destruct a as [|c a]; cbn; [reflexivity|]. now rewrite IH.
 Qed.
+
+Lemma basis_length before n e : In e (basis before n) -> List.length e = (before + n)%nat.
+Proof.
+  revert before. induction n as [|n IH]; intros before; cbn; [intros []|]. intros [<-|H].
+  - rewrite app_length. cbn. rewrite !repeat_length. lia.
+  - apply IH in H. lia.
+Qed.
+
+Lemma everywhere_good n s : good (everywhere n s).
+Proof.
+  assert (In_rays : forall r, In r (rays (everywhere n s)) -> exists e, In e (basis 0 n) /\
+    (r = Ray e [] 0%Z \/ r = Ray (map Z.opp e) [] 0%Z)).
+  { intros r Hr. cbn in Hr. apply in_flat_map in Hr as (e & He & [<-|[<-|[]]]); eauto. }
+  constructor; cbn [strict size sides]; [|constructor].
+  - apply Forall_forall. intros r Hr. destruct (In_rays r Hr) as (e & _ & [-> | ->]); constructor.
+  - apply Forall_forall. intros r Hr. destruct (In_rays r Hr) as (e & He & E). apply basis_length in He.
+    constructor; [destruct E as [-> | ->]; cbn [coordinates size everywhere]; rewrite ?map_length; lia|intros f []|].
+    intros i. destruct E as [-> | ->]; cbn [tight]; rewrite Z.bits_0; now destruct i.
+  - intros x L _. cbn [size everywhere] in L. apply spans_same with (fun a => rdot a (x ++ repeat 0 (n - List.length x))).
+    { intros a. apply padded. }
+    set (y := x ++ _). assert (Ly : List.length y = n) by (unfold y; rewrite app_length, repeat_length; lia).
+    cbn [rays everywhere]. rewrite <- Ly. apply (basis_spans _ y 0). intros e He.
+    split; apply in_map_iff.
+    + exists (Ray e [] 0%Z). split; [reflexivity|]. apply in_flat_map. exists e. split; [exact He|now left].
+    + exists (Ray (map Z.opp e) [] 0%Z). split; [reflexivity|]. apply in_flat_map. exists e.
+      split; [exact He|right; now left].
+Qed.
+
+Lemma root_good n b : good (root n b).
+Proof. apply child_good, everywhere_good. Qed.
 
 Theorem root_home n b x : List.length x = n -> takes b x -> at_home (root n b) x.
 Proof.
-  intros L T. apply child_home; [|exact T]. constructor; [apply T| |constructor|constructor].
-  cbn [rays everywhere]. rewrite <- L. apply (basis_spans _ x 0). intros e He.
-  split; apply in_map_iff.
-  - exists (Ray e []). split; [reflexivity|]. apply in_flat_map. exists e. split; [exact He|now left].
-  - exists (Ray (map Z.opp e) []). split; [reflexivity|]. apply in_flat_map. exists e.
-    split; [exact He|right; now left].
+  intros L T. apply child_home; [|exact T]. constructor; cbn; try constructor; [apply T|]. now rewrite L.
 Qed.
 
 End Walk.

@@ -3,6 +3,7 @@
    mode.  `point_is_equilibrium`: a point that is accepted is an equilibrium for the wrench h w + l u and the
    preloads h P + l P^u.  `mixture`: so is every mixture of two points of one mode. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
+From Proved Require Import Matrix Load.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Tree.
 From Proved Require Rows Model.
 Import ListNotations.
@@ -165,22 +166,29 @@ Definition aligned (ms s t : form) : bool :=
   all_zero s || all_zero t ||
   ((0 <? p) && (p * p =? inner_of ms s s * inner_of ms t t)).
 
-(* `segment-mode`, of one contact. *)
-Definition one_mode (s t : state) : bool :=
-  let r := state_row s in
-  let b := box r in
-  let e := if all_zero (state_slip s) then state_slip t else state_slip s in
-  (box_spring b || negb (opposite (state_v s) (state_v t))) &&
-  (Qeq_bool (mu_of b) 0 ||
-   ((state_v s <=? 0) && (state_v t <=? 0)) ||
-   all_zero e ||
-   (aligned (metric r) (state_slip s) (state_slip t) &&
-    ((state_v s <=? 0) || against b (state_share s) e) &&
-    ((state_v t <=? 0) || against b (state_share t) e))).
+(* The first that is not 0. *)
+Definition first_slip (them : list state) : form :=
+  match find (fun s => negb (all_zero (state_slip s))) them with Some s => state_slip s | None => [] end.
+
+(* Whether states of one contact share a mode. *)
+Definition contact_mode (them : list state) : bool :=
+  match them with
+  | [] => true
+  | s :: _ =>
+      let r := state_row s in
+      let b := box r in
+      let e := first_slip them in
+      (box_spring b || forallb (fun s => 0 <=? state_v s) them || forallb (fun s => state_v s <=? 0) them) &&
+      (Qeq_bool (mu_of b) 0 ||
+       forallb (fun s => state_v s <=? 0) them ||
+       all_zero e ||
+       forallb (fun s => aligned (metric r) e (state_slip s) &&
+                         ((state_v s <=? 0) || against b (state_share s) e)) them)
+  end.
 
 Fixpoint same_mode (ss ts : list state) : bool :=
   match ss, ts with
-  | s :: ss', t :: ts' => one_mode s t && same_mode ss' ts'
+  | s :: ss', t :: ts' => contact_mode [s; t] && same_mode ss' ts'
   | _, _ => true
   end.
 
@@ -297,6 +305,59 @@ Proof.
       rewrite !(Rows.product_sym ws e). destruct M as [M|[M M']].
       * assert (c = 0) by lra. assert (c' = 0) by lra. subst c c'. ring.
       * rewrite M, M'. ring.
+Qed.
+
+(* A mode of a contact: which sign v has, and how friction is. *)
+Inductive rubbing := Smooth | Apart | Sticks | Slides (e : list R).
+Record mode := Mode { v_sign : R; rubs_by : rubbing }.
+
+Definition rubs_so (r : Rows.row) (k : rubbing) (d : list R) (f : Rows.force) : Prop :=
+  let ws := Rows.weights r in
+  match k with
+  | Smooth => Rows.rho r = 0
+  | Apart => fst f <= 0 /\ Rows.spring r = false
+  | Sticks => acts_as ws (Rows.slip r d) 0 []
+  | Slides e => exists c, 0 <= c /\ acts_as ws (Rows.slip r d) c e /\
+      Rows.product ws (snd f) e = - (Rows.rho r * fst f) * Rows.size ws e
+  end.
+
+Definition in_mode (m : mode) (r : Rows.row) (d : list R) (h l : R) (f : Rows.force) : Prop :=
+  (Rows.spring r = true \/ 0 <= v_sign m * Rows.v r d h l) /\ rubs_so r (rubs_by m) d f.
+
+Lemma in_mode_shares m r d h l f d' h' l' f' : v_sign m * v_sign m = 1 ->
+  in_mode m r d h l f -> in_mode m r d' h' l' f' -> shares_mode r d h l f d' h' l' f'.
+Proof.
+  intros S [V M] [V' M']. split.
+  - destruct V as [V|V]; [now left|]. destruct V' as [V'|V']; [now left|]. right.
+    set (v := Rows.v r d h l) in *. set (v' := Rows.v r d' h' l') in *.
+    replace (v * v') with (v_sign m * v * (v_sign m * v')); [now apply Rmult_le_pos|].
+    transitivity (v_sign m * v_sign m * (v * v')); [ring|]. rewrite S. ring.
+  - destruct (rubs_by m) as [| | |e]; cbn in M, M'.
+    + now left.
+    + right; left. split; [lra|tauto].
+    + right; right. exists [], 0, 0. split; [lra|]. split; [lra|]. split; [exact M|]. split; [exact M'|]. left. ring.
+    + destruct M as (c & C & A & P), M' as (c' & C' & A' & P'). right; right. exists e, c, c'. repeat split; auto.
+Qed.
+
+Lemma in_mode_mix m r d h l f d' h' l' f' p q : 0 <= p -> 0 <= q -> List.length d = List.length d' ->
+  in_mode m r d h l f -> in_mode m r d' h' l' f' ->
+  in_mode m r (mix p d q d') (p * h + q * h') (p * l + q * l') (mix_force p f q f').
+Proof.
+  intros P Q L [V M] [V' M']. split.
+  - destruct V as [V|V]; [now left|]. destruct V' as [V'|V']; [now left|]. right.
+    replace (v_sign m * Rows.v r (mix p d q d') (p * h + q * h') (p * l + q * l'))
+      with (p * (v_sign m * Rows.v r d h l) + q * (v_sign m * Rows.v r d' h' l')).
+    + assert (0 <= p * (v_sign m * Rows.v r d h l)) by now apply Rmult_le_pos.
+      assert (0 <= q * (v_sign m * Rows.v r d' h' l')) by now apply Rmult_le_pos. lra.
+    + unfold Rows.v. rewrite dot_mix by exact L. ring.
+  - destruct (rubs_by m) as [| | |e]; cbn [rubs_so] in *.
+    + exact M.
+    + destruct M as [M Sp], M' as [M' _]. split; [|exact Sp]. unfold mix_force; cbn [fst]. nra.
+    + intros t. rewrite slip_mix, (M t), (M' t) by exact L. ring.
+    + destruct M as (c & C & A & F), M' as (c' & C' & A' & F'). exists (p * c + q * c'). split; [|split].
+      * assert (0 <= p * c) by now apply Rmult_le_pos. assert (0 <= q * c') by now apply Rmult_le_pos. lra.
+      * intros t. rewrite slip_mix, (A t), (A' t) by exact L. ring.
+      * unfold mix_force; cbn [fst snd]. rewrite product_mix, F, F'. ring.
 Qed.
 
 Inductive share_modes (d : list R) (h l : R) (d' : list R) (h' l' : R)
@@ -600,81 +661,88 @@ Proof.
   rewrite Fr, <- SE, <- weights_real, qdot_is, <- NE, Rows.product_scaled. unfold Rows.slip. fold ws. ring.
 Qed.
 
-(* Two states of one mode. *)
-Lemma one_mode_shares h l ds s h' l' ds' s' :
-  is_state (h :: l :: ds) s -> is_state (h' :: l' :: ds') s' -> one_mode s s' = true ->
-  shares_mode r (real ds) (IZR h) (IZR l) (force_of s) (real ds') (IZR h') (IZR l') (force_of s').
+(* States of one mode. *)
+Lemma contact_mode_is them : contact_mode them = true -> Forall (fun s => state_row s = row) them ->
+  exists m, v_sign m * v_sign m = 1 /\ forall h l ds s, In s them -> is_state (h :: l :: ds) s ->
+    in_mode m r (real ds) (IZR h) (IZR l) (force_of s).
 Proof.
-  intros [Er V Sl _ _] [_ V' Sl' _ _] M. destruct pull_unit_row as [U _].
+  intros M Rw. destruct them as [|s0 them']; [exists (Mode 1 Smooth); split; [cbn; ring|contradiction]|].
+  remember (s0 :: them') as them eqn:Eq. assert (R0 : state_row s0 = row) by (subst them; apply (Forall_inv Rw)).
+  unfold contact_mode in M. rewrite Eq in M. rewrite R0 in M. rewrite <- Eq in M. clear Eq. fold b in M.
+  destruct pull_unit_row as [U _].
   destruct exact_friction as (M0 & RE & Sm & _). pose proof positive_weights as WP. fold ws in WP.
-  pose proof (exact_v (IZR h) (IZR l) (real ds)) as EV.
-  pose proof (exact_v (IZR h') (IZR l') (real ds')) as EV'.
-  change (IZR h :: IZR l :: real ds) with (real (h :: l :: ds)) in EV.
-  change (IZR h' :: IZR l' :: real ds') with (real (h' :: l' :: ds')) in EV'.
-  rewrite rdot_integers, <- V in EV. rewrite rdot_integers, <- V' in EV'.
   assert (Sp : Rows.spring r = box_spring b).
   { destruct Ft as [_ (p & F & mu & t & I)]. apply (is_spring _ _ _ _ _ _ I). }
-  unfold one_mode in M. rewrite Er in M. fold b in M. apply andb_true_iff in M as [MV M].
-  unfold shares_mode. rewrite EV, EV', Sp. split.
-  { apply orb_true_iff in MV as [MV|MV]; [now left|right]. unfold opposite in MV.
-    apply negb_true_iff, Z.ltb_ge, IZR_le in MV. rewrite mult_IZR in MV.
-    replace (unit (pull_scale row) * IZR (state_v s) * (unit (pull_scale row) * IZR (state_v s')))
-      with (unit (pull_scale row) * unit (pull_scale row) * (IZR (state_v s) * IZR (state_v s'))) by ring.
-    apply Rmult_le_pos; nra. }
-  destruct (box_spring b) eqn:Spb; [left; rewrite RE, (Sm eq_refl); ring|].
+  assert (EV : forall h l ds s, is_state (h :: l :: ds) s ->
+    Rows.v r (real ds) (IZR h) (IZR l) = unit (pull_scale row) * IZR (state_v s)).
+  { intros h l ds s [_ V _ _ _]. pose proof (exact_v (IZR h) (IZR l) (real ds)) as E.
+    change (IZR h :: IZR l :: real ds) with (real (h :: l :: ds)) in E. now rewrite rdot_integers, <- V in E. }
+  apply andb_true_iff in M as [MV M].
+  (* the sign of v *)
+  assert (Sign : exists sg, sg * sg = 1 /\ forall h l ds s, In s them -> is_state (h :: l :: ds) s ->
+    Rows.spring r = true \/ 0 <= sg * Rows.v r (real ds) (IZR h) (IZR l)).
+  { rewrite !orb_true_iff in MV. destruct MV as [[MV|MV]|MV].
+    - exists 1. split; [ring|]. intros. left. congruence.
+    - exists 1. split; [ring|]. intros h l ds s Hs Is. right. rewrite (EV _ _ _ _ Is). rewrite forallb_forall in MV.
+      apply MV, Z.leb_le, IZR_le in Hs. nra.
+    - exists (-1). split; [ring|]. intros h l ds s Hs Is. right. rewrite (EV _ _ _ _ Is). rewrite forallb_forall in MV.
+      apply MV, Z.leb_le, IZR_le in Hs. nra. }
+  destruct Sign as (sg & Sg & SV).
+  destruct (box_spring b) eqn:Spb.
+  { exists (Mode sg Smooth). split; [exact Sg|]. intros h l ds s Hs Is. split; [eauto|]. cbn. rewrite RE, (Sm eq_refl). ring. }
   destruct exact_slip as (u & PU & Acts).
-  pose proof (Acts h l 0%Z ds) as As. pose proof (Acts h' l' 0%Z ds') as As'.
-  rewrite <- Sl in As. rewrite <- Sl' in As'.
-  rewrite !orb_true_iff in M. destruct M as [[[M|M]|M]|M].
-  - left. apply Qeq_bool_eq, Qeq_eqR in M. rewrite Q2R_0 in M. unfold mu_real in RE. rewrite RE, M. ring.
-  - right; left. apply andb_true_iff in M as [M1 M2]. split; [|reflexivity].
-    apply Z.leb_le in M1, M2. unfold force_of, a_of, presses. rewrite Spb. cbn [fst orb].
-    destruct (Z.ltb_spec 0 (state_v s)), (Z.ltb_spec 0 (state_v s')); try lia. lra.
-  - right; right.
-    assert (Z : all_zero (state_slip s) = true /\ all_zero (state_slip s') = true)
-      by (destruct (all_zero (state_slip s)) eqn:E; [now split|congruence]).
-    destruct Z as [Z Z']. exists [], 0, 0. split; [lra|]. split; [lra|]. split; [|split].
-    + intros t. rewrite As, zero_product by exact Z. now rewrite Rmult_0_r, Rmult_0_l.
-    + intros t. rewrite As', zero_product by exact Z'. now rewrite Rmult_0_r, Rmult_0_l.
-    + left. ring.
-  - right; right. set (e := if all_zero (state_slip s) then state_slip s' else state_slip s) in *.
-    rewrite !andb_true_iff in M. destruct M as [[Al Ag] Ag'].
-    assert (Forces : forall t, ((state_v t <=? 0)%Z || against b (state_share t) e) = true ->
-      Rows.product ws (snd (force_of t)) (real e) = - (Rows.rho r * fst (force_of t)) * Rows.size ws (real e)).
-    { intros t H. unfold force_of. cbn [fst snd]. apply orb_true_iff in H as [H|H]; [|now apply against_is].
-      apply Z.leb_le in H. unfold a_of, presses. rewrite Spb. cbn [orb].
-      destruct (Z.ltb_spec 0 (state_v t)); [lia|]. rewrite Rmult_0_r, Rows.product_scaled. ring. }
-    assert (Dir : exists c c', 0 <= c /\ 0 <= c' /\ acts_as ws (real (state_slip s)) c (real e) /\
-      acts_as ws (real (state_slip s')) c' (real e)).
-    { assert (One : forall v, acts_as ws v 1 v) by (intros v t; now rewrite Rmult_1_l).
-      assert (Zero : forall v e, all_zero v = true -> acts_as ws (real v) 0 e)
-        by (intros v e0 H t; rewrite zero_product by exact H; now rewrite Rmult_0_l).
-      unfold e. destruct (all_zero (state_slip s)) eqn:Z.
-      - exists 0, 1. split; [lra|]. split; [lra|]. split; [now apply Zero|apply One].
-      - destruct (all_zero (state_slip s')) eqn:Z'.
-        + exists 1, 0. split; [lra|]. split; [lra|]. split; [apply One|now apply Zero].
-        + unfold aligned in Al. rewrite Z, Z' in Al. cbn [orb] in Al. apply andb_true_iff in Al as [P Q].
-          apply Z.ltb_lt, IZR_lt in P. apply Z.eqb_eq, (f_equal IZR) in Q. rewrite !mult_IZR in Q.
-          destruct Ft as [E (p & F & mu & t & I)].
-          assert (MS : metric row = metric (make_row b)) by (rewrite E at 1; reflexivity).
-          rewrite MS in P, Q. rewrite inner_is in P. rewrite !inner_is in Q.
-          pose proof (product_is b r p F mu t I) as PI. pose proof (mu_unit_positive b) as MU.
-          set (k := unit (metric_scale (make_row b))) in *. set (G := map IZR (metric (make_row b))) in *.
-          set (v := real (state_slip s)) in *. set (v' := real (state_slip s')) in *.
-          assert (Q' : Rows.product ws v v' * Rows.product ws v v' = Rows.product ws v v * Rows.product ws v' v').
-          { unfold ws. rewrite !PI.
-            transitivity (k * k * (Rows.product G v v' * Rows.product G v v')); [ring|]. rewrite Q. ring. }
-          assert (P' : 0 < Rows.product ws v v') by (unfold ws; rewrite PI; now apply Rmult_lt_0_compat).
-          assert (VV : 0 < Rows.product ws v v).
-          { destruct (Rle_lt_or_eq_dec 0 _ (Rows.product_nonneg ws v WP)) as [L|L]; [exact L|].
-            rewrite <- L in Q'. nra. }
-          exists 1, (Rows.product ws v v' / Rows.product ws v v). split; [lra|]. split.
-          * left. now apply Rdiv_lt_0_compat.
-          * split; [apply One|]. now apply parallel. }
-    destruct Dir as (c & c' & C0 & C0' & D & D').
-    exists (real e), (u * c), (u * c'). split; [apply Rmult_le_pos; lra|]. split; [apply Rmult_le_pos; lra|].
-    split; [intros t; now rewrite As, (D t), Rmult_assoc|]. split; [intros t; now rewrite As', (D' t), Rmult_assoc|].
-    right. split; now apply Forces.
+  assert (As : forall h l ds s, is_state (h :: l :: ds) s -> acts_as ws (Rows.slip r (real ds)) u (real (state_slip s))).
+  { intros h l ds s [_ _ Sl _ _]. rewrite Sl. exact (Acts h l 0%Z ds). }
+  destruct (all_zero (first_slip them)) eqn:Z.
+  { exists (Mode sg Sticks). split; [exact Sg|]. intros h l ds s Hs Is. split; [eauto|]. cbn.
+    assert (Z' : all_zero (state_slip s) = true).
+    { unfold first_slip in Z. destruct (find _ them) as [s'|] eqn:Fi.
+      - apply find_some in Fi as [_ Fi]. rewrite Z in Fi. discriminate.
+      - pose proof (find_none _ _ Fi s Hs) as N. now apply negb_false_iff in N. }
+    intros t. rewrite (As _ _ _ _ Is), zero_product by exact Z'. now rewrite Rmult_0_r, Rmult_0_l. }
+  rewrite orb_false_r, !orb_true_iff in M. destruct M as [[M|M]|M].
+  - exists (Mode sg Smooth). split; [exact Sg|]. intros h l ds s Hs Is. split; [eauto|]. cbn.
+    apply Qeq_bool_eq, Qeq_eqR in M. rewrite Q2R_0 in M. unfold mu_real in RE. rewrite RE, M. ring.
+  - exists (Mode sg Apart). split; [exact Sg|]. intros h l ds s Hs Is. split; [eauto|]. cbn. split; [|congruence].
+    rewrite forallb_forall in M. apply M, Z.leb_le in Hs. unfold a_of, presses. rewrite Spb. cbn [orb].
+    destruct (Z.ltb_spec 0 (state_v s)); [lia|lra].
+  - set (e := first_slip them) in *. exists (Mode sg (Slides (real e))). split; [exact Sg|].
+    intros h l ds s Hs Is. split; [eauto|]. cbn [rubs_by rubs_so]. fold ws.
+    rewrite forallb_forall in M. apply M in Hs. apply andb_true_iff in Hs as [Al Ag].
+    assert (Dir : exists c, 0 <= c /\ acts_as ws (real (state_slip s)) c (real e)).
+    { unfold aligned in Al. rewrite Z in Al. destruct (all_zero (state_slip s)) eqn:Z'.
+      { exists 0. split; [lra|]. intros t. rewrite zero_product by exact Z'. now rewrite Rmult_0_l. }
+      cbn [orb] in Al. apply andb_true_iff in Al as [P Q].
+      apply Z.ltb_lt, IZR_lt in P. apply Z.eqb_eq, (f_equal IZR) in Q. rewrite !mult_IZR in Q.
+      destruct Ft as [E (p & F & mu & t & I)].
+      assert (MS : metric row = metric (make_row b)) by (rewrite E at 1; reflexivity).
+      rewrite MS in P, Q. rewrite inner_is in P. rewrite !inner_is in Q.
+      pose proof (product_is b r p F mu t I) as PI. pose proof (mu_unit_positive b) as MU.
+      set (k := unit (metric_scale (make_row b))) in *. set (G := map IZR (metric (make_row b))) in *.
+      set (v := real e) in *. set (v' := real (state_slip s)) in *.
+      assert (Q' : Rows.product ws v v' * Rows.product ws v v' = Rows.product ws v v * Rows.product ws v' v').
+      { unfold ws. rewrite !PI.
+        transitivity (k * k * (Rows.product G v v' * Rows.product G v v')); [ring|]. rewrite Q. ring. }
+      assert (P' : 0 < Rows.product ws v v') by (unfold ws; rewrite PI; now apply Rmult_lt_0_compat).
+      assert (VV : 0 < Rows.product ws v v).
+      { destruct (Rle_lt_or_eq_dec 0 _ (Rows.product_nonneg ws v WP)) as [L|L]; [exact L|].
+        rewrite <- L in Q'. nra. }
+      exists (Rows.product ws v v' / Rows.product ws v v). split; [left; now apply Rdiv_lt_0_compat|]. now apply parallel. }
+    destruct Dir as (c & C0 & D). exists (u * c). split; [apply Rmult_le_pos; lra|]. split.
+    + intros t. now rewrite (As _ _ _ _ Is), (D t), Rmult_assoc.
+    + unfold force_of. cbn [fst snd]. apply orb_true_iff in Ag as [Ag|Ag]; [|now apply against_is].
+      apply Z.leb_le in Ag. unfold a_of, presses. rewrite Spb. cbn [orb].
+      destruct (Z.ltb_spec 0 (state_v s)); [lia|]. rewrite Rmult_0_r, Rows.product_scaled. ring.
+Qed.
+
+(* Two of them. *)
+Lemma two_share_mode h l ds s h' l' ds' s' :
+  is_state (h :: l :: ds) s -> is_state (h' :: l' :: ds') s' -> contact_mode [s; s'] = true ->
+  shares_mode r (real ds) (IZR h) (IZR l) (force_of s) (real ds') (IZR h') (IZR l') (force_of s').
+Proof.
+  intros I I' M. destruct (contact_mode_is _ M) as (m & S & H).
+  { constructor; [apply I|constructor; [apply I'|constructor]]. }
+  apply (in_mode_shares m); [exact S|apply H; [now left|exact I]|apply H; [right; now left|exact I']].
 Qed.
 
 End Exact.
@@ -775,21 +843,19 @@ Qed.
 
 (* The question is one grasp: what its load is. *)
 Record exact_load (ld : load) (s : Rows.system) : Prop := ExactLoad {
-  load_certain : forallb certain (load_box ld) = true;
-  load_is : Forall2 within (load_box ld) (Rows.wrench s);
+  load_certain : one_load ld = true;
+  load_fits : is_load ld (Rows.wrench s);
   growth_is : map Q2R (load_growth ld) = Rows.direction s;
   growth_length : List.length (Rows.direction s) = List.length (Rows.wrench s)
 }.
 
 Lemma load_at_is ld s h l y : exact_load ld s -> qdot (load_at ld h l) y = Rows.load s (IZR h) (IZR l) y.
 Proof.
-  intros [C W G L]. unfold load_at, Rows.load. rewrite <- G in *. rewrite map_length in L.
-  revert C y L. generalize (load_growth ld) as us.
-  induction W as [|i x box w Wi W IH]; intros us C y L; destruct us as [|u us]; try discriminate; cbn; [ring|].
-  cbn in C. apply andb_true_iff in C as [Ci C]. destruct y as [|z y]; cbn; [ring|].
-  rewrite IH by (exact C || (cbn in L; congruence)). rewrite reduced_same, Q2R_plus, !Q2R_mult.
+  intros [C W G L]. apply (one_load_is _ _ C) in W. unfold load_at, Rows.load. rewrite W, <- G in *. clear C W G.
+  unfold Matrix.real in *. rewrite !map_length in L. revert y L. generalize (load_growth ld) as us.
   assert (J : forall z, Q2R (inject_Z z) = IZR z) by (intros; unfold Q2R; cbn; field).
-  rewrite !J, <- (certain_within _ _ Ci Wi). ring.
+  induction (load_box ld) as [|i box IH]; intros us y L; destruct us as [|u us]; try discriminate; cbn; [ring|].
+  destruct y as [|z y]; cbn; [ring|]. rewrite IH by now injection L. rewrite reduced_same, Q2R_plus, !Q2R_mult, !J. ring.
 Qed.
 
 Theorem point_is_equilibrium (two_sided : bool) rows ld s h l ds shares ss :
@@ -824,7 +890,7 @@ Proof.
 Qed.
 
 Lemma same_mode_each ss ts : List.length ss = List.length ts -> same_mode ss ts = true ->
-  Forall2 (fun s t => one_mode s t = true) ss ts.
+  Forall2 (fun s t => contact_mode [s; t] = true) ss ts.
 Proof.
   revert ts. induction ss as [|s ss IH]; intros [|t ts] L H; try discriminate; constructor;
     cbn in H; apply andb_true_iff in H as [H1 H2]; [exact H1|]. apply IH; [now injection L|exact H2].
@@ -849,7 +915,7 @@ Proof.
   destruct (exact_friction row r Fr Er) as (M0 & RE & _).
   constructor; [apply (positive_weights row r Fr)| | |now apply IH].
   - rewrite RE. apply Rmult_le_pos; [exact M0|apply sqrt_pos].
-  - now apply one_mode_shares.
+  - now apply two_share_mode.
 Qed.
 
 (* A state shares a mode with itself. *)

@@ -12,13 +12,15 @@ type arguments = {
   json : bool;
   help : bool;
   batch : bool;
-  plane : bool;  (* a plane of loads is asked about, which is not judged here *)
-  ball : bool;  (* likewise *)
 }
 
 let nothing_asked =
   { asked_wrench = None; asked_case = None; asked_preload = None; asked_bilateral = false;
-    asked_direction = None; asked_growth = None; asked_inertia = None; asked_uncertain = [] }
+    asked_direction = None; asked_growth = None; asked_plane = None; asked_inertia = None; asked_uncertain = []; asked_ball = None }
+
+let starts_with prefix word =
+  String.length word >= String.length prefix
+  && String.sub word 0 (String.length prefix) = prefix
 
 let usage option text problem = raise (Usage (option ^ ": " ^ Print.quote text ^ problem))
 
@@ -35,8 +37,36 @@ let wrench option text =
   if List.length numbers <= 30 then numbers
   else usage option text " has more than 30 numbers"
 
+(* What stands behind "ball:". *)
+let ball option text =
+  let wrong () =
+    usage option ("ball:" ^ text)
+      " is not ball:R[:length=L][:about=X:Y[:Z]][:body=NAME], such as ball:1/10:length=2" in
+  let named part =
+    match String.index_opt part '=' with
+    | Some at -> Some (String.sub part 0 at), String.sub part (at + 1) (String.length part - at - 1)
+    | None -> None, part in
+  let rec go length point goes_on = function
+    | [] -> length, List.rev point, None
+    | part :: rest as all ->
+      match named part with
+      | Some "body", _ ->
+        let all = String.concat ":" all in
+        length, List.rev point, Some (String.sub all 5 (String.length all - 5))
+      | Some "length", value when length = None -> go (Some (number option value)) point false rest
+      | Some "about", value when point = [] -> go length [ number option value ] true rest
+      | None, value when goes_on -> go length (number option value :: point) true rest
+      | _ -> wrong () in
+  match String.split_on_char ':' text with
+  | [] -> wrong ()
+  | first :: rest ->
+    let stated_radius = number option first in
+    let length, stated_point, stated_body = go None [] false rest in
+    { stated_radius; stated_length = Option.value length ~default:(number option "1"); stated_point; stated_body }
+
+(* Tolerances by their kinds, and a ball in place of that of the wrench. *)
 let tolerances option text =
-  let add found part =
+  let add (found, given_ball) part =
     let wrong () =
       usage option part
         (" is not KIND=TOLERANCE, such as friction=10%, where KIND is friction, stiffness, "
@@ -46,16 +76,18 @@ let tolerances option text =
     | Some equals ->
       let kind = String.sub part 0 equals in
       let spelled = String.sub part (equals + 1) (String.length part - equals - 1) in
-      if not (List.mem kind uncertain_kinds) || List.mem_assoc kind found then wrong ();
+      if not (List.mem kind uncertain_kinds) || List.mem_assoc kind found
+         || (kind = "wrench" && given_ball <> None) then wrong ();
+      if starts_with "ball:" spelled then begin
+        if kind <> "wrench" then usage option part ": only the wrench may have a ball";
+        found, Some (ball option (String.sub spelled 5 (String.length spelled - 5)))
+      end else
       let last = String.length spelled - 1 in
       let percent = last >= 0 && spelled.[last] = '%' in
       let digits = if percent then String.sub spelled 0 last else spelled in
-      (kind, { amount = number option digits; percent }) :: found in
-  List.rev (List.fold_left add [] (String.split_on_char ',' text))
-
-let starts_with prefix word =
-  String.length word >= String.length prefix
-  && String.sub word 0 (String.length prefix) = prefix
+      (kind, { amount = number option digits; percent }) :: found, given_ball in
+  let found, given_ball = List.fold_left add ([], None) (String.split_on_char ',' text) in
+  List.rev found, given_ball
 
 (* --help is a question only before the first file, and after -- nothing is an option, so that no
    file's name makes the program end with success. *)
@@ -73,22 +105,22 @@ let parse words =
           | Some at when starts_with "--" word ->
             (String.sub word 0 at, Some (String.sub word (at + 1) (String.length word - at - 1)))
           | _ -> (word, None) in
-        let with_value use =
+        let valued set =
+          let use value = { a with options = set value } in
           match attached, rest with
           | Some value, _ -> go (use value) ended rest
           | None, value :: others -> go (use value) ended others
           | None, [] -> raise (Usage (name ^ " needs a value")) in
-        let valued set = with_value (fun value -> { a with options = set value }) in
         let o = a.options in
         match name, attached with
         | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench name v) })
         | "--torque", _ ->
           valued (fun v -> { o with asked_wrench = Some (List.map (number name) [ "0"; "0"; v ]) })
         | "--plane", _ ->
-          with_value (fun v ->
-              if List.length (list name v) <> 6 then
-                usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches";
-              { a with plane = true })
+          valued (fun v ->
+              match list name v with
+              | [ a; b; c; d; e; f ] -> { o with asked_plane = Some ([ a; b; c ], [ d; e; f ]) }
+              | _ -> usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0")
         | "--inertia", _ ->
           valued (fun v ->
               let numbers = list name v in
@@ -107,17 +139,16 @@ let parse words =
           valued (fun v ->
               { o with asked_growth = Some (if v = "scale" then Scale else By (list name v)) })
         | "--uncertain", _ ->
-          with_value (fun v ->
-              if List.exists (starts_with "wrench=ball:") (String.split_on_char ',' v) then { a with ball = true }
-              else { a with options = { o with asked_uncertain = tolerances name v } })
+          valued (fun v ->
+              let asked_uncertain, asked_ball = tolerances name v in
+              { o with asked_uncertain; asked_ball })
         | "--json", None -> go { a with json = true } ended rest
         | "--batch", None -> go { a with batch = true } ended rest
         | "--", None -> go a true rest
         | _ when help && attached = None -> { a with help = true }
         | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
   let a =
-    go { files = []; options = nothing_asked; json = false; help = false; batch = false;
-         plane = false; ball = false } false words
+    go { files = []; options = nothing_asked; json = false; help = false; batch = false } false words
   in
   let count = List.length a.files in
   if (not a.help) && (not a.batch) && count <> 2 then

@@ -9,7 +9,8 @@ let help =
   {|stickslip-proved GRASP CERTIFICATE [options]
 
 Checks a proof that a frictional grasp is stable, or unstable, under a wrench; or, with a
-direction, a proof of which multiples of the direction it resists. It does what
+direction, a proof of which multiples of the direction it resists, or with a plane, of which
+wrenches of the plane. It does what
 stickslip-check does, and that its answers are true is a theorem, check_correct of
 certificate/proved/Correct.v, proved in Coq. What it relies on: certificate/FORMAT.md, section 9.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
@@ -28,13 +29,17 @@ the program that produced the certificate:
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold
   --plane UX,UY,UT,VX,VY,VT
-                           ask for the region of a plane of wrenches: not judged
+                           ask for the region: which wrenches wrench + s U + t V of this
+                           plane it resists; wrench is 0 unless given by --wrench or --case
   --inertia X,Y,G2         ask for the class of rigid contacts: must move, must hold or open; the
                            centre of mass and the squared radius of gyration, in space
                            X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], the centre and the tensor of inertia about it
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
-                           position=0.001,normal=0.0175,wrench=2%
+                           position=0.001,normal=0.0175,wrench=2%;
+                           wrench=ball:R[:length=L][:about=X:Y[:Z]] is every load that differs
+                           from the wrench by a force f and a torque t at that point with
+                           |f|^2 + |t|^2/L^2 <= R^2
 
   --json                   answer as one JSON object
   --batch                  answer many: each line of standard input is a JSON object
@@ -48,11 +53,12 @@ Numbers are exact: 1, -0.25, 1e-3, 3/5.
 Answers and exit codes:
   accepted    0   the certificate proves the verdict about the question that is printed; of a
                   margin in the plane, that exactly the factors printed as "resisted" are, in
-                  space, that those are, those printed as "refuted" are not, and nothing of others
+                  space, that those are, those printed as "refuted" are not, and nothing of
+                  others; of a plane, that exactly the wrenches of the pieces are resisted
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of balls
-                  of loads and of regions; or it takes more work than the files' length allows
+                  of loads about several bodies; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -123,16 +129,21 @@ let tokens file limits text =
   with Tokenise.Not_json { line; column; problem } ->
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
+let is_of_several_bodies = function
+  | Object members -> List.mem ("format", Text "stickslip-grasp/3") members
+  | _ -> false
+
 let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate_name, certificate) =
   let options = arguments.options in
   Work.begin_question ();
   let read name limits text =
     Work.bytes := !Work.bytes + String.length text;
     tokens name limits text in
-  if arguments.plane then Print.Not_judged "regions of a plane: stickslip-check judges them"
-  else if arguments.ball then Print.Not_judged "balls of loads: stickslip-check judges them"
-  else try
+  try
     let file = read grasp_name Tokenise.of_grasp (grasp ()) in
+    if options.asked_ball <> None && is_of_several_bodies file then
+      Print.Not_judged "balls of loads about several bodies: stickslip-check judges them"
+    else
     let asked = or_illegible grasp_name (ask options file) in
     let answer, certificate =
       or_illegible certificate_name
@@ -205,6 +216,8 @@ let run (arguments : Arguments.arguments) =
   end
 
 let () =
+  (* Most of what is made is dropped at once; a small heap for it would be searched again and again. *)
+  Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 20; space_overhead = 200 };
   Work.watch ();
   let code =
     try

@@ -52,11 +52,19 @@ let interval between { low; high } =
 
 let tolerance { amount; percent } = number amount ^ if percent then "%" else ""
 
-(* Those given, in the order of kinds. *)
-let tolerances asked =
+let ball { stated_radius; stated_length; stated_point; _ } =
+  "ball:" ^ number stated_radius ^ ", length " ^ number stated_length ^ ", about " ^ vector stated_point
+
+let json_ball { stated_radius; stated_length; stated_point; _ } =
+  "{\"ball\": " ^ json_number stated_radius ^ ", \"length\": " ^ json_number stated_length
+  ^ ", \"about\": " ^ json_vector stated_point ^ "}"
+
+(* Those given, in the order of kinds, a ball last; as they are shown. *)
+let tolerances show show_ball asked =
   List.filter_map
-    (fun kind -> Option.map (fun t -> (kind, t)) (find_tolerance kind asked))
+    (fun kind -> Option.map (fun t -> (kind, show t)) (find_tolerance kind asked))
     uncertain_kinds
+  @ match asked.asked_ball with Some b -> [ ("wrench", show_ball b) ] | None -> []
 
 let law asked = if asked.asked_bilateral then "bilateral" else "unilateral"
 
@@ -88,10 +96,11 @@ let json_resisted intervals =
   "[" ^ separated one intervals ^ "]"
 
 (* How long the proof is. *)
-type size = { nodes : int; leaves : int; parts : int; rests : int; segments : int; trees : int }
+type size =
+  { nodes : int; leaves : int; parts : int; rests : int; segments : int; trees : int; pieces : int }
 
 let size_of_tree size tree =
-  let leaves = List.length (List.filter (function Leaf _ -> true | _ -> false) tree) in
+  let leaves = List.length (List.filter (function Leaf _ | Held _ -> true | _ -> false) tree) in
   { size with nodes = size.nodes + List.length tree; leaves = size.leaves + leaves }
 
 (* The parts of [0, oo) that the intervals of a margin leave. *)
@@ -103,7 +112,7 @@ let gaps = function
     count + 1 - ends - if Integer.sign low.qnum = 0 then 1 else 0
 
 let size_of certificate =
-  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; segments = 0; trees = 0 } in
+  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; segments = 0; trees = 0; pieces = 0 } in
   let add_part size = function
     | PartProof (_, _, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
     | PartAtRest _ -> { size with rests = size.rests + 1 }
@@ -128,6 +137,7 @@ let size_of certificate =
     let leaves = List.length (List.filter (function RLeaf _ -> true | _ -> false) tree) in
     { none with nodes = List.length tree; leaves }
   | OfClass _ -> none
+  | RegionBy (pieces, tree) -> size_of_tree { none with pieces = List.length pieces } tree
 
 let class_in_words = function MustMove -> "must move" | MustHold -> "must hold" | Open -> "open"
 
@@ -146,6 +156,9 @@ let in_words place =
     Some ("interval " ^ string_of_int (int_of_nat n)
           ^ if second then ", second point" else ", first point")
   | AtProofOf (n, _) -> Some ("interval " ^ string_of_int (int_of_nat n))
+  | AtPiece (n, point) ->
+    Some ("piece " ^ string_of_int (int_of_nat n)
+          ^ match point with Some k -> ", point " ^ string_of_int (int_of_nat k) | None -> "")
 
 let node_of = function
   | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) | AtProofOf (_, Some n) -> Some (int_of_nat n)
@@ -174,6 +187,7 @@ let question asked =
   "\ncontacts    " ^ contacts_of asked
   ^ "\nwrench      (" ^ separated (interval number) asked.stated_wrench ^ ")"
   ^ given "direction   " vector o.asked_direction
+  ^ given "plane       wrench + s " (fun (u, v) -> vector u ^ " + t " ^ vector v) o.asked_plane
   ^ given "inertia     " vector o.asked_inertia
   ^ "\npreload     "
   ^ (match o.asked_growth with Some Scale -> "f times " | _ -> "")
@@ -182,17 +196,17 @@ let question asked =
      | None -> "as in the grasp file")
   ^ numbers o.asked_growth
   ^ "\nnormal law  " ^ law o
-  ^ match tolerances o with
+  ^ match tolerances tolerance ball o with
     | [] -> ""
-    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ tolerance t) them
+    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them
 
 let json_question asked =
   let o = asked.the_options in
   let or_null show = function Some it -> show it | None -> "null" in
-  let uncertain = match tolerances o with
+  let uncertain = match tolerances (fun t -> json_string (tolerance t)) json_ball o with
     | [] -> "null"
     | them ->
-      let one (kind, t) = json_string kind ^ ": " ^ json_string (tolerance t) in
+      let one (kind, t) = json_string kind ^ ": " ^ t in
       "{" ^ separated one them ^ "}" in
   let others = match asked.the_question.several with None -> [] | Some its -> its.elements in
   "{\"contacts\": " ^ string_of_int (List.length asked.the_question.contacts + List.length others)
@@ -202,6 +216,9 @@ let json_question asked =
   ^ ", \"direction\": " ^ or_null json_vector o.asked_direction
   ^ ", \"preload_direction\": "
   ^ or_null (function Scale -> "\"scale\"" | By numbers -> json_vector numbers) o.asked_growth
+  ^ (match o.asked_plane with
+     | Some (u, v) -> ", \"plane\": [" ^ json_vector u ^ ", " ^ json_vector v ^ "]"
+     | None -> "")
   ^ (match o.asked_inertia with Some it -> ", \"inertia\": " ^ json_vector it | None -> "")
   ^ ", \"uncertain\": " ^ uncertain ^ "}"
 
@@ -225,6 +242,7 @@ let proof answer size =
       (some size.rests (Printf.sprintf "at rest, parts: %d" size.rests)
        @ some size.parts (Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree))
   | Stable -> "an equilibrium"
+  | Region _ -> Printf.sprintf "pieces: %d; a tree of %s" size.pieces tree
   | Class MustMove -> "a twist"
   | Class MustHold -> "forces at rest, and a tree of " ^ tree
   | Class Open -> "forces at rest, and others with an acceleration"
@@ -237,6 +255,8 @@ let accepted asked answer certificate =
       let or_none listed = function [] -> "none claimed" | them -> listed them in
       "resisted    " ^ or_none resisted_in_words resisted
       ^ "\nrefuted     " ^ or_none refuted_in_words refuted ^ "\nelsewhere   nothing is claimed"
+    | Region [] -> "resisted    no load of the plane"
+    | Region pieces -> Printf.sprintf "resisted    of the plane exactly the pieces: %d" (List.length pieces)
     | Stable -> "verdict     stable"
     | Class found -> "verdict     " ^ class_in_words found
     | _ -> "verdict     unstable" in
@@ -259,7 +279,7 @@ let as_text = function
 
 let as_json report =
   let text it = match it with Some text -> json_string text | None -> "null" in
-  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?refuted ?asked result =
+  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?refuted ?asked ?pieces result =
     let number_of part = match size with Some s -> string_of_int (part s) | None -> "null" in
     "{\"result\": " ^ json_string result ^ ", \"rule\": " ^ text rule ^ ", \"node\": "
     ^ (match node with Some n -> string_of_int n | None -> "null")
@@ -270,7 +290,8 @@ let as_json report =
     ^ ", \"resisted\": " ^ (match resisted with Some r -> json_resisted r | None -> "null")
     ^ ", \"refuted\": " ^ (match refuted with Some r -> json_refuted r | None -> "null")
     ^ ", \"question\": "
-    ^ (match asked with Some a -> json_question a | None -> "null") ^ "}\n" in
+    ^ (match asked with Some a -> json_question a | None -> "null")
+    ^ (match pieces with Some n -> ", \"pieces\": " ^ string_of_int n | None -> "") ^ "}\n" in
   match report with
   | Illegible { place; problem; _ } -> line "malformed" ~path:place ~found:problem
   | Judged { answer = Rejected (rule, at); _ } ->
@@ -281,10 +302,12 @@ let as_json report =
     let tree = match certificate.body with StableByWitness _ -> false | _ -> true in
     line "accepted" ~box:asked.is_box ~asked
       ~verdict:(match answer with Margin _ | Claims _ -> "margin" | Stable -> "stable"
+                             | Region _ -> "region"
                              | Class found -> class_in_words found | _ -> "unstable")
       ?size:(if tree then Some size else None)
       ?resisted:(match answer with Margin r | Claims (r, _) -> Some r | _ -> None)
       ?refuted:(match answer with Claims (_, r) -> Some r | _ -> None)
+      ?pieces:(match answer with Region pieces -> Some (List.length pieces) | _ -> None)
 
 let exit_code = function
   | Illegible _ -> 2

@@ -19,7 +19,7 @@ let of_grasp =
 
 let of_certificate =
   { bytes = 1 lsl 30; depth = 8; string = 65536; values = 1 lsl 22; byte_order_mark = false;
-    lists = [ "segments"; "tree"; "parts"; "intervals" ] }
+    lists = [ "segments"; "tree"; "parts"; "intervals"; "pieces" ] }
 
 exception Not_json of { line : int; column : int; problem : string }
 

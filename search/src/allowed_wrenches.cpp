@@ -350,10 +350,12 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
       best.generator = g;
     }
   }
-  for (const Reals& against : against_) {
-    if (against.squaredNorm() == 0) continue;  // a free motion
-    const double work = against.dot(y);
-    if (work > best.work) best = {work, against, {}, 0, true};
+  const std::size_t none = region_.generators().size();
+  const std::size_t pulls = against_.size() - (law_.hull ? law_.hull->directions.size() : 0);
+  for (std::size_t k = 0; k < against_.size(); ++k) {
+    if (against_[k].squaredNorm() == 0) continue;  // a free motion
+    const double work = against_[k].dot(y);
+    if (work > best.work) best = {work, against_[k], {}, k < pulls ? k : none, true};
   }
   if (best.work == -HUGE_VAL) return std::nullopt;  // nothing acts
   if (best.against) return best;
@@ -436,19 +438,31 @@ Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& f
     }
   }
   if (!lines_.empty()) balance_along_lines(result, wrench);
-  std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> pairs;
-  for (std::size_t a = 0; a < found.parts.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      const std::size_t one = found.parts[a].second.generator;
-      const std::size_t other = found.parts[b].second.generator;
-      const double distance =
-          (region_.generators()[one] - region_.generators()[other]).squaredNorm();
-      const double part = std::min(found.parts[a].first, found.parts[b].first);
-      if (distance > 0) pairs.push_back({-distance * part, {one, other}});
+  // Cuts from the first generator are tried in place of those from where A is against a motion,
+  // and these after them: as measured, fewer nodes.
+  for (const bool where_against : {false, true}) {
+    const std::size_t none = region_.generators().size();
+    std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> pairs;
+    for (std::size_t a = 0; a < found.parts.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const auto& [part_a, wrench_a] = found.parts[a];
+        const auto& [part_b, wrench_b] = found.parts[b];
+        const bool has_against = wrench_a.against || wrench_b.against;
+        if (where_against && !has_against) continue;
+        const auto generator = [&](const AllowedWrench& s) {
+          return s.against && !where_against ? 0 : s.generator;
+        };
+        const std::size_t one = generator(wrench_a);
+        const std::size_t other = generator(wrench_b);
+        if (one == none || other == none) continue;
+        const double distance =
+            (region_.generators()[one] - region_.generators()[other]).squaredNorm();
+        if (distance > 0) pairs.push_back({-distance * std::min(part_a, part_b), {one, other}});
+      }
     }
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& [size, pair] : pairs) result.pairs.push_back(pair);
   }
-  std::sort(pairs.begin(), pairs.end());
-  for (const auto& [size, pair] : pairs) result.pairs.push_back(pair);
   return result;
 }
 

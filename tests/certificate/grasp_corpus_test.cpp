@@ -25,7 +25,7 @@ const char* const kCertificate =
 
 std::string in_core(const std::string& text) {
   try {
-    parse_grasp(text, "grasp");
+    parse_any_grasp(text, "grasp", Intervals::kAllowed);
     return "read";
   } catch (const InputError&) {
     return "malformed";
@@ -48,7 +48,30 @@ TEST(GraspCorpus, ReadAlike) {
       names.push_back(std::string(folder) + "/" + entry.path().filename().string());
     }
   }
-  EXPECT_GE(names.size(), 85u);
+  // Those of several bodies have mostly five coordinates, and those of space six; a body in
+  // space has no meaning to checkers, but all refuse the same.
+  const auto add = [&](const std::string& name, const std::string& text) {
+    const bool is_several = text.find("\"bodies\"") != std::string::npos;
+    const bool is_in_space = text.find("[0, 0, 0, 0, 0, 0]") != std::string::npos;
+    std::string certificate = kCertificate;
+    certificate.replace(certificate.find("[0, 0, 0]"), 9,
+                        is_several    ? "[0, 0, 0, 0, 0]"
+                        : is_in_space ? "[0, 0, 0, 0, 0, 0]"
+                                      : "[0, 0, 0]");
+    names.push_back(name);
+    inputs.push_back({text, certificate, {}});
+  };
+  std::ifstream refused(STICKSLIP_CORPUS "/grasps/refused.txt");
+  for (std::string line; std::getline(refused, line);) {
+    if (line[0] != '#') add("bad: " + line, line.substr(0, line.find(" |")));
+  }
+  for (const char* faces : {"[[0, 1, 0]]", R"([[0, 1, "2/2", 1.0], [1e0, -0, 0]])"}) {
+    add(std::string("good: ") + faces,
+        R"({"format": "stickslip-grasp/2", "contacts": [], "wrench": [0, 0, 0, 0, 0, 0],)"
+        R"( "body": {"vertices": [[0, 0, 0], ["1/3", 1e-3, -2]], "faces": )" +
+            std::string(faces) + "}}");
+  }
+  EXPECT_GE(names.size(), 200u);
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
   std::vector<CheckerAnswer> answers;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -59,66 +82,11 @@ TEST(GraspCorpus, ReadAlike) {
     EXPECT_EQ(in_checker(python[i]), expected) << names[i] << ": " << describe(python[i]);
   }
   test::expect_js_checker_agrees(inputs, answers);
-  test::expect_proved_checker_agrees(inputs, answers);
-}
-
-// A body in space has no meaning to checkers, but all refuse the same.
-TEST(GraspCorpus, BodiesInSpaceAreReadAlike) {
-  const auto in_space = [](const std::string& body) {
-    return R"({"format": "stickslip-grasp/2", "body": )" + body +
-           R"(, "contacts": [], "wrench": [0, 0, 0, 0, 0, 0]})";
-  };
-  const auto of_faces = [&](const std::string& faces) {
-    return in_space(R"({"vertices": [[0, 0, 0], ["1/3", 1e-3, -2]], "faces": )" + faces + "}");
-  };
-  const std::vector<std::string> good{of_faces("[[0, 1, 0]]"),
-                                      of_faces(R"([[0, 1, "2/2", 1.0], [1e0, -0, 0]])")};
-  const std::string body = R"({"vertices": [[0, 0, 0]], "faces": [[0, 0, 0]]})";
-  std::vector<std::string> texts = good;
-  for (const char* faces :
-       {"[]", "[[]]", "[[0, 1]]", "[[0, 1, 2]]", "[[0, 1, -1]]", R"([[0, 1, "1/2"]])",
-        "[[0, 1, null]]", "[0, 1, 0]", "{}", "[[0, 1, 0], [0, 1, 1e300]]"}) {
-    texts.push_back(of_faces(faces));
+  for (std::size_t i = inputs.size(); i-- > 0;) {  // that one judges nothing of several bodies
+    if (inputs[i].grasp.find("stickslip-grasp/3") == std::string::npos) continue;
+    inputs.erase(inputs.begin() + static_cast<std::ptrdiff_t>(i));
+    answers.erase(answers.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  for (const char* vertices : {"[[0, 0]]", "[[0, 0, 0, 0]]", R"([[0, 0, "x"]])", "[0, 0, 0]",
-                               "[]", R"([[0, 0, {"min": 0, "max": 1}]])"}) {
-    texts.push_back(
-        in_space(R"({"faces": [[0, 0, 0]], "vertices": )" + std::string(vertices) + "}"));
-  }
-  for (const char* other :
-       {"[]", "null", "{}", R"({"vertices": [[0, 0, 0]]})", R"({"faces": [[0, 0, 0]]})",
-        R"({"vertices": [[0, 0, 0]], "faces": [[0, 0, 0]], "units": 1})"}) {
-    texts.push_back(in_space(other));
-  }
-  // In the plane, and in version 1, there is none.
-  for (const char* version : {"1", "2"}) {
-    texts.push_back(R"({"format": "stickslip-grasp/)" + std::string(version) +
-                    R"(", "contacts": [], "wrench": [0, 0, 0], "body": )" + body + "}");
-  }
-  std::vector<CheckerInput> inputs;
-  for (const std::string& text : texts) {
-    std::string certificate = kCertificate;
-    if (text.find("[0, 0, 0, 0, 0, 0]") != std::string::npos) {
-      certificate.replace(certificate.find("[0, 0, 0]"), 9, "[0, 0, 0, 0, 0, 0]");
-    }
-    inputs.push_back({text, certificate, {}});
-  }
-  const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
-  std::vector<CheckerAnswer> answers;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string expected = i < good.size() ? "read" : "malformed";
-    std::string read = "read";
-    try {
-      parse_any_grasp(texts[i], "grasp");
-    } catch (const InputError&) {
-      read = "malformed";
-    }
-    EXPECT_EQ(read, expected) << texts[i];
-    const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(inputs[i]));
-    EXPECT_EQ(in_checker(cpp), expected) << texts[i] << ": " << describe(cpp);
-    EXPECT_EQ(in_checker(python[i]), expected) << texts[i] << ": " << describe(python[i]);
-  }
-  test::expect_js_checker_agrees(inputs, answers);
   test::expect_proved_checker_agrees(inputs, answers);
 }
 

@@ -4,13 +4,10 @@ check.py as the judge of every leaf.
 """
 
 import itertools
-import json
-import os
-import tempfile
 import unittest.mock
 from fractions import Fraction
 
-from support import check
+from support import check, posed
 
 EASY = [y for y in itertools.product((-1, 0, 1), repeat=3) if any(y)]
 
@@ -56,12 +53,7 @@ def search(root, easy, axes, most_depth=12):
 
 
 def box_of(file, options):
-    with tempfile.TemporaryDirectory() as folder:
-        name = os.path.join(folder, "g.json")
-        with open(name, "w", encoding="utf-8") as out:
-            json.dump(file, out)
-        asked = check.parse_arguments([name, name, *options]).options
-        return check.enlarged(check.pose(name, asked), 128)
+    return check.enlarged(posed(file, *options), 128)
 
 
 def prove(box, part, easy=tuple(EASY), axes=None, low=0, high=0, margin=False):

@@ -62,6 +62,23 @@ def certificate(m, wrench, preload=None, law="unilateral", direction=None, prelo
     return {"format": "stickslip-certificate/2", "question": question, "verdict": verdict, **evidence}
 
 
+def interval(low, high):
+    return {"min": low, "max": high}
+
+
+def stable(m, wrench, parts, **question):
+    return certificate(m, wrench, parts=parts, **question)
+
+
+def posed(file, *options):
+    """The question, as check.py reads it."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "g.json")
+        with open(path, "w", encoding="utf-8") as stream:
+            json.dump(file, stream)
+        return check.pose(path, check.parse_arguments([path, "c", *options]).options)
+
+
 # Fig. 1 under (0, 11/10, 0) with P = 1: unstable (Table I). v_0 = h - x, v_2 = h + x.
 UP = ("--wrench", "0,11/10,0", "--preload", "1")
 UP_TREE = [["separation", 0], ["separation", 2], ["leaf", 0, -1, 0], ["leaf", 0, -1, -1],

@@ -8,11 +8,7 @@ from fractions import Fraction
 
 import naive_box
 from proofs import EASY
-from support import Case, certificate, check
-
-
-def interval(low, high):
-    return {"min": low, "max": high}
+from support import Case, certificate, check, interval, stable
 
 
 def box_file(*contacts, **members):
@@ -57,39 +53,6 @@ class QuestionTest(Case):
         self.accepts(file, pulled(wrench=[0, [1, 2], 0]), "--case", "b")
         self.rejects("question-wrench", file, pulled(wrench=[0, [1, 2], 0]), "--case", "a")
 
-    def test_grasp_syntax(self):
-        def bad(needle, **contact):
-            self.malformed(needle, {**PULLED, "contacts": [{**FLOOR, **contact}]}, pulled())
-
-        for value in ({}, {"min": 1}, {"max": 1}, {"min": 0, "max": 1, "mean": 0}, interval(0, [1]),
-                      interval(0, True), interval(1, "1/2"), interval("-1/9", 1), interval(0, None)):
-            bad("contacts[0].friction", friction=value)
-        bad("contacts[0].stiffness", stiffness=interval(0, 1))
-        bad("contacts[0].preload", preload=interval(-1, 1))
-        bad("contacts[0].position[1]", position=[0, interval(2, 1)])
-        bad("contacts[0].position", position=interval(1, 2))
-        for value in ({"direction": [0, 1]}, {"slope": 0}, {"direction": [0, 0], "slope": 0},
-                      {"direction": [0, 1], "slope": -1}, {"direction": [0, 1], "slope": 1},
-                      {"direction": [0, interval(0, 1)], "slope": 0},
-                      {"direction": [0, 1], "slope": interval(0, "1/2")},
-                      [interval(0, 1), 1], interval(0, 1)):
-            bad("contacts[0].normal", normal=value)
-        self.malformed("wrench[2]", {**PULLED, "wrench": [0, 0, interval(1, 0)]}, pulled())
-        self.malformed("defaults.preload", {**PULLED, "defaults": {"preload": interval(1, 0)}},
-                       pulled())
-        self.malformed("loads", box_file(FLOOR, loads=[{"torque": interval(0, 1)}], wrench=[0, 0, 0]),
-                       pulled())
-        torque = {key: value for key, value in PULLED.items() if key != "wrench"}
-        self.malformed("loads[0].torque", {**torque, "loads": [{"torque": interval(0, 1)}]}, pulled())
-
-    def test_version_1_has_no_intervals(self):
-        for members in ({"friction": interval(0, 1)}, {"position": [0, interval(0, 1)]},
-                        {"normal": {"direction": [0, 1], "slope": 0}}):
-            file = {**box_file({**FLOOR, "friction": 1, **members}), "format": "stickslip-grasp/1"}
-            self.malformed("stickslip-grasp/2", file, pulled())
-        self.malformed("stickslip-grasp/2", {**box_file(), "format": "stickslip-grasp/1",
-                                             "wrench": [0, 0, interval(0, 1)]}, pulled())
-
     FIXED = box_file({**FLOOR, "friction": "1/2", "preload": 1}, wrench=[0, 3, 0])
 
     def test_uncertain(self):
@@ -115,7 +78,13 @@ class QuestionTest(Case):
     def test_option_syntax(self):
         for text in ("", "friction", "friction=", "friction=%", "friction=x", "mass=1",
                      "friction=1,friction=1", "friction=1,", ",friction=1", "friction=10 %",
-                     "friction=1/0%", "=1"):
+                     "friction=1/0%", "=1", "friction=ball:1", "position=ball:1:length=1",
+                     "wrench=ball:1,wrench=ball:1", "wrench=2,wrench=ball:1", "wrench= ball:1", "wrench=BALL:1",
+                     *("wrench=ball" + ball for ball in (
+                         "", ":", ":1%", ":10%", ":x", "::length=1", ":1:", ":1:2", ":1:length=", ":1:length=2%",
+                         ":1:length=1:length=1", ":1:length=1:2", ":1:about=", ":1:about=1:x",
+                         ":1:about=1:2:about=1:2", ":1:about=1:length=2:2", ":1:about=1:", ":1:radius=2", ":1:size=1",
+                         ":1:=2", ":1:body", ":length=1"))):
             code, _, _, err = self.usage("--uncertain", text)
             self.assertEqual(code, 2, text)
             self.assertIn("--uncertain", err)
@@ -201,12 +170,6 @@ class SyntaxTest(Case):
 
 UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
 PROOF = {"twist": [0, 0, 0], "walls": UNIT, "direction": UNIT, "tree": []}
-
-
-def stable(m, wrench, parts, **question):
-    proof = certificate(m, wrench, twist=[0, 0, 0], **question)
-    del proof["twist"], proof["shares"]
-    return {**proof, "parts": parts}
 
 
 def random_interval(rng, low, high, uncertain):

@@ -18,9 +18,7 @@ def grasp_file(wrench, *contacts, **members):
 
 def stable(file, *parts, law="unilateral", **question):
     wrench = [[c["min"], c["max"]] if isinstance(c, dict) else c for c in file["wrench"]]
-    proof = certificate(len(file["contacts"]), wrench, law=law, twist=[0] * len(wrench), **question)
-    del proof["twist"], proof["shares"]
-    return {**proof, "parts": list(parts)}
+    return certificate(len(file["contacts"]), wrench, law=law, parts=list(parts), **question)
 
 
 def diagonal(*entries):

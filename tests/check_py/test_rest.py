@@ -13,8 +13,8 @@ import unittest
 from fractions import Fraction
 
 from at_rest import Grasp, proof_at_rest
-from support import Case, certificate, check, start
-from test_space import TURN, interval, space_file, stable
+from support import Case, certificate, check, interval, posed, stable, start
+from test_space import TURN, space_file
 
 STICKSLIP = os.environ.get("STICKSLIP")
 
@@ -35,15 +35,6 @@ PLATE = {"format": "stickslip-grasp/2", "wrench": ["0.3", interval("-0.5", "-0.4
      "preload": interval("2.99", "3.01"), "stiffness": interval(1, 2)},
     {"position": ["-0.1", "-0.2"], "normal": [1, 2], "friction": "0.5", "preload": 1},
     {"position": [0, -1], "normal": [0, 3], "friction": "0.4", "preload": 2}]}
-
-
-def posed(file, *options):
-    """The question, as check.py reads it."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "g.json")
-        with open(path, "w", encoding="utf-8") as stream:
-            json.dump(file, stream)
-        return check.pose(path, check.parse_arguments([path, "c", *options]).options)
 
 
 def stated(wrench):

@@ -13,13 +13,9 @@ from fractions import Fraction
 
 import naive
 import naive_space
-from support import HERE, Case, certificate, check
+from support import HERE, Case, certificate, check, interval, stable
 
 CORPUS = os.path.join(HERE, "..", "corpus", "space")
-
-
-def interval(low, high):
-    return {"min": low, "max": high}
 
 
 def space_file(*contacts, **members):
@@ -46,20 +42,6 @@ class GraspFileTest(Case):
     def bad(self, needle, *contacts, **members):
         self.malformed(needle, space_file(*contacts, **members), pulled())
 
-    def test_one_dimension(self):
-        """The first contact says it, and others name themselves."""
-        self.bad("contacts[1].position: must be an array of 3", FLOOR, {**FLOOR, "position": [0, 0]})
-        self.bad("contacts[1].normal: must be an array of 3", FLOOR, {**FLOOR, "normal": [0, 1]})
-        self.bad("contacts[0].normal: must be an array of 3", {**FLOOR, "normal": [0, 1]})
-        self.bad("contacts[0].position", {**FLOOR, "position": [0] * 4})
-        self.bad("wrench: must be an array of 6", FLOOR, wrench=[0, 0, 0])
-        planar = {**FLOOR, "position": [0, 0], "normal": [0, 1]}
-        self.malformed("contacts[1].position: must be an array of 2",
-                       space_file(planar, FLOOR, wrench=[0, 0, 0]), pulled())
-        self.malformed("wrench: must be an array of 3", space_file(planar), pulled())
-        self.malformed("contacts[0].position", {**PULLED, "format": "stickslip-grasp/1"}, pulled())
-        self.malformed("wrench", {**space_file(), "format": "stickslip-grasp/1"}, pulled())
-
     def test_no_contacts(self):
         empty = space_file(wrench=[0, 0, 0, 0, 0, 1])
         self.accepts(empty, certificate(0, [0, 0, 0, 0, 0, 1], tree=[["leaf", 0, 0, 0, 0, 0, -1]]))
@@ -72,15 +54,6 @@ class GraspFileTest(Case):
     def test_the_order_of_members_plays_no_part(self):
         for names in itertools.permutations(PULLED):
             self.accepts({name: PULLED[name] for name in names}, pulled())
-
-    def test_what_is_planar(self):
-        self.bad("outline", FLOOR, outline=[[0, 0], [1, 0], [0, 1]])
-        self.bad("contacts[1].on", FLOOR, {"on": [0, "1/2"], "friction": 0})
-        self.bad("contacts[0].normal.direction", {**FLOOR, "normal": {"direction": [0, 1], "slope": 0}})
-        self.bad("contacts[0].normal.slope", {**FLOOR, "normal": {"direction": [0, 0, 1], "slope": 1}})
-        self.bad("contacts[0].normal.slope", {**FLOOR, "normal": {"direction": [0, 0, 1], "slope": interval(0, "1/2")}})
-        self.bad("contacts[0].normal", {**FLOOR, "normal": [0, interval(0, 1), 1]})
-        self.bad("contacts[0].normal: must not be zero", {**FLOOR, "normal": [0, "0/3", 0]})
 
     def test_loads(self):
         def loaded(*loads):
@@ -189,12 +162,6 @@ CUBE = [{"position": [-c for c in n], "normal": n, "friction": "1/10", "preload"
 CUBE_PROOF = {"twist": [0] * 6,
               "walls": [[(1 + (j < 3)) * c for c in row] for j, row in enumerate(UNIT)],
               "direction": UNIT, "tree": [["leaf", *[sign * c for c in row]] for row in UNIT for sign in (1, -1)]}
-
-
-def stable(m, wrench, parts, **question):
-    proof = certificate(m, wrench, twist=[0] * 6, **question)
-    del proof["twist"], proof["shares"]
-    return {**proof, "parts": parts}
 
 
 TURN = [0, 0, 0, 0, 0, 1]

@@ -48,39 +48,6 @@ Answer ask_stream(const std::string& grasp, Repeated certificate) {
   return check(grasp_in, certificate_in, {});
 }
 
-std::string row_of_contacts(int m) {
-  std::string text =
-      R"({"format": "stickslip-grasp/1", "defaults": {"friction": 1}, "contacts": [)";
-  for (int i = 0; i < m; ++i) {
-    text += (i == 0 ? "" : ",") + std::string(R"({"position": [0, )") + std::to_string(i) +
-            R"(], "normal": [1, 0]})";
-  }
-  return text + R"(], "wrench": [1, 0, 0]})";
-}
-
-TEST(Hostile, DeepTree) {
-  // A path as deep as it may be: all slips, all separations, planes, then a leaf each.
-  constexpr int kContacts = 300;
-  std::vector<std::string> nodes;
-  std::vector<std::string> tail;
-  const std::string leaf = "[\"leaf\", -1, 0, 0]";
-  for (int i = 0; i < kContacts; ++i) {
-    nodes.push_back("[\"slip\", " + std::to_string(i) + "]");
-    nodes.push_back("[\"separation\", " + std::to_string(i) + "]");
-    tail.insert(tail.end(), 3, leaf);
-  }
-  for (int i = 0; i < 256; ++i) {
-    nodes.push_back("[\"plane\", 0, 0, 1, " + std::to_string(1000 + i) + "]");
-    tail.push_back(leaf);
-  }
-  nodes.push_back(leaf);
-  nodes.insert(nodes.end(), tail.begin(), tail.end());
-  const std::string grasp = row_of_contacts(kContacts);
-  const Answer answer = ask(grasp, refutation(header(kContacts, "1, 0, 0"), nodes));
-  ASSERT_EQ(outcome(answer), "accepted") << explain(answer);
-  EXPECT_EQ(std::get<Accepted>(answer).leaves, tail.size() + 1);
-}
-
 TEST(Hostile, TooManyNodes) {
   const Answer answer = ask_stream(
       fig1("0", "0, 1, 0"),

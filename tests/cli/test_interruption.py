@@ -189,32 +189,6 @@ class Interruption(Case):
 
 
 class Unwritable(Case):
-    def test_full_disk(self):
-        path = self.write("g.json", grasp(1))
-        lines = self.write("grasps.jsonl", json.dumps(grasp(1)) + "\n")
-        for words in (("decide", path, "--certificate", "/dev/full"),
-                      ("export", path, "--smt2", "-o", "/dev/full"),
-                      ("plot", "grasp", path, "-o", "/dev/full"),
-                      ("batch", lines, "-o", "/dev/full")):
-            _, _, err = run(STICKSLIP, *words)
-            self.assertIn("/dev/full", self.bad(*words))
-            self.assertIn("cannot be written", err)
-
-    def test_standard_output_is_full(self):
-        path = self.write("g.json", grasp(1))
-        lines = self.write("grasps.jsonl", json.dumps(grasp(1)) + "\n")
-        for words in (("decide", path), ("decide", path, "--certificate", "-"), ("batch", lines)):
-            with open("/dev/full", "w", encoding="utf-8") as full:
-                found = subprocess.run([STICKSLIP, *words], stdout=full, stderr=subprocess.PIPE,
-                                       text=True, check=False, timeout=120)
-            self.assertEqual(found.returncode, 2)
-            self.assertIn("written", found.stderr)
-
-    def bad(self, *words):
-        code, _, err = run(STICKSLIP, *words)
-        self.assertEqual(code, 2)
-        return err
-
     def test_through_a_link_and_into_standard_output(self):
         path = self.write("g.json", grasp(1))
         stickslip("export", path, "--smt2", "-o", self.path("real.smt2"))

@@ -83,22 +83,6 @@ class Page(Case):
                 question[option[2:].replace("-", "_")] = value
             self.assertEqual(answer["question"], question)
 
-    def test_cells(self):
-        answer = answer_in(self.whole_page(FIG1))
-        states = answer["states"]
-        expected = self.json("states", FIG1, "--list")
-        for kind, count in (("face", "faces"), ("edge", "edges"), ("vertex", "vertices")):
-            self.assertEqual(sum(cell["kind"] == kind for cell in states["cells"]), expected[count])
-        self.assertEqual((len(states["vertices"]), len(states["circles"])), (expected["vertices"], expected["circles"]))
-        # All-stick is on no cell here.
-        self.assertEqual({cell["states"] for cell in states["cells"]} | {"000"}, set(expected["states"]))
-        for cell in states["cells"]:
-            for contact, state in zip(answer["contacts"], cell["states"]):
-                (x, y), (nx, ny), (dx, dy, r) = contact["position"], contact["normal"], cell["motion"]
-                slip = -ny * (dx - r * y) + nx * (dy + r * x)
-                self.assertEqual("0" if abs(slip) < 1e-6 else "+" if slip > 0 else "-", state)
-            self.assertEqual(len(cell["boundary"]) > 2, cell["kind"] == "face")
-
     def test_it_is_one_file_that_loads_nothing(self):
         for name, grasp in (("ring", ring(20)), ("space", json.loads(read(SPACE))), ("cases", CASES)):
             output = self.path(name + ".html")

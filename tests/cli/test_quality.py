@@ -39,6 +39,25 @@ def stool(weight):
     return grasp([contact(p, (0, 0, 1), friction=50) for p in ((5, 0, 0), (-3, 4, 0), (-3, -4, 0))], (0, 0, -F(weight), 0, 0, 0))
 
 
+def sled(mu, weight):
+    """Three feet that slip."""
+    return grasp([contact(p, (0, 0, 1), friction=mu) for p in ((5, 0, 0), (-3, 4, 0), (-3, -4, 0))], (0, 0, -F(weight), 0, 0, 0))
+
+
+def hand():
+    """A disc between two fingers of two links, around which a tendon pulls."""
+    links = [("l1", -2, "-2", None), ("l2", F(-6, 5), "0", "l1"), ("r1", 2, "-2", None), ("r2", F(6, 5), "0", "r1")]
+    touches = [("l2", -1, F(1, 2), (1, 0), 20), ("r2", 1, F(1, 2), (-1, 0), 10), ("l1", -1, F(-1, 2), (2, 1), 14), ("r1", 1, F(-1, 2), (-2, 1), 15)]
+    return json.dumps({
+        "format": "stickslip-grasp/3",
+        "bodies": [{"name": "disc"}, *({"name": name, "hinge": [str(x), y], **({"on": on} if on else {})} for name, x, y, on in links)],
+        "contacts": [{"of": "disc", "by": link, **contact((x, y), normal, friction=F(1, 2), stiffness=k)} for link, x, y, normal, k in touches],
+        "joints": [{"turns": {name: 1 if name[0] == "r" else -1}, "stiffness": stiffness} for (name, _, _, _), stiffness
+                   in zip(links, ("4/25", "19/100", "2/25", "7/25"))],
+        "tendons": [{"over": {"l1": "-9/10", "l2": "-3/5", "r1": "23/20", "r2": "1/2"}, "stiffness": 2, "tension": 2}],
+        "loads": [{"body": "disc", "force": ["3/100", "2/25"], "at": ["1/10", 0]}]})
+
+
 class Quality(Case):
     def quality(self, file, *words):
         """The answer, whose proofs the checkers accept."""
@@ -122,6 +141,21 @@ class Quality(Case):
                 self.assertGreater(F(weight * here, at), 0)
                 least = carried if least is None else min(least, carried)
             self.assert_quality(stool(weight), least, "--length", length, most=F(115, 100))
+
+    def test_a_sled_slides_any_way(self):
+        # |horizontal force| = mu (W - force z): all around, the nearest load is there; torques, over so small a length, are farther.
+        for mu, weight in ((F(1, 5), 6), (F(2, 5), 1)):
+            self.assert_quality(sled(mu, weight), (mu * weight) ** 2 / (1 + mu ** 2), "--length", F(1, 4), most=F(115, 100))
+
+    def test_a_hand_holds_a_ball_of_loads(self):
+        # A proof whose list 2 has walls where forces balance only beside what A does at other motions: these are cut apart.
+        folder = tempfile.mkdtemp(dir=self.folder)
+        file, proof = self.write("hand.json", hand()), os.path.join(folder, "hand.certificate.json")
+        ball = ("--uncertain", "wrench=ball:1/20:length=1:body=disc")
+        self.assertEqual(self.json("decide", file, *ball, "--certificate", proof)["verdict"], "stable")
+        for checker in checkers(proof, file):
+            code, out, err = run(*checker, file, proof, *ball)
+            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
 
     def test_loads_of_a_proved_ball_are_resisted(self):
         rng = random.Random(7)

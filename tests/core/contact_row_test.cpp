@@ -27,19 +27,6 @@ Vector2 motion(const Vector2& p, const Twist& d) {
   return {d.x - d.r * p.y, d.y + d.r * p.x};
 }
 
-TEST(Grasp, AcceptsNoContactAndKeepsItsName) {
-  EXPECT_EQ(Grasp().size(), 0U);
-  const Grasp grasp({}, "nothing");
-  EXPECT_EQ(grasp.name(), "nothing");
-  EXPECT_TRUE(contact_rows(grasp).empty());
-}
-
-TEST(Grasp, FindsContactsById) {
-  const Grasp grasp(fig1());
-  EXPECT_EQ(grasp[ContactId(1)].position, (Vector2{0, -1}));
-  EXPECT_THROW(grasp[ContactId(3)], std::out_of_range);
-}
-
 TEST(Grasp, NamesTheMemberThatIsWrong) {
   const auto place_of_error = [](void (*spoil)(Contact&)) {
     std::vector<Contact> contacts = fig1();
@@ -70,13 +57,6 @@ TEST(Grasp, WithPreloadReplacesAllOfThem) {
 TEST(NormalLaw, HasNames) {
   EXPECT_STREQ(to_string(NormalLaw::kUnilateral), "unilateral");
   EXPECT_STREQ(to_string(NormalLaw::kBilateral), "bilateral");
-}
-
-TEST(TwistAndWrench, PairInPower) {
-  EXPECT_EQ(power({1, 2, 3}, {5, 7, 11}), 52);
-  EXPECT_EQ((Wrench{1, 2, 3} + Wrench{1, 1, 1}), (Wrench{2, 3, 4}));
-  EXPECT_EQ(kHalf * (Wrench{2, 4, 6}), (Wrench{1, 2, 3}));
-  EXPECT_EQ(coordinates(Twist{1, 2, 3}), coordinates(Wrench{1, 2, 3}));
 }
 
 TEST(ContactRows, OfFig1) {

@@ -56,30 +56,6 @@ TEST_F(WriteWholeFile, CreatesAndReplaces) {
   EXPECT_EQ(entries(), 1);  // no temporary file stays
 }
 
-TEST_F(WriteWholeFile, NamesTheFileThatCannotBeWritten) {
-  const std::string bad = path("no_such_folder/f");
-  try {
-    write_whole_file(bad, "text");
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.file(), bad);
-    EXPECT_THAT(error.problem(), ::testing::HasSubstr("cannot be written"));
-    EXPECT_FALSE(error.remedy().empty());
-  }
-  EXPECT_EQ(entries(), 0);
-}
-
-TEST_F(WriteWholeFile, ADirectoryIsNotReplaced) {
-  fs::create_directory(path("d"));
-  EXPECT_THROW(write_whole_file(path("d"), "text"), InputError);
-  EXPECT_TRUE(fs::is_directory(path("d")));
-  EXPECT_EQ(entries(), 1);
-}
-
-TEST_F(WriteWholeFile, WritesIntoADevice) {
-  EXPECT_NO_THROW(write_whole_file("/dev/null", "x"));
-}
-
 TEST_F(WriteWholeFile, FollowsLinks) {
   write_whole_file(path("real"), "old");
   fs::create_symlink("real", path("near"));
@@ -137,16 +113,6 @@ TEST_F(WriteWholeFile, ManyThreadsAtOnce) {
   EXPECT_EQ(entries(), 9);
 }
 
-TEST_F(WriteWholeFile, FullDeviceIsAnError) {
-  try {
-    write_whole_file("/dev/full", "text");
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.file(), "/dev/full");
-    EXPECT_THAT(error.problem(), ::testing::HasSubstr("No space"));
-  }
-}
-
 // In a process of its own: what is stopped stays so.
 TEST_F(WriteWholeFile, StoppedWhenTheOthersAreDone) {
   const std::string file = path("f");
@@ -169,35 +135,6 @@ TEST_F(WriteWholeFile, StoppedWhenTheOthersAreDone) {
       ::testing::ExitedWithCode(7), "");
   EXPECT_EQ(content(file), "two");
   EXPECT_EQ(entries(), 1);
-}
-
-// In a process of its own: what is protected stays so, and another file may get its number.
-TEST_F(WriteWholeFile, ProtectedFilesStayUnderEveryName) {
-  const auto check = [this] {
-    write_whole_file(path("kept"), "old");
-    write_whole_file(path("other"), "old");
-    fs::create_hard_link(path("kept"), path("hard"));
-    fs::create_symlink("kept", path("soft"));
-    protect_file(path("kept"), "input");
-    protect_file(path("not there"), "input");
-    for (const char* name : {"kept", "./kept", "hard", "soft"}) {
-      try {
-        write_whole_file(path(name), "new");
-        FAIL() << name;
-      } catch (const InputError& error) {
-        EXPECT_EQ(error.file(), path(name));
-        EXPECT_THAT(error.problem(), ::testing::HasSubstr("the input " + path("kept")));
-      }
-      EXPECT_THROW(require_unprotected(path(name)), InputError);
-      EXPECT_EQ(content(path("kept")), "old");
-    }
-    EXPECT_NO_THROW(require_unprotected(path("other")));
-    EXPECT_NO_THROW(require_unprotected(path("not there")));
-    write_whole_file(path("other"), "new");
-    write_whole_file(path("not there"), "new");
-    EXPECT_EQ(content(path("other")) + content(path("not there")), "newnew");
-  };
-  EXPECT_EXIT((check(), std::_Exit(HasFailure() ? 1 : 7)), ::testing::ExitedWithCode(7), "");
 }
 
 // In a process of its own as well.
@@ -230,12 +167,6 @@ TEST(Temporaries, AreRecognisedByTheirNames) {
                            "a.1-2.tmp~", "a.-1-2.tmp", "a.1-2tmp"}) {
     EXPECT_EQ(target_of_temporary(name), "") << name;
   }
-}
-
-TEST_F(WriteWholeFile, DashIsStandardOutput) {
-  ::testing::internal::CaptureStdout();
-  write_whole_file("-", "out");
-  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "out");
 }
 
 }  // namespace

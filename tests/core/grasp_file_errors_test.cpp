@@ -40,15 +40,15 @@ InputError error_of(const Read& read) {
 }
 
 struct BadFile {
-  std::string name;
+  std::string name;     ///< or, in refused.txt, what is in it
   std::string place;    ///< exactly
   std::string problem;  ///< part of it
   std::string remedy;   ///< part of it
 };
 
-/// tests/corpus/grasps/bad.txt
-std::vector<BadFile> bad_files() {
-  std::ifstream in(kCorpus + "/bad.txt");
+/// bad.txt or refused.txt of tests/corpus/grasps.
+std::vector<BadFile> bad_files(const std::string& list) {
+  std::ifstream in(kCorpus + "/" + list);
   std::vector<BadFile> files;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -63,23 +63,33 @@ std::vector<BadFile> bad_files() {
   return files;
 }
 
+void expect_says(const InputError& error, const std::string& path, const BadFile& bad) {
+  SCOPED_TRACE(bad.name);
+  EXPECT_EQ(error.file(), path);
+  EXPECT_EQ(error.place(), bad.place);
+  EXPECT_FALSE(bad.problem.empty());
+  EXPECT_THAT(error.problem(), HasSubstr(bad.problem));
+  EXPECT_THAT(error.remedy(), HasSubstr(bad.remedy));
+  EXPECT_FALSE(error.remedy().empty());
+  EXPECT_LT(std::string(error.what()).size(), path.size() + 500);
+}
+
 TEST(BadGraspFile, NamesFilePlaceProblemAndRemedy) {
   std::set<std::string> in_table;
-  for (const BadFile& bad : bad_files()) {
-    SCOPED_TRACE(bad.name);
-    EXPECT_TRUE(in_table.insert(bad.name).second);
+  for (const BadFile& bad : bad_files("bad.txt")) {
+    EXPECT_TRUE(in_table.insert(bad.name).second) << bad.name;
     const std::string path = kCorpus + "/bad/" + bad.name + ".json";
-    const InputError error = error_of([&] { read_grasp_file(path); });
-    EXPECT_EQ(error.file(), path);
-    EXPECT_EQ(error.place(), bad.place);
-    EXPECT_FALSE(bad.problem.empty());
-    EXPECT_THAT(error.problem(), HasSubstr(bad.problem));
-    EXPECT_THAT(error.remedy(), HasSubstr(bad.remedy));
-    EXPECT_FALSE(error.remedy().empty());
-    EXPECT_LT(std::string(error.what()).size(), path.size() + 400);
+    expect_says(error_of([&] { read_grasp_file(path); }), path, bad);
   }
   for (const auto& entry : std::filesystem::directory_iterator(kCorpus + "/bad")) {
     EXPECT_EQ(in_table.count(entry.path().stem().string()), 1U) << entry.path();
+  }
+}
+
+TEST(BadGraspFile, OfAnyKindOfGrasp) {
+  for (const BadFile& bad : bad_files("refused.txt")) {
+    const auto read = [&] { parse_any_grasp(bad.name, "f", Intervals::kAllowed); };
+    expect_says(error_of(read), "f", bad);
   }
 }
 

@@ -14,20 +14,6 @@ namespace {
 
 using Vector = IntegerVector<3>;
 
-TEST(IntegerVector, Primitive) {
-  EXPECT_EQ(primitive(Vector{6, -9, 0}), (Vector{2, -3, 0}));
-  EXPECT_EQ(primitive(Vector{0, 0, -5}), (Vector{0, 0, -1}));
-  EXPECT_EQ(primitive(Vector{0, 0, 0}), (Vector{0, 0, 0}));
-  EXPECT_EQ(primitive(Vector{4, 6, 9}), (Vector{4, 6, 9}));
-}
-
-TEST(IntegerVector, DotNegatedIsZero) {
-  EXPECT_EQ(dot(Vector{1, 2, 3}, Vector{5, 7, 11}), 52);
-  EXPECT_EQ(negated(Vector{1, -2, 0}), (Vector{-1, 2, 0}));
-  EXPECT_TRUE(is_zero(Vector{0, 0, 0}));
-  EXPECT_FALSE(is_zero(Vector{0, 0, 1}));
-}
-
 TEST(IntegerVector, PrimitiveMultipleOfRationals) {
   EXPECT_EQ(primitive_multiple(Vector3{Rational(1, 2), Rational(-1, 3), 0}),
             (Vector{3, -2, 0}));

@@ -2,42 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/ids.hpp"
 #include "stickslip/core/sign.hpp"
 
 namespace stickslip {
 namespace {
 
-constexpr Sign kSigns[] = {Sign::kNegative, Sign::kZero, Sign::kPositive};
-
-TEST(Sign, OfNumbers) {
-  EXPECT_EQ(sign_of(Rational(-1, 1000000)), Sign::kNegative);
-  EXPECT_EQ(sign_of(Rational(0)), Sign::kZero);
-  EXPECT_EQ(sign_of(parse_rational("1e-4096")), Sign::kPositive);
-  EXPECT_EQ(sign_of(Integer("-99999999999999999999")), Sign::kNegative);
-  EXPECT_EQ(sign_of_int(-7), Sign::kNegative);
-}
-
-TEST(Sign, MultipliesAndNegatesLikeItsNumbers) {
-  for (const Sign a : kSigns) {
-    EXPECT_EQ(to_int(-a), -to_int(a));
-    for (const Sign b : kSigns) EXPECT_EQ(to_int(a * b), to_int(a) * to_int(b));
-  }
-}
-
 TEST(Sign, Prints) {
   EXPECT_EQ(to_char(Sign::kNegative), '-');
   EXPECT_EQ(to_char(Sign::kZero), '0');
   EXPECT_EQ(to_char(Sign::kPositive), '+');
-}
-
-TEST(Id, OrdersByIndex) {
-  EXPECT_EQ(ContactId(3).index(), 3U);
-  EXPECT_EQ(ContactId(3), ContactId(3));
-  EXPECT_NE(ContactId(3), ContactId(4));
-  EXPECT_LT(ContactId(3), ContactId(4));
-  static_assert(!std::is_convertible_v<int, ContactId>);
-  static_assert(!std::is_convertible_v<ContactId, CircleId>);
 }
 
 TEST(InputError, JoinsItsPartsAndKeepsThem) {

@@ -108,15 +108,6 @@ TEST(JudgeClaim, TableOneIsRightAsPrinted) {
   }
 }
 
-TEST(JudgeClaim, TableOneWithTheOtherVerdictIsNot) {
-  for (const PaperRow& row : table_1()) {
-    const ClaimReport report =
-        judge_claim(ask_about(fig1_grasp(row.preload), row.wrench), verdict(!row.claim.stable));
-    EXPECT_NE(report.claim_class, ClaimClass::kRight);
-    ASSERT_TRUE(report.distance.has_value());
-  }
-}
-
 ClaimResiduals residuals(const Grasp& grasp, const Wrench& wrench, NormalLaw law,
                          const std::optional<Twist>& twist,
                          const std::optional<std::vector<ContactForce>>& forces) {
@@ -304,24 +295,6 @@ TEST(JudgeClaim, NoContactAndNoLoad) {
   EXPECT_EQ(exactly(wrong.distance->smallest()), Rational(1));
   EXPECT_EQ(judge_claim(ask_about(Grasp(), {}), solution(Grasp(), Twist{}, {{}})).claim_class,
             ClaimClass::kRight);
-}
-
-TEST(JudgeClaim, AllDistancesOnRequest) {
-  ClaimOptions options;
-  options.all_distances = true;
-  const ClaimReport report =
-      judge_claim(ask_about(fig1_grasp(1), {0, kHalf, 0}), verdict(true), options);
-  EXPECT_EQ(report.claim_class, ClaimClass::kRight);
-  EXPECT_EQ(exactly(report.distance->along_load), Rational(1));  // l = 2
-}
-
-TEST(JudgeClaim, NodeLimitLeavesItUndecided) {
-  ClaimOptions options;
-  options.node_limit = 1;
-  const ClaimReport report =
-      judge_claim(ask_about(fig1_grasp(1), {0, 2, 0}), verdict(true), options);
-  EXPECT_EQ(report.claim_class, ClaimClass::kUndecided);
-  EXPECT_FALSE(report.distance.has_value());
 }
 
 TEST(JudgeClaim, RejectsForcesThatAreNotOnePerContact) {

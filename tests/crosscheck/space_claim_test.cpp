@@ -104,26 +104,6 @@ void expect_none(const ClaimResiduals& residuals) {
   EXPECT_THAT(residuals.missed(0, {}), IsEmpty());
 }
 
-/// Each finger bears its share of the weight, with no room for a pull sideways: by hand.
-Claim pinch_at_rest(const Rational& weight) {
-  return solution(RationalRow(6), {{4, 0, weight / 2}, {-4, 0, weight / 2}});
-}
-
-TEST(SpaceClaims, RightWithItsSolution) {
-  const ClaimReport report = judge(pinch(3), pinch_at_rest(3));
-  EXPECT_EQ(report.claim_class, ClaimClass::kRight);
-  EXPECT_FALSE(report.inaccurate);
-  EXPECT_FALSE(report.distance.has_value());
-  expect_none(report.residuals);
-  ASSERT_TRUE(report.nearby.has_value());
-  EXPECT_TRUE(report.nearby->from_claim);
-  EXPECT_EQ(report.nearby->force_distance, Rational(0));
-  EXPECT_EQ(report.nearby->twist_distance, Rational(0));
-  EXPECT_EQ(report.nearby->same_slip, true);
-  EXPECT_TRUE(report.nearby->same_contacts);
-  EXPECT_EQ(report.claimed_slip, (std::vector<Sign>{Sign::kZero, Sign::kZero}));
-}
-
 // Thresholds in closed form, from both sides.
 TEST(SpaceClaims, BothSidesOfAThreshold) {
   struct Case {

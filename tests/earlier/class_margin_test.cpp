@@ -67,24 +67,6 @@ TEST(ClassMargin, IsTheClassOfEachMultiple) {
   EXPECT_GT(gaps, 5);
 }
 
-// A block on a ramp is held up to the angle of friction, or of tipping, whatever its inertia.
-TEST(ClassMargin, OfABlockOnARamp) {
-  for (const Rational& height : {Rational(1, 3), Rational(1), Rational(3)}) {
-    for (const Rational& square : {Rational(1, 100), Rational(2)}) {
-      const Grasp block({{{-1, -height}, {0, 1}, Rational(1, 2), 1, 0},
-                         {{1, -height}, {0, 1}, Rational(1, 2), 1, 0}});
-      const std::vector<ClassRange> ranges =
-          classes(block, {0, -1, 0}, {1, 0, 0}, {{0, 0}, {{square}}});
-      const Rational tip = 1 / height;
-      ASSERT_EQ(ranges.size(), 2u);
-      EXPECT_EQ(ranges[0].rigid_class, RigidClass::kMustHold);
-      EXPECT_EQ(*ranges[0].high, std::min(tip, Rational(1, 2)));
-      EXPECT_TRUE(ranges[0].has_high);
-      EXPECT_EQ(ranges[1].rigid_class, RigidClass::kMustMove);
-    }
-  }
-}
-
 // A ladder from the wall at (0, 4) to the floor at (3, 0), with a load of 1 at the share s of
 // the way up.
 TEST(ClassMargin, OfALadder) {

@@ -164,17 +164,6 @@ TEST(PaperClaims, ConesAloneRejectFig4AsTabulated) {
   EXPECT_FALSE(cones_accept(problem(fig4_grasp(1), {0, 2 + parse_rational("1e-18"), 0})));
 }
 
-TEST(PaperClaims, ConesAloneRejectWithoutForcesInTheCones) {
-  // mu = 0: nothing pushes down.
-  const Grasp grasp({{{-1, 0}, {1, 0}, 0, 1, 1}, {{1, 0}, {-1, 0}, 0, 1, 1}});
-  for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
-    const Problem p = problem(grasp, {0, 1, 0}, law);
-    const ConesVerdict verdict = friction_cones_alone(p);
-    ASSERT_TRUE(std::holds_alternative<Trees>(verdict));
-    EXPECT_EQ(find_flaw(p, std::get<Trees>(verdict)), std::nullopt);
-  }
-}
-
 // A block on the floor between two contacts, pushed sideways within the cone: friction makes
 // the load strong, which it is not without.
 TEST(StrongStability, FrictionCanHoldWithoutPreload) {
@@ -187,16 +176,6 @@ TEST(StrongStability, FrictionCanHoldWithoutPreload) {
   // On the border of the cone it still holds; beyond it slides.
   EXPECT_TRUE(is_strong(problem(floor, {kHalf, -1, 0})));
   EXPECT_FALSE(is_strong(problem(floor, {kHalf + parse_rational("1e-18"), -1, 0})));
-}
-
-// Two opposite contacts: squeezing is possible, but nothing makes it so.
-TEST(StrongStability, SqueezeIsWeakOnly) {
-  const Grasp squeeze({{{-1, 0}, {1, 0}, 1, 1, 0}, {{1, 0}, {-1, 0}, 1, 1, 0}});
-  const Problem p = problem(squeeze, {0, -1, 0});
-  EXPECT_TRUE(is_weak(p));
-  const auto result = strongly_stable_load(p);
-  ASSERT_TRUE(std::holds_alternative<Acceleration>(result));
-  EXPECT_LT(std::get<Acceleration>(result).acceleration[1], 0);
 }
 
 // By load_classes.hpp the class between frictionless and weak depends on the mass matrix.
@@ -217,25 +196,6 @@ TEST(StrongStability, RefusesNoMassAndKeepsTheLimit) {
   EXPECT_THROW(strongly_stable_load(problem(Grasp(), {}), {{0, 0}, {{0}}}), ContractError);
   const auto limited = strongly_stable_load(problem(fig1_grasp(0), {0, 1, 0}), {}, 0);
   EXPECT_TRUE(std::holds_alternative<Undecided>(limited));
-}
-
-TEST(FormClosure, FourContactsOnASquare) {
-  // Each side touched off its middle, all turning the same way about the centre.
-  const auto square = [](const Rational& a, const Rational& b) {
-    return Grasp({{{-1, a}, {1, 0}, 0, 1, 0},
-                  {{b, -1}, {0, 1}, 0, 1, 0},
-                  {{1, -a}, {-1, 0}, 0, 1, 0},
-                  {{-b, 1}, {0, -1}, 0, 1, 0}});
-  };
-  // Torques of the normals: -a, b, -a, b.
-  EXPECT_TRUE(
-      std::holds_alternative<FormClosure>(form_closure(problem(square(kHalf, kHalf), {}))));
-  EXPECT_TRUE(
-      std::holds_alternative<FreeMotion>(form_closure(problem(square(kHalf, -kHalf), {}))));
-  // All lines of action through the centre: it may turn (to first order).
-  const auto concurrent = form_closure(problem(square(0, 0), {}));
-  ASSERT_TRUE(std::holds_alternative<FreeMotion>(concurrent));
-  EXPECT_NE(std::get<FreeMotion>(concurrent).motion[2], 0);
 }
 
 // All contacts at one point: no spring resists a rotation about it.

@@ -79,21 +79,6 @@ TEST(FrictionMargin, IsTheClassOfEachFactor) {
   EXPECT_GT(exact, 10);
 }
 
-// A block on a slope of 1 in 3 slides until mu reaches 1/3, and holds from there on.
-TEST(FrictionMargin, OfABlockOnARamp) {
-  for (const Rational& mu : {Rational(1, 2), Rational(1, 5)}) {
-    const Grasp block(
-        {{{-1, Rational(-1, 2)}, {0, 1}, mu, 1, 0}, {{1, Rational(-1, 2)}, {0, 1}, mu, 1, 0}});
-    const std::vector<FactorRange> ranges = factors(block, {1, -3, 0});
-    ASSERT_EQ(ranges.size(), 2u);
-    EXPECT_EQ(ranges[0].rigid_class, RigidClass::kMustMove);
-    EXPECT_EQ(*ranges[0].high, 1 / (3 * mu));
-    EXPECT_FALSE(ranges[0].has_high);
-    EXPECT_EQ(ranges[1].rigid_class, RigidClass::kMustHold);
-    EXPECT_FALSE(ranges[1].high);
-  }
-}
-
 // A block that tips, whatever the friction.
 TEST(FrictionMargin, NoFactorHoldsWhatTips) {
   const Grasp block({{{-1, -2}, {0, 1}, 1, 1, 0}, {{1, -2}, {0, 1}, 1, 1, 0}});

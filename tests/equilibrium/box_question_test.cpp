@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which questions are boxes, and that nothing takes a box for the grasp in its middle.
+// Which questions are boxes, where the command does not show it (tests/cli/test_box.py).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,40 +30,6 @@ QuestionOptions widened_by(const char* tolerances) {
   return options;
 }
 
-TEST(BoxQuestion, OneGraspIsNone) {
-  EXPECT_EQ(ask(certain(), {}).box(), nullptr);
-  const Question none = ask(certain(), widened_by("friction=0,preload=0%,normal=0"));
-  EXPECT_EQ(none.box(), nullptr);
-  EXPECT_TRUE(none.uncertain.any());  // as asked
-  EXPECT_EQ(problem_of(none).size(), 2U);
-}
-
-TEST(BoxQuestion, IntervalsOfTheFile) {
-  const Question question = ask(uncertain(), {});
-  ASSERT_NE(question.box(), nullptr);
-  EXPECT_EQ(question.box()->contacts[0].friction, (Interval{Rational(1, 4), Rational(3, 4)}));
-  EXPECT_FALSE(question.wrench_as_asked);
-  EXPECT_THROW(problem_of(question), InputError);
-}
-
-TEST(BoxQuestion, TolerancesComeAfterWhatIsReplaced) {
-  QuestionOptions options = widened_by("preload=50%,wrench=1,friction=1/8,normal=1/9");
-  options.preload = 4;
-  options.wrench = RationalRow{1, 2, 3};
-  const Question question = ask(uncertain(), options);
-  ASSERT_NE(question.box(), nullptr);
-  for (const UncertainContact& c : question.box()->contacts) {
-    EXPECT_EQ(c.preload, (Interval{2, 6}));
-    EXPECT_EQ(c.slope, Rational(1, 9));
-  }
-  EXPECT_EQ(question.box()->contacts[0].friction, (Interval{Rational(1, 8), Rational(7, 8)}));
-  EXPECT_EQ(question.box()->contacts[1].friction, (Interval{Rational(7, 8), Rational(9, 8)}));
-  EXPECT_EQ(question.box()->wrench,
-            (WrenchBox{Interval{0, 2}, Interval{1, 3}, Interval{2, 4}}));
-  EXPECT_EQ(question.wrench_as_asked, box_of(Wrench{1, 2, 3}));
-  EXPECT_EQ(question.uncertain, options.uncertain);
-}
-
 TEST(BoxQuestion, WhatIsReplacedMayLeaveOneGrasp) {
   GraspBox box = box_of(certain().content);
   box.contacts[0].preload = {1, 3};
@@ -80,25 +46,6 @@ TEST(BoxQuestion, WhatIsReplacedMayLeaveOneGrasp) {
   EXPECT_EQ(question.box(), nullptr);
   EXPECT_EQ(question.loaded().grasp.contacts()[0].preload, 1);
   EXPECT_EQ(problem_of(question).wrench(), (Wrench{0, -1, 0}));
-}
-
-TEST(BoxQuestion, OfACaseItsOwnLoad) {
-  GraspFile file = certain();
-  file.cases = {{"one", box_of(Wrench{1, 0, 0})},
-                {"many", {Interval{1, 3}, Interval{}, Interval{}}}};
-  QuestionOptions options;
-  options.case_name = "one";
-  EXPECT_EQ(ask(file, options).box(), nullptr);
-  options.case_name = "many";
-  const Question many = ask(file, options);
-  ASSERT_NE(many.box(), nullptr);
-  EXPECT_EQ(many.box()->wrench[0], (Interval{1, 3}));
-  EXPECT_EQ(many.box()->wrench, file.cases[1].wrench);
-  // What is asked for is w; tolerances widen it, and its middle may move.
-  options.uncertain = parse_tolerances("wrench=100%");
-  const Question widened = ask(file, options);
-  EXPECT_EQ(widened.box()->wrench[0], (Interval{0, 6}));
-  EXPECT_EQ(widened.wrench_as_asked, file.cases[1].wrench);
 }
 
 TEST(BoxQuestion, PreloadsAlongIrrationalNormals) {
@@ -149,16 +96,6 @@ TEST(BoxQuestion, MarginsNeedNumbers) {
     EXPECT_THAT(error.remedy(), HasSubstr("give one number"));
   }
   EXPECT_EQ(error_of(uncertain(), {}).place(), "uncertain");
-}
-
-TEST(BoxQuestion, BadBoxesNameTheirPlace) {
-  try {
-    ask(uncertain(), widened_by("friction=0.3"));
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.place(), "contacts[0].friction");
-    EXPECT_THAT(error.problem(), HasSubstr("[-1/20, 21/20]"));
-  }
 }
 
 }  // namespace

@@ -143,24 +143,5 @@ TEST(Thresholds, Fig1Upwards) {
   EXPECT_EQ(test::judged_verdicts({fig1_grasp(0), {0, q("1e-18"), 0}}), "unstable");
 }
 
-// The slices of Fig. 7 at zero torque: (b) w_y <= 0 without preload, (c) w_y <= max(0, 1 -
-// |w_x|/2) with P = 1.
-TEST(Thresholds, Fig7Slices) {
-  const Rational tiny = q("1e-15");
-  for (const char* x : {"-3", "-2", "-1", "-1/3", "0", "1/2", "1", "2", "5/2"}) {
-    const Rational wx = q(x);
-    for (const int preload : {0, 1}) {
-      const Rational border =
-          preload == 0 ? Rational(0) : std::max(Rational(0), Rational(1 - abs(wx) / 2));
-      const auto at = [&](const Rational& wy) {
-        return judged_verdict({{fig1_grasp(preload), {wx, wy, 0}}, NormalLaw::kUnilateral});
-      };
-      EXPECT_EQ(at(border), "stable") << x << " P=" << preload;
-      EXPECT_EQ(at(border + tiny), "unstable") << x << " P=" << preload;
-      EXPECT_EQ(at(border - 1), "stable") << x << " P=" << preload;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace stickslip

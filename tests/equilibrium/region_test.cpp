@@ -61,29 +61,6 @@ TEST(Problem, PreloadNeedsANormalOfRationalLength) {
   }
 }
 
-TEST(Region, UnilateralRootIsAHalfSpace) {
-  const Problem problem = fig4(1);
-  const Region root = Region::root(problem);
-  EXPECT_EQ(root.cone().lines().size(), 3u);
-  EXPECT_FALSE(root.is_barred());
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    EXPECT_EQ(root.label(ContactId(i)), std::nullopt);
-    EXPECT_EQ(root.slip_sign(problem, ContactId(i)), std::nullopt);
-    EXPECT_EQ(root.separation(problem, ContactId(i)), Separation::kMixed);
-  }
-}
-
-TEST(Region, BilateralRootOpensNoContact) {
-  for (const int preload : {0, 1}) {
-    const Problem problem = fig4(preload, NormalLaw::kBilateral);
-    const Region root = Region::root(problem);
-    EXPECT_FALSE(root.is_barred());
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      EXPECT_EQ(root.separation(problem, ContactId(i)), Separation::kClosed);
-    }
-  }
-}
-
 // Though most of them cut nothing, and whatever the order.
 TEST(Region, BilateralRootIsCutByAllContacts) {
   RandomSource random(11);
@@ -107,20 +84,6 @@ TEST(Region, BilateralRootIsCutByAllContacts) {
     EXPECT_EQ(root.cone().rays().size(), naive.rays().size());
     if (!naive.lines().empty()) continue;  // modulo lines rays have no one form
     EXPECT_EQ(sorted_rays(root.cone()), sorted_rays(naive));
-  }
-}
-
-TEST(Region, SlipChildrenCarryLabels) {
-  const Problem problem = fig4(0);
-  const Region root = Region::root(problem);
-  for (const Sign slip : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
-    const Region child = root.slip_child(problem, kFirst, slip);
-    EXPECT_EQ(child.label(kFirst), slip);
-    EXPECT_EQ(child.label(kThird), std::nullopt);
-    EXPECT_FALSE(child.is_barred());
-    // The label 0 leaves friction anywhere in its cone.
-    EXPECT_EQ(child.slip_sign(problem, kFirst),
-              slip == Sign::kZero ? std::nullopt : std::optional<Sign>(slip));
   }
 }
 

@@ -112,35 +112,6 @@ def test_lever(tmp_path):
     check_all(tmp_path, fell)
 
 
-def test_tendon(tmp_path):
-    """One tendon with arms 1 and 2 over two levers holds torques in this proportion, and no others."""
-    two = Assembly({
-        "bodies": [{"name": "a", "slide": [1, 0]}, {"name": "b", "slide": [1, 0]}],
-        "joints": [{"turns": {"a": 1}}, {"turns": {"b": 1}}],
-        "tendons": [{"name": "rope", "over": {"a": 1, "b": 2}, "stiffness": 3, "tension": 1}],
-        "contacts": []})
-    assert two.coordinates == ("joint 0", "joint 1") and two.springs == ("rope",)
-    held = decide(two, (-4, -8))
-    assert held.verdict == "stable" and held.springs == (4,)
-    assert held.twist[0] + 2 * held.twist[1] == -1  # 1 - 3 stretch = 4
-    check_all(tmp_path, held)
-    loose = decide(two, (-4, -7))
-    assert loose.verdict == "unstable"
-    check_all(tmp_path, loose)
-
-
-def test_ratchet(tmp_path):
-    """It pushes and never pulls."""
-    arm = Assembly({"bodies": [{"name": "arm", "hinge": [0, 0]}], "joints": [{"turns": {"arm": 1}}],
-                    "ratchets": [{"over": {"arm": 1}, "stiffness": 1000}], "contacts": []})
-    assert arm.springs == ("ratchets[0]",)
-    pushed, pulled = decide(arm, (-5,)), decide(arm, (5,))
-    assert (pushed.verdict, pushed.springs, pushed.twist) == ("stable", (5,), (Fraction(-1, 200),))
-    assert pulled.verdict == "unstable"
-    check_all(tmp_path, pushed)
-    check_all(tmp_path, pulled)
-
-
 def test_box_and_radius():
     box = decide(blocks(), (0, -10, 0, 4, -10, -4), uncertain={"friction": "10%"})
     assert box.verdict == "stable" and box.check().accepted

@@ -222,16 +222,6 @@ def test_errors_of_questions(tmp_path, pinch):
         assert caught.value.problem in said_by_the_program(path, "decide", *words)
 
 
-def test_warnings_are_the_programs(tmp_path):
-    # Preloads that push the body up, and a stiffness that nobody gave.
-    feet = Grasp([[3, 2, 0], [3, -2, 0], [-3, 0, 0]], [[0, 0, 1]] * 3, "1/2", preload=1)
-    path = written(tmp_path, feet)
-    found = decide(feet, DOWN, warnings=True).warnings
-    same = program("decide", path, "--wrench", ",".join(map(str, DOWN)))["warnings"]
-    assert [w.trap for w in found] == [w["trap"] for w in same] != []
-    assert decide(feet, DOWN).warnings == ()
-
-
 def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
     for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.plot_states(pinch)):
@@ -301,26 +291,6 @@ def test_crosscheck_errors(pinch, place, solution):
     with pytest.raises(InputError) as error:
         crosscheck(pinch, "stable", wrench=DOWN, **solution)
     assert error.value.place == place
-
-
-def test_radius_and_map_are_the_programs(tmp_path, pinch):
-    path = written(tmp_path, pinch)
-    words = ("--wrench", ",".join(map(str, DOWN)))
-    found = stickslip.radius(pinch, DOWN, uncertain="friction=10%")
-    same = program("radius", path, *words, "--uncertain", "friction=10%")
-    assert (found.verdict, str(found.proved), str(found.refuted)) == (
-        same["verdict"], same["proved"], same["refuted"])
-    assert judged(tmp_path, found.proof) == "stable"
-    assert judged(tmp_path, found.counterexample) == "unstable"
-    asked = ("friction=0:1", "load=1/2:2")
-    found = stickslip.stability_map(pinch, *asked, DOWN, depth=2, proofs=True)
-    path = written(tmp_path, pinch)  # where the checkers have read another
-    same = program("map", path, *words, "--x", asked[0], "--y", asked[1], "--depth", "2")
-    assert [c.verdict for c in found.cells] == [c["verdict"] for c in same["cells"]]
-    for cell in found.cells:
-        assert (cell.proof is None) == (cell.verdict == "undecided")
-        if cell.proof:
-            assert judged(tmp_path, cell.proof) == cell.verdict
 
 
 def test_boxes(tmp_path):
@@ -424,14 +394,6 @@ def test_margins_are_those_of_the_program(tmp_path, words, options):
     assert margin.direction == options.get("direction") and margin.grasp == feet
     assert pickle.loads(pickle.dumps(margin)) == margin
     assert margin.resisted_float.shape == (len(margin.resisted), 2)
-
-
-def test_undecided():
-    answer = decide(Grasp.from_file(ROOT / "tests" / "corpus" / "near" / "box4_1_0u.json"), node_limit=1)
-    assert (answer.verdict, answer.certificate, answer.near) == ("undecided", None, None)
-    assert "1 nodes" in answer.limit
-    with pytest.raises(stickslip.LimitReached, match="1 nodes"):
-        answer.check()
 
 
 def test_pictures_are_those_of_the_program(tmp_path, pinch):

@@ -48,34 +48,12 @@ TEST(PlaneUnion, Nothing) {
   EXPECT_TRUE(checked({}).is_empty());
 }
 
-TEST(PlaneUnion, NeighboursMerge) {
-  const PlaneUnion u = checked({box(0, 0, 1, 1), box(1, 0, 2, 1), box(0, 1, 2, 2)});
-  ASSERT_EQ(u.areas.size(), 1u);
-  ASSERT_EQ(u.areas[0].outlines.size(), 1u);
-  EXPECT_EQ(u.areas[0].outlines[0].vertices, (Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
-  EXPECT_TRUE(u.curves.empty());
-}
-
-TEST(PlaneUnion, Hole) {
-  const PlaneUnion u =
-      checked({box(0, 0, 3, 1), box(0, 2, 3, 3), box(0, 0, 1, 3), box(2, 0, 3, 3)});
-  ASSERT_EQ(u.areas.size(), 1u);
-  ASSERT_EQ(u.areas[0].outlines.size(), 2u);
-  EXPECT_EQ(u.areas[0].outlines[0].vertices, (Points{{0, 0}, {3, 0}, {3, 3}, {0, 3}}));
-  EXPECT_EQ(u.areas[0].outlines[1].vertices, (Points{{1, 1}, {1, 2}, {2, 2}, {2, 1}}));
-}
-
 TEST(PlaneUnion, IslandInAHole) {
   const PlaneUnion u = checked(
       {box(0, 0, 5, 1), box(0, 4, 5, 5), box(0, 0, 1, 5), box(4, 0, 5, 5), box(2, 2, 3, 3)});
   ASSERT_EQ(u.areas.size(), 2u);
   EXPECT_TRUE(u.contains({Rational(5, 2), Rational(5, 2)}));
   EXPECT_FALSE(u.contains({Rational(3, 2), Rational(3, 2)}));
-}
-
-TEST(PlaneUnion, AreasThatTouchInAPointAreTwo) {
-  const PlaneUnion u = checked({box(0, 0, 1, 1), box(1, 1, 2, 2)});
-  EXPECT_EQ(u.areas.size(), 2u);
 }
 
 TEST(PlaneUnion, AnAreaMayTouchItself) {

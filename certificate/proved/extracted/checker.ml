@@ -43,8 +43,8 @@ type comparison =
 
 module Coq__1 = struct
  (** val add : nat -> nat -> nat **)
- let rec add n m =
-   match n with
+ let rec add n0 m =
+   match n0 with
    | O -> m
    | S p -> S (add p m)
 end
@@ -52,18 +52,18 @@ include Coq__1
 
 (** val mul : nat -> nat -> nat **)
 
-let rec mul n m =
-  match n with
+let rec mul n0 m =
+  match n0 with
   | O -> O
   | S p -> add m (mul p m)
 
 (** val sub : nat -> nat -> nat **)
 
-let rec sub n m =
-  match n with
-  | O -> n
+let rec sub n0 m =
+  match n0 with
+  | O -> n0
   | S k -> (match m with
-            | O -> n
+            | O -> n0
             | S l -> sub k l)
 
 (** val eqb : bool -> bool -> bool **)
@@ -89,8 +89,8 @@ module Nat =
  struct
   (** val eqb : nat -> nat -> bool **)
 
-  let rec eqb n m =
-    match n with
+  let rec eqb n0 m =
+    match n0 with
     | O -> (match m with
             | O -> true
             | S _ -> false)
@@ -100,10 +100,10 @@ module Nat =
 
   (** val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1 **)
 
-  let rec iter n f x =
-    match n with
+  let rec iter n0 f x =
+    match n0 with
     | O -> x
-    | S n0 -> f (iter n0 f x)
+    | S n1 -> f (iter n1 f x)
  end
 
 module Pos =
@@ -186,6 +186,18 @@ module Coq_Pos =
       (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
       (pred_double p))
       (fun _ -> Big_int_Z.unit_big_int)
+      x
+
+  (** val pred_N : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let pred_N x =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p -> (Big_int_Z.mult_int_big_int 2 p))
+      (fun p -> (pred_double p))
+      (fun _ -> Big_int_Z.zero_big_int)
       x
 
   type mask = Pos.mask =
@@ -299,7 +311,7 @@ module Coq_Pos =
 
   (** val iter : ('a1 -> 'a1) -> 'a1 -> Big_int_Z.big_int -> 'a1 **)
 
-  let rec iter f x n =
+  let rec iter f x n0 =
     (fun f2p1 f2p f1 p ->
   if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
   let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
@@ -307,7 +319,7 @@ module Coq_Pos =
       (fun n' -> f (iter f (iter f x n') n'))
       (fun n' -> iter f (iter f x n') n')
       (fun _ -> f x)
-      n
+      n0
 
   (** val div2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -485,10 +497,10 @@ module Coq_Pos =
   (** val gcdn :
       nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
-  let rec gcdn n a b =
-    match n with
+  let rec gcdn n0 a b =
+    match n0 with
     | O -> Big_int_Z.unit_big_int
-    | S n0 ->
+    | S n1 ->
       ((fun f2p1 f2p f1 p ->
   if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
   let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
@@ -501,9 +513,9 @@ module Coq_Pos =
            (fun b' ->
            match compare a' b' with
            | Eq -> a
-           | Lt -> gcdn n0 (sub b' a') a
-           | Gt -> gcdn n0 (sub a' b') b)
-           (fun b0 -> gcdn n0 a b0)
+           | Lt -> gcdn n1 (sub b' a') a
+           | Gt -> gcdn n1 (sub a' b') b)
+           (fun b0 -> gcdn n1 a b0)
            (fun _ -> Big_int_Z.unit_big_int)
            b)
          (fun a0 ->
@@ -511,8 +523,8 @@ module Coq_Pos =
   if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
   let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
   if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
-           (fun _ -> gcdn n0 a0 b)
-           (fun b0 -> Big_int_Z.mult_int_big_int 2 (gcdn n0 a0 b0))
+           (fun _ -> gcdn n1 a0 b)
+           (fun b0 -> Big_int_Z.mult_int_big_int 2 (gcdn n1 a0 b0))
            (fun _ -> Big_int_Z.unit_big_int)
            b)
          (fun _ -> Big_int_Z.unit_big_int)
@@ -524,11 +536,216 @@ module Coq_Pos =
   let gcd a b =
     gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
 
+  (** val coq_Nsucc_double : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_Nsucc_double x =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p ->
+      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x)) p))
+      x
+
+  (** val coq_Ndouble : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_Ndouble n0 =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p -> (Big_int_Z.mult_int_big_int 2 p))
+      n0
+
+  (** val coq_lor :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec coq_lor p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (coq_lor p0 q1))
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (coq_lor p0 q1))
+        (fun _ -> p)
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (coq_lor p0 q1))
+        (fun q1 -> Big_int_Z.mult_int_big_int 2 (coq_lor p0 q1))
+        (fun _ ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        p0)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> q0)
+        (fun q1 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        q1)
+        (fun _ -> q0)
+        q0)
+      p
+
+  (** val coq_land :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec coq_land p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Nsucc_double (coq_land p0 q1))
+        (fun q1 -> coq_Ndouble (coq_land p0 q1))
+        (fun _ -> Big_int_Z.unit_big_int)
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Ndouble (coq_land p0 q1))
+        (fun q1 -> coq_Ndouble (coq_land p0 q1))
+        (fun _ -> Big_int_Z.zero_big_int)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> Big_int_Z.unit_big_int)
+        (fun _ -> Big_int_Z.zero_big_int)
+        (fun _ -> Big_int_Z.unit_big_int)
+        q0)
+      p
+
+  (** val ldiff :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec ldiff p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Ndouble (ldiff p0 q1))
+        (fun q1 -> coq_Nsucc_double (ldiff p0 q1))
+        (fun _ -> (Big_int_Z.mult_int_big_int 2 p0))
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> coq_Ndouble (ldiff p0 q1))
+        (fun q1 -> coq_Ndouble (ldiff p0 q1))
+        (fun _ -> p)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> Big_int_Z.zero_big_int)
+        (fun _ -> Big_int_Z.unit_big_int)
+        (fun _ -> Big_int_Z.zero_big_int)
+        q0)
+      p
+
+  (** val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1 **)
+
+  let rec iter_op op p a =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> op a (iter_op op p0 (op a a)))
+      (fun p0 -> iter_op op p0 (op a a))
+      (fun _ -> a)
+      p
+
+  (** val to_nat : Big_int_Z.big_int -> nat **)
+
+  let to_nat x =
+    iter_op Coq__1.add x (S O)
+
   (** val of_succ_nat : nat -> Big_int_Z.big_int **)
 
   let rec of_succ_nat = function
   | O -> Big_int_Z.unit_big_int
   | S x -> succ (of_succ_nat x)
+ end
+
+module N =
+ struct
+  (** val succ_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let succ_pos n0 =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p -> Coq_Pos.succ p)
+      n0
+
+  (** val coq_lor :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_lor n0 m =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> m)
+      (fun p ->
+      (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+        (fun _ -> n0)
+        (fun q0 -> (Coq_Pos.coq_lor p q0))
+        m)
+      n0
+
+  (** val coq_land :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_land n0 m =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p ->
+      (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+        (fun _ -> Big_int_Z.zero_big_int)
+        (fun q0 -> Coq_Pos.coq_land p q0)
+        m)
+      n0
+
+  (** val ldiff :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let ldiff n0 m =
+    (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p ->
+      (fun fO fp n -> if Big_int_Z.sign_big_int n <= 0 then fO () else fp n)
+        (fun _ -> n0)
+        (fun q0 -> Coq_Pos.ldiff p q0)
+        m)
+      n0
  end
 
 (** val hd : 'a1 -> 'a1 list -> 'a1 **)
@@ -545,8 +762,8 @@ let tl = function
 
 (** val nth : nat -> 'a1 list -> 'a1 -> 'a1 **)
 
-let rec nth n l default =
-  match n with
+let rec nth n0 l default =
+  match n0 with
   | O -> (match l with
           | [] -> default
           | x :: _ -> x)
@@ -560,9 +777,9 @@ let rec nth_error l = function
 | O -> (match l with
         | [] -> None
         | x :: _ -> Some x)
-| S n0 -> (match l with
+| S n1 -> (match l with
            | [] -> None
-           | _ :: l0 -> nth_error l0 n0)
+           | _ :: l0 -> nth_error l0 n1)
 
 (** val removelast : 'a1 list -> 'a1 list **)
 
@@ -646,21 +863,21 @@ let rec combine l l' =
 
 (** val firstn : nat -> 'a1 list -> 'a1 list **)
 
-let rec firstn n l =
-  match n with
+let rec firstn n0 l =
+  match n0 with
   | O -> []
-  | S n0 -> (match l with
+  | S n1 -> (match l with
              | [] -> []
-             | a :: l0 -> a :: (firstn n0 l0))
+             | a :: l0 -> a :: (firstn n1 l0))
 
 (** val skipn : nat -> 'a1 list -> 'a1 list **)
 
-let rec skipn n l =
-  match n with
+let rec skipn n0 l =
+  match n0 with
   | O -> l
-  | S n0 -> (match l with
+  | S n1 -> (match l with
              | [] -> []
-             | _ :: l0 -> skipn n0 l0)
+             | _ :: l0 -> skipn n1 l0)
 
 (** val seq : nat -> nat -> nat list **)
 
@@ -824,11 +1041,26 @@ module Z =
 
   let abs = Big_int_Z.abs_big_int
 
+  (** val to_nat : Big_int_Z.big_int -> nat **)
+
+  let to_nat z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> O)
+      (fun p -> Coq_Pos.to_nat p)
+      (fun _ -> O)
+      z0
+
   (** val of_nat : nat -> Big_int_Z.big_int **)
 
   let of_nat = function
   | O -> Big_int_Z.zero_big_int
-  | S n0 -> (Coq_Pos.of_succ_nat n0)
+  | S n1 -> (Coq_Pos.of_succ_nat n1)
+
+  (** val of_N : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let of_N = (fun p -> p)
 
   (** val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
@@ -897,6 +1129,15 @@ module Z =
   | 1 -> div_big_int x y
   | _ -> add_int_big_int (-1) (div_big_int (add_int_big_int (-1) x) y))
 
+  (** val modulo :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let modulo = Big_int_Z.(fun x y ->
+  match sign_big_int y with
+  | 0 -> x
+  | 1 -> mod_big_int x y
+  | _ -> add_big_int y (add_int_big_int 1 (mod_big_int (add_int_big_int (-1) x) y)))
+
   (** val div2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
   let div2 z0 =
@@ -951,6 +1192,16 @@ module Z =
   let y = int_of_big_int y in
   if y < 0 then shift_right_big_int x (-y)
   else shift_left_big_int x y)
+
+  (** val coq_lor :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_lor = Big_int_Z.or_big_int
+
+  (** val coq_land :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let coq_land = Big_int_Z.and_big_int
 
   (** val lcm :
       Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
@@ -1248,9 +1499,12 @@ type element = { lever : q list; element_spring : bool;
 type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
                    elements : element list }
 
+type ball = { radius : q; torque_length : q; about : q list }
+
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list;
+                  load_ball : ball option; direction : q list;
+                  load_plane : (q list * q list) option; inertia : q list;
                   several : mechanism option }
 
 type parameter =
@@ -1270,6 +1524,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
@@ -1289,6 +1544,9 @@ type part =
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
+
+type load_point = { is_at : bool; along_u : q; along_v : q;
+                    load_witness : witness }
 
 type rigid_node =
 | RTouch of Big_int_Z.big_int
@@ -1322,6 +1580,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -1335,6 +1594,7 @@ type place =
 | AtPart of nat * nat option
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
+| AtPiece of nat * nat option
 
 type answer =
 | Stable
@@ -1342,24 +1602,18 @@ type answer =
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
+| Region of ((q * q) * q) list list
 | Rejected of string * place
 | NotProvedHere of string
 
-type advice =
-| Keep
-| Drop of Big_int_Z.big_int * (nat * Big_int_Z.big_int) list
-
-type 'memory oracle = { begin0 : (nat -> 'memory);
-                        advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list);
-                        foremost : ('memory -> (Big_int_Z.big_int
-                                   list * bool) list -> Big_int_Z.big_int
-                                   list) }
+type oracle = { permits : (Big_int_Z.big_int -> bool);
+                foremost : (Big_int_Z.big_int list list -> (Big_int_Z.big_int
+                           list * bool) list -> Big_int_Z.big_int option) }
 
 (** val qabs : q -> q **)
 
 let qabs x =
-  let { qnum = n; qden = d } = x in { qnum = (Z.abs n); qden = d }
+  let { qnum = n0; qden = d } = x in { qnum = (Z.abs n0); qden = d }
 
 (** val qmax : q -> q -> q **)
 
@@ -1411,7 +1665,7 @@ let primitive a =
   let g = content a in
   if Z.eqb g Big_int_Z.unit_big_int then a else map (fun x -> Z.div x g) a
 
-type ray = { coordinates : form; zeros : bool list }
+type ray = { coordinates : form; zeros : bool list; tight : Big_int_Z.big_int }
 
 (** val both : bool list -> bool list -> bool list **)
 
@@ -1427,7 +1681,7 @@ let rec both a b =
 let add_strict fs r =
   { coordinates = r.coordinates; zeros =
     ((forallb (fun f -> Z.eqb (dot f r.coordinates) Big_int_Z.zero_big_int)
-       fs) :: r.zeros) }
+       fs) :: r.zeros); tight = r.tight }
 
 (** val common_zeros : form list list -> ray list -> bool list **)
 
@@ -1438,105 +1692,6 @@ let common_zeros strict0 rays0 =
 
 let barred strict0 rays0 =
   existsb (fun z0 -> z0) (common_zeros strict0 rays0)
-
-type candidate =
-| Stays of ray
-| Joins of form * bool list * bool list
-
-(** val form_of : candidate -> form **)
-
-let form_of = function
-| Stays r -> r.coordinates
-| Joins (x, _, _) -> x
-
-(** val ray_of : candidate -> ray **)
-
-let ray_of = function
-| Stays r -> r
-| Joins (x, z1, z2) -> { coordinates = (primitive x); zeros = (both z1 z2) }
-
-(** val heights : form -> ray list -> (Big_int_Z.big_int * ray) list **)
-
-let heights a rays0 =
-  map (fun r -> ((dot a r.coordinates), r)) rays0
-
-(** val join :
-    (Big_int_Z.big_int * ray) -> (Big_int_Z.big_int * ray) -> candidate **)
-
-let join p n =
-  Joins
-    ((combine0 (fst p) (snd n).coordinates (Z.opp (fst n))
-       (snd p).coordinates), (snd p).zeros, (snd n).zeros)
-
-(** val candidates :
-    bool -> (Big_int_Z.big_int * ray) list -> candidate list **)
-
-let candidates equality hs =
-  let below = filter (fun p -> Z.ltb (fst p) Big_int_Z.zero_big_int) hs in
-  app
-    (map (fun p -> Stays (snd p))
-      (filter (fun p ->
-        if equality
-        then Z.eqb (fst p) Big_int_Z.zero_big_int
-        else Z.leb Big_int_Z.zero_big_int (fst p)) hs))
-    (flat_map (fun p -> map (join p) below)
-      (filter (fun p -> Z.ltb Big_int_Z.zero_big_int (fst p)) hs))
-
-(** val kept : candidate list -> advice list -> ray list **)
-
-let rec kept cs advices =
-  match cs with
-  | [] -> []
-  | c :: cs' ->
-    (match advices with
-     | [] -> (ray_of c) :: (kept cs' [])
-     | a :: advices' ->
-       (match a with
-        | Keep -> (ray_of c) :: (kept cs' advices')
-        | Drop (_, _) -> kept cs' advices'))
-
-(** val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form **)
-
-let sum_of_rays rays0 terms =
-  fold_right (fun t s ->
-    match nth_error rays0 (fst t) with
-    | Some r -> combine0 (snd t) r.coordinates Big_int_Z.unit_big_int s
-    | None -> s) [] terms
-
-(** val reason_holds :
-    ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
-    -> bool **)
-
-let reason_holds rays0 x factor0 terms =
-  (&&)
-    ((&&) (Z.ltb Big_int_Z.zero_big_int factor0)
-      (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
-    (all_zero
-      (combine0 factor0 x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
-        (sum_of_rays rays0 terms)))
-
-(** val unjustified :
-    ray list -> candidate list -> advice list -> ray list **)
-
-let rec unjustified rays0 cs advices =
-  match cs with
-  | [] -> []
-  | c :: cs' ->
-    (match advices with
-     | [] -> []
-     | a :: advices' ->
-       (match a with
-        | Keep -> unjustified rays0 cs' advices'
-        | Drop (factor0, terms) ->
-          if reason_holds rays0 (form_of c) factor0 terms
-          then unjustified rays0 cs' advices'
-          else (ray_of c) :: (unjustified rays0 cs' advices')))
-
-(** val cut : ray list -> form -> bool -> advice list -> ray list **)
-
-let cut rays0 a equality advices =
-  let cs = candidates equality (heights a rays0) in
-  let rest = kept cs advices in app rest (unjustified rest cs advices)
 
 (** val common_denominator : q list -> Big_int_Z.big_int **)
 
@@ -1635,19 +1790,20 @@ let product pairs0 =
 let rec bernstein parameters0 pairs0 =
   match parameters0 with
   | O -> (product pairs0) :: []
-  | S n ->
+  | S n0 ->
     app
       (map
         (map (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))
-        (bernstein n (map (fun p -> ((lows (fst p)), (lows (snd p)))) pairs0)))
+        (bernstein n0
+          (map (fun p -> ((lows (fst p)), (lows (snd p)))) pairs0)))
       (app
-        (bernstein n
+        (bernstein n0
           (flat_map (fun p -> ((lows (fst p)),
             (highs (snd p))) :: (((highs (fst p)), (lows (snd p))) :: []))
             pairs0))
         (map
           (map (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))
-          (bernstein n
+          (bernstein n0
             (map (fun p -> ((highs (fst p)), (highs (snd p)))) pairs0))))
 
 (** val power : nat -> Big_int_Z.big_int **)
@@ -1680,19 +1836,19 @@ let reduced q0 =
 (** val root_between : Big_int_Z.big_int -> q -> interval **)
 
 let root_between bits0 q0 =
-  let n = q0.qnum in
+  let n0 = q0.qnum in
   let d = q0.qden in
-  if (&&) (is_square n) (is_square d)
-  then exactly { qnum = (Z.sqrt n); qden = (Z.to_pos (Z.sqrt d)) }
+  if (&&) (is_square n0) (is_square d)
+  then exactly { qnum = (Z.sqrt n0); qden = (Z.to_pos (Z.sqrt d)) }
   else let root0 = fun s ->
          if Z.leb Big_int_Z.zero_big_int s
          then Z.sqrt
                 (Z.div
-                  (Z.shiftl n
+                  (Z.shiftl n0
                     (Z.mul (Big_int_Z.mult_int_big_int 2
                       Big_int_Z.unit_big_int) s)) d)
          else Z.sqrt
-                (Z.div n
+                (Z.div n0
                   (Z.shiftl d
                     (Z.mul (Big_int_Z.minus_big_int
                       (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
@@ -1700,8 +1856,8 @@ let root_between bits0 q0 =
        in
        let s =
          Z.sub bits0
-           (Z.div (Z.sub (Z.log2 n) (Z.log2 d)) (Big_int_Z.mult_int_big_int 2
-             Big_int_Z.unit_big_int))
+           (Z.div (Z.sub (Z.log2 n0) (Z.log2 d))
+             (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
        in
        let s0 =
          if Z.ltb (root0 s) (Z.shiftl Big_int_Z.unit_big_int bits0)
@@ -1836,9 +1992,9 @@ let negative f =
 let same_at_corners t =
   same_forms (tips (integer_tree (scaling_of_trees (t :: [])) t))
 
-(** val is_zero : interval -> bool **)
+(** val vanishes : interval -> bool **)
 
-let is_zero i =
+let vanishes i =
   (&&)
     (qeq_bool i.low { qnum = Big_int_Z.zero_big_int; qden =
       Big_int_Z.unit_big_int })
@@ -1852,7 +2008,7 @@ let pull_certain b =
     ((||)
       ((&&) ((&&) (certain b.box_preload) (certain b.box_growth))
         (certain b.box_stiffness))
-      ((&&) (is_zero b.box_preload) (is_zero b.box_growth)))
+      ((&&) (vanishes b.box_preload) (vanishes b.box_growth)))
 
 (** val count : interval list -> nat **)
 
@@ -1937,13 +2093,13 @@ let make_row b =
   let ps = pull_scaling b in
   let pulls0 = map (fun e -> integer_tree ps (pull_tree b e)) (pull_ends b) in
   let vs = map primitive (concat (map tips pulls0)) in
-  let n = count b.box_geometry in
+  let n0 = count b.box_geometry in
   let numerator0 =
     if b.box_signed then Z.mul es.times ps.times else Big_int_Z.unit_big_int
   in
   let denominator =
     if b.box_signed
-    then Z.mul (Z.mul es.over ps.over) (power n)
+    then Z.mul (Z.mul es.over ps.over) (power n0)
     else Big_int_Z.unit_big_int
   in
   let g = content (numerator0 :: (denominator :: [])) in
@@ -1953,8 +2109,8 @@ let make_row b =
    else mmap (map (map (to_integer fs))) (geometry_tree b)); forms_scale =
   fs; metric = (map (to_integer ms) b.box_weights); metric_scale = ms;
   slip_certain =
-  (if b.box_signed then same_at_corners (tau_tree b) else Nat.eqb n O); tau =
-  tau0; minus_tau = (mmap negative tau0); edges_plus =
+  (if b.box_signed then same_at_corners (tau_tree b) else Nat.eqb n0 O);
+  tau = tau0; minus_tau = (mmap negative tau0); edges_plus =
   (edges0 (minus_ends b.box_friction)); edges_minus =
   (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
@@ -1962,7 +2118,7 @@ let make_row b =
   (match vs with
    | [] -> None
    | f :: _ -> if (&&) (same_forms vs) (pull_certain b) then Some f else None);
-  slack = (b.box_slack b.box_geometry); parameters = n; weight =
+  slack = (b.box_slack b.box_geometry); parameters = n0; weight =
   (Z.div numerator0 g); over_weight = (Z.div denominator g) }
 
 (** val nowhere_negative : ray list -> form -> bool **)
@@ -2019,9 +2175,10 @@ let value t x =
   match t with
   | Nothing -> Big_int_Z.zero_big_int
   | Line (factor0, f) -> Z.mul factor0 (dot f x)
-  | Bend (n, d, forms0, mixed0) ->
+  | Bend (n0, d, forms0, mixed0) ->
     let most = largest (map (fun f -> dot f x) forms0) in
-    up (Z.mul n (if mixed0 then Z.max Big_int_Z.zero_big_int most else most))
+    up
+      (Z.mul n0 (if mixed0 then Z.max Big_int_Z.zero_big_int most else most))
       d
 
 (** val pull_tips : row -> form list **)
@@ -2121,16 +2278,16 @@ let foot_between ms w s t =
   let ss = inner_of ms s s in
   let tt = inner_of ms t t in
   let st = inner_of ms s t in
-  let det = Z.sub (Z.mul ss tt) (Z.mul st st) in
+  let det0 = Z.sub (Z.mul ss tt) (Z.mul st st) in
   let cs = Z.sub (Z.mul ws tt) (Z.mul wt st) in
   let ct = Z.sub (Z.mul wt ss) (Z.mul ws st) in
   if (&&)
-       ((&&) (Z.ltb Big_int_Z.zero_big_int det)
+       ((&&) (Z.ltb Big_int_Z.zero_big_int det0)
          (Z.ltb Big_int_Z.zero_big_int cs)) (Z.ltb Big_int_Z.zero_big_int ct)
-  then { of_gens = (s :: (t :: [])); foot_m = det; foot_e =
-         (combine0 Big_int_Z.unit_big_int (combine0 det w (Z.opp cs) s)
+  then { of_gens = (s :: (t :: [])); foot_m = det0; foot_e =
+         (combine0 Big_int_Z.unit_big_int (combine0 det0 w (Z.opp cs) s)
            (Z.opp ct) t); foot_n = (Z.add (Z.mul cs ws) (Z.mul ct wt));
-         foot_d = det } :: []
+         foot_d = det0 } :: []
   else []
 
 (** val longer : foot -> foot -> foot **)
@@ -2189,21 +2346,34 @@ let separator ms gens w =
     else None
   | None -> None
 
-(** val opposed :
-    Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
-    ray list **)
+(** val outside :
+    Big_int_Z.big_int list -> form list -> form list -> form -> form list
+    option **)
 
-let rec opposed ms gens separators = function
-| [] -> []
-| p :: rays' ->
-  let (s, r) = p in
+let outside ms gens separators s =
   let w = negative s in
   if existsb (fun e -> Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
        separators
-  then opposed ms gens separators rays'
-  else (match separator ms gens w with
-        | Some e -> opposed ms gens (e :: separators) rays'
-        | None -> r :: (opposed ms gens separators rays'))
+  then Some separators
+  else if all_zero s
+       then None
+       else (match separator ms gens w with
+             | Some e -> Some (e :: separators)
+             | None -> None)
+
+(** val opposed_barred :
+    Big_int_Z.big_int list -> form list -> form list -> bool list ->
+    (form * ray) list -> bool **)
+
+let rec opposed_barred ms gens separators marks rays0 =
+  (&&) (existsb (fun z0 -> z0) marks)
+    (match rays0 with
+     | [] -> true
+     | p :: rays' ->
+       let (s, r) = p in
+       (match outside ms gens separators s with
+        | Some more -> opposed_barred ms gens more marks rays'
+        | None -> opposed_barred ms gens separators (both r.zeros marks) rays'))
 
 (** val must_move :
     Big_int_Z.big_int list -> form list list -> form list multi -> form list
@@ -2211,9 +2381,8 @@ let rec opposed ms gens separators = function
 
 let must_move ms strict0 g gens rays0 =
   forallb (fun t ->
-    barred strict0
-      (opposed ms gens []
-        (map (fun r -> ((slip_at t (motion_of r)), r)) rays0))) (tips g)
+    opposed_barred ms gens [] (map (fun _ -> true) strict0)
+      (map (fun r -> ((slip_at t (motion_of r)), r)) rays0)) (tips g)
 
 (** val most_along :
     Big_int_Z.big_int list -> form list -> form ->
@@ -2268,9 +2437,9 @@ let rec largest_q = function
 
 let friction_work row0 scale along zz mu =
   let (p, d) = along in
-  let (below, n) = p in
+  let (below, n0) = p in
   let c = qmult (qmult mu mu) scale in
-  let q0 = qmult c { qnum = n; qden = (Z.to_pos d) } in
+  let q0 = qmult c { qnum = n0; qden = (Z.to_pos d) } in
   let it =
     if (&&) below
          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
@@ -2331,7 +2500,7 @@ let alpha strict0 rays0 slipping0 row0 factor0 y =
 (** val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term **)
 
 let alpha_term m a mixed0 row0 =
-  let n = Z.mul (Z.mul m a.qnum) row0.pull_scale.times in
+  let n0 = Z.mul (Z.mul m a.qnum) row0.pull_scale.times in
   let d = Z.mul a.qden row0.pull_scale.over in
   (match pull_tips row0 with
    | [] ->
@@ -2342,7 +2511,7 @@ let alpha_term m a mixed0 row0 =
    | v :: l ->
      (match l with
       | [] ->
-        let c = up n d in
+        let c = up n0 d in
         if mixed0
         then if Z.leb c Big_int_Z.zero_big_int
              then Nothing
@@ -2358,6 +2527,283 @@ let alpha_term m a mixed0 row0 =
 
 let alpha_over a row0 =
   Z.mul a.qden row0.pull_scale.over
+
+type vector = q list
+
+type matrix = vector list
+
+(** val inner : vector -> vector -> q **)
+
+let rec inner a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
+
+(** val plus_times : vector -> q -> vector -> vector **)
+
+let rec plus_times a s b =
+  match a with
+  | [] ->
+    (match b with
+     | [] -> a
+     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
+  | x :: a' ->
+    (match b with
+     | [] -> a
+     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
+
+(** val is_zero : q -> bool **)
+
+let is_zero q0 =
+  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val unit_vector : nat -> nat -> vector **)
+
+let unit_vector n0 i =
+  map (fun j ->
+    if Nat.eqb i j
+    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    (seq O n0)
+
+(** val identity : nat -> matrix **)
+
+let identity n0 =
+  map (unit_vector n0) (seq O n0)
+
+(** val of_rows : vector -> matrix -> vector **)
+
+let rec of_rows a m =
+  match a with
+  | [] -> []
+  | x :: a' ->
+    (match m with
+     | [] -> []
+     | r :: m' -> plus_times (of_rows a' m') x r)
+
+(** val pivot : nat -> matrix -> (vector * matrix) option **)
+
+let rec pivot column0 = function
+| [] -> None
+| r :: m' ->
+  if is_zero
+       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int })
+  then (match pivot column0 m' with
+        | Some p -> let (found, others) = p in Some (found, (r :: others))
+        | None -> None)
+  else Some (r, m')
+
+(** val eliminate :
+    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
+
+let rec eliminate columns0 column0 m done0 =
+  match columns0 with
+  | O -> done0
+  | S columns' ->
+    (match pivot column0 m with
+     | Some p ->
+       let (r, others) = p in
+       let r0 =
+         plus_times []
+           (qinv
+             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r
+       in
+       let without0 = fun a ->
+         plus_times a
+           (qopp
+             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int })) r0
+       in
+       eliminate columns' (S column0) (map without0 others)
+         (app (map (fun p0 -> ((fst p0), (without0 (snd p0)))) done0)
+           ((column0, r0) :: []))
+     | None -> eliminate columns' (S column0) m done0)
+
+(** val kernel : nat -> matrix -> matrix **)
+
+let kernel n0 m =
+  let done0 = eliminate n0 O m [] in
+  flat_map (fun j ->
+    if existsb (fun p -> Nat.eqb (fst p) j) done0
+    then []
+    else (fold_right (fun p a ->
+           plus_times a
+             (qopp
+               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int })) (unit_vector n0 (fst p)))
+           (unit_vector n0 j) done0) :: []) (seq O n0)
+
+(** val inverse_of : nat -> matrix -> matrix **)
+
+let inverse_of n0 m =
+  map (fun p -> skipn n0 (snd p))
+    (eliminate n0 O
+      (map (fun p -> app (fst p) (snd p)) (combine m (identity n0))) [])
+
+(** val same_vectors : vector -> vector -> bool **)
+
+let rec same_vectors a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
+
+(** val same_matrices : matrix -> matrix -> bool **)
+
+let rec same_matrices a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: a' ->
+    (match b with
+     | [] -> false
+     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
+
+(** val is_inverse : nat -> matrix -> matrix -> bool **)
+
+let is_inverse n0 left m =
+  same_matrices (map (fun a -> of_rows a m) left) (identity n0)
+
+(** val all_of_length : nat -> 'a1 list list -> bool **)
+
+let all_of_length n0 m =
+  forallb (fun r -> Nat.eqb (length r) n0) m
+
+(** val middle : interval -> q **)
+
+let middle i =
+  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+
+(** val only_middle : interval -> interval **)
+
+let only_middle i =
+  exactly (middle i)
+
+(** val middle_box : cbox -> cbox **)
+
+let middle_box b =
+  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
+    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
+    box_preload = (only_middle b.box_preload); box_growth =
+    (only_middle b.box_growth); box_stiffness =
+    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val friction_sound : cbox -> bool **)
+
+let friction_sound b =
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } b.box_friction.low)
+    ((||) (negb b.box_spring)
+      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+type addition = { ball_numbers : interval list; ball_ways : matrix;
+                  ball_squares : q list }
+
+(** val nothing_added : addition **)
+
+let nothing_added =
+  { ball_numbers = []; ball_ways = []; ball_squares = [] }
+
+type load = { load_box : interval list; load_growth : q list;
+              load_added : addition }
+
+(** val work_of_box : interval list -> vector -> interval **)
+
+let rec work_of_box box0 y =
+  match box0 with
+  | [] ->
+    exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | i :: box' ->
+    (match y with
+     | [] ->
+       exactly { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int }
+     | q0 :: y' ->
+       let { low = least; high = most } = work_of_box box' y' in
+       if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } q0
+       then let a = i.low in
+            let b = i.high in
+            { low = (reduced (qplus (qmult q0 a) least)); high =
+            (reduced (qplus (qmult q0 b) most)) }
+       else let a = i.high in
+            let b = i.low in
+            { low = (reduced (qplus (qmult q0 a) least)); high =
+            (reduced (qplus (qmult q0 b) most)) })
+
+(** val sum_of_squares : vector -> vector -> q **)
+
+let rec sum_of_squares weights a =
+  match weights with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | w :: ws ->
+    (match a with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | x :: a' -> reduced (qplus (qmult w (qmult x x)) (sum_of_squares ws a')))
+
+(** val work_of_addition : addition -> vector -> interval **)
+
+let work_of_addition it y =
+  match it.ball_ways with
+  | [] ->
+    exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | _ :: _ ->
+    let along = map (fun b -> inner b y) it.ball_ways in
+    let in_box = work_of_box it.ball_numbers along in
+    let root0 = root_above (sum_of_squares it.ball_squares along) in
+    { low = (qmax in_box.low (qopp root0)); high = (qmin in_box.high root0) }
+
+(** val work_of : load -> vector -> interval **)
+
+let work_of ld y =
+  let a = work_of_box ld.load_box y in
+  let b = work_of_addition ld.load_added y in
+  { low = (reduced (qplus a.low b.low)); high =
+  (reduced (qplus a.high b.high)) }
+
+(** val one_load : load -> bool **)
+
+let one_load ld =
+  (&&) (forallb certain ld.load_box)
+    (match ld.load_added.ball_numbers with
+     | [] -> true
+     | _ :: _ -> false)
+
+(** val nearest_to_zero : interval -> q **)
+
+let nearest_to_zero i =
+  if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int } i.low
+  then i.low
+  else if qle_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int }
+       then i.high
+       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val middle_load : load -> load **)
+
+let middle_load ld =
+  let a = ld.load_added in
+  { load_box = (map only_middle ld.load_box); load_growth = ld.load_growth;
+  load_added = { ball_numbers =
+  (map (fun i -> exactly (nearest_to_zero i)) a.ball_numbers); ball_ways =
+  a.ball_ways; ball_squares = a.ball_squares } }
 
 (** val edges : form list list -> ray list -> row -> form multi list **)
 
@@ -2454,43 +2900,18 @@ let edges_term m y es mixed0 row0 =
         then mixed_forms row0 (work_tree y e)
         else products_with row0 (work_tree y e)) es) mixed0
 
-type load = { load_box : interval list; load_growth : q list;
-              lows_of_w : form; highs_of_w : form; form_of_u : form;
-              load_scaling : scaling }
+(** val load_works : load -> q -> form -> q * q **)
 
-(** val make_load : interval list -> q list -> load **)
+let load_works ld factor0 y =
+  let y0 = map (fun c -> qmult factor0 (inject_Z c)) y in
+  ((reduced (qdiv (work_of ld y0).high factor0)),
+  (reduced (qdiv (inner ld.load_growth y0) factor0)))
 
-let make_load w u =
-  let s =
-    scaling_of
-      (app (map (fun i -> i.low) w) (app (map (fun i -> i.high) w) u))
-  in
-  let z0 = map (to_integer s) in
-  { load_box = w; load_growth = u; lows_of_w = (z0 (map (fun i -> i.low) w));
-  highs_of_w = (z0 (map (fun i -> i.high) w)); form_of_u = (z0 u);
-  load_scaling = s }
+(** val load_term : Big_int_Z.big_int -> (q * q) -> form **)
 
-(** val most_work : form -> form -> form -> Big_int_Z.big_int **)
-
-let rec most_work y lows0 highs0 =
-  match y with
-  | [] -> Big_int_Z.zero_big_int
-  | c :: y' ->
-    (match lows0 with
-     | [] -> Big_int_Z.zero_big_int
-     | l :: lows' ->
-       (match highs0 with
-        | [] -> Big_int_Z.zero_big_int
-        | h :: highs' ->
-          Z.add (Z.mul c (if Z.ltb Big_int_Z.zero_big_int c then h else l))
-            (most_work y' lows' highs')))
-
-(** val load_term : Big_int_Z.big_int -> form -> load -> form **)
-
-let load_term m y ld =
-  let t = Z.mul m ld.load_scaling.times in
-  (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) ld.load_scaling.over) :: (
-  (up (Z.mul t (dot ld.form_of_u y)) ld.load_scaling.over) :: [])
+let load_term m = function
+| (a, b) ->
+  (up (Z.mul m a.qnum) a.qden) :: ((up (Z.mul m b.qnum) b.qden) :: [])
 
 type way =
 | Along of form multi list
@@ -2536,57 +2957,36 @@ let term_of m y p =
   | Along es -> edges_term m y es p.mixed p.pressing
   | Most a -> alpha_term m a p.mixed p.pressing
 
-(** val with_alphas :
-    Big_int_Z.big_int -> presser list -> Big_int_Z.big_int **)
+(** val with_all :
+    Big_int_Z.big_int -> (q * q) -> q list -> presser list ->
+    Big_int_Z.big_int **)
 
-let with_alphas m them =
-  fold_left (fun m0 p ->
+let with_all m works more them =
+  let m0 = fold_left (fun m0 q0 -> Z.lcm m0 q0.qden) more m in
+  fold_left (fun m1 p ->
     match p.by_ with
-    | Along _ -> m0
-    | Most a -> Z.lcm m0 (alpha_over a p.pressing)) them m
+    | Along _ -> m1
+    | Most a -> Z.lcm m1 (alpha_over a p.pressing)) them
+    (Z.lcm (Z.lcm m0 (fst works).qden) (snd works).qden)
 
 (** val leaf_holds_by :
-    Big_int_Z.big_int -> presser list -> load -> form list list -> ray list
-    -> form -> bool **)
+    Big_int_Z.big_int -> presser list -> (q * q) -> q list -> form list list
+    -> ray list -> form -> bool **)
 
-let leaf_holds_by m them ld strict0 rays0 y =
-  (&&) (Z.ltb Big_int_Z.zero_big_int m)
-    (let (linear, bends) = collect (term_of m y) them (load_term m y ld) [] in
+let leaf_holds_by m them works more strict0 rays0 y =
+  (&&)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int m)
+      (forallb (fun q0 ->
+        Z.eqb (Z.modulo (Z.mul m q0.qnum) q0.qden) Big_int_Z.zero_big_int)
+        more))
+    (let form0 =
+       combine0 Big_int_Z.unit_big_int (load_term m works)
+         Big_int_Z.unit_big_int
+         (map (fun q0 -> Z.div (Z.mul m q0.qnum) q0.qden) more)
+     in
+     let (linear, bends) = collect (term_of m y) them form0 [] in
      positive_at_home strict0 rays0 (fun x ->
        Z.opp (fold_left (fun s t -> Z.add s (value t x)) bends (dot linear x))))
-
-(** val middle : interval -> q **)
-
-let middle i =
-  qmult (qplus i.low i.high) { qnum = Big_int_Z.unit_big_int; qden =
-    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
-
-(** val only_middle : interval -> interval **)
-
-let only_middle i =
-  exactly (middle i)
-
-(** val middle_box : cbox -> cbox **)
-
-let middle_box b =
-  { box_names = b.box_names; box_geometry = (map only_middle b.box_geometry);
-    box_forms = b.box_forms; box_friction = (only_middle b.box_friction);
-    box_preload = (only_middle b.box_preload); box_growth =
-    (only_middle b.box_growth); box_stiffness =
-    (only_middle b.box_stiffness); box_square = b.box_square; box_normal =
-    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
-    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
-    b.box_slack }
-
-(** val friction_sound : cbox -> bool **)
-
-let friction_sound b =
-  (&&)
-    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int } b.box_friction.low)
-    ((||) (negb b.box_spring)
-      (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }))
 
 (** val is_enclosure : interval -> q -> bool **)
 
@@ -3028,20 +3428,20 @@ let of_number_q motions = function
 (** val motion_of_body_q :
     nat -> q list -> q list list -> rigid_body -> q list **)
 
-let motion_of_body_q n d before = function
-| Free first -> firstn n (skipn first d)
+let motion_of_body_q n0 d before = function
+| Free first -> firstn n0 (skipn first d)
 | Link (on, eta, turns) ->
   add_multiple (of_number_q before on) (dot_q turns d) eta
 
 (** val motions_q :
     nat -> q list -> rigid_body list -> q list list -> q list list **)
 
-let rec motions_q n d bodies0 before =
+let rec motions_q n0 d bodies0 before =
   match bodies0 with
   | [] -> before
   | b :: rest ->
-    motions_q n d rest
-      (app before ((map reduced (motion_of_body_q n d before b)) :: []))
+    motions_q n0 d rest
+      (app before ((map reduced (motion_of_body_q n0 d before b)) :: []))
 
 (** val numbers_of : mechanism -> nat **)
 
@@ -3094,102 +3494,222 @@ let mechanism_boxes bits0 d its contacts0 =
    | Some boxes -> Some (app boxes (map element_box its.elements))
    | None -> None)
 
-type ('memory, 'setting) region = { rays : ray list; strict : form list list;
-                                    moving : form list list;
-                                    around : 'setting; remembered : 'memory;
-                                    depth : Big_int_Z.big_int }
+(** val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+let contains a b =
+  Z.eqb (Z.coq_land a b) b
+
+type height = Big_int_Z.big_int * ray
+
+(** val heights : form -> ray list -> height list **)
+
+let heights a rays0 =
+  map (fun r -> ((dot a r.coordinates), r)) rays0
+
+(** val join_form :
+    form -> form -> Big_int_Z.big_int -> Big_int_Z.big_int -> form **)
+
+let join_form p n0 at_p at_n =
+  combine0 at_p n0 (Z.opp at_n) p
+
+(** val join : Big_int_Z.big_int -> height -> height -> ray **)
+
+let join bit p n0 =
+  { coordinates =
+    (primitive
+      (join_form (snd p).coordinates (snd n0).coordinates (fst p) (fst n0)));
+    zeros = (both (snd p).zeros (snd n0).zeros); tight =
+    (Z.coq_lor (Z.coq_land (snd p).tight (snd n0).tight) bit) }
+
+(** val parted : ray list -> ray -> ray -> bool **)
+
+let parted rays0 p n0 =
+  let common = Z.coq_land p.tight n0.tight in
+  existsb (fun g ->
+    (&&) ((&&) (contains g.tight common) (negb (Z.eqb g.tight p.tight)))
+      (negb (Z.eqb g.tight n0.tight))) rays0
+
+(** val distinct : height list -> bool **)
+
+let distinct hs =
+  forallb (fun g ->
+    forallb (fun h ->
+      (||) (negb (contains (snd h).tight (snd g).tight))
+        (Z.eqb (snd g).tight (snd h).tight)) hs) hs
+
+(** val stay : Big_int_Z.big_int -> height -> ray **)
+
+let stay bit h =
+  let r = snd h in
+  if Z.eqb (fst h) Big_int_Z.zero_big_int
+  then { coordinates = r.coordinates; zeros = r.zeros; tight =
+         (Z.coq_lor r.tight bit) }
+  else r
+
+(** val cut_line : Big_int_Z.big_int -> height -> height list -> ray list **)
+
+let cut_line bit line hs =
+  (stay bit line) :: (filter (fun r -> negb (all_zero r.coordinates))
+                       (map (join bit line) hs))
+
+(** val on_side : bool -> height list -> height list **)
+
+let on_side positive0 hs =
+  filter (fun h ->
+    if positive0
+    then Z.ltb Big_int_Z.zero_big_int (fst h)
+    else Z.ltb (fst h) Big_int_Z.zero_big_int) hs
+
+(** val cut_rays :
+    Big_int_Z.big_int -> ray list -> height list -> ray list **)
+
+let cut_rays bit solid hs =
+  let below = on_side false hs in
+  app
+    (map (stay bit)
+      (filter (fun h -> Z.leb Big_int_Z.zero_big_int (fst h)) hs))
+    (flat_map (fun p ->
+      flat_map (fun n0 ->
+        if parted solid (snd p) (snd n0) then [] else (join bit p n0) :: [])
+        below) (on_side true hs))
+
+(** val most_combinations : height list -> Big_int_Z.big_int **)
+
+let most_combinations hs =
+  let count0 = fun l ->
+    fold_left (fun n0 _ -> Z.add n0 Big_int_Z.unit_big_int) l
+      Big_int_Z.zero_big_int
+  in
+  Z.add (count0 hs)
+    (Z.mul (count0 (on_side true hs)) (count0 (on_side false hs)))
+
+(** val cut : nat -> height list -> ray list option **)
+
+let cut count0 hs =
+  let bit = Z.shiftl Big_int_Z.unit_big_int (Z.of_nat count0) in
+  let is_line = fun r -> contains r.tight (Z.sub bit Big_int_Z.unit_big_int)
+  in
+  (match find (fun h ->
+           (&&) (is_line (snd h)) (Z.ltb Big_int_Z.zero_big_int (fst h))) hs with
+   | Some line -> Some (cut_line bit line hs)
+   | None ->
+     if existsb (fun h ->
+          (&&) (is_line (snd h)) (Z.ltb (fst h) Big_int_Z.zero_big_int)) hs
+     then None
+     else if (&&) (distinct (on_side true hs)) (distinct (on_side false hs))
+          then Some
+                 (cut_rays bit
+                   (filter (fun r -> negb (is_line r)) (map snd hs)) hs)
+          else None)
+
+type 'setting region = { size0 : nat; sides : form list; rays : ray list;
+                         strict : form list list; moving : form list list;
+                         around : 'setting; depth : Big_int_Z.big_int }
 
 type 'setting branch = { conditions : (form * bool) list;
                          new_strict : form list; new_moving : form list list;
                          branch_setting : 'setting }
 
-(** val cut_region :
-    'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region **)
+(** val cut_above : oracle -> 'a1 region -> form -> 'a1 region **)
+
+let cut_above advisor r f =
+  let hs = heights f r.rays in
+  if (||) (forallb (fun h -> Z.leb Big_int_Z.zero_big_int (fst h)) hs)
+       (negb (advisor.permits (most_combinations hs)))
+  then r
+  else (match cut (length r.sides) hs with
+        | Some them ->
+          { size0 = r.size0; sides = (app r.sides (f :: [])); rays = them;
+            strict = r.strict; moving = r.moving; around = r.around; depth =
+            r.depth }
+        | None -> r)
+
+(** val cut_region : oracle -> 'a1 region -> (form * bool) -> 'a1 region **)
 
 let cut_region advisor r c =
-  if (&&) (negb (snd c)) (nowhere_negative r.rays (fst c))
-  then r
-  else let (remembered', advices) =
-         advisor.advise r.remembered (fst c) (snd c)
-       in
-       { rays = (cut r.rays (fst c) (snd c) advices); strict = r.strict;
-       moving = r.moving; around = r.around; remembered = remembered';
-       depth = r.depth }
+  let r' = cut_above advisor r (fst c) in
+  if snd c then cut_above advisor r' (negative (fst c)) else r'
 
-(** val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region **)
+(** val strictly : 'a1 region -> form -> 'a1 region **)
 
 let strictly r f =
-  { rays = (map (add_strict (f :: [])) r.rays); strict =
-    ((f :: []) :: r.strict); moving = r.moving; around = r.around;
-    remembered = r.remembered; depth = r.depth }
+  { size0 = r.size0; sides = r.sides; rays =
+    (map (add_strict (f :: [])) r.rays); strict = ((f :: []) :: r.strict);
+    moving = r.moving; around = r.around; depth = r.depth }
 
-(** val of_numbers :
-    (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list **)
+(** val cut_foremost :
+    oracle -> (form * bool) list -> 'a1 region -> (form * bool) list -> 'a1
+    region **)
 
-let of_numbers cs numbers0 =
-  flat_map (fun k -> match numbered cs k with
-                     | Some c -> c :: []
-                     | None -> []) numbers0
+let rec cut_foremost advisor times0 r cs =
+  match times0 with
+  | [] -> r
+  | _ :: times' ->
+    (match advisor.foremost (map (fun r0 -> r0.coordinates) r.rays) cs with
+     | Some k ->
+       (match numbered cs k with
+        | Some c -> cut_foremost advisor times' (cut_region advisor r c) cs
+        | None -> r)
+     | None -> r)
 
-(** val cut_by :
-    'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region **)
+(** val cut_by : oracle -> 'a1 region -> (form * bool) list -> 'a1 region **)
 
 let cut_by advisor r cs =
-  fold_left (cut_region advisor) cs
-    (fold_left (cut_region advisor)
-      (of_numbers cs (advisor.foremost r.remembered cs)) r)
+  fold_left (cut_region advisor) cs (cut_foremost advisor cs r cs)
 
-(** val child :
-    'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region **)
+(** val child : oracle -> 'a1 region -> 'a1 branch -> 'a1 region **)
 
 let child advisor r b =
   let r0 = fold_left strictly b.new_strict (cut_by advisor r b.conditions) in
-  { rays = r0.rays; strict = r0.strict; moving =
-  (app b.new_moving r0.moving); around = b.branch_setting; remembered =
-  r0.remembered; depth = (Z.add r0.depth Big_int_Z.unit_big_int) }
+  { size0 = r0.size0; sides = r0.sides; rays = r0.rays; strict = r0.strict;
+  moving = (app b.new_moving r0.moving); around = b.branch_setting; depth =
+  (Z.add r0.depth Big_int_Z.unit_big_int) }
 
-(** val at_leaf : ('a1, 'a2) region -> form list list * ray list **)
+(** val is_leaf : node -> bool **)
+
+let is_leaf = function
+| Leaf _ -> true
+| Held _ -> true
+| _ -> false
+
+(** val at_leaf : 'a1 region -> form list list * ray list **)
 
 let at_leaf r =
   fold_left (fun sr fs -> ((fs :: (fst sr)), (map (add_strict fs) (snd sr))))
     r.moving (r.strict, r.rays)
 
 (** val visit :
-    'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-    form list list -> ray list -> q list -> string option) ->
-    Big_int_Z.big_int -> node -> ('a1, 'a2) region -> (('a1, 'a2) region
-    list, string) sum **)
+    oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+    list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+    node -> 'a1 region -> ('a1 region list, string) sum **)
 
-let visit advisor split0 leaf_fails0 most_depth0 n r =
+let visit advisor split0 leaf_fails0 most_depth0 n0 r =
   if Z.ltb most_depth0 r.depth
   then Inr "node-depth"
-  else (match n with
-        | Leaf y ->
-          let (strict', rays') = at_leaf r in
-          (match leaf_fails0 r.around strict' rays' y with
-           | Some rule -> Inr rule
-           | None -> Inl [])
-        | _ ->
-          (match split0 r.around n with
-           | Inl bs -> Inl (map (child advisor r) bs)
-           | Inr rule -> Inr rule))
+  else if is_leaf n0
+       then let (strict', rays') = at_leaf r in
+            (match leaf_fails0 r.around strict' rays' n0 with
+             | Some rule -> Inr rule
+             | None -> Inl [])
+       else (match split0 r.around n0 with
+             | Inl bs -> Inl (map (child advisor r) bs)
+             | Inr rule -> Inr rule)
 
 (** val walk :
-    'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-    form list list -> ray list -> q list -> string option) ->
-    Big_int_Z.big_int -> node list -> ('a1, 'a2) region list -> nat ->
-    (string * nat) option **)
+    oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+    list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+    node list -> 'a1 region list -> nat -> (string * nat) option **)
 
 let rec walk advisor split0 leaf_fails0 most_depth0 nodes todo number =
   match nodes with
   | [] -> (match todo with
            | [] -> None
            | _ :: _ -> Some ("tree-short", number))
-  | n :: nodes' ->
+  | n0 :: nodes' ->
     (match todo with
      | [] -> Some ("tree-long", number)
      | r :: todo' ->
-       (match visit advisor split0 leaf_fails0 most_depth0 n r with
+       (match visit advisor split0 leaf_fails0 most_depth0 n0 r with
         | Inl children ->
           walk advisor split0 leaf_fails0 most_depth0 nodes'
             (app children todo') (S number)
@@ -3204,170 +3724,20 @@ let rec basis before = function
     (Big_int_Z.unit_big_int :: (repeat Big_int_Z.zero_big_int n'))) :: 
     (basis (S before) n')
 
-(** val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region **)
+(** val everywhere : nat -> 'a1 -> 'a1 region **)
 
-let everywhere advisor n s =
-  { rays =
-    (flat_map (fun e -> { coordinates = e; zeros = [] } :: ({ coordinates =
-      (map Z.opp e); zeros = [] } :: [])) (basis O n)); strict = []; moving =
-    []; around = s; remembered = (advisor.begin0 n); depth =
-    (Big_int_Z.minus_big_int Big_int_Z.unit_big_int) }
+let everywhere n0 s =
+  { size0 = n0; sides = []; rays =
+    (flat_map (fun e -> { coordinates = e; zeros = []; tight =
+      Big_int_Z.zero_big_int } :: ({ coordinates = (map Z.opp e); zeros = [];
+      tight = Big_int_Z.zero_big_int } :: [])) (basis O n0)); strict = [];
+    moving = []; around = s; depth = (Big_int_Z.minus_big_int
+    Big_int_Z.unit_big_int) }
 
-(** val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region **)
+(** val root : oracle -> nat -> 'a1 branch -> 'a1 region **)
 
-let root advisor n b =
-  child advisor (everywhere advisor n b.branch_setting) b
-
-type vector = q list
-
-type matrix = vector list
-
-(** val inner : vector -> vector -> q **)
-
-let rec inner a b =
-  match a with
-  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-  | x :: a' ->
-    (match b with
-     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-     | y :: b' -> reduced (qplus (qmult x y) (inner a' b')))
-
-(** val plus_times : vector -> q -> vector -> vector **)
-
-let rec plus_times a s b =
-  match a with
-  | [] ->
-    (match b with
-     | [] -> a
-     | _ :: _ -> map (fun y -> reduced (qmult s y)) b)
-  | x :: a' ->
-    (match b with
-     | [] -> a
-     | y :: b' -> (reduced (qplus x (qmult s y))) :: (plus_times a' s b'))
-
-(** val is_zero0 : q -> bool **)
-
-let is_zero0 q0 =
-  qeq_bool q0 { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
-
-(** val unit_vector : nat -> nat -> vector **)
-
-let unit_vector n i =
-  map (fun j ->
-    if Nat.eqb i j
-    then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
-    else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-    (seq O n)
-
-(** val identity : nat -> matrix **)
-
-let identity n =
-  map (unit_vector n) (seq O n)
-
-(** val of_rows : vector -> matrix -> vector **)
-
-let rec of_rows a m =
-  match a with
-  | [] -> []
-  | x :: a' ->
-    (match m with
-     | [] -> []
-     | r :: m' -> plus_times (of_rows a' m') x r)
-
-(** val pivot : nat -> matrix -> (vector * matrix) option **)
-
-let rec pivot column0 = function
-| [] -> None
-| r :: m' ->
-  if is_zero0
-       (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
-         Big_int_Z.unit_big_int })
-  then (match pivot column0 m' with
-        | Some p -> let (found, others) = p in Some (found, (r :: others))
-        | None -> None)
-  else Some (r, m')
-
-(** val eliminate :
-    nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
-
-let rec eliminate columns0 column0 m done0 =
-  match columns0 with
-  | O -> done0
-  | S columns' ->
-    (match pivot column0 m with
-     | Some p ->
-       let (r, others) = p in
-       let r0 =
-         plus_times []
-           (qinv
-             (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) r
-       in
-       let without0 = fun a ->
-         plus_times a
-           (qopp
-             (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int })) r0
-       in
-       eliminate columns' (S column0) (map without0 others)
-         (app (map (fun p0 -> ((fst p0), (without0 (snd p0)))) done0)
-           ((column0, r0) :: []))
-     | None -> eliminate columns' (S column0) m done0)
-
-(** val kernel : nat -> matrix -> matrix **)
-
-let kernel n m =
-  let done0 = eliminate n O m [] in
-  flat_map (fun j ->
-    if existsb (fun p -> Nat.eqb (fst p) j) done0
-    then []
-    else (fold_right (fun p a ->
-           plus_times a
-             (qopp
-               (nth j (snd p) { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int })) (unit_vector n (fst p)))
-           (unit_vector n j) done0) :: []) (seq O n)
-
-(** val inverse_of : nat -> matrix -> matrix **)
-
-let inverse_of n m =
-  map (fun p -> skipn n (snd p))
-    (eliminate n O
-      (map (fun p -> app (fst p) (snd p)) (combine m (identity n))) [])
-
-(** val same_vectors : vector -> vector -> bool **)
-
-let rec same_vectors a b =
-  match a with
-  | [] -> (match b with
-           | [] -> true
-           | _ :: _ -> false)
-  | x :: a' ->
-    (match b with
-     | [] -> false
-     | y :: b' -> (&&) (qeq_bool x y) (same_vectors a' b'))
-
-(** val same_matrices : matrix -> matrix -> bool **)
-
-let rec same_matrices a b =
-  match a with
-  | [] -> (match b with
-           | [] -> true
-           | _ :: _ -> false)
-  | x :: a' ->
-    (match b with
-     | [] -> false
-     | y :: b' -> (&&) (same_vectors x y) (same_matrices a' b'))
-
-(** val is_inverse : nat -> matrix -> matrix -> bool **)
-
-let is_inverse n left m =
-  same_matrices (map (fun a -> of_rows a m) left) (identity n)
-
-(** val all_of_length : nat -> 'a1 list list -> bool **)
-
-let all_of_length n m =
-  forallb (fun r -> Nat.eqb (length r) n) m
+let root advisor n0 b =
+  child advisor (everywhere n0 b.branch_setting) b
 
 (** val replace_after :
     'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
@@ -3388,22 +3758,33 @@ let replace l i new0 =
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
+type pushing = { a_multiple : matrix; known_push : matrix }
+
+(** val no_push : pushing **)
+
+let no_push =
+  { a_multiple = []; known_push = [] }
+
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 pushes : matrix; slipping : Big_int_Z.big_int list;
+                 pushes : pushing; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
-(** val common_multiple : row list -> load -> Big_int_Z.big_int **)
+(** val common_multiple : row list -> Big_int_Z.big_int **)
 
-let common_multiple rows0 ld =
-  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 ld.load_scaling.over
+let common_multiple rows0 =
+  fold_left (fun m r -> Z.lcm m r.over_weight) rows0 Big_int_Z.unit_big_int
 
 (** val short_multiple :
     row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
 
 let short_multiple rows0 multiple0 =
+  let size1 = fun r ->
+    if r.box.box_signed
+    then Z.div r.over_weight r.weight
+    else Z.div r.pull_scale.over r.pull_scale.times
+  in
   let most =
-    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows0
-      Big_int_Z.unit_big_int
+    fold_left (fun b r -> Z.max b (size1 r)) rows0 Big_int_Z.unit_big_int
   in
   let short0 =
     Z.shiftl Big_int_Z.unit_big_int
@@ -3413,14 +3794,15 @@ let short_multiple rows0 multiple0 =
         (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
         (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
   in
-  if (&&) (Z.ltb short0 multiple0) (forallb (fun r -> r.box.box_signed) rows0)
+  if (||) (Z.ltb short0 multiple0)
+       (negb (forallb (fun r -> r.box.box_signed) rows0))
   then short0
   else multiple0
 
-(** val make_setting : nat -> row list -> load -> matrix -> setting **)
+(** val make_setting : nat -> row list -> load -> pushing -> setting **)
 
 let make_setting dimension0 rows0 ld pushes0 =
-  let m = common_multiple rows0 ld in
+  let m = common_multiple rows0 in
   { dimension_of = dimension0; rows = rows0; the_load = ld; pushes = pushes0;
   slipping = []; short = (short_multiple rows0 m); exact = m }
 
@@ -3436,16 +3818,35 @@ let leaf_fails s strict0 rays0 y =
          pressers strict0 rays0 s.slipping (unit_of sc) y' s.rows
            Big_int_Z.zero_big_int []
        in
-       let holds = fun m -> leaf_holds_by m them s.the_load strict0 rays0 y'
+       let works = load_works s.the_load (unit_of sc) y' in
+       let more =
+         map (fun q0 -> reduced (qdiv q0 (unit_of sc)))
+           (of_rows y s.pushes.known_push)
+       in
+       let holds = fun m -> leaf_holds_by m them works more strict0 rays0 y'
        in
        if (||) ((&&) (negb (Z.eqb s.short s.exact)) (holds s.short))
-            (holds (with_alphas s.exact them))
-       then let along = of_rows y s.pushes in
+            (holds (with_all s.exact works more them))
+       then let along = of_rows y s.pushes.a_multiple in
             if nowhere_negative rays0
                  (map (to_integer (scaling_of along)) along)
             then None
             else Some "leaf-direction"
        else Some "leaf-bound"
+
+(** val end_fails :
+    (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
+    list -> ray list -> node -> string option **)
+
+let end_fails held s strict0 rays0 = function
+| Leaf y -> leaf_fails s strict0 rays0 y
+| Held k -> held k rays0
+| _ -> Some "node-contact"
+
+(** val no_pieces : Big_int_Z.big_int -> ray list -> string option **)
+
+let no_pieces _ _ =
+  Some "held-piece"
 
 (** val is_inside : interval -> q -> bool **)
 
@@ -3500,11 +3901,11 @@ let same_parameter a b =
 let rec get_named name names is =
   match names with
   | [] -> None
-  | n :: names' ->
+  | n0 :: names' ->
     (match is with
      | [] -> None
      | i :: is' ->
-       if same_parameter n name then Some i else get_named name names' is')
+       if same_parameter n0 name then Some i else get_named name names' is')
 
 (** val set_named :
     parameter -> interval -> parameter list -> interval list -> interval list **)
@@ -3512,11 +3913,11 @@ let rec get_named name names is =
 let rec set_named name new0 names is =
   match names with
   | [] -> is
-  | n :: names' ->
+  | n0 :: names' ->
     (match is with
      | [] -> is
      | i :: is' ->
-       if same_parameter n name
+       if same_parameter n0 name
        then new0 :: is'
        else i :: (set_named name new0 names' is'))
 
@@ -3541,30 +3942,30 @@ let get b name = match name with
 let set b name i =
   let { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
     box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
-    box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+    box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
     box_turns = tu; box_slack = sl } = b
   in
   (match name with
    | PFriction ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = i;
        box_preload = p; box_growth = u; box_stiffness = k; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
        box_turns = tu; box_slack = sl }
    | PPreload ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
        box_preload = i; box_growth = u; box_stiffness = k; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
        box_turns = tu; box_slack = sl }
    | PStiffness ->
      { box_names = names; box_geometry = g; box_forms = f; box_friction = m;
        box_preload = p; box_growth = u; box_stiffness = i; box_square = sq;
-       box_normal = n; box_weights = w; box_signed = sg; box_spring = sp;
+       box_normal = n0; box_weights = w; box_signed = sg; box_spring = sp;
        box_turns = tu; box_slack = sl }
    | PWrench -> b
    | _ ->
      { box_names = names; box_geometry = (set_named name i names g);
        box_forms = f; box_friction = m; box_preload = p; box_growth = u;
-       box_stiffness = k; box_square = sq; box_normal = n; box_weights = w;
+       box_stiffness = k; box_square = sq; box_normal = n0; box_weights = w;
        box_signed = sg; box_spring = sp; box_turns = tu; box_slack = sl })
 
 (** val set_row : setting -> Big_int_Z.big_int -> cbox -> setting **)
@@ -3575,13 +3976,29 @@ let set_row s index b =
   the_load = s.the_load; pushes = s.pushes; slipping = s.slipping; short =
   s.short; exact = (Z.lcm s.exact row0.over_weight) }
 
-(** val set_load : setting -> interval list -> setting **)
+(** val set_load : setting -> load -> setting **)
 
-let set_load s w =
-  let ld = make_load w s.the_load.load_growth in
+let set_load s ld =
   { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
-  s.pushes; slipping = s.slipping; short = s.short; exact =
-  (Z.lcm s.exact ld.load_scaling.over) }
+    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact }
+
+(** val numbers_of0 : load -> interval list **)
+
+let numbers_of0 ld =
+  match ld.load_added.ball_numbers with
+  | [] -> ld.load_box
+  | i :: l -> i :: l
+
+(** val with_numbers : load -> interval list -> load **)
+
+let with_numbers ld is =
+  let a = ld.load_added in
+  (match a.ball_numbers with
+   | [] -> { load_box = is; load_growth = ld.load_growth; load_added = a }
+   | _ :: _ ->
+     { load_box = ld.load_box; load_growth = ld.load_growth; load_added =
+       { ball_numbers = is; ball_ways = a.ball_ways; ball_squares =
+       a.ball_squares } })
 
 (** val halves :
     setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -3590,12 +4007,17 @@ let set_load s w =
 let halves s name index c =
   match name with
   | PWrench ->
-    (match numbered s.the_load.load_box index with
+    let ld = s.the_load in
+    (match numbered (numbers_of0 ld) index with
      | Some i ->
        if is_inside i c
        then Inl
-              ((set_load s (replace s.the_load.load_box index (low_half i c))),
-              (set_load s (replace s.the_load.load_box index (high_half i c))))
+              ((set_load s
+                 (with_numbers ld
+                   (replace (numbers_of0 ld) index (low_half i c)))),
+              (set_load s
+                (with_numbers ld
+                  (replace (numbers_of0 ld) index (high_half i c)))))
        else Inr "part-inside"
      | None -> Inr "part-contact")
   | _ ->
@@ -3686,7 +4108,7 @@ let split s = function
      branch_setting = l } :: ({ conditions = []; new_strict = [];
      new_moving = []; branch_setting = h } :: []))
    | Inr rule -> Inr rule)
-| Leaf _ -> Inl []
+| _ -> Inl []
 
 (** val l_above : q -> form **)
 
@@ -3734,11 +4156,12 @@ let root_branch two_sided s g =
   (range_strict g); new_moving = []; branch_setting = s }
 
 (** val walk_ranges :
-    'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
-    list -> (string * nat) option **)
+    oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+    Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
+    (string * nat) option **)
 
-let walk_ranges advisor most_depth0 two_sided s ranges0 nodes =
-  walk advisor split leaf_fails most_depth0 nodes
+let walk_ranges advisor held most_depth0 two_sided s ranges0 nodes =
+  walk advisor split (end_fails held) most_depth0 nodes
     (map_all (fun g ->
       root advisor (add (S (S O)) s.dimension_of) (root_branch two_sided s g))
       ranges0) O
@@ -4007,11 +4430,6 @@ let check_point bilateral0 dim rows0 ld x shares0 =
                     else Inr "witness-balance"
         | None -> Inr "witness-share"))
 
-(** val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
-
-let opposite x y =
-  Z.ltb (Z.mul x y) Big_int_Z.zero_big_int
-
 (** val aligned : form -> form -> form -> bool **)
 
 let aligned ms s t =
@@ -4020,26 +4438,37 @@ let aligned ms s t =
     ((&&) (Z.ltb Big_int_Z.zero_big_int p)
       (Z.eqb (Z.mul p p) (Z.mul (inner_of ms s s) (inner_of ms t t))))
 
-(** val one_mode : state -> state -> bool **)
+(** val first_slip : state list -> form **)
 
-let one_mode s t =
+let first_slip them =
+  match find (fun s -> negb (all_zero s.state_slip)) them with
+  | Some s -> s.state_slip
+  | None -> []
+
+(** val contact_mode : state list -> bool **)
+
+let contact_mode them = match them with
+| [] -> true
+| s :: _ ->
   let r = s.state_row in
   let b = r.box in
-  let e = if all_zero s.state_slip then t.state_slip else s.state_slip in
-  (&&) ((||) b.box_spring (negb (opposite s.state_v t.state_v)))
+  let e = first_slip them in
+  (&&)
+    ((||)
+      ((||) b.box_spring
+        (forallb (fun s0 -> Z.leb Big_int_Z.zero_big_int s0.state_v) them))
+      (forallb (fun s0 -> Z.leb s0.state_v Big_int_Z.zero_big_int) them))
     ((||)
       ((||)
         ((||)
           (qeq_bool (mu_of b) { qnum = Big_int_Z.zero_big_int; qden =
             Big_int_Z.unit_big_int })
-          ((&&) (Z.leb s.state_v Big_int_Z.zero_big_int)
-            (Z.leb t.state_v Big_int_Z.zero_big_int))) (all_zero e))
-      ((&&)
-        ((&&) (aligned r.metric s.state_slip t.state_slip)
-          ((||) (Z.leb s.state_v Big_int_Z.zero_big_int)
-            (against b s.state_share e)))
-        ((||) (Z.leb t.state_v Big_int_Z.zero_big_int)
-          (against b t.state_share e))))
+          (forallb (fun s0 -> Z.leb s0.state_v Big_int_Z.zero_big_int) them))
+        (all_zero e))
+      (forallb (fun s0 ->
+        (&&) (aligned r.metric e s0.state_slip)
+          ((||) (Z.leb s0.state_v Big_int_Z.zero_big_int)
+            (against b s0.state_share e))) them))
 
 (** val same_mode : state list -> state list -> bool **)
 
@@ -4049,7 +4478,7 @@ let rec same_mode ss ts =
   | s :: ss' ->
     (match ts with
      | [] -> true
-     | t :: ts' -> (&&) (one_mode s t) (same_mode ss' ts'))
+     | t :: ts' -> (&&) (contact_mode (s :: (t :: []))) (same_mode ss' ts'))
 
 (** val coordinates_of : point -> q list **)
 
@@ -4239,15 +4668,15 @@ let gaps resisted =
   gaps_from { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
     false resisted []
 
-(** val opposite0 : vector -> vector **)
+(** val opposite : vector -> vector **)
 
-let opposite0 a =
+let opposite a =
   map qopp a
 
 (** val walls_of : bool -> matrix -> matrix **)
 
 let walls_of simplex e =
-  if simplex then e else flat_map (fun a -> a :: ((opposite0 a) :: [])) e
+  if simplex then e else flat_map (fun a -> a :: ((opposite a) :: [])) e
 
 (** val transpose : nat -> matrix -> matrix **)
 
@@ -4267,34 +4696,34 @@ let all_positive c =
 
 (** val zeros0 : nat -> vector **)
 
-let zeros0 n =
-  repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } n
+let zeros0 n0 =
+  repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } n0
 
 (** val balances : nat -> matrix -> vector -> bool **)
 
-let balances n e c =
+let balances n0 e c =
   (&&) ((&&) (all_positive c) (Nat.eqb (length c) (length e)))
-    (same_vectors (of_rows c e) (zeros0 n))
+    (same_vectors (of_rows c e) (zeros0 n0))
 
 (** val is_simplex : nat -> matrix -> bool **)
 
-let is_simplex n e =
-  match kernel (length e) (transpose n e) with
+let is_simplex n0 e =
+  match kernel (length e) (transpose n0 e) with
   | [] -> false
   | c :: l ->
     (match l with
-     | [] -> (||) (balances n e c) (balances n e (opposite0 c))
+     | [] -> (||) (balances n0 e c) (balances n0 e (opposite c))
      | _ :: _ -> false)
 
 (** val free_motions : nat -> bool -> matrix -> matrix option **)
 
-let free_motions n simplex e =
-  let free = kernel n e in
+let free_motions n0 simplex e =
+  let free = kernel n0 e in
   let all = app (if simplex then removelast e else e) free in
   if (&&)
-       ((&&) ((&&) (all_of_length n e) (all_of_length n free))
-         (is_inverse n (inverse_of n all) all))
-       ((||) (negb simplex) (is_simplex n e))
+       ((&&) ((&&) (all_of_length n0 e) (all_of_length n0 free))
+         (is_inverse n0 (inverse_of n0 all) all))
+       ((||) (negb simplex) (is_simplex n0 e))
   then Some free
   else None
 
@@ -4305,16 +4734,16 @@ let plus_square z0 m =
 
 (** val inverted : nat -> matrix -> matrix -> (matrix * matrix) option **)
 
-let inverted n free a =
+let inverted n0 free a =
   let m = fold_right plus_square a free in
-  let inverse = inverse_of n m in
+  let inverse = inverse_of n0 m in
   if (&&)
        ((&&)
-         ((&&) ((&&) (all_of_length n a) (Nat.eqb (length a) n))
+         ((&&) ((&&) (all_of_length n0 a) (Nat.eqb (length a) n0))
            (forallb (fun z0 ->
-             (&&) (forallb (fun r -> is_zero0 (inner r z0)) a)
-               (same_vectors (of_rows z0 a) (zeros0 n))) free))
-         (is_inverse n inverse m)) (is_inverse n m inverse)
+             (&&) (forallb (fun r -> is_zero (inner r z0)) a)
+               (same_vectors (of_rows z0 a) (zeros0 n0))) free))
+         (is_inverse n0 inverse m)) (is_inverse n0 m inverse)
   then Some (m, inverse)
   else None
 
@@ -4405,8 +4834,8 @@ let strict_form g =
 let middle_setting g s =
   make_setting s.dimension_of
     (map_all (fun r -> make_row (middle_box r.box)) s.rows)
-    (make_load (map only_middle s.the_load.load_box) s.the_load.load_growth)
-    (map (relative g) g.direction_rows)
+    (middle_load s.the_load) { a_multiple =
+    (map (relative g) g.direction_rows); known_push = [] }
 
 (** val middle_conditions : degree_proof -> (form * bool) list **)
 
@@ -4430,50 +4859,41 @@ let point_box b =
 (** val is_point : setting -> bool **)
 
 let is_point s =
-  (&&) (forallb (fun r -> point_box r.box) s.rows)
-    (forallb certain s.the_load.load_box)
+  (&&) (forallb (fun r -> point_box r.box) s.rows) (one_load s.the_load)
 
 (** val row_free : vector -> cbox -> bool **)
 
 let row_free z0 b =
   forallb (fun fs ->
-    (&&) (is_zero0 (inner (n_of fs) z0))
+    (&&) (is_zero (inner (n_of fs) z0))
       ((||)
         (qle_bool b.box_friction.high { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int })
-        (forallb (fun f -> is_zero0 (inner f z0)) (tl fs))))
+        (forallb (fun f -> is_zero (inner f z0)) (tl fs))))
     (tips (geometry_tree b))
 
-(** val load_free : vector -> interval list -> bool **)
+(** val load_free : vector -> load -> bool **)
 
-let rec load_free z0 w =
-  match z0 with
-  | [] -> true
-  | q0 :: z' ->
-    (match w with
-     | [] -> true
-     | i :: w' -> (&&) ((||) (certain i) (is_zero0 q0)) (load_free z' w'))
+let load_free z0 ld =
+  (&&) ((&&) (is_zero (work_of ld z0).low) (is_zero (work_of ld z0).high))
+    (is_zero (inner ld.load_growth z0))
 
 (** val all_free : matrix -> setting -> bool **)
 
 let all_free free s =
   (&&) (forallb (fun r -> friction_sound r.box) s.rows)
     (forallb (fun z0 ->
-      (&&)
-        ((&&)
-          ((&&) (forallb (fun r -> row_free z0 r.box) s.rows)
-            (load_free z0 s.the_load.load_box))
-          (is_zero0 (inner (map (fun i -> i.low) s.the_load.load_box) z0)))
-        (is_zero0 (inner s.the_load.load_growth z0))) free)
+      (&&) (forallb (fun r -> row_free z0 r.box) s.rows)
+        (load_free z0 s.the_load)) free)
 
 (** val range_sound : degree_proof -> setting -> bool **)
 
 let range_sound g s =
-  let n = s.dimension_of in
+  let n0 = s.dimension_of in
   (&&)
     ((&&)
-      ((&&) (Nat.eqb (length g.first_twist) n)
-        (Nat.eqb (length g.last_twist) n))
+      ((&&) (Nat.eqb (length g.first_twist) n0)
+        (Nat.eqb (length g.last_twist) n0))
       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int } g.low_multiple))
     (match g.high_multiple with
@@ -4484,8 +4904,7 @@ let range_sound g s =
            Big_int_Z.unit_big_int }))
 
 (** val k_region :
-    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-    setting) region **)
+    oracle -> degree_proof -> setting -> (form * bool) list -> setting region **)
 
 let k_region advisor g s more =
   root advisor (add (S (S O)) s.dimension_of) { conditions =
@@ -4493,8 +4912,8 @@ let k_region advisor g s more =
     []; new_moving = []; branch_setting = s }
 
 (** val wall_regions :
-    'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-    setting) region list **)
+    oracle -> degree_proof -> setting -> (form * bool) list -> setting region
+    list **)
 
 let wall_regions advisor g s more =
   let k = k_region advisor g s more in
@@ -4504,7 +4923,7 @@ let wall_regions advisor g s more =
       s }) (walls g)
 
 (** val root_regions :
-    'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list **)
+    oracle -> degree_proof -> setting -> setting region list **)
 
 let root_regions advisor g s =
   app
@@ -4513,7 +4932,7 @@ let root_regions advisor g s =
      else wall_regions advisor g s [])
     (wall_regions advisor g (middle_setting g s) (middle_conditions g))
 
-(** val law_holds : 'a1 oracle -> degree_proof -> setting -> bool **)
+(** val law_holds : oracle -> degree_proof -> setting -> bool **)
 
 let law_holds advisor g s =
   let r = k_region advisor g s [] in
@@ -4522,21 +4941,21 @@ let law_holds advisor g s =
       (forallb (nowhere_negative r.rays) (pull_tips row0))) s.rows
 
 (** val degree_fails :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof ->
-    node list -> (string * nat option) option **)
+    oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node
+    list -> (string * nat option) option **)
 
 let degree_fails advisor two_sided most_depth0 s g nodes =
-  let n = s.dimension_of in
-  (match free_motions n g.is_a_simplex g.wall_rows with
+  let n0 = s.dimension_of in
+  (match free_motions n0 g.is_a_simplex g.wall_rows with
    | Some free ->
      if negb ((&&) (range_sound g s) (all_free free s))
      then Some ("degree-free", None)
-     else (match inverted n free g.direction_rows with
+     else (match inverted n0 free g.direction_rows with
            | Some _ ->
              if (&&) two_sided (negb (law_holds advisor g s))
              then Some ("degree-law", None)
-             else (match walk advisor split leaf_fails most_depth0 nodes
-                           (root_regions advisor g s) O with
+             else (match walk advisor split (end_fails no_pieces) most_depth0
+                           nodes (root_regions advisor g s) O with
                    | Some p ->
                      let (rule, number) = p in Some (rule, (Some number))
                    | None -> None)
@@ -4553,7 +4972,7 @@ type resting = { resting_box : cbox; force_at_rest : vector; answers : matrix }
 
 let good_force b f =
   (&&) ((&&) (has_friction b) (Nat.eqb (length f) (length b.box_weights)))
-    ((||) b.box_signed (is_zero0 (inner f b.box_normal)))
+    ((||) b.box_signed (is_zero (inner f b.box_normal)))
 
 (** val taken :
     'a1 -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list ->
@@ -4569,7 +4988,7 @@ let taken none i them = match them with
     -> (Big_int_Z.big_int * matrix) list -> resting list -> resting list
     option **)
 
-let rec resting_contacts n rows0 i forces all_answers before =
+let rec resting_contacts n0 rows0 i forces all_answers before =
   match rows0 with
   | [] ->
     (match forces with
@@ -4589,8 +5008,8 @@ let rec resting_contacts n rows0 i forces all_answers before =
     if (&&) (fine f)
          (match g with
           | [] -> true
-          | _ :: _ -> (&&) (Nat.eqb (length g) n) (forallb (good_force b) g))
-    then resting_contacts n rows' (Z.add i Big_int_Z.unit_big_int) forces'
+          | _ :: _ -> (&&) (Nat.eqb (length g) n0) (forallb (good_force b) g))
+    then resting_contacts n0 rows' (Z.add i Big_int_Z.unit_big_int) forces'
            answers' ({ resting_box = b; force_at_rest = f; answers =
            g } :: before)
     else None
@@ -4632,14 +5051,14 @@ let most_of a =
 
 (** val ranges : nat -> cbox -> vector list -> interval list **)
 
-let ranges n b sums =
+let ranges n0 b sums =
   let vs = flat_map (fun c -> map (of_rows c) (tips (geometry_tree b))) sums
   in
   map (fun k ->
     range_of
       (map (fun v ->
         nth k v { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int }) vs)) (seq O n)
+          Big_int_Z.unit_big_int }) vs)) (seq O n0)
 
 (** val pressures : cbox -> q -> q list **)
 
@@ -4653,37 +5072,41 @@ let pressures b lambda =
 (** val loads_at : setting -> q -> interval list **)
 
 let loads_at s lambda =
-  map (fun p -> shifted (fst p) (qmult lambda (snd p)))
-    (combine s.the_load.load_box s.the_load.load_growth)
+  let n0 = s.dimension_of in
+  map (fun k ->
+    shifted (work_of s.the_load (unit_vector n0 k))
+      (qmult lambda
+        (nth k s.the_load.load_growth { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }))) (seq O n0)
 
 (** val left_over : nat -> setting -> resting list -> q -> interval list **)
 
-let left_over n s them lambda =
+let left_over n0 s them lambda =
   fold_left (fun sum0 r ->
     plus_intervals sum0
-      (ranges n r.resting_box
+      (ranges n0 r.resting_box
         (map (fun p -> p :: r.force_at_rest) (pressures r.resting_box lambda))))
     them (loads_at s lambda)
 
 (** val column : nat -> resting list -> nat -> interval list **)
 
-let column n them l =
+let column n0 them l =
   fold_left (fun sum0 r ->
     match r.answers with
     | [] -> sum0
     | v :: l0 ->
       plus_intervals sum0
-        (ranges n r.resting_box (({ qnum = Big_int_Z.zero_big_int; qden =
+        (ranges n0 r.resting_box (({ qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } :: (nth l (v :: l0) [])) :: []))) them
     (repeat
       (exactly { qnum = Big_int_Z.zero_big_int; qden =
-        Big_int_Z.unit_big_int }) n)
+        Big_int_Z.unit_big_int }) n0)
 
 (** val reach_holds :
     nat -> interval list -> interval list list -> vector -> bool **)
 
-let reach_holds n left columns0 reach =
-  (&&) (Nat.eqb (length reach) n)
+let reach_holds n0 left columns0 reach =
+  (&&) (Nat.eqb (length reach) n0)
     (forallb (fun k ->
       let z0 =
         nth k reach { qnum = Big_int_Z.zero_big_int; qden =
@@ -4710,11 +5133,11 @@ let reach_holds n left columns0 reach =
                        else { qnum = Big_int_Z.zero_big_int; qden =
                               Big_int_Z.unit_big_int })))
                   (nth l reach { qnum = Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int })))) (seq O n)
+                    Big_int_Z.unit_big_int })))) (seq O n0)
             (most_of
               (nth k left
                 (exactly { qnum = Big_int_Z.zero_big_int; qden =
-                  Big_int_Z.unit_big_int })))) z0)) (seq O n))
+                  Big_int_Z.unit_big_int })))) z0)) (seq O n0))
 
 (** val square_of0 : vector -> vector -> q **)
 
@@ -4796,8 +5219,8 @@ let resting_sound lambda r =
     nat -> setting -> resting list -> interval list list -> vector -> q ->
     string option **)
 
-let rest_fails_at n s them columns0 reach lambda =
-  if negb (reach_holds n (left_over n s them lambda) columns0 reach)
+let rest_fails_at n0 s them columns0 reach lambda =
+  if negb (reach_holds n0 (left_over n0 s them lambda) columns0 reach)
   then Some "rest-reach"
   else if negb
             ((&&) (forallb (cone_holds reach lambda) them)
@@ -4808,12 +5231,12 @@ let rest_fails_at n s them columns0 reach lambda =
 (** val rest_fails : setting -> q -> q -> rest_proof -> string option **)
 
 let rest_fails s alpha0 beta p =
-  let n = s.dimension_of in
-  (match resting_contacts n s.rows Big_int_Z.zero_big_int p.rest_forces
+  let n0 = s.dimension_of in
+  (match resting_contacts n0 s.rows Big_int_Z.zero_big_int p.rest_forces
            p.rest_answers [] with
    | Some them ->
      let holds =
-       rest_fails_at n s them (map (column n them) (seq O n)) p.rest_reach
+       rest_fails_at n0 s them (map (column n0 them) (seq O n0)) p.rest_reach
      in
      (match holds alpha0 with
       | Some rule -> Some rule
@@ -4821,7 +5244,7 @@ let rest_fails s alpha0 beta p =
    | None -> Some "rest-share")
 
 (** val part_fails :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
+    oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
     (string * nat option) option **)
 
 let part_fails advisor two_sided most_depth0 alpha0 beta s = function
@@ -4841,23 +5264,23 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
 
 let unloaded s =
   (&&)
-    (forallb (fun i -> (&&) (is_zero0 i.low) (is_zero0 i.high))
-      s.the_load.load_box)
+    ((&&) (one_load s.the_load)
+      (forallb is_zero (map (fun i -> i.low) s.the_load.load_box)))
     (forallb (fun r ->
-      (&&) (is_zero0 r.box.box_preload.low) (is_zero0 r.box.box_preload.high))
+      (&&) (is_zero r.box.box_preload.low) (is_zero r.box.box_preload.high))
       s.rows)
 
 (** val segment_by_degree_fails :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
-    list -> q list -> q list list -> q list list -> node list ->
-    (string * nat option) option **)
+    oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q list
+    -> q list -> q list list -> q list list -> node list -> (string * nat
+    option) option **)
 
 let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 walls0 direction0 tree =
   let alpha1 =
     match beta with
     | Some _ -> alpha0
     | None ->
-      if is_zero0 alpha0
+      if is_zero alpha0
       then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
       else alpha0
   in
@@ -4866,7 +5289,7 @@ let segment_by_degree_fails advisor two_sided most_depth0 s alpha0 beta d1 d2 wa
     false; wall_rows = walls0; direction_rows = direction0 } tree
 
 (** val parts_fail :
-    'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
+    oracle -> bool -> Big_int_Z.big_int -> part list ->
     (setting * Big_int_Z.big_int) list -> nat -> (string * place) option **)
 
 let rec parts_fail advisor two_sided most_depth0 parts todo number =
@@ -4908,7 +5331,7 @@ let rec parts_fail advisor two_sided most_depth0 parts todo number =
 type rigid = { r_N : vector; r_slips : matrix; r_friction : q; r_square : 
                q; r_normal : vector }
 
-type knowledge = { touches : bool option; sides : matrix option }
+type knowledge = { touches : bool option; sides0 : matrix option }
 
 (** val slip_of : rigid -> vector -> vector **)
 
@@ -4987,8 +5410,8 @@ let good_sides x u v =
           ((&&)
             ((&&) (Nat.eqb (length x.r_normal) (S (S (S O))))
               (Nat.eqb (length x.r_slips) (S (S (S O)))))
-            (forallb is_zero0 (of_rows x.r_normal x.r_slips)))
-          (is_zero0 (inner x.r_normal u))) (is_zero0 (inner x.r_normal v)))
+            (forallb is_zero (of_rows x.r_normal x.r_slips)))
+          (is_zero (inner x.r_normal u))) (is_zero (inner x.r_normal v)))
       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int } (inner u v)))
     (negb
@@ -5022,7 +5445,7 @@ let resists_against x y = function
 
 let factor u v =
   let c = qdiv (inner u v) (inner u u) in
-  if (&&) (negb (is_zero0 c)) (same_vectors v (map (qmult c) u))
+  if (&&) (negb (is_zero c)) (same_vectors v (map (qmult c) u))
   then Some c
   else None
 
@@ -5076,7 +5499,7 @@ let turned c ss =
   if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
        Big_int_Z.unit_big_int } c
   then ss
-  else map opposite0 ss
+  else map opposite ss
 
 type cell = (rigid * knowledge) list
 
@@ -5085,7 +5508,7 @@ type cell = (rigid * knowledge) list
 
 let with_touch x it p =
   if is_positive_multiple x.r_N (fst p).r_N
-  then ((fst p), { touches = (Some it); sides = (snd p).sides })
+  then ((fst p), { touches = (Some it); sides0 = (snd p).sides0 })
   else p
 
 (** val with_sides :
@@ -5094,7 +5517,7 @@ let with_touch x it p =
 let with_sides x ss p =
   match slip_factor x (fst p) with
   | Some c ->
-    ((fst p), { touches = (snd p).touches; sides = (Some (turned c ss)) })
+    ((fst p), { touches = (snd p).touches; sides0 = (Some (turned c ss)) })
   | None -> p
 
 (** val slip_children :
@@ -5103,51 +5526,50 @@ let with_sides x ss p =
 let slip_children x known d =
   match x.r_slips with
   | [] ->
-    let n = x.r_normal in
-    if (||) ((||) (forallb is_zero0 d) (negb (is_zero0 (inner n d))))
-         (negb (good_sides x d (cross n d)))
+    let n0 = x.r_normal in
+    if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n0 d))))
+         (negb (good_sides x d (cross n0 d)))
     then Inr "class-slip"
     else (match known with
           | Some m ->
             (match m with
              | [] ->
-               let e = cross n d in
+               let e = cross n0 d in
                Inl
-               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-               (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+               (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
              | u :: l ->
                (match l with
                 | [] ->
-                  let e = cross n d in
+                  let e = cross n0 d in
                   Inl
-                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                  (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                  (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                 | v :: l0 ->
                   (match l0 with
                    | [] ->
                      if (&&)
                           ((&&)
                             (negb
-                              (qle_bool (inner n (cross u d)) { qnum =
+                              (qle_bool (inner n0 (cross u d)) { qnum =
                                 Big_int_Z.zero_big_int; qden =
                                 Big_int_Z.unit_big_int }))
                             (negb
-                              (qle_bool (inner n (cross d v)) { qnum =
+                              (qle_bool (inner n0 (cross d v)) { qnum =
                                 Big_int_Z.zero_big_int; qden =
                                 Big_int_Z.unit_big_int }))) (good_sides x u v)
                      then Inl ((u :: (d :: [])) :: ((d :: (v :: [])) :: []))
                      else Inr "class-slip"
                    | _ :: _ ->
-                     let e = cross n d in
+                     let e = cross n0 d in
                      Inl
-                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                     (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0
-                                                                    e) :: (d :: [])) :: []))))))))
+                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                     (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: []))))))))
           | None ->
-            let e = cross n d in
+            let e = cross n0 d in
             Inl
-            ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-            (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: []))))))
+            ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+            (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: []))))))
   | _ :: l ->
     (match l with
      | [] ->
@@ -5157,37 +5579,36 @@ let slip_children x known d =
                                                                qden =
                                                                Big_int_Z.unit_big_int }) :: []) :: []) :: [])))
      | _ :: _ ->
-       let n = x.r_normal in
-       if (||) ((||) (forallb is_zero0 d) (negb (is_zero0 (inner n d))))
-            (negb (good_sides x d (cross n d)))
+       let n0 = x.r_normal in
+       if (||) ((||) (forallb is_zero d) (negb (is_zero (inner n0 d))))
+            (negb (good_sides x d (cross n0 d)))
        then Inr "class-slip"
        else (match known with
              | Some m ->
                (match m with
                 | [] ->
-                  let e = cross n d in
+                  let e = cross n0 d in
                   Inl
-                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                  (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))
+                  ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                  (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                 | u :: l0 ->
                   (match l0 with
                    | [] ->
-                     let e = cross n d in
+                     let e = cross n0 d in
                      Inl
-                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                     (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0
-                                                                    e) :: (d :: [])) :: [])))))
+                     ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                     (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))
                    | v :: l1 ->
                      (match l1 with
                       | [] ->
                         if (&&)
                              ((&&)
                                (negb
-                                 (qle_bool (inner n (cross u d)) { qnum =
+                                 (qle_bool (inner n0 (cross u d)) { qnum =
                                    Big_int_Z.zero_big_int; qden =
                                    Big_int_Z.unit_big_int }))
                                (negb
-                                 (qle_bool (inner n (cross d v)) { qnum =
+                                 (qle_bool (inner n0 (cross d v)) { qnum =
                                    Big_int_Z.zero_big_int; qden =
                                    Big_int_Z.unit_big_int })))
                              (good_sides x u v)
@@ -5195,16 +5616,16 @@ let slip_children x known d =
                                ((u :: (d :: [])) :: ((d :: (v :: [])) :: []))
                         else Inr "class-slip"
                       | _ :: _ ->
-                        let e = cross n d in
+                        let e = cross n0 d in
                         Inl
-                        ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-                        (opposite0 d) :: ((opposite0 e) :: [])) :: ((
-                        (opposite0 e) :: (d :: [])) :: []))))))))
+                        ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+                        (opposite d) :: ((opposite e) :: [])) :: (((opposite
+                                                                    e) :: (d :: [])) :: []))))))))
              | None ->
-               let e = cross n d in
+               let e = cross n0 d in
                Inl
-               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite0 d) :: [])) :: ((
-               (opposite0 d) :: ((opposite0 e) :: [])) :: (((opposite0 e) :: (d :: [])) :: [])))))))
+               ([] :: ((d :: (e :: [])) :: ((e :: ((opposite d) :: [])) :: ((
+               (opposite d) :: ((opposite e) :: [])) :: (((opposite e) :: (d :: [])) :: [])))))))
 
 (** val ascending :
     Big_int_Z.big_int -> Big_int_Z.big_int -> (Big_int_Z.big_int * 'a1) list
@@ -5219,7 +5640,7 @@ let rec ascending count0 last = function
 (** val count_of : 'a1 list -> Big_int_Z.big_int **)
 
 let count_of l =
-  fold_left (fun n _ -> Z.add n Big_int_Z.unit_big_int) l
+  fold_left (fun n0 _ -> Z.add n0 Big_int_Z.unit_big_int) l
     Big_int_Z.zero_big_int
 
 (** val normal_sum : cell -> (Big_int_Z.big_int * q) list -> vector **)
@@ -5236,7 +5657,7 @@ let normal_right c ig =
   match numbered c (fst ig) with
   | Some p ->
     let (_, k) = p in
-    let { touches = touches0; sides = _ } = k in
+    let { touches = touches0; sides0 = _ } = k in
     (match touches0 with
      | Some b ->
        if b
@@ -5265,16 +5686,16 @@ let slip_right c ih =
   match numbered c (fst ih) with
   | Some p ->
     let (x, k) = p in
-    let { touches = _; sides = sides0 } = k in
-    (match sides0 with
+    let { touches = _; sides0 = sides1 } = k in
+    (match sides1 with
      | Some ss ->
        (&&)
          (match x.r_slips with
-          | [] -> is_zero0 (inner (snd ih) x.r_normal)
+          | [] -> is_zero (inner (snd ih) x.r_normal)
           | _ :: l ->
             (match l with
              | [] -> true
-             | _ :: _ -> is_zero0 (inner (snd ih) x.r_normal)))
+             | _ :: _ -> is_zero (inner (snd ih) x.r_normal)))
          (forallb (fun s ->
            qle_bool { qnum = Big_int_Z.zero_big_int; qden =
              Big_int_Z.unit_big_int } (inner (snd ih) s)) ss)
@@ -5299,7 +5720,7 @@ let rigid_leaf mass w c t y gs hs =
                     Big_int_Z.unit_big_int } t)
                   (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
                     Big_int_Z.unit_big_int } yw))
-                (negb ((&&) (is_zero0 t) (is_zero0 yw))))
+                (negb ((&&) (is_zero t) (is_zero yw))))
               (ascending (count_of c) (Big_int_Z.minus_big_int
                 Big_int_Z.unit_big_int) gs))
             (ascending (count_of c) (Big_int_Z.minus_big_int
@@ -5308,9 +5729,9 @@ let rigid_leaf mass w c t y gs hs =
       (forallb (fun p ->
         match (snd p).touches with
         | Some b ->
-          if b then resists_against (fst p) y (snd p).sides else true
-        | None -> resists_against (fst p) y (snd p).sides) c))
-    (forallb is_zero0
+          if b then resists_against (fst p) y (snd p).sides0 else true
+        | None -> resists_against (fst p) y (snd p).sides0) c))
+    (forallb is_zero
       (plus_times
         (plus_times
           (plus_times (plus_times [] t w) { qnum = Big_int_Z.unit_big_int;
@@ -5334,7 +5755,7 @@ let rigid_split mass w c = function
   (match numbered c i with
    | Some p ->
      let (x, k) = p in
-     (match slip_children x k.sides d with
+     (match slip_children x k.sides0 d with
       | Inl them -> Inl (map (fun ss -> map_all (with_sides x ss) c) them)
       | Inr rule -> Inr rule)
    | None -> Inr "node-contact")
@@ -5350,14 +5771,14 @@ let rec rigid_walk most_depth0 mass w nodes todo number =
   | [] -> (match todo with
            | [] -> None
            | _ :: _ -> Some ("tree-short", number))
-  | n :: nodes' ->
+  | n0 :: nodes' ->
     (match todo with
      | [] -> Some ("tree-long", number)
      | p :: todo' ->
        let (c, depth0) = p in
        if Z.ltb most_depth0 depth0
        then Some ("node-depth", number)
-       else (match rigid_split mass w c n with
+       else (match rigid_split mass w c n0 with
              | Inl children ->
                rigid_walk most_depth0 mass w nodes'
                  (app
@@ -5490,7 +5911,7 @@ let rigid_of row0 =
   let b = row0.box in
   (match b.box_forms (map (fun i -> i.low) b.box_geometry) with
    | [] -> None
-   | n :: ss ->
+   | n0 :: ss ->
      if (&&)
           ((&&)
             ((&&)
@@ -5502,26 +5923,28 @@ let rigid_of row0 =
           (same_vectors b.box_weights
             (map (fun _ -> { qnum = Big_int_Z.unit_big_int; qden =
               Big_int_Z.unit_big_int }) ss))
-     then Some { r_N = n; r_slips = ss; r_friction = b.box_friction.low;
+     then Some { r_N = n0; r_slips = ss; r_friction = b.box_friction.low;
             r_square = b.box_square; r_normal = b.box_normal }
      else None)
 
 (** val force_right : rigid -> q -> vector -> bool **)
 
-let force_right x n f =
+let force_right x n0 f =
   (&&)
     ((&&)
       ((&&)
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } n) (Nat.eqb (length f) (length x.r_slips)))
+          Big_int_Z.unit_big_int } n0)
+        (Nat.eqb (length f) (length x.r_slips)))
       (match x.r_slips with
-       | [] -> is_zero0 (inner f x.r_normal)
+       | [] -> is_zero (inner f x.r_normal)
        | _ :: l ->
          (match l with
           | [] -> true
-          | _ :: _ -> is_zero0 (inner f x.r_normal))))
+          | _ :: _ -> is_zero (inner f x.r_normal))))
     (qle_bool (inner f f)
-      (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square) (qmult n n)))
+      (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square)
+        (qmult n0 n0)))
 
 type pressing0 = rigid * (q * vector)
 
@@ -5542,11 +5965,11 @@ let rec pressing_contacts xs i them before =
          [])) :: before)
      | p :: rest ->
        let (j, p0) = p in
-       let (n, f) = p0 in
+       let (n0, f) = p0 in
        if Z.eqb i j
-       then if force_right x n f
+       then if force_right x n0 f
             then pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) rest
-                   ((x, (n, f)) :: before)
+                   ((x, (n0, f)) :: before)
             else None
        else pressing_contacts xs' (Z.add i Big_int_Z.unit_big_int) them ((x,
               ({ qnum = Big_int_Z.zero_big_int; qden =
@@ -5557,14 +5980,14 @@ let rec pressing_contacts xs i them before =
 let force_total w ps =
   fold_left (fun sum0 p ->
     let (x, y) = p in
-    let (n, f) = y in
-    plus_times (plus_times sum0 n x.r_N) { qnum = Big_int_Z.unit_big_int;
+    let (n0, f) = y in
+    plus_times (plus_times sum0 n0 x.r_N) { qnum = Big_int_Z.unit_big_int;
       qden = Big_int_Z.unit_big_int } (of_rows f x.r_slips)) ps w
 
 (** val balanced : matrix -> vector -> vector -> pressing0 list -> bool **)
 
 let balanced mass w a ps =
-  forallb is_zero0
+  forallb is_zero
     (plus_times (force_total w ps)
       (qopp { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int })
       (map (fun r -> inner r a) mass))
@@ -5573,7 +5996,7 @@ let balanced mass w a ps =
 
 let moves_right a = function
 | (x, p0) ->
-  let (n, f) = p0 in
+  let (n0, f) = p0 in
   let slip = slip_of x a in
   let power0 = inner f slip in
   (&&)
@@ -5581,13 +6004,13 @@ let moves_right a = function
       ((&&)
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } (inner x.r_N a))
-        (is_zero0 (qmult n (inner x.r_N a))))
+        (is_zero (qmult n0 (inner x.r_N a))))
       (qle_bool power0 { qnum = Big_int_Z.zero_big_int; qden =
         Big_int_Z.unit_big_int }))
     (qeq_bool (qmult power0 power0)
       (qmult
         (qmult (qmult (qmult x.r_friction x.r_friction) x.r_square)
-          (qmult n n)) (inner slip slip)))
+          (qmult n0 n0)) (inner slip slip)))
 
 (** val forces_fail :
     matrix -> vector -> vector -> rigid list -> stated_forces -> (pressing0
@@ -5616,7 +6039,7 @@ let class_fails most_depth0 mass w xs p =
      (match forces_fail mass w still xs rest with
       | Inl _ ->
         (match rigid_walk most_depth0 mass w nodes
-                 (((map_all (fun x -> (x, { touches = None; sides = None }))
+                 (((map_all (fun x -> (x, { touches = None; sides0 = None }))
                      xs), Big_int_Z.zero_big_int) :: []) O with
          | Some p0 -> let (rule, number) = p0 in Some (rule, (Some number))
          | None -> None)
@@ -5627,13 +6050,311 @@ let class_fails most_depth0 mass w xs p =
         (match forces_fail mass w a xs forces with
          | Inl ps ->
            if (&&)
-                ((&&) (negb (forallb is_zero0 a))
+                ((&&) (negb (forallb is_zero a))
                   (Nat.eqb (length a) (length mass)))
                 (forallb (moves_right a) ps)
            then None
            else Some ("class-motion", None)
          | Inr rule -> Some (rule, None))
       | Inr rule -> Some (rule, None)))
+
+(** val cross_product : form -> form -> form **)
+
+let cross_product a b =
+  match a with
+  | [] -> []
+  | x :: l ->
+    (match l with
+     | [] -> []
+     | y :: l0 ->
+       (match l0 with
+        | [] -> []
+        | z0 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match b with
+              | [] -> []
+              | x' :: l2 ->
+                (match l2 with
+                 | [] -> []
+                 | y' :: l3 ->
+                   (match l3 with
+                    | [] -> []
+                    | z' :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         (Z.sub (Z.mul y z') (Z.mul z0 y')) :: ((Z.sub
+                                                                  (Z.mul z0
+                                                                    x')
+                                                                  (Z.mul x z')) :: (
+                           (Z.sub (Z.mul x y') (Z.mul y x')) :: []))
+                       | _ :: _ -> []))))
+           | _ :: _ -> [])))
+
+(** val det : form -> form -> form -> Big_int_Z.big_int **)
+
+let det a b c =
+  dot a (cross_product b c)
+
+(** val first_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 option **)
+
+let rec first_some f = function
+| [] -> None
+| a :: l' -> (match f a with
+              | Some b -> Some b
+              | None -> first_some f l')
+
+(** val if_positive :
+    Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+    (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
+
+let if_positive factor0 terms =
+  if (&&) (Z.ltb Big_int_Z.zero_big_int factor0)
+       (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms)
+  then Some (factor0, terms)
+  else None
+
+(** val by_three :
+    form -> (nat * form) -> (nat * form) -> (nat * form) ->
+    (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
+
+let by_three q0 a b c =
+  let d = det (snd a) (snd b) (snd c) in
+  let s = Z.sgn d in
+  if_positive (Z.mul s d) (((fst a),
+    (Z.mul s (det q0 (snd b) (snd c)))) :: (((fst b),
+    (Z.mul s (det (snd a) q0 (snd c)))) :: (((fst c),
+    (Z.mul s (det (snd a) (snd b) q0))) :: [])))
+
+(** val by_two :
+    form -> (nat * form) -> (nat * form) ->
+    (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option **)
+
+let by_two q0 a b =
+  let n0 = cross_product (snd a) (snd b) in
+  if Z.eqb (dot q0 n0) Big_int_Z.zero_big_int
+  then if_positive (dot n0 n0) (((fst a), (det n0 q0 (snd b))) :: (((fst b),
+         (det n0 (snd a) q0)) :: []))
+  else None
+
+(** val by_one :
+    form -> (nat * form) -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int)
+    list) option **)
+
+let by_one q0 a =
+  if all_zero (cross_product (snd a) q0)
+  then if_positive (dot (snd a) (snd a)) (((fst a), (dot q0 (snd a))) :: [])
+  else None
+
+(** val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option **)
+
+let or_else a b =
+  match a with
+  | Some _ -> a
+  | None -> b ()
+
+(** val sum_found :
+    ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
+    option **)
+
+let sum_found rays0 q0 =
+  let them =
+    combine (seq O (length rays0)) (map (fun r -> r.coordinates) rays0)
+  in
+  let all_of = fun f -> first_some f them in
+  if all_zero q0
+  then Some (Big_int_Z.unit_big_int, [])
+  else or_else
+         (match find (fun a ->
+                  match snd a with
+                  | [] -> false
+                  | h :: _ -> Z.ltb Big_int_Z.zero_big_int h) them with
+          | Some a -> all_of (fun b -> all_of (by_three q0 a b))
+          | None -> None) (fun _ ->
+         or_else (all_of (fun a -> all_of (by_two q0 a))) (fun _ ->
+           all_of (by_one q0)))
+
+(** val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form **)
+
+let sum_of_rays rays0 terms =
+  fold_right (fun t s ->
+    match nth_error rays0 (fst t) with
+    | Some r -> combine0 (snd t) r.coordinates Big_int_Z.unit_big_int s
+    | None -> s) [] terms
+
+(** val reason_holds :
+    ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
+    -> bool **)
+
+let reason_holds rays0 x factor0 terms =
+  (&&)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int factor0)
+      (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
+    (all_zero
+      (combine0 factor0 x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+        (sum_of_rays rays0 terms)))
+
+(** val is_sum_of : ray list -> form -> bool **)
+
+let is_sum_of rays0 q0 =
+  match sum_found rays0 q0 with
+  | Some p -> let (factor0, terms) = p in reason_holds rays0 q0 factor0 terms
+  | None -> false
+
+type homogeneous = (q * q) * q
+
+(** val load_part : load_point -> homogeneous **)
+
+let load_part p =
+  (((if p.is_at
+     then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+     else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }),
+    p.along_u), p.along_v)
+
+(** val part_list : homogeneous -> q list **)
+
+let part_list = function
+| (p, t) -> let (h, s) = p in h :: (s :: (t :: []))
+
+(** val ray_of_part : homogeneous -> ray **)
+
+let ray_of_part a =
+  { coordinates =
+    (map (to_integer (scaling_of (part_list a))) (part_list a)); zeros = [];
+    tight = Big_int_Z.zero_big_int }
+
+(** val part_of_ray : nat -> form -> form **)
+
+let part_of_ray n0 x =
+  (nth O x Big_int_Z.zero_big_int) :: ((nth (add (S (S O)) n0) x
+                                         Big_int_Z.zero_big_int) :: (
+    (nth (add (S (S (S O))) n0) x Big_int_Z.zero_big_int) :: []))
+
+(** val held_by :
+    nat -> ray list list -> Big_int_Z.big_int -> ray list -> string option **)
+
+let held_by n0 pieces k rays0 =
+  match numbered pieces k with
+  | Some piece ->
+    if forallb (fun r -> is_sum_of piece (part_of_ray n0 r.coordinates)) rays0
+    then None
+    else Some "held-inside"
+  | None -> Some "held-piece"
+
+(** val does_not_grow : cbox -> bool **)
+
+let does_not_grow b =
+  (&&) (is_zero b.box_growth.low) (is_zero b.box_growth.high)
+
+(** val load_in_plane : vector -> vector -> q -> q -> vector **)
+
+let load_in_plane u v s t =
+  plus_times (plus_times [] s u) t v
+
+(** val point_of_plane : load_point -> q list **)
+
+let point_of_plane p =
+  (if p.is_at
+   then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+   else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: ({ qnum =
+    Big_int_Z.unit_big_int; qden =
+    Big_int_Z.unit_big_int } :: p.load_witness.twist)
+
+(** val check_load_point :
+    bool -> nat -> row list -> interval list -> vector -> vector ->
+    load_point -> (state list, string) sum **)
+
+let check_load_point two_sided n0 rows0 w u v p =
+  let x = point_of_plane p in
+  check_point two_sided n0 rows0 { load_box = w; load_growth =
+    (load_in_plane u v p.along_u p.along_v); load_added = nothing_added }
+    (map (to_integer (scaling_of x)) x) p.load_witness.shares
+
+(** val point_states :
+    bool -> nat -> row list -> interval list -> vector -> vector ->
+    load_point list -> nat -> (state list list, string * nat) sum **)
+
+let rec point_states two_sided n0 rows0 w u v points number =
+  match points with
+  | [] -> Inl []
+  | p :: points' ->
+    (match check_load_point two_sided n0 rows0 w u v p with
+     | Inl ss ->
+       (match point_states two_sided n0 rows0 w u v points' (S number) with
+        | Inl others -> Inl ((rev_append ss []) :: others)
+        | Inr failure -> Inr failure)
+     | Inr rule -> Inr (rule, number))
+
+(** val share_one_mode : row list -> state list list -> bool **)
+
+let rec share_one_mode rows0 states0 =
+  match rows0 with
+  | [] -> true
+  | _ :: rows' ->
+    (&&)
+      (contact_mode
+        (flat_map (fun ss -> match ss with
+                             | [] -> []
+                             | s :: _ -> s :: []) states0))
+      (share_one_mode rows' (map tl states0))
+
+(** val pieces_fail :
+    bool -> nat -> row list -> interval list -> vector -> vector ->
+    load_point list list -> nat -> (string * place) option **)
+
+let rec pieces_fail two_sided n0 rows0 w u v pieces number =
+  match pieces with
+  | [] -> None
+  | points :: pieces' ->
+    (match point_states two_sided n0 rows0 w u v points O with
+     | Inl states0 ->
+       if share_one_mode rows0 states0
+       then pieces_fail two_sided n0 rows0 w u v pieces' (S number)
+       else Some ("piece-mode", (AtPiece (number, None)))
+     | Inr p -> let (rule, k) = p in Some (rule, (AtPiece (number, (Some k)))))
+
+(** val plane_node : nat -> node -> node **)
+
+let plane_node n0 a = match a with
+| Plane q0 ->
+  Plane
+    (app (firstn n0 q0)
+      (app (skipn (S n0) q0)
+        ((nth n0 q0 { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int }) :: [])))
+| _ -> a
+
+(** val plane_setting :
+    nat -> row list -> interval list -> vector -> vector -> setting **)
+
+let plane_setting n0 rows0 w u v =
+  make_setting (add (S (S O)) n0) rows0 { load_box = w; load_growth =
+    (map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int }) u); load_added = nothing_added }
+    { a_multiple = []; known_push =
+    (map (fun p ->
+      app
+        (repeat { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } (add (S (S O)) n0))
+        ((fst p) :: ((snd p) :: []))) (combine u v)) }
+
+(** val at_zero : range **)
+
+let at_zero =
+  { range_low = { qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int }; range_high = (Some { qnum =
+    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }); open_low =
+    false; open_high = false }
+
+(** val plane_fails :
+    oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list
+    -> vector -> vector -> homogeneous list list -> node list ->
+    (string * nat) option **)
+
+let plane_fails advisor most two_sided n0 rows0 w u v pieces nodes =
+  walk_ranges advisor (held_by n0 (map (map ray_of_part) pieces)) most
+    two_sided (plane_setting n0 rows0 w u v) (at_zero :: [])
+    (map (plane_node n0) nodes)
 
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
@@ -5646,8 +6367,8 @@ let enlarge_all bits0 qs =
 (** val most_depth : 'a1 list -> Big_int_Z.big_int **)
 
 let most_depth rows0 =
-  fold_left (fun n _ ->
-    Z.add n (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows0
+  fold_left (fun n0 _ ->
+    Z.add n0 (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows0
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
@@ -5664,19 +6385,133 @@ let rows_of bits0 q0 =
      | None -> None)
   | None -> enlarge_all bits0 q0.contacts
 
+(** val unit_loads : q list -> matrix option **)
+
+let unit_loads = function
+| [] -> None
+| x :: l ->
+  (match l with
+   | [] -> None
+   | y :: l0 ->
+     (match l0 with
+      | [] ->
+        Some (({ qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int } :: ((qopp y) :: []))) :: (({ qnum =
+          Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+          qden = Big_int_Z.unit_big_int } :: (x :: []))) :: (({ qnum =
+          Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int } :: ({ qnum =
+          Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } :: []))) :: [])))
+      | z0 :: l1 ->
+        (match l1 with
+         | [] ->
+           Some (({ qnum = Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden =
+             Big_int_Z.unit_big_int } :: (z0 :: ((qopp y) :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ((qopp z0) :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: (x :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: (y :: ((qopp x) :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.unit_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: (({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+             qden = Big_int_Z.unit_big_int } :: ({ qnum =
+             Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int;
+             qden = Big_int_Z.unit_big_int } :: [])))))) :: []))))))
+         | _ :: _ -> None)))
+
+(** val addition_of : ball -> addition option **)
+
+let addition_of b =
+  let forces = length b.about in
+  (match unit_loads b.about with
+   | Some ways ->
+     if (||)
+          (qle_bool b.radius { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+          (qle_bool b.torque_length { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })
+     then None
+     else let most =
+            app (repeat b.radius forces)
+              (repeat (qmult b.radius b.torque_length)
+                (sub (length ways) forces))
+          in
+          Some { ball_numbers =
+          (map (fun m -> { low = (qopp m); high = m }) most); ball_ways =
+          ways; ball_squares = (map (fun m -> qmult m m) most) }
+   | None -> None)
+
+(** val load_of : question -> load option **)
+
+let load_of q0 =
+  match q0.load_ball with
+  | Some b ->
+    (match q0.several with
+     | Some _ -> None
+     | None ->
+       (match addition_of b with
+        | Some it ->
+          Some { load_box = q0.wrench; load_growth = q0.direction;
+            load_added = it }
+        | None -> None))
+  | None ->
+    Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
+      nothing_added }
+
 (** val setting_of : Big_int_Z.big_int -> question -> setting option **)
 
 let setting_of bits0 q0 =
   match rows_of bits0 q0 with
   | Some rows0 ->
-    Some
-      (make_setting q0.dimension rows0 (make_load q0.wrench q0.direction) [])
+    (match load_of q0 with
+     | Some ld -> Some (make_setting q0.dimension rows0 ld no_push)
+     | None -> None)
   | None -> None
 
 (** val is_one_grasp : setting -> bool **)
 
 let is_one_grasp s =
-  (&&) (exact_rows s.rows) (forallb certain s.the_load.load_box)
+  (&&) (exact_rows s.rows) (one_load s.the_load)
 
 (** val straight : setting -> bool **)
 
@@ -5684,19 +6519,12 @@ let straight s =
   forallb (fun r -> negb r.box.box_turns) s.rows
 
 (** val refute :
-    'a1 oracle -> question -> setting -> range list -> node list ->
+    oracle -> question -> setting -> range list -> node list ->
     (string * nat) option **)
 
 let refute advisor q0 s ranges0 nodes =
-  walk_ranges advisor (most_depth s.rows) q0.bilateral s ranges0 nodes
-
-(** val at_zero : range **)
-
-let at_zero =
-  { range_low = { qnum = Big_int_Z.zero_big_int; qden =
-    Big_int_Z.unit_big_int }; range_high = (Some { qnum =
-    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }); open_low =
-    false; open_high = false }
+  walk_ranges advisor no_pieces (most_depth s.rows) q0.bilateral s ranges0
+    nodes
 
 (** val check_witness : question -> setting -> witness -> answer **)
 
@@ -5709,16 +6537,14 @@ let check_witness q0 s w =
         | Inr rule -> Rejected (rule, Nowhere))
   else Rejected ("witness-box", Nowhere)
 
-(** val check_tree :
-    'a1 oracle -> question -> setting -> node list -> answer **)
+(** val check_tree : oracle -> question -> setting -> node list -> answer **)
 
 let check_tree advisor q0 s nodes =
   match refute advisor q0 s (at_zero :: []) nodes with
   | Some p -> let (rule, number) = p in Rejected (rule, (AtNode number))
   | None -> Unstable
 
-(** val check_parts :
-    'a1 oracle -> question -> setting -> part list -> answer **)
+(** val check_parts : oracle -> question -> setting -> part list -> answer **)
 
 let check_parts advisor q0 s parts =
   match parts_fail advisor q0.bilateral (most_depth s.rows) parts ((s,
@@ -5727,8 +6553,8 @@ let check_parts advisor q0 s parts =
   | None -> Stable
 
 (** val check_margin :
-    'a1 oracle -> question -> setting -> (q * q option) list -> segment list
-    -> node list -> answer **)
+    oracle -> question -> setting -> (q * q option) list -> segment list ->
+    node list -> answer **)
 
 let check_margin advisor q0 s resisted segments nodes =
   if is_one_grasp s
@@ -5760,8 +6586,8 @@ let in_order stable before lo hi =
   | None -> false
 
 (** val holding_fails :
-    'a1 oracle -> question -> setting -> nat -> q -> q option -> (part,
-    witness list) sum -> answer option **)
+    oracle -> question -> setting -> nat -> q -> q option -> (part, witness
+    list) sum -> answer option **)
 
 let holding_fails advisor q0 s number lo hi evidence =
   let at_ = fun l w ->
@@ -5825,8 +6651,8 @@ let joined resisted lo hi =
      | None -> (lo, hi) :: resisted)
 
 (** val check_claims :
-    'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
-    (q * q option) list -> ((q * q option) * bool) list -> answer **)
+    oracle -> question -> setting -> claim list -> q option -> nat -> (q * q
+    option) list -> ((q * q option) * bool) list -> answer **)
 
 let rec check_claims advisor q0 s claims before number resisted refuted =
   match claims with
@@ -5878,7 +6704,7 @@ let check_class q0 s p =
     (match all_some rigid_of s.rows with
      | Some xs ->
        if (&&) ((&&) (Nat.eqb (length mass) q0.dimension) (straight s))
-            (forallb certain s.the_load.load_box)
+            (one_load s.the_load)
        then (match class_fails (most_depth s.rows) mass
                      (map (fun i -> i.low) s.the_load.load_box) xs p with
              | Some p0 ->
@@ -5891,7 +6717,36 @@ let check_class q0 s p =
      | None -> NotProvedHere "rigid contacts that are uncertain")
   | None -> NotProvedHere "rigid contacts that are uncertain"
 
-(** val check : 'a1 oracle -> question -> certificate -> answer **)
+(** val check_region :
+    oracle -> question -> setting -> load_point list list -> node list ->
+    answer **)
+
+let check_region advisor q0 s pieces nodes =
+  match q0.load_plane with
+  | Some p ->
+    let (u, v) = p in
+    let n0 = q0.dimension in
+    let w = s.the_load.load_box in
+    if (&&)
+         ((&&)
+           ((&&)
+             ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
+               (Nat.eqb (length w) n0)) (Nat.eqb (length u) n0))
+           (Nat.eqb (length v) n0))
+         (forallb (fun r -> does_not_grow r.box) s.rows)
+    then (match pieces_fail q0.bilateral n0 s.rows w u v pieces O with
+          | Some p0 -> let (rule, found_at) = p0 in Rejected (rule, found_at)
+          | None ->
+            let parts = map (map load_part) pieces in
+            (match plane_fails advisor (most_depth s.rows) q0.bilateral n0
+                     s.rows w u v parts nodes with
+             | Some p0 ->
+               let (rule, number) = p0 in Rejected (rule, (AtNode number))
+             | None -> Region parts))
+    else NotProvedHere "a plane of loads of a box"
+  | None -> NotProvedHere "a proof of something else than was asked"
+
+(** val check : oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
   match setting_of c.bits q0 with
@@ -5921,8 +6776,53 @@ let check advisor q0 c =
      | OfClass p ->
        (match q0.inertia with
         | [] -> NotProvedHere "a proof of something else than was asked"
-        | _ :: _ -> check_class q0 s p))
+        | _ :: _ -> check_class q0 s p)
+     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
+
+(** val largest_exponent : Big_int_Z.big_int **)
+
+let largest_exponent =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))
+
+(** val longest_number : Big_int_Z.big_int **)
+
+let longest_number =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))))
+
+(** val too_large : Big_int_Z.big_int **)
+
+let too_large =
+  let square = fun x -> Z.mul x x in
+  let power0 =
+    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O)))))))))))))) square
+      (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+  in
+  Z.sub power0
+    (Z.div power0
+      (Z.pow (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))))
+
+(** val is_not_too_large : q -> bool **)
+
+let is_not_too_large x =
+  Z.ltb (Z.abs x.qnum) (Z.mul too_large x.qden)
 
 (** val digit : char -> Big_int_Z.big_int option **)
 
@@ -5998,6 +6898,13 @@ let take c text = match text with
 | [] -> (false, text)
 | first :: rest -> if (=) first c then (true, rest) else (false, text)
 
+(** val take_sign : char list -> bool * char list **)
+
+let take_sign text =
+  let (negative0, text0) = take '-' text in
+  let (_, text1) = if negative0 then (true, text0) else take '+' text0 in
+  (negative0, text1)
+
 (** val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool **)
 
 let rec is_longer_than limit = function
@@ -6052,29 +6959,6 @@ let parse_fraction limit spelled =
   else let (negative0, text0) = take '-' text in
        fraction_of_digits negative0 text0
 
-(** val longest_decimal : Big_int_Z.big_int **)
-
-let longest_decimal =
-  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    Big_int_Z.unit_big_int))))))))))))))
-
-(** val largest_exponent : Big_int_Z.big_int **)
-
-let largest_exponent =
-  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-    Big_int_Z.unit_big_int))))))))))))
-
 (** val exponent : char list -> (Big_int_Z.big_int * char list) option **)
 
 let exponent text =
@@ -6082,14 +6966,13 @@ let exponent text =
   let (large, text1) = if small then (true, text0) else take 'E' text0 in
   if negb large
   then Some (Big_int_Z.zero_big_int, text1)
-  else let (down, text2) = take '-' text1 in
-       let (_, text3) = if down then (true, text2) else take '+' text2 in
-       let (p, text4) = digits text3 in
-       let (size0, count0) = p in
+  else let (down, text2) = take_sign text1 in
+       let (p, text3) = digits text2 in
+       let (size1, count0) = p in
        if (||) (Z.eqb count0 Big_int_Z.zero_big_int)
-            (Z.ltb largest_exponent size0)
+            (Z.ltb largest_exponent size1)
        then None
-       else Some ((if down then Z.opp size0 else size0), text4)
+       else Some ((if down then Z.opp size1 else size1), text3)
 
 (** val parse_decimal : string -> q option **)
 
@@ -6099,16 +6982,15 @@ let parse_decimal spelled =
       Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
       spelled
   in
-  if is_longer_than longest_decimal text
+  if is_longer_than longest_number text
   then None
-  else let (negative0, text0) = take '-' text in
-       let (_, text1) = if negative0 then (true, text0) else take '+' text0 in
-       let (p, rest) = digits text1 in
+  else let (negative0, text0) = take_sign text in
+       let (p, rest) = digits text0 in
        let (value0, count0) = p in
        if Z.eqb count0 Big_int_Z.zero_big_int
        then None
        else if fst (take '/' rest)
-            then fraction_of_digits negative0 text1
+            then fraction_of_digits negative0 text0
             else let (point0, rest0) = take '.' rest in
                  let (p0, rest1) =
                    if point0
@@ -6139,27 +7021,6 @@ let parse_decimal spelled =
                                      Big_int_Z.unit_big_int))) (Z.opp shift))
                           | _ :: _ -> None)
                        | None -> None)
-
-(** val too_large : Big_int_Z.big_int **)
-
-let too_large =
-  let square = fun x -> Z.mul x x in
-  let power0 =
-    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O)))))))))))))) square
-      (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-  in
-  Z.sub power0
-    (Z.div power0
-      (Z.pow (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))))
-
-(** val is_not_too_large : q -> bool **)
-
-let is_not_too_large x =
-  Z.ltb (Z.abs x.qnum) (Z.mul too_large x.qden)
 
 (** val read_decimal : path -> json -> q result **)
 
@@ -6292,19 +7153,19 @@ let needs_second =
 
 (** val has_length : Big_int_Z.big_int -> 'a1 list -> bool **)
 
-let rec has_length size0 = function
-| [] -> Z.eqb size0 Big_int_Z.zero_big_int
+let rec has_length size1 = function
+| [] -> Z.eqb size1 Big_int_Z.zero_big_int
 | _ :: rest ->
-  (&&) (Z.ltb Big_int_Z.zero_big_int size0)
-    (has_length (Z.sub size0 Big_int_Z.unit_big_int) rest)
+  (&&) (Z.ltb Big_int_Z.zero_big_int size1)
+    (has_length (Z.sub size1 Big_int_Z.unit_big_int) rest)
 
 (** val read_sized :
     Big_int_Z.big_int -> string -> (path -> json -> 'a1 result) -> path ->
     json -> 'a1 list result **)
 
-let read_sized size0 what read at_path value0 = match value0 with
+let read_sized size1 what read at_path value0 = match value0 with
 | Array items ->
-  if has_length size0 items
+  if has_length size1 items
   then each read at_path items
   else expected what at_path value0
 | _ -> expected what at_path value0
@@ -6327,9 +7188,9 @@ let is_0 x =
 let is_below x y =
   negb (qle_bool y x)
 
-(** val sum_of_squares : q list -> q **)
+(** val sum_of_squares0 : q list -> q **)
 
-let sum_of_squares v =
+let sum_of_squares0 v =
   fold_right (fun x sum0 -> qplus (qmult x x) sum0) { qnum =
     Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } v
 
@@ -6454,15 +7315,15 @@ let cross0 a b =
 
 (** val with_length_1 : q list -> q list **)
 
-let with_length_1 n =
-  match exact_root (sum_of_squares n) with
-  | Some length0 -> map (fun x -> qdiv x length0) n
-  | None -> n
+let with_length_1 n0 =
+  match exact_root (sum_of_squares0 n0) with
+  | Some length0 -> map (fun x -> qdiv x length0) n0
+  | None -> n0
 
 (** val make_edge : q -> (q list * q list) -> edge **)
 
 let make_edge side ends0 =
-  let n =
+  let n0 =
     let (l, l0) = ends0 in
     (match l with
      | [] -> []
@@ -6485,7 +7346,7 @@ let make_edge side ends0 =
                     | _ :: _ -> [])))
            | _ :: _ -> [])))
   in
-  { from = (fst ends0); to0 = (snd ends0); inwards = (with_length_1 n) }
+  { from = (fst ends0); to0 = (snd ends0); inwards = (with_length_1 n0) }
 
 (** val read_ring : version -> bool -> path -> json -> edge list result **)
 
@@ -6502,14 +7363,14 @@ let read_ring v hole at_path value0 =
             (match l2 with
              | [] -> expected what at_path value0
              | _ :: _ -> Fine ()))) (fun _ ->
-      let sides0 = pairs ring in
+      let sides1 = pairs ring in
       bind
         (check_that
-          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides0))
+          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides1))
           at_path "a vertex is the same as the next") (fun _ ->
         let area =
           fold_left (fun sum0 pat ->
-            let (a, b) = pat in qplus sum0 (cross0 a b)) sides0 { qnum =
+            let (a, b) = pat in qplus sum0 (cross0 a b)) sides1 { qnum =
             Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
         in
         bind (check_that (negb (is_0 area)) at_path "the ring has no area")
@@ -6518,7 +7379,7 @@ let read_ring v hole at_path value0 =
             inject_Z
               (if hole then Z.opp (Z.sgn area.qnum) else Z.sgn area.qnum)
           in
-          Fine (map (make_edge side) sides0)))))
+          Fine (map (make_edge side) sides1)))))
 
 (** val read_polygon : version -> path -> json -> edge list result **)
 
@@ -6657,22 +7518,22 @@ let at_point0 p f =
     version -> path -> (string * json) list -> q list result **)
 
 let read_pull v at_path members =
-  bind (member "weight" read_decimal at_path members) (fun size0 ->
+  bind (member "weight" read_decimal at_path members) (fun size1 ->
     bind
       (check_that
         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-          Big_int_Z.unit_big_int } size0) ((Member "weight") :: at_path)
+          Big_int_Z.unit_big_int } size1) ((Member "weight") :: at_path)
         "expected a number of 0 or more") (fun _ ->
       bind (optional_member "direction" (read_point v) at_path members)
         (fun direction0 ->
         match direction0 with
         | Some d ->
-          (match exact_root (sum_of_squares d) with
+          (match exact_root (sum_of_squares0 d) with
            | Some length0 ->
              bind
                (check_that (negb (is_0 length0)) ((Member
                  "direction") :: at_path) "expected a vector other than 0")
-               (fun _ -> Fine (map (fun x -> qdiv (qmult size0 x) length0) d))
+               (fun _ -> Fine (map (fun x -> qdiv (qmult size1 x) length0) d))
            | None ->
              refuse ((Member "direction") :: at_path)
                "expected a vector of rational length, such as [3, -4]")
@@ -6682,9 +7543,9 @@ let read_pull v at_path members =
              then { qnum = Big_int_Z.zero_big_int; qden =
                     Big_int_Z.unit_big_int } :: ({ qnum =
                     Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int } :: ((qopp size0) :: []))
+                    Big_int_Z.unit_big_int } :: ((qopp size1) :: []))
              else { qnum = Big_int_Z.zero_big_int; qden =
-                    Big_int_Z.unit_big_int } :: ((qopp size0) :: [])))))
+                    Big_int_Z.unit_big_int } :: ((qopp size1) :: [])))))
 
 (** val read_torque : version -> path -> json -> q list result **)
 
@@ -6954,7 +7815,8 @@ let read_normal v at_path value0 =
        bind (check_that v.is_second at_path needs_second) (fun _ ->
          bind (members_of ("direction" :: ("slope" :: [])) at_path value0)
            (fun members ->
-           bind (member "direction" (read_point v) at_path members) (fun n ->
+           bind (member "direction" (read_point v) at_path members)
+             (fun n0 ->
              bind (member "slope" read_decimal at_path members)
                (fun slope0 ->
                bind
@@ -6966,15 +7828,15 @@ let read_normal v at_path value0 =
                        Big_int_Z.unit_big_int })) ((Member
                    "slope") :: at_path)
                    "expected a number of 0 or more and below 1") (fun _ ->
-                 Fine (n, slope0))))))
+                 Fine (n0, slope0))))))
      | _ ->
-       bind (read_point v at_path value0) (fun n -> Fine (n, { qnum =
+       bind (read_point v at_path value0) (fun n0 -> Fine (n0, { qnum =
          Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })))
     (fun pat ->
-    let (n, slope0) = pat in
+    let (n0, slope0) = pat in
     bind
-      (check_that (negb (forallb is_0 n)) at_path
-        "the normal is 0; give a vector into the object") (fun _ -> Fine (n,
+      (check_that (negb (forallb is_0 n0)) at_path
+        "the normal is 0; give a vector into the object") (fun _ -> Fine (n0,
       slope0)))
 
 (** val read_contact :
@@ -7002,8 +7864,8 @@ let read_contact v outline defaults at_path value0 =
                  "it stands in place of \"position\" and \"normal\"")
                (fun _ ->
                bind (read_on outline here on) (fun pat ->
-                 let (p, n) = pat in
-                 Fine ((p, n), { qnum = Big_int_Z.zero_big_int; qden =
+                 let (p, n0) = pat in
+                 Fine ((p, n0), { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int })))))
        | None ->
          bind
@@ -7014,9 +7876,9 @@ let read_contact v outline defaults at_path value0 =
                 else "2 coordinates [x, y], as the first contact has")
                (read_interval v)) at_path members) (fun p ->
            bind (member "normal" (read_normal v) at_path members) (fun pat ->
-             let (n, e) = pat in Fine ((p, n), e)))) (fun pat ->
+             let (n0, e) = pat in Fine ((p, n0), e)))) (fun pat ->
       let (p0, e) = pat in
-      let (p, n) = p0 in
+      let (p, n0) = p0 in
       bind (read_properties v at_path members) (fun own ->
         let or0 = fun mine default ->
           match mine with
@@ -7030,7 +7892,7 @@ let read_contact v outline defaults at_path value0 =
         in
         (match or0 own.own_friction defaults.own_friction with
          | Some mu ->
-           Fine { position = p; normal = n; slope = e; friction = mu;
+           Fine { position = p; normal = n0; slope = e; friction = mu;
              stiffness =
              (or_number (or0 own.own_stiffness defaults.own_stiffness)
                { qnum = Big_int_Z.unit_big_int; qden =
@@ -7100,9 +7962,9 @@ let read_units at_path value0 =
 
 (** val is_array : Big_int_Z.big_int -> json option -> bool **)
 
-let is_array size0 = function
+let is_array size1 = function
 | Some j -> (match j with
-             | Array items -> has_length size0 items
+             | Array items -> has_length size1 items
              | _ -> false)
 | None -> false
 
@@ -7723,7 +8585,7 @@ let read_defaults_of_bodies v at_path value0 =
 (** val number_bodies :
     nat -> nat -> named_body list -> (string -> q list) -> rigid_body list **)
 
-let rec number_bodies size0 next0 bodies0 turned0 =
+let rec number_bodies size1 next0 bodies0 turned0 =
   match bodies0 with
   | [] -> []
   | b :: rest ->
@@ -7731,9 +8593,9 @@ let rec number_bodies size0 next0 bodies0 turned0 =
      | Some p ->
        let (on, eta) = p in
        (Link (on, eta,
-       (turned0 b.name_of))) :: (number_bodies size0 next0 rest turned0)
+       (turned0 b.name_of))) :: (number_bodies size1 next0 rest turned0)
      | None ->
-       (Free next0) :: (number_bodies size0 (add next0 size0) rest turned0))
+       (Free next0) :: (number_bodies size1 (add next0 size1) rest turned0))
 
 (** val names_of_body : version -> named_body -> string list **)
 
@@ -7807,7 +8669,7 @@ let read_grasp_of_bodies value0 =
           | _ -> false)
        | None -> false) }
     in
-    let size0 = if v.is_in_space then S (S (S (S (S (S O))))) else S (S (S O))
+    let size1 = if v.is_in_space then S (S (S (S (S (S O))))) else S (S (S O))
     in
     bind (optional_member "name" read_any_text [] members) (fun _ ->
       bind (optional_member "units" read_units [] members) (fun _ ->
@@ -7829,7 +8691,7 @@ let read_grasp_of_bodies value0 =
                 "a link that no joint turns; expected its name in \"turns\" of one of \"joints\"")
               (fun _ ->
               let own =
-                mul size0
+                mul size1
                   (length
                     (filter (fun b ->
                       match b.link with
@@ -7877,7 +8739,7 @@ let read_grasp_of_bodies value0 =
                         (read_over v bodies0 turned0 count0 true "tension")
                         members) (fun tendons ->
                       let its = { bodies_in_space = v.is_in_space; bodies =
-                        (number_bodies size0 O bodies0 turned0); elements =
+                        (number_bodies size1 O bodies0 turned0); elements =
                         (app ratchets (app springs tendons)) }
                       in
                       bind
@@ -7977,11 +8839,17 @@ type growth =
 | Scale
 | By of q list
 
+type stated_ball = { stated_radius : q; stated_length : q;
+                     stated_point : q list; stated_body : string option }
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option; asked_inertia : q list option;
-                 asked_uncertain : (string * tolerance) list }
+                 asked_growth : growth option;
+                 asked_plane : (q list * q list) option;
+                 asked_inertia : q list option;
+                 asked_uncertain : (string * tolerance) list;
+                 asked_ball : stated_ball option }
 
 (** val uncertain_kinds : string list **)
 
@@ -7997,12 +8865,24 @@ let asks_margin asked =
              | Some _ -> true
              | None -> false)
 
+(** val asks_plane : options -> bool **)
+
+let asks_plane asked =
+  match asked.asked_plane with
+  | Some _ -> true
+  | None -> false
+
 (** val asks_class : options -> bool **)
 
 let asks_class asked =
   match asked.asked_inertia with
   | Some _ -> true
   | None -> false
+
+(** val asks_one : options -> bool **)
+
+let asks_one asked =
+  (||) ((||) (asks_margin asked) (asks_class asked)) (asks_plane asked)
 
 (** val in_full : q list -> q list **)
 
@@ -8092,16 +8972,24 @@ let wrench_asked file asked =
                exactly { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int }) d)
          | None ->
-           if file.has_loads
-           then Fine file.common_wrench
-           else (match file.cases with
-                 | [] -> Fine file.common_wrench
-                 | p :: _ ->
-                   let (name, _) = p in
-                   refuse here
-                     ((^)
-                       "the grasp has cases, and none is chosen; expected the name of one, such as \""
-                       ((^) name "\""))))))
+           (match asked.asked_plane with
+            | Some p ->
+              let (d, _) = p in
+              Fine
+              (map (fun _ ->
+                exactly { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }) d)
+            | None ->
+              if file.has_loads
+              then Fine file.common_wrench
+              else (match file.cases with
+                    | [] -> Fine file.common_wrench
+                    | p :: _ ->
+                      let (name, _) = p in
+                      refuse here
+                        ((^)
+                          "the grasp has cases, and none is chosen; expected the name of one, such as \""
+                          ((^) name "\"")))))))
 
 (** val widen : tolerance option -> interval -> interval **)
 
@@ -8149,6 +9037,61 @@ let asked_element asked it =
     (widen (find_tolerance "preload" asked) it.element_preload);
     element_growth = it.element_growth }
 
+(** val ball_asked :
+    grasp -> options -> interval list -> stated_ball option result **)
+
+let ball_asked file asked stated =
+  match asked.asked_ball with
+  | Some b ->
+    let here = of_question "uncertain" in
+    let point0 =
+      match b.stated_point with
+      | [] ->
+        repeat { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }
+          (if file.in_space then S (S (S O)) else S (S O))
+      | q0 :: l -> q0 :: l
+    in
+    bind
+      (check_that (negb (asks_one asked)) here
+        "a margin, a region or a class is about one grasp; expected no uncertainty")
+      (fun _ ->
+      bind
+        (check_that
+          (is_below { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } b.stated_radius) here
+          "expected a radius above 0") (fun _ ->
+        bind
+          (check_that
+            (is_below { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } b.stated_length) here
+            "expected a length above 0") (fun _ ->
+          bind
+            (check_that
+              (has_length
+                (if file.in_space
+                 then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                        Big_int_Z.unit_big_int)
+                 else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
+                point0) here
+              (if file.in_space
+               then "expected a point of three coordinates, as the grasp is in space"
+               else "expected a point of two coordinates, as the grasp is planar"))
+            (fun _ ->
+            bind
+              (check_that
+                (forallb (fun it -> qeq_bool it.low it.high) stated) here
+                "expected a load without intervals") (fun _ ->
+              bind
+                (check_that
+                  (match b.stated_body with
+                   | Some _ -> false
+                   | None -> true) here
+                  "expected no body, as the grasp has one only") (fun _ ->
+                Fine (Some { stated_radius = b.stated_radius; stated_length =
+                b.stated_length; stated_point = point0; stated_body = None })))))))
+  | None -> Fine None
+
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
 
@@ -8158,8 +9101,8 @@ let rec check_tolerances asked = function
   let (kind, t) = p in
   let here = of_question "uncertain" in
   bind
-    (check_that (negb ((||) (asks_margin asked) (asks_class asked))) here
-      "a margin or a class is about one grasp; expected no uncertainty")
+    (check_that (negb (asks_one asked)) here
+      "a margin, a region or a class is about one grasp; expected no uncertainty")
     (fun _ ->
     bind
       (check_that
@@ -8188,7 +9131,7 @@ let is_one_point it =
 
 let has_irrational_preload it =
   (&&) ((||) (negb (is_0 it.preload.high)) (negb (is_0 it.preload_growth)))
-    (match exact_root (sum_of_squares it.normal) with
+    (match exact_root (sum_of_squares0 it.normal) with
      | Some _ -> false
      | None -> true)
 
@@ -8287,6 +9230,64 @@ let rec with_growths grown items numbers0 done0 =
      | [] -> None
      | p :: rest -> with_growths grown others rest ((grown it p) :: done0))
 
+(** val check_plane : grasp -> options -> unit result **)
+
+let check_plane file asked =
+  let here = of_question "plane" in
+  (match asked.asked_plane with
+   | Some p ->
+     let (u, v) = p in
+     bind
+       (check_that
+         (match file.bodies_read with
+          | Some _ -> false
+          | None -> true) here
+         "the grasp is of several bodies; expected a question about a wrench or a direction")
+       (fun _ ->
+       bind
+         (check_that (negb file.in_space) here
+           "the grasp is in space; a region is about a planar grasp")
+         (fun _ ->
+         bind
+           (check_that (negb (asks_margin asked)) here
+             "a direction is given as well; expected one of them") (fun _ ->
+           check_that
+             (match u with
+              | [] -> false
+              | a :: l ->
+                (match l with
+                 | [] -> false
+                 | b :: l0 ->
+                   (match l0 with
+                    | [] -> false
+                    | c :: l1 ->
+                      (match l1 with
+                       | [] ->
+                         (match v with
+                          | [] -> false
+                          | d :: l2 ->
+                            (match l2 with
+                             | [] -> false
+                             | e :: l3 ->
+                               (match l3 with
+                                | [] -> false
+                                | f :: l4 ->
+                                  (match l4 with
+                                   | [] ->
+                                     negb
+                                       ((&&)
+                                         ((&&)
+                                           (is_0
+                                             (qminus (qmult b f) (qmult c e)))
+                                           (is_0
+                                             (qminus (qmult c d) (qmult a f))))
+                                         (is_0
+                                           (qminus (qmult a e) (qmult b d))))
+                                   | _ :: _ -> false))))
+                       | _ :: _ -> false)))) here
+             "its directions are multiples of one another; expected a plane")))
+   | None -> Fine ())
+
 (** val pose : grasp -> options -> posed result **)
 
 let pose file asked =
@@ -8306,182 +9307,213 @@ let pose file asked =
                Big_int_Z.unit_big_int } p
            | None -> true) (of_question "preload") "expected 0 or more")
         (fun _ ->
-        bind (wrench_asked file asked) (fun stated ->
-          bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
-            let them = map_all (asked_contact asked) file.all_contacts in
-            let others =
-              match file.bodies_read with
-              | Some its -> map_all (asked_element asked) its.elements
-              | None -> []
-            in
-            bind
-              (match asked.asked_growth with
-               | Some g ->
-                 (match g with
-                  | Scale -> Fine (them, others)
-                  | By numbers0 ->
-                    let problem =
-                      "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
-                    in
-                    let wrong =
-                      refuse (of_question "preload direction") problem
-                    in
-                    (match with_growths (fun it p ->
-                             with_growth it.preload p it) them numbers0 [] with
-                     | Some p ->
-                       let (them0, rest) = p in
-                       (match with_growths (fun it p0 ->
-                                element_with_growth it.element_preload p0 it)
-                                others rest [] with
-                        | Some p0 ->
-                          let (others0, l) = p0 in
-                          (match l with
-                           | [] ->
-                             bind
-                               (check_that
-                                 ((&&)
-                                   (forallb (fun it ->
-                                     qle_bool { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int }
-                                       it.preload_growth) them0)
-                                   (forallb (fun it ->
-                                     (||) it.element_spring
-                                       (qle_bool { qnum =
-                                         Big_int_Z.zero_big_int; qden =
-                                         Big_int_Z.unit_big_int }
-                                         it.element_growth)) others0))
-                                 (of_question "preload direction") problem)
-                               (fun _ -> Fine (them0, others0))
-                           | _ :: _ -> wrong)
-                        | None -> wrong)
-                     | None -> wrong))
-               | None -> Fine (them, others)) (fun pat ->
-              let (them0, others0) = pat in
-              bind
-                (match asked.asked_inertia with
-                 | Some numbers0 ->
-                   let here = of_question "inertia" in
-                   bind
-                     (check_that
-                       (match file.bodies_read with
-                        | Some _ -> false
-                        | None -> true) here
-                       "the grasp is of several bodies; expected a question about a wrench or a direction")
-                     (fun _ ->
-                     bind
-                       (check_that (negb (asks_margin asked)) here
-                         "a direction is given as well") (fun _ ->
+        bind (check_plane file asked) (fun _ ->
+          bind (wrench_asked file asked) (fun stated ->
+            bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
+              bind (ball_asked file asked stated) (fun ball0 ->
+                let them = map_all (asked_contact asked) file.all_contacts in
+                let others =
+                  match file.bodies_read with
+                  | Some its -> map_all (asked_element asked) its.elements
+                  | None -> []
+                in
+                bind
+                  (match asked.asked_growth with
+                   | Some g ->
+                     (match g with
+                      | Scale -> Fine (them, others)
+                      | By numbers0 ->
+                        let problem =
+                          "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
+                        in
+                        let wrong =
+                          refuse (of_question "preload direction") problem
+                        in
+                        (match with_growths (fun it p ->
+                                 with_growth it.preload p it) them numbers0 [] with
+                         | Some p ->
+                           let (them0, rest) = p in
+                           (match with_growths (fun it p0 ->
+                                    element_with_growth it.element_preload p0
+                                      it) others rest [] with
+                            | Some p0 ->
+                              let (others0, l) = p0 in
+                              (match l with
+                               | [] ->
+                                 bind
+                                   (check_that
+                                     ((&&)
+                                       (forallb (fun it ->
+                                         qle_bool { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int }
+                                           it.preload_growth) them0)
+                                       (forallb (fun it ->
+                                         (||) it.element_spring
+                                           (qle_bool { qnum =
+                                             Big_int_Z.zero_big_int; qden =
+                                             Big_int_Z.unit_big_int }
+                                             it.element_growth)) others0))
+                                     (of_question "preload direction")
+                                     problem) (fun _ -> Fine (them0, others0))
+                               | _ :: _ -> wrong)
+                            | None -> wrong)
+                         | None -> wrong))
+                   | None -> Fine (them, others)) (fun pat ->
+                  let (them0, others0) = pat in
+                  bind
+                    (match asked.asked_inertia with
+                     | Some numbers0 ->
+                       let here = of_question "inertia" in
                        bind
                          (check_that
-                           (has_length
-                             (if file.in_space
-                              then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                     (Big_int_Z.mult_int_big_int 2
-                                     (Big_int_Z.mult_int_big_int 2
-                                     Big_int_Z.unit_big_int)))
-                              else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                     Big_int_Z.unit_big_int)) numbers0) here
-                           (if file.in_space
-                            then "expected 6 or 9 numbers"
-                            else "expected 3 numbers")) (fun _ ->
-                         check_that
-                           (match masses numbers0 with
-                            | Some _ -> true
-                            | None -> false) here
-                           (if file.in_space
-                            then "the tensor is not positive definite"
-                            else "the squared radius of gyration must be > 0"))))
-                 | None -> Fine ()) (fun _ ->
-                let margin = (||) (asks_margin asked) (asks_class asked) in
-                bind
-                  (each (check_contact margin claims) ((Member
-                    "contacts") :: []) them0) (fun boxes ->
-                  bind
-                    (each (check_element margin) ((Member
-                      "ratchets and springs") :: []) others0)
-                    (fun other_boxes ->
-                    let widened =
-                      map (widen (find_tolerance "wrench" asked)) stated
-                    in
-                    let certain0 = forallb is_exact widened in
+                           (match file.bodies_read with
+                            | Some _ -> false
+                            | None -> true) here
+                           "the grasp is of several bodies; expected a question about a wrench or a direction")
+                         (fun _ ->
+                         bind
+                           (check_that
+                             (negb
+                               ((||) (asks_margin asked) (asks_plane asked)))
+                             here
+                             "a direction or a plane is given as well; expected one of them")
+                           (fun _ ->
+                           bind
+                             (check_that
+                               (has_length
+                                 (if file.in_space
+                                  then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                         (Big_int_Z.mult_int_big_int 2
+                                         (Big_int_Z.mult_int_big_int 2
+                                         Big_int_Z.unit_big_int)))
+                                  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                         Big_int_Z.unit_big_int)) numbers0)
+                               here
+                               (if file.in_space
+                                then "expected 6 or 9 numbers"
+                                else "expected 3 numbers")) (fun _ ->
+                             check_that
+                               (match masses numbers0 with
+                                | Some _ -> true
+                                | None -> false) here
+                               (if file.in_space
+                                then "the tensor is not positive definite"
+                                else "the squared radius of gyration must be > 0"))))
+                     | None -> Fine ()) (fun _ ->
+                    let margin = asks_one asked in
                     bind
-                      (check_that ((||) (negb margin) certain0) ((Member
-                        "wrench") :: [])
-                        "found an interval, but a margin is about one grasp; expected numbers")
-                      (fun _ ->
-                      let scales =
-                        match asked.asked_growth with
-                        | Some g ->
-                          (match g with
-                           | Scale -> true
-                           | By _ -> false)
-                        | None -> false
-                      in
-                      let them1 =
-                        if scales
-                        then map_all (fun it ->
-                               with_growth
-                                 (exactly { qnum = Big_int_Z.zero_big_int;
-                                   qden = Big_int_Z.unit_big_int })
-                                 it.preload.low it) them0
-                        else them0
-                      in
-                      let others1 =
-                        if scales
-                        then map_all (fun it ->
-                               element_with_growth
-                                 (exactly { qnum = Big_int_Z.zero_big_int;
-                                   qden = Big_int_Z.unit_big_int })
-                                 it.element_preload.low it) others0
-                        else others0
-                      in
-                      let u =
-                        match asked.asked_direction with
-                        | Some u -> u
-                        | None ->
-                          map (fun _ -> { qnum = Big_int_Z.zero_big_int;
-                            qden = Big_int_Z.unit_big_int }) stated
-                      in
+                      (each (check_contact margin claims) ((Member
+                        "contacts") :: []) them0) (fun boxes ->
                       bind
-                        (check_that
-                          ((||)
+                        (each (check_element margin) ((Member
+                          "ratchets and springs") :: []) others0)
+                        (fun other_boxes ->
+                        let widened =
+                          map (widen (find_tolerance "wrench" asked)) stated
+                        in
+                        let certain0 = forallb is_exact widened in
+                        bind
+                          (check_that ((||) (negb margin) certain0) ((Member
+                            "wrench") :: [])
+                            "found an interval, but a margin is about one grasp; expected numbers")
+                          (fun _ ->
+                          let scales =
+                            match asked.asked_growth with
+                            | Some g ->
+                              (match g with
+                               | Scale -> true
+                               | By _ -> false)
+                            | None -> false
+                          in
+                          let them1 =
+                            if scales
+                            then map_all (fun it ->
+                                   with_growth
+                                     (exactly { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int })
+                                     it.preload.low it) them0
+                            else them0
+                          in
+                          let others1 =
+                            if scales
+                            then map_all (fun it ->
+                                   element_with_growth
+                                     (exactly { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int })
+                                     it.element_preload.low it) others0
+                            else others0
+                          in
+                          let u =
+                            match asked.asked_direction with
+                            | Some u -> u
+                            | None ->
+                              map (fun _ -> { qnum = Big_int_Z.zero_big_int;
+                                qden = Big_int_Z.unit_big_int }) stated
+                          in
+                          bind
+                            (check_that
+                              ((||)
+                                ((||)
+                                  ((||) (negb (asks_margin asked))
+                                    (negb (forallb is_0 u)))
+                                  (existsb (fun it ->
+                                    negb (is_0 it.preload_growth)) them1))
+                                (existsb (fun it ->
+                                  negb (is_0 it.element_growth)) others1))
+                              (of_question "direction")
+                              ((^)
+                                "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                                "scale preloads some of which are not 0"))
+                            (fun _ -> Fine { the_question = { dimension =
+                            file.coordinates_read; bilateral =
+                            asked.asked_bilateral; is_margin =
+                            (asks_margin asked); contacts = them1; wrench =
+                            widened; load_ball =
+                            (match ball0 with
+                             | Some b ->
+                               Some { radius = b.stated_radius;
+                                 torque_length = b.stated_length; about =
+                                 b.stated_point }
+                             | None -> None); direction = u; load_plane =
+                            asked.asked_plane; inertia =
+                            (match asked.asked_inertia with
+                             | Some numbers0 -> numbers0
+                             | None -> []); several =
+                            (match file.bodies_read with
+                             | Some its ->
+                               Some { bodies_in_space = its.bodies_in_space;
+                                 bodies = its.bodies; elements = others1 }
+                             | None -> None) }; free_coordinates =
+                            file.names_of_bodies; joint_coordinates =
+                            file.names_of_joints; stated_wrench = stated;
+                            the_options = { asked_wrench =
+                            asked.asked_wrench; asked_case =
+                            asked.asked_case; asked_preload =
+                            asked.asked_preload; asked_bilateral =
+                            asked.asked_bilateral; asked_direction =
+                            asked.asked_direction; asked_growth =
+                            asked.asked_growth; asked_plane =
+                            asked.asked_plane; asked_inertia =
+                            asked.asked_inertia; asked_uncertain =
+                            asked.asked_uncertain; asked_ball = ball0 };
+                            is_box =
                             ((||)
-                              ((||) (negb (asks_margin asked))
-                                (negb (forallb is_0 u)))
-                              (existsb (fun it ->
-                                negb (is_0 it.preload_growth)) them1))
-                            (existsb (fun it ->
-                              negb (is_0 it.element_growth)) others1))
-                          (of_question "direction")
-                          ((^)
-                            "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                            "scale preloads some of which are not 0"))
-                        (fun _ -> Fine { the_question = { dimension =
-                        file.coordinates_read; bilateral =
-                        asked.asked_bilateral; is_margin =
-                        (asks_margin asked); contacts = them1; wrench =
-                        widened; direction = u; inertia =
-                        (match asked.asked_inertia with
-                         | Some numbers0 -> numbers0
-                         | None -> []); several =
-                        (match file.bodies_read with
-                         | Some its ->
-                           Some { bodies_in_space = its.bodies_in_space;
-                             bodies = its.bodies; elements = others1 }
-                         | None -> None) }; free_coordinates =
-                        file.names_of_bodies; joint_coordinates =
-                        file.names_of_joints; stated_wrench = stated;
-                        the_options = asked; is_box =
-                        ((||) (negb certain0)
-                          (existsb (fun box0 -> box0) (app boxes other_boxes))) })))))))))))
+                              ((||) (negb certain0)
+                                (match ball0 with
+                                 | Some _ -> true
+                                 | None -> false))
+                              (existsb (fun box0 -> box0)
+                                (app boxes other_boxes))) })))))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
 type shape = { spatial : bool; of_bodies : bool;
                size_of_twist : Big_int_Z.big_int; soft : bool list;
-               of_margin : bool; of_class : bool }
+               of_margin : bool; of_plane : bool; of_class : bool }
 
 (** val of_claims : shape -> bool **)
 
@@ -8586,24 +9618,60 @@ let read_tolerance at_path value0 =
      bind (read_fraction at_path value0) (fun x -> Fine { amount = x;
        percent = false }))
 
-(** val read_all_tolerances :
-    path -> (string * json) list -> (string * tolerance) list result **)
+(** val read_ball : bool -> path -> json -> stated_ball result **)
 
-let rec read_all_tolerances at_path = function
-| [] -> Fine []
+let read_ball in_space0 at_path value0 =
+  let coordinates1 =
+    if in_space0
+    then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+           Big_int_Z.unit_big_int)
+    else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+  in
+  bind
+    (members_in_order ("ball" :: ("length" :: ("about" :: []))) at_path
+      value0) (fun members ->
+    bind (member "ball" read_fraction at_path members) (fun r ->
+      bind (member "length" read_fraction at_path members) (fun l ->
+        bind
+          (optional_member "about"
+            (read_sized coordinates1 "an array of the coordinates of a point"
+              read_fraction) at_path members) (fun c -> Fine
+          { stated_radius = r; stated_length = l; stated_point =
+          (match c with
+           | Some c0 -> c0
+           | None ->
+             repeat { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int } (Z.to_nat coordinates1));
+          stated_body = None }))))
+
+(** val read_all_tolerances :
+    bool -> path -> (string * json) list -> ((string * tolerance)
+    list * stated_ball option) result **)
+
+let rec read_all_tolerances in_space0 at_path = function
+| [] -> Fine ([], None)
 | p :: rest ->
   let (kind, value0) = p in
-  bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
-    bind (read_all_tolerances at_path rest) (fun others -> Fine ((kind,
-      t) :: others)))
+  if (&&) ((=) kind "wrench")
+       (match value0 with
+        | Object _ -> true
+        | _ -> false)
+  then bind (read_ball in_space0 ((Member kind) :: at_path) value0) (fun b ->
+         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+           let (others, _) = pat in Fine (others, (Some b))))
+  else bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
+         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+           let (others, b) = pat in Fine (((kind, t) :: others), b)))
 
-(** val read_tolerances : path -> json -> (string * tolerance) list result **)
+(** val read_tolerances :
+    bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+    result **)
 
-let read_tolerances at_path value0 =
+let read_tolerances in_space0 at_path value0 =
   bind (members_in_order uncertain_kinds at_path value0) (fun members ->
     match members with
     | [] -> expected "an object of one tolerance or more" at_path value0
-    | _ :: _ -> read_all_tolerances at_path members)
+    | _ :: _ -> read_all_tolerances in_space0 at_path members)
 
 (** val read_inertia : bool -> path -> json -> q list result **)
 
@@ -8628,13 +9696,27 @@ let read_inertia in_space0 at_path value0 =
         (if in_space0 then "expected 6 or 9 numbers" else "expected 3 numbers"))
       (fun _ -> Fine (in_full numbers0)))
 
+(** val read_plane : path -> json -> (q list * q list) result **)
+
+let read_plane at_path value0 =
+  bind
+    (read_sized (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+      "two directions of three numbers"
+      (read_numbers
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        Big_int_Z.unit_big_int)) at_path value0) (fun them -> Fine
+    ((nth O them []), (nth (S O) them [])))
+
 (** val read_statement : shape -> path -> json -> statement result **)
 
 let read_statement s at_path value0 =
   bind
     (members_in_order
-      ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: ("inertia" :: ("uncertain" :: []))))))))
-      at_path value0) (fun members ->
+      (app
+        ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
+        (app (if of_claims s then [] else "plane" :: [])
+          (app (if s.of_bodies then [] else "inertia" :: [])
+            ("uncertain" :: [])))) at_path value0) (fun members ->
     let count0 = s.size_of_twist in
     bind (member "contacts" read_index at_path members) (fun m ->
       bind
@@ -8650,26 +9732,26 @@ let read_statement s at_path value0 =
               bind
                 (optional_member "preload_direction" read_growth at_path
                   members) (fun growing ->
-                bind
-                  (check_that
-                    (negb ((&&) s.of_bodies (has_member "inertia" members)))
-                    ((Member "inertia") :: at_path)
-                    "expected none, of a question about several bodies")
-                  (fun _ ->
+                bind (optional_member "plane" read_plane at_path members)
+                  (fun plane ->
                   bind
                     (optional_member "inertia" (read_inertia s.spatial)
                       at_path members) (fun i ->
                     bind
-                      (optional_member "uncertain" read_tolerances at_path
-                        members) (fun uncertain -> Fine { stated_contacts =
-                      m; wrench_stated = w; options_stated = { asked_wrench =
+                      (optional_member "uncertain"
+                        (read_tolerances s.spatial) at_path members)
+                      (fun uncertain -> Fine { stated_contacts = m;
+                      wrench_stated = w; options_stated = { asked_wrench =
                       None; asked_case = None; asked_preload = p;
                       asked_bilateral = law; asked_direction = u;
-                      asked_growth = growing; asked_inertia = i;
-                      asked_uncertain =
+                      asked_growth = growing; asked_plane = plane;
+                      asked_inertia = i; asked_uncertain =
                       (match uncertain with
-                       | Some it -> it
-                       | None -> []) } }))))))))))
+                       | Some p0 -> let (it, _) = p0 in it
+                       | None -> []); asked_ball =
+                      (match uncertain with
+                       | Some p0 -> let (_, b) = p0 in b
+                       | None -> None) } }))))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -8760,23 +9842,33 @@ let read_node s at_path value0 =
                      else if (=) kind "plane"
                           then if has_length
                                     (Z.add twist0
-                                      (if s.of_margin
-                                       then (Big_int_Z.mult_int_big_int 2
+                                      (if s.of_plane
+                                       then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
                                               Big_int_Z.unit_big_int)
-                                       else Big_int_Z.unit_big_int)) items
+                                       else if s.of_margin
+                                            then (Big_int_Z.mult_int_big_int 2
+                                                   Big_int_Z.unit_big_int)
+                                            else Big_int_Z.unit_big_int))
+                                    items
                                then bind (each read_fraction at_path items)
                                       (fun a -> Fine (Plane a))
                                else expected
                                       "plane, and a number for each coordinate of a point"
                                       at_path value0
-                          else if (&&) ((=) kind "part") (negb s.of_margin)
-                               then bind (read_cut s at_path items value0)
-                                      (fun pat ->
-                                      let (p0, c) = pat in
-                                      let (p, i) = p0 in Fine (Cut (p, i, c)))
-                               else expected
-                                      "slip, separation, plane, leaf or, without a direction, part"
-                                      at_path value0
+                          else if (&&) ((=) kind "held") s.of_plane
+                               then bind (contact_of items) (fun k -> Fine
+                                      (Held k))
+                               else if (&&) ((=) kind "part")
+                                         (negb ((||) s.of_margin s.of_plane))
+                                    then bind
+                                           (read_cut s at_path items value0)
+                                           (fun pat ->
+                                           let (p0, c) = pat in
+                                           let (p, i) = p0 in
+                                           Fine (Cut (p, i, c)))
+                                    else expected
+                                           "slip, separation, plane, leaf or, without a direction, part"
+                                           at_path value0
          | _ ->
            expected "an array that begins with the kind of the node" at_path
              value0))
@@ -8915,11 +10007,11 @@ let read_matrix s =
 
 (** val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool **)
 
-let rec has_at_most size0 = function
+let rec has_at_most size1 = function
 | [] -> true
 | _ :: rest ->
-  (&&) (Z.ltb Big_int_Z.zero_big_int size0)
-    (has_at_most (Z.sub size0 Big_int_Z.unit_big_int) rest)
+  (&&) (Z.ltb Big_int_Z.zero_big_int size1)
+    (has_at_most (Z.sub size1 Big_int_Z.unit_big_int) rest)
 
 (** val read_walls :
     shape -> Big_int_Z.big_int -> path -> json -> q list list result **)
@@ -9368,6 +10460,61 @@ let read_body0 s good members =
        else bind (next_read "tree" (read_nodes s) members) (fun it ->
               bind (finish it) (fun tree -> Fine (UnstableByTree tree)))
 
+(** val read_load_point : shape -> path -> json -> load_point result **)
+
+let read_load_point s at_path value0 =
+  let what =
+    "[\"at\", s, t, twist, shares] or [\"towards\", s, t, twist, shares]"
+  in
+  (match value0 with
+   | Array items ->
+     (match items with
+      | [] -> expected what at_path value0
+      | kind :: l ->
+        (match l with
+         | [] -> expected what at_path value0
+         | a :: l0 ->
+           (match l0 with
+            | [] -> expected what at_path value0
+            | b :: l1 ->
+              (match l1 with
+               | [] -> expected what at_path value0
+               | motion :: l2 ->
+                 (match l2 with
+                  | [] -> expected what at_path value0
+                  | list0 :: l3 ->
+                    (match l3 with
+                     | [] ->
+                       if (||) (is_text "at" kind) (is_text "towards" kind)
+                       then bind (read_fraction at_path a) (fun a0 ->
+                              bind (read_fraction at_path b) (fun b0 ->
+                                bind (read_twist s at_path motion) (fun d ->
+                                  bind (read_shares s at_path list0)
+                                    (fun them -> Fine { is_at =
+                                    (is_text "at" kind); along_u = a0;
+                                    along_v = b0; load_witness = { twist = d;
+                                    shares = them } }))))
+                       else expected what at_path value0
+                     | _ :: _ -> expected what at_path value0))))))
+   | _ -> expected what at_path value0)
+
+(** val read_region : shape -> (string * json) list -> proof result **)
+
+let read_region s members =
+  bind (next "verdict" members) (fun pat ->
+    let (verdict, rest) = pat in
+    if is_text "region" verdict
+    then bind
+           (next_read "pieces"
+             (read_array "an array of pieces"
+               (read_array "an array of points" (read_load_point s))) rest)
+           (fun pat0 ->
+           let (pieces, rest0) = pat0 in
+           bind (next_read "tree" (read_nodes s) rest0) (fun it ->
+             bind (finish it) (fun tree -> Fine (RegionBy (pieces, tree)))))
+    else expected "\"region\", as the question has a plane" ((Member
+           "verdict") :: []) verdict)
+
 (** val read_class : shape -> (string * json) list -> proof result **)
 
 let read_class s members =
@@ -9412,7 +10559,7 @@ let read_known_format at_path value0 =
     question -> json -> (statement * certificate) result **)
 
 let read_certificate q0 value0 =
-  let asked = fun margin class1 -> { spatial =
+  let asked = fun margin plane class1 -> { spatial =
     (match q0.several with
      | Some its -> its.bodies_in_space
      | None -> Nat.eqb q0.dimension (S (S (S (S (S (S O))))))); of_bodies =
@@ -9420,7 +10567,7 @@ let read_certificate q0 value0 =
      | Some _ -> true
      | None -> false); size_of_twist = (Z.of_nat q0.dimension); soft =
     (map_all (fun it -> negb (is_0 it.torsion)) q0.contacts); of_margin =
-    margin; of_class = class1 }
+    margin; of_plane = plane; of_class = class1 }
   in
   (match value0 with
    | Object members ->
@@ -9432,30 +10579,34 @@ let read_certificate q0 value0 =
                  let (_, rest0) = pat0 in Fine rest0)
           else Fine rest) (fun rest0 ->
          bind
-           (next_read "question" (read_statement (asked false false)) rest0)
-           (fun pat0 ->
+           (next_read "question" (read_statement (asked false false false))
+             rest0) (fun pat0 ->
            let (stated, rest1) = pat0 in
-           let margin = asks_margin stated.options_stated in
+           let o = stated.options_stated in
            let s =
-             asked margin
-               ((&&) (asks_class stated.options_stated) (negb margin))
+             asked (asks_margin o) (asks_plane o)
+               ((&&) (asks_class o)
+                 (negb ((||) (asks_margin o) (asks_plane o))))
            in
            bind
              (if (&&)
                    ((&&) (begins_with "bits" rest1)
                      ((||) (negb s.of_margin) (of_claims s)))
-                   (negb s.of_class)
+                   (negb ((||) s.of_class s.of_plane))
               then next_read "bits" read_bits rest1
               else Fine (default_bits, rest1)) (fun pat1 ->
              let (b, rest2) = pat1 in
-             if s.of_class
-             then bind (read_class s rest2) (fun it -> Fine (stated, { bits =
-                    b; body = it }))
-             else bind (next_read "verdict" (read_verdict s) rest2)
-                    (fun pat2 ->
-                    let (good, rest3) = pat2 in
-                    bind (read_body0 s good rest3) (fun it -> Fine (stated,
-                      { bits = b; body = it })))))))
+             if s.of_plane
+             then bind (read_region s rest2) (fun it -> Fine (stated,
+                    { bits = b; body = it }))
+             else if s.of_class
+                  then bind (read_class s rest2) (fun it -> Fine (stated,
+                         { bits = b; body = it }))
+                  else bind (next_read "verdict" (read_verdict s) rest2)
+                         (fun pat2 ->
+                         let (good, rest3) = pat2 in
+                         bind (read_body0 s good rest3) (fun it -> Fine
+                           (stated, { bits = b; body = it })))))))
    | _ -> expected "an object {...}" [] value0)
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
@@ -9503,6 +10654,16 @@ let same_growth a b =
 let same_tolerance a b =
   (&&) (qeq_bool a.amount b.amount) (eqb a.percent b.percent)
 
+(** val same_ball : stated_ball -> stated_ball -> bool **)
+
+let same_ball a b =
+  (&&)
+    ((&&)
+      ((&&) (qeq_bool a.stated_radius b.stated_radius)
+        (qeq_bool a.stated_length b.stated_length))
+      (same_list qeq_bool a.stated_point b.stated_point))
+    (same_option (=) a.stated_body b.stated_body)
+
 (** val broken_question_rule : statement -> posed -> string option **)
 
 let broken_question_rule stated asked =
@@ -9539,26 +10700,38 @@ let broken_question_rule stated asked =
                                   options0.asked_growth)
                            then Some "question-preload-direction"
                            else if negb
-                                     (same_option (same_list qeq_bool)
-                                       said.asked_inertia
-                                       options0.asked_inertia)
-                                then Some "question-inertia"
+                                     (same_option (fun a b ->
+                                       (&&)
+                                         (same_list qeq_bool (fst a) (fst b))
+                                         (same_list qeq_bool (snd a) (snd b)))
+                                       said.asked_plane options0.asked_plane)
+                                then Some "question-plane"
                                 else if negb
-                                          (forallb (fun kind ->
-                                            same_option same_tolerance
-                                              (find_tolerance kind said)
-                                              (find_tolerance kind options0))
-                                            uncertain_kinds)
-                                     then Some "question-uncertain"
-                                     else None
+                                          (same_option (same_list qeq_bool)
+                                            said.asked_inertia
+                                            options0.asked_inertia)
+                                     then Some "question-inertia"
+                                     else if negb
+                                               ((&&)
+                                                 (forallb (fun kind ->
+                                                   same_option same_tolerance
+                                                     (find_tolerance kind
+                                                       said)
+                                                     (find_tolerance kind
+                                                       options0))
+                                                   uncertain_kinds)
+                                                 (same_option same_ball
+                                                   said.asked_ball
+                                                   options0.asked_ball))
+                                          then Some "question-uncertain"
+                                          else None
 
 (** val ask : options -> json -> posed result **)
 
 let ask asked file =
   bind (read_file file) (fun it -> pose it asked)
 
-(** val judge :
-    'a1 oracle -> posed -> json -> (answer * certificate) result **)
+(** val judge : oracle -> posed -> json -> (answer * certificate) result **)
 
 let judge advisor asked text =
   let q0 = asked.the_question in

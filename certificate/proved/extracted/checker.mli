@@ -59,6 +59,8 @@ module Coq_Pos :
 
   val pred_double : Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val pred_N : Big_int_Z.big_int -> Big_int_Z.big_int
+
   type mask = Pos.mask =
   | IsNul
   | IsPos of Big_int_Z.big_int
@@ -111,7 +113,32 @@ module Coq_Pos :
 
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val coq_Nsucc_double : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_Ndouble : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_lor : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_land : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val ldiff : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val iter_op : ('a1 -> 'a1 -> 'a1) -> Big_int_Z.big_int -> 'a1 -> 'a1
+
+  val to_nat : Big_int_Z.big_int -> nat
+
   val of_succ_nat : nat -> Big_int_Z.big_int
+ end
+
+module N :
+ sig
+  val succ_pos : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_lor : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_land : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val ldiff : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
  end
 
 val hd : 'a1 -> 'a1 list -> 'a1
@@ -190,7 +217,11 @@ module Z :
 
   val abs : Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val to_nat : Big_int_Z.big_int -> nat
+
   val of_nat : nat -> Big_int_Z.big_int
+
+  val of_N : Big_int_Z.big_int -> Big_int_Z.big_int
 
   val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int
 
@@ -204,6 +235,8 @@ module Z :
 
   val div : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
+  val modulo : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
   val div2 : Big_int_Z.big_int -> Big_int_Z.big_int
 
   val log2 : Big_int_Z.big_int -> Big_int_Z.big_int
@@ -213,6 +246,10 @@ module Z :
   val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val shiftl : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_lor : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val coq_land : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
 
   val lcm : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
  end
@@ -335,9 +372,12 @@ type element = { lever : q list; element_spring : bool;
 type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
                    elements : element list }
 
+type ball = { radius : q; torque_length : q; about : q list }
+
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
-                  direction : q list; inertia : q list;
+                  load_ball : ball option; direction : q list;
+                  load_plane : (q list * q list) option; inertia : q list;
                   several : mechanism option }
 
 type parameter =
@@ -357,6 +397,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
 
@@ -376,6 +417,9 @@ type part =
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
 | ClaimUnstable of q * q option * node list
+
+type load_point = { is_at : bool; along_u : q; along_v : q;
+                    load_witness : witness }
 
 type rigid_node =
 | RTouch of Big_int_Z.big_int
@@ -404,6 +448,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
 
@@ -417,6 +462,7 @@ type place =
 | AtPart of nat * nat option
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
+| AtPiece of nat * nat option
 
 type answer =
 | Stable
@@ -424,19 +470,13 @@ type answer =
 | Margin of (q * q option) list
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
+| Region of ((q * q) * q) list list
 | Rejected of string * place
 | NotProvedHere of string
 
-type advice =
-| Keep
-| Drop of Big_int_Z.big_int * (nat * Big_int_Z.big_int) list
-
-type 'memory oracle = { begin0 : (nat -> 'memory);
-                        advise : ('memory -> Big_int_Z.big_int list -> bool
-                                 -> 'memory * advice list);
-                        foremost : ('memory -> (Big_int_Z.big_int
-                                   list * bool) list -> Big_int_Z.big_int
-                                   list) }
+type oracle = { permits : (Big_int_Z.big_int -> bool);
+                foremost : (Big_int_Z.big_int list list -> (Big_int_Z.big_int
+                           list * bool) list -> Big_int_Z.big_int option) }
 
 val qabs : q -> q
 
@@ -456,7 +496,7 @@ val content : form -> Big_int_Z.big_int
 
 val primitive : form -> form
 
-type ray = { coordinates : form; zeros : bool list }
+type ray = { coordinates : form; zeros : bool list; tight : Big_int_Z.big_int }
 
 val both : bool list -> bool list -> bool list
 
@@ -465,32 +505,6 @@ val add_strict : form list -> ray -> ray
 val common_zeros : form list list -> ray list -> bool list
 
 val barred : form list list -> ray list -> bool
-
-type candidate =
-| Stays of ray
-| Joins of form * bool list * bool list
-
-val form_of : candidate -> form
-
-val ray_of : candidate -> ray
-
-val heights : form -> ray list -> (Big_int_Z.big_int * ray) list
-
-val join : (Big_int_Z.big_int * ray) -> (Big_int_Z.big_int * ray) -> candidate
-
-val candidates : bool -> (Big_int_Z.big_int * ray) list -> candidate list
-
-val kept : candidate list -> advice list -> ray list
-
-val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form
-
-val reason_holds :
-  ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
-  bool
-
-val unjustified : ray list -> candidate list -> advice list -> ray list
-
-val cut : ray list -> form -> bool -> advice list -> ray list
 
 val common_denominator : q list -> Big_int_Z.big_int
 
@@ -582,7 +596,7 @@ val negative : form -> form
 
 val same_at_corners : q list multi -> bool
 
-val is_zero : interval -> bool
+val vanishes : interval -> bool
 
 val pull_certain : cbox -> bool
 
@@ -664,9 +678,12 @@ val nowhere_along : Big_int_Z.big_int list -> form list -> form -> bool
 
 val separator : Big_int_Z.big_int list -> form list -> form -> form option
 
-val opposed :
-  Big_int_Z.big_int list -> form list -> form list -> (form * ray) list ->
-  ray list
+val outside :
+  Big_int_Z.big_int list -> form list -> form list -> form -> form list option
+
+val opposed_barred :
+  Big_int_Z.big_int list -> form list -> form list -> bool list ->
+  (form * ray) list -> bool
 
 val must_move :
   Big_int_Z.big_int list -> form list list -> form list multi -> form list ->
@@ -692,6 +709,69 @@ val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term
 
 val alpha_over : q -> row -> Big_int_Z.big_int
 
+type vector = q list
+
+type matrix = vector list
+
+val inner : vector -> vector -> q
+
+val plus_times : vector -> q -> vector -> vector
+
+val is_zero : q -> bool
+
+val unit_vector : nat -> nat -> vector
+
+val identity : nat -> matrix
+
+val of_rows : vector -> matrix -> vector
+
+val pivot : nat -> matrix -> (vector * matrix) option
+
+val eliminate :
+  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
+
+val kernel : nat -> matrix -> matrix
+
+val inverse_of : nat -> matrix -> matrix
+
+val same_vectors : vector -> vector -> bool
+
+val same_matrices : matrix -> matrix -> bool
+
+val is_inverse : nat -> matrix -> matrix -> bool
+
+val all_of_length : nat -> 'a1 list list -> bool
+
+val middle : interval -> q
+
+val only_middle : interval -> interval
+
+val middle_box : cbox -> cbox
+
+val friction_sound : cbox -> bool
+
+type addition = { ball_numbers : interval list; ball_ways : matrix;
+                  ball_squares : q list }
+
+val nothing_added : addition
+
+type load = { load_box : interval list; load_growth : q list;
+              load_added : addition }
+
+val work_of_box : interval list -> vector -> interval
+
+val sum_of_squares : vector -> vector -> q
+
+val work_of_addition : addition -> vector -> interval
+
+val work_of : load -> vector -> interval
+
+val one_load : load -> bool
+
+val nearest_to_zero : interval -> q
+
+val middle_load : load -> load
+
 val edges : form list list -> ray list -> row -> form multi list
 
 val work_tree : form -> form multi -> Big_int_Z.big_int multi
@@ -705,15 +785,9 @@ val bent : Big_int_Z.big_int -> row -> form list -> bool -> term
 val edges_term :
   Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
 
-type load = { load_box : interval list; load_growth : q list;
-              lows_of_w : form; highs_of_w : form; form_of_u : form;
-              load_scaling : scaling }
+val load_works : load -> q -> form -> q * q
 
-val make_load : interval list -> q list -> load
-
-val most_work : form -> form -> form -> Big_int_Z.big_int
-
-val load_term : Big_int_Z.big_int -> form -> load -> form
+val load_term : Big_int_Z.big_int -> (q * q) -> form
 
 type way =
 | Along of form multi list
@@ -729,19 +803,12 @@ val pressers :
 
 val term_of : Big_int_Z.big_int -> form -> presser -> term
 
-val with_alphas : Big_int_Z.big_int -> presser list -> Big_int_Z.big_int
+val with_all :
+  Big_int_Z.big_int -> (q * q) -> q list -> presser list -> Big_int_Z.big_int
 
 val leaf_holds_by :
-  Big_int_Z.big_int -> presser list -> load -> form list list -> ray list ->
-  form -> bool
-
-val middle : interval -> q
-
-val only_middle : interval -> interval
-
-val middle_box : cbox -> cbox
-
-val friction_sound : cbox -> bool
+  Big_int_Z.big_int -> presser list -> (q * q) -> q list -> form list list ->
+  ray list -> form -> bool
 
 val is_enclosure : interval -> q -> bool
 
@@ -810,78 +877,73 @@ val element_box : element -> cbox
 val mechanism_boxes :
   Big_int_Z.big_int -> nat -> mechanism -> contact list -> cbox list option
 
-type ('memory, 'setting) region = { rays : ray list; strict : form list list;
-                                    moving : form list list;
-                                    around : 'setting; remembered : 'memory;
-                                    depth : Big_int_Z.big_int }
+val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+type height = Big_int_Z.big_int * ray
+
+val heights : form -> ray list -> height list
+
+val join_form : form -> form -> Big_int_Z.big_int -> Big_int_Z.big_int -> form
+
+val join : Big_int_Z.big_int -> height -> height -> ray
+
+val parted : ray list -> ray -> ray -> bool
+
+val distinct : height list -> bool
+
+val stay : Big_int_Z.big_int -> height -> ray
+
+val cut_line : Big_int_Z.big_int -> height -> height list -> ray list
+
+val on_side : bool -> height list -> height list
+
+val cut_rays : Big_int_Z.big_int -> ray list -> height list -> ray list
+
+val most_combinations : height list -> Big_int_Z.big_int
+
+val cut : nat -> height list -> ray list option
+
+type 'setting region = { size0 : nat; sides : form list; rays : ray list;
+                         strict : form list list; moving : form list list;
+                         around : 'setting; depth : Big_int_Z.big_int }
 
 type 'setting branch = { conditions : (form * bool) list;
                          new_strict : form list; new_moving : form list list;
                          branch_setting : 'setting }
 
-val cut_region :
-  'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region
+val cut_above : oracle -> 'a1 region -> form -> 'a1 region
 
-val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region
+val cut_region : oracle -> 'a1 region -> (form * bool) -> 'a1 region
 
-val of_numbers :
-  (form * bool) list -> Big_int_Z.big_int list -> (form * bool) list
+val strictly : 'a1 region -> form -> 'a1 region
 
-val cut_by :
-  'a1 oracle -> ('a1, 'a2) region -> (form * bool) list -> ('a1, 'a2) region
+val cut_foremost :
+  oracle -> (form * bool) list -> 'a1 region -> (form * bool) list -> 'a1
+  region
 
-val child : 'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region
+val cut_by : oracle -> 'a1 region -> (form * bool) list -> 'a1 region
 
-val at_leaf : ('a1, 'a2) region -> form list list * ray list
+val child : oracle -> 'a1 region -> 'a1 branch -> 'a1 region
+
+val is_leaf : node -> bool
+
+val at_leaf : 'a1 region -> form list list * ray list
 
 val visit :
-  'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-  form list list -> ray list -> q list -> string option) -> Big_int_Z.big_int
-  -> node -> ('a1, 'a2) region -> (('a1, 'a2) region list, string) sum
+  oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+  list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+  node -> 'a1 region -> ('a1 region list, string) sum
 
 val walk :
-  'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
-  form list list -> ray list -> q list -> string option) -> Big_int_Z.big_int
-  -> node list -> ('a1, 'a2) region list -> nat -> (string * nat) option
+  oracle -> ('a1 -> node -> ('a1 branch list, string) sum) -> ('a1 -> form
+  list list -> ray list -> node -> string option) -> Big_int_Z.big_int ->
+  node list -> 'a1 region list -> nat -> (string * nat) option
 
 val basis : nat -> nat -> form list
 
-val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region
+val everywhere : nat -> 'a1 -> 'a1 region
 
-val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
-
-type vector = q list
-
-type matrix = vector list
-
-val inner : vector -> vector -> q
-
-val plus_times : vector -> q -> vector -> vector
-
-val is_zero0 : q -> bool
-
-val unit_vector : nat -> nat -> vector
-
-val identity : nat -> matrix
-
-val of_rows : vector -> matrix -> vector
-
-val pivot : nat -> matrix -> (vector * matrix) option
-
-val eliminate :
-  nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list
-
-val kernel : nat -> matrix -> matrix
-
-val inverse_of : nat -> matrix -> matrix
-
-val same_vectors : vector -> vector -> bool
-
-val same_matrices : matrix -> matrix -> bool
-
-val is_inverse : nat -> matrix -> matrix -> bool
-
-val all_of_length : nat -> 'a1 list list -> bool
+val root : oracle -> nat -> 'a1 branch -> 'a1 region
 
 val replace_after :
   'a1 list -> 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
@@ -891,18 +953,28 @@ val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
 type range = { range_low : q; range_high : q option; open_low : bool;
                open_high : bool }
 
+type pushing = { a_multiple : matrix; known_push : matrix }
+
+val no_push : pushing
+
 type setting = { dimension_of : nat; rows : row list; the_load : load;
-                 pushes : matrix; slipping : Big_int_Z.big_int list;
+                 pushes : pushing; slipping : Big_int_Z.big_int list;
                  short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
 
-val common_multiple : row list -> load -> Big_int_Z.big_int
+val common_multiple : row list -> Big_int_Z.big_int
 
 val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
-val make_setting : nat -> row list -> load -> matrix -> setting
+val make_setting : nat -> row list -> load -> pushing -> setting
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
+
+val end_fails :
+  (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
+  list -> ray list -> node -> string option
+
+val no_pieces : Big_int_Z.big_int -> ray list -> string option
 
 val is_inside : interval -> q -> bool
 
@@ -926,7 +998,11 @@ val set : cbox -> parameter -> interval -> cbox
 
 val set_row : setting -> Big_int_Z.big_int -> cbox -> setting
 
-val set_load : setting -> interval list -> setting
+val set_load : setting -> load -> setting
+
+val numbers_of0 : load -> interval list
+
+val with_numbers : load -> interval list -> load
 
 val halves :
   setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
@@ -957,8 +1033,9 @@ val separating : row list -> form list -> form list
 val root_branch : bool -> setting -> range -> setting branch
 
 val walk_ranges :
-  'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
-  list -> (string * nat) option
+  oracle -> (Big_int_Z.big_int -> ray list -> string option) ->
+  Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
+  (string * nat) option
 
 val exact_box : cbox -> bool
 
@@ -1012,11 +1089,11 @@ val check_point :
   bool -> nat -> row list -> load -> form -> (Big_int_Z.big_int * q list)
   list -> (state list, string) sum
 
-val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
-
 val aligned : form -> form -> form -> bool
 
-val one_mode : state -> state -> bool
+val first_slip : state list -> form
+
+val contact_mode : state list -> bool
 
 val same_mode : state list -> state list -> bool
 
@@ -1045,7 +1122,7 @@ val gaps_from : q -> bool -> (q * q option) list -> range list -> range list
 
 val gaps : (q * q option) list -> range list
 
-val opposite0 : vector -> vector
+val opposite : vector -> vector
 
 val walls_of : bool -> matrix -> matrix
 
@@ -1098,28 +1175,26 @@ val is_point : setting -> bool
 
 val row_free : vector -> cbox -> bool
 
-val load_free : vector -> interval list -> bool
+val load_free : vector -> load -> bool
 
 val all_free : matrix -> setting -> bool
 
 val range_sound : degree_proof -> setting -> bool
 
 val k_region :
-  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-  setting) region
+  oracle -> degree_proof -> setting -> (form * bool) list -> setting region
 
 val wall_regions :
-  'a1 oracle -> degree_proof -> setting -> (form * bool) list -> ('a1,
-  setting) region list
+  oracle -> degree_proof -> setting -> (form * bool) list -> setting region
+  list
 
-val root_regions :
-  'a1 oracle -> degree_proof -> setting -> ('a1, setting) region list
+val root_regions : oracle -> degree_proof -> setting -> setting region list
 
-val law_holds : 'a1 oracle -> degree_proof -> setting -> bool
+val law_holds : oracle -> degree_proof -> setting -> bool
 
 val degree_fails :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node
-  list -> (string * nat option) option
+  oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node list
+  -> (string * nat option) option
 
 type rest_proof = { rest_forces : (Big_int_Z.big_int * vector) list;
                     rest_answers : (Big_int_Z.big_int * matrix) list;
@@ -1178,24 +1253,24 @@ val rest_fails_at :
 val rest_fails : setting -> q -> q -> rest_proof -> string option
 
 val part_fails :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
+  oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
   (string * nat option) option
 
 val unloaded : setting -> bool
 
 val segment_by_degree_fails :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q
-  list -> q list -> q list list -> q list list -> node list -> (string * nat
+  oracle -> bool -> Big_int_Z.big_int -> setting -> q -> q option -> q list
+  -> q list -> q list list -> q list list -> node list -> (string * nat
   option) option
 
 val parts_fail :
-  'a1 oracle -> bool -> Big_int_Z.big_int -> part list ->
+  oracle -> bool -> Big_int_Z.big_int -> part list ->
   (setting * Big_int_Z.big_int) list -> nat -> (string * place) option
 
 type rigid = { r_N : vector; r_slips : matrix; r_friction : q; r_square : 
                q; r_normal : vector }
 
-type knowledge = { touches : bool option; sides : matrix option }
+type knowledge = { touches : bool option; sides0 : matrix option }
 
 val slip_of : rigid -> vector -> vector
 
@@ -1281,11 +1356,98 @@ val class_fails :
   Big_int_Z.big_int -> matrix -> vector -> rigid list -> class_proof ->
   (string * nat option) option
 
+val cross_product : form -> form -> form
+
+val det : form -> form -> form -> Big_int_Z.big_int
+
+val first_some : ('a1 -> 'a2 option) -> 'a1 list -> 'a2 option
+
+val if_positive :
+  Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_three :
+  form -> (nat * form) -> (nat * form) -> (nat * form) ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_two :
+  form -> (nat * form) -> (nat * form) ->
+  (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list) option
+
+val by_one :
+  form -> (nat * form) -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int)
+  list) option
+
+val or_else : 'a1 option -> (unit -> 'a1 option) -> 'a1 option
+
+val sum_found :
+  ray list -> form -> (Big_int_Z.big_int * (nat * Big_int_Z.big_int) list)
+  option
+
+val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form
+
+val reason_holds :
+  ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  bool
+
+val is_sum_of : ray list -> form -> bool
+
+type homogeneous = (q * q) * q
+
+val load_part : load_point -> homogeneous
+
+val part_list : homogeneous -> q list
+
+val ray_of_part : homogeneous -> ray
+
+val part_of_ray : nat -> form -> form
+
+val held_by :
+  nat -> ray list list -> Big_int_Z.big_int -> ray list -> string option
+
+val does_not_grow : cbox -> bool
+
+val load_in_plane : vector -> vector -> q -> q -> vector
+
+val point_of_plane : load_point -> q list
+
+val check_load_point :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  -> (state list, string) sum
+
+val point_states :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  list -> nat -> (state list list, string * nat) sum
+
+val share_one_mode : row list -> state list list -> bool
+
+val pieces_fail :
+  bool -> nat -> row list -> interval list -> vector -> vector -> load_point
+  list list -> nat -> (string * place) option
+
+val plane_node : nat -> node -> node
+
+val plane_setting :
+  nat -> row list -> interval list -> vector -> vector -> setting
+
+val at_zero : range
+
+val plane_fails :
+  oracle -> Big_int_Z.big_int -> bool -> nat -> row list -> interval list ->
+  vector -> vector -> homogeneous list list -> node list -> (string * nat)
+  option
+
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
 
 val rows_of : Big_int_Z.big_int -> question -> row list option
+
+val unit_loads : q list -> matrix option
+
+val addition_of : ball -> addition option
+
+val load_of : question -> load option
 
 val setting_of : Big_int_Z.big_int -> question -> setting option
 
@@ -1294,36 +1456,45 @@ val is_one_grasp : setting -> bool
 val straight : setting -> bool
 
 val refute :
-  'a1 oracle -> question -> setting -> range list -> node list ->
-  (string * nat) option
-
-val at_zero : range
+  oracle -> question -> setting -> range list -> node list -> (string * nat)
+  option
 
 val check_witness : question -> setting -> witness -> answer
 
-val check_tree : 'a1 oracle -> question -> setting -> node list -> answer
+val check_tree : oracle -> question -> setting -> node list -> answer
 
-val check_parts : 'a1 oracle -> question -> setting -> part list -> answer
+val check_parts : oracle -> question -> setting -> part list -> answer
 
 val check_margin :
-  'a1 oracle -> question -> setting -> (q * q option) list -> segment list ->
+  oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
 
 val in_order : bool -> q option -> q -> q option -> bool
 
 val holding_fails :
-  'a1 oracle -> question -> setting -> nat -> q -> q option -> (part, witness
+  oracle -> question -> setting -> nat -> q -> q option -> (part, witness
   list) sum -> answer option
 
 val joined : (q * q option) list -> q -> q option -> (q * q option) list
 
 val check_claims :
-  'a1 oracle -> question -> setting -> claim list -> q option -> nat ->
-  (q * q option) list -> ((q * q option) * bool) list -> answer
+  oracle -> question -> setting -> claim list -> q option -> nat -> (q * q
+  option) list -> ((q * q option) * bool) list -> answer
 
 val check_class : question -> setting -> class_proof -> answer
 
-val check : 'a1 oracle -> question -> certificate -> answer
+val check_region :
+  oracle -> question -> setting -> load_point list list -> node list -> answer
+
+val check : oracle -> question -> certificate -> answer
+
+val largest_exponent : Big_int_Z.big_int
+
+val longest_number : Big_int_Z.big_int
+
+val too_large : Big_int_Z.big_int
+
+val is_not_too_large : q -> bool
 
 val digit : char -> Big_int_Z.big_int option
 
@@ -1335,6 +1506,8 @@ val digits : char list -> (Big_int_Z.big_int * Big_int_Z.big_int) * char list
 
 val take : char -> char list -> bool * char list
 
+val take_sign : char list -> bool * char list
+
 val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool
 
 val fraction : bool -> Big_int_Z.big_int -> Big_int_Z.big_int -> q option
@@ -1343,17 +1516,9 @@ val fraction_of_digits : bool -> char list -> q option
 
 val parse_fraction : Big_int_Z.big_int -> string -> q option
 
-val longest_decimal : Big_int_Z.big_int
-
-val largest_exponent : Big_int_Z.big_int
-
 val exponent : char list -> (Big_int_Z.big_int * char list) option
 
 val parse_decimal : string -> q option
-
-val too_large : Big_int_Z.big_int
-
-val is_not_too_large : q -> bool
 
 val read_decimal : path -> json -> q result
 
@@ -1395,7 +1560,7 @@ val is_0 : q -> bool
 
 val is_below : q -> q -> bool
 
-val sum_of_squares : q list -> q
+val sum_of_squares0 : q list -> q
 
 val read_interval : version -> path -> json -> interval result
 
@@ -1595,17 +1760,27 @@ type growth =
 | Scale
 | By of q list
 
+type stated_ball = { stated_radius : q; stated_length : q;
+                     stated_point : q list; stated_body : string option }
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
-                 asked_growth : growth option; asked_inertia : q list option;
-                 asked_uncertain : (string * tolerance) list }
+                 asked_growth : growth option;
+                 asked_plane : (q list * q list) option;
+                 asked_inertia : q list option;
+                 asked_uncertain : (string * tolerance) list;
+                 asked_ball : stated_ball option }
 
 val uncertain_kinds : string list
 
 val asks_margin : options -> bool
 
+val asks_plane : options -> bool
+
 val asks_class : options -> bool
+
+val asks_one : options -> bool
 
 val in_full : q list -> q list
 
@@ -1628,6 +1803,9 @@ val asked_contact : options -> contact -> contact
 
 val asked_element : options -> element -> element
 
+val ball_asked :
+  grasp -> options -> interval list -> stated_ball option result
+
 val check_tolerances : options -> (string * tolerance) list -> unit result
 
 val is_exact : interval -> bool
@@ -1648,6 +1826,8 @@ val with_growths :
   ('a1 -> q -> 'a1) -> 'a1 list -> q list -> 'a1 list -> ('a1 list * q list)
   option
 
+val check_plane : grasp -> options -> unit result
+
 val pose : grasp -> options -> posed result
 
 type statement = { stated_contacts : Big_int_Z.big_int;
@@ -1655,7 +1835,7 @@ type statement = { stated_contacts : Big_int_Z.big_int;
 
 type shape = { spatial : bool; of_bodies : bool;
                size_of_twist : Big_int_Z.big_int; soft : bool list;
-               of_margin : bool; of_class : bool }
+               of_margin : bool; of_plane : bool; of_class : bool }
 
 val of_claims : shape -> bool
 
@@ -1675,12 +1855,19 @@ val before_percent : string -> string option
 
 val read_tolerance : path -> json -> tolerance result
 
-val read_all_tolerances :
-  path -> (string * json) list -> (string * tolerance) list result
+val read_ball : bool -> path -> json -> stated_ball result
 
-val read_tolerances : path -> json -> (string * tolerance) list result
+val read_all_tolerances :
+  bool -> path -> (string * json) list -> ((string * tolerance)
+  list * stated_ball option) result
+
+val read_tolerances :
+  bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+  result
 
 val read_inertia : bool -> path -> json -> q list result
+
+val read_plane : path -> json -> (q list * q list) result
 
 val read_statement : shape -> path -> json -> statement result
 
@@ -1766,6 +1953,10 @@ val read_verdict : shape -> path -> json -> bool result
 
 val read_body0 : shape -> bool -> (string * json) list -> proof result
 
+val read_load_point : shape -> path -> json -> load_point result
+
+val read_region : shape -> (string * json) list -> proof result
+
 val read_class : shape -> (string * json) list -> proof result
 
 val read_known_format : path -> json -> unit result
@@ -1782,8 +1973,10 @@ val same_growth : growth -> growth -> bool
 
 val same_tolerance : tolerance -> tolerance -> bool
 
+val same_ball : stated_ball -> stated_ball -> bool
+
 val broken_question_rule : statement -> posed -> string option
 
 val ask : options -> json -> posed result
 
-val judge : 'a1 oracle -> posed -> json -> (answer * certificate) result
+val judge : oracle -> posed -> json -> (answer * certificate) result

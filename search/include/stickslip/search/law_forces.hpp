@@ -28,7 +28,7 @@ struct AllowedWrench {
   double work = 0;                  ///< on the twist that was asked about
   Reals wrench{};                   ///< of the load and all forces, as twists may see it
   Reals whole{};                    ///< all of it, unscaled, if that is not all
-  std::size_t generator = 0;        ///< of the region
+  std::size_t generator = 0;        ///< of the region; if none, how many it has
   bool against = false;             ///< no motion goes with it
   std::vector<double> normal{};     ///< a by contact
   std::vector<Double3> friction{};  ///< f by contact

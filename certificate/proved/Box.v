@@ -126,6 +126,16 @@ Definition same_forms (fs : list form) : bool :=
 
 Definition negative (f : form) : form := map Z.opp f.
 
+(* FORMAT.md section 6.  Functions that differ by a positive factor are not the same, but v without preloads. *)
+Definition same_at_corners (t : multi (list Q)) : bool := same_forms (tips (integer_tree (scaling_of_trees [t]) t)).
+
+Definition vanishes (i : interval) : bool := Qeq_bool (low i) 0 && Qeq_bool (high i) 0.
+
+Definition pull_certain (b : cbox) : bool :=
+  same_at_corners (mmap N_of (geometry_tree b)) &&
+  ((certain (box_preload b) && certain (box_growth b) && certain (box_stiffness b)) ||
+   (vanishes (box_preload b) && vanishes (box_growth b))).
+
 Definition count (box : list interval) : nat :=
   List.length (filter (fun i => negb (certain i)) box).
 
@@ -170,11 +180,11 @@ Definition make_row (b : cbox) : row :=
   let g := content [numerator; denominator] in
   Row b (if box_signed b then Tip [] else mmap (map (map (to_integer fs))) (geometry_tree b)) fs
     (map (to_integer ms) (box_weights b)) ms
-    (if box_signed b then same_forms (map primitive (tips tau)) else Nat.eqb n 0)
+    (if box_signed b then same_at_corners (tau_tree b) else Nat.eqb n 0)
     tau (mmap negative tau)
     (edges (minus_ends (box_friction b))) (edges (ends (box_friction b))) (edges (full_range (box_friction b)))
     pulls ps
-    (match vs with f :: _ => if same_forms vs then Some f else None | [] => None end)
+    (match vs with f :: _ => if same_forms vs && pull_certain b then Some f else None | [] => None end)
     (box_slack b (box_geometry b)) n (numerator / g) (denominator / g).
 
 Section RowMeaning.

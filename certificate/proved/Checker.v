@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
+From Proved Require Import Lists Question Cone Numbers Box Contacts Bodies Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -10,6 +10,16 @@ Definition enlarge_all (bits : Z) (qs : list contact) : option (list row) :=
   all_some (fun q => match enlarge bits q with Some b => Some (make_row b) | None => None end) qs.
 
 Definition most_depth {A : Type} (rows : list A) : Z := (fold_left (fun n _ => n + 2) rows 256)%Z.
+
+Definition rows_of (bits : Z) (q : question) : option (list row) :=
+  match several q with
+  | None => enlarge_all bits (contacts q)
+  | Some its =>
+      match mechanism_boxes bits (dimension q) its (contacts q) with
+      | Some boxes => Some (map_all make_row boxes)
+      | None => None
+      end
+  end.
 
 (* The wrenches of unit forces at a point, and of unit torques. *)
 Definition unit_loads (point : list Q) : option matrix :=
@@ -32,18 +42,19 @@ Definition addition_of (b : ball) : option addition :=
   end.
 
 Definition load_of (q : question) : option load :=
-  match load_ball q with
-  | None => Some (Load (wrench q) (direction q) nothing_added)
-  | Some b =>
+  match load_ball q, several q with
+  | None, _ => Some (Load (wrench q) (direction q) nothing_added)
+  | Some b, None =>
       match addition_of b with
       | Some it => Some (Load (wrench q) (direction q) it)
       | None => None
       end
+  | Some _, Some _ => None
   end.
 
 (* The box that the question is about. *)
 Definition setting_of (bits : Z) (q : question) : option setting :=
-  match enlarge_all bits (contacts q), load_of q with
+  match rows_of bits q, load_of q with
   | Some rows, Some ld => Some (make_setting (dimension q) rows ld no_push)
   | _, _ => None
   end.

@@ -1,17 +1,19 @@
 (* SPDX-License-Identifier: MIT *)
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Load Leaf Tree Witness Margin
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Fingers Bodies Load Leaf Tree Witness Margin
   RowLimits Ways ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
   RigidClass RigidTrue Plane.
-From Proved Require Rows Model SpaceModel.
+From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
 
 (* The rows of a grasp that the question is about. *)
 Definition choice_of (q : question) (s : Rows.system) : Prop :=
   (exists g, chosen q g /\ s = grasp_rows g) \/
-  (exists g, chosen_in_space q g /\ s = space_grasp_rows g).
+  (exists g, chosen_in_space q g /\ s = space_grasp_rows g) \/
+  (exists m, chosen_bodies_in_plane q m /\ s = plane_mechanism m) \/
+  (exists m, chosen_bodies_in_space q m /\ s = space_mechanism m).
 
 Lemma enlarge_all_suits bits qs rws rs (chosen_row : contact -> Rows.row -> Prop) :
   (forall q b r, enlarge bits q = Some b -> chosen_row q r -> seen_in b r) ->
@@ -89,11 +91,17 @@ Proof.
     replace ((f / (r * r) + t / (r * l * (r * l))) * (r * r)) with (f + t / (l * l)) by (field; lra). lra.
 Qed.
 
-Lemma plane_load q ld g : load_of q = Some ld -> dimension q = 3%nat ->
+Lemma load_grows q ld : load_of q = Some ld -> load_growth ld = direction q.
+Proof.
+  unfold load_of. destruct (load_ball q) as [b|], (several q); try discriminate; [|now intros [= <-]..].
+  destruct (addition_of b); [|discriminate]. now intros [= <-].
+Qed.
+
+Lemma plane_load q ld g : load_of q = Some ld -> several q = None ->
   (exists w0 w1, Forall2 within (wrench q) (three_numbers w0) /\ added (load_ball q) w1 /\ Model.wrench g = Model.add w0 w1) ->
   is_load ld (motion_list (Model.wrench g)).
 Proof.
-  unfold load_of. intros H D (w0 & w1 & W & A & ->). unfold added in A. destruct (load_ball q) as [b|].
+  unfold load_of. intros H One (w0 & w1 & W & A & ->). unfold added in A. rewrite One in H. destruct (load_ball q) as [b|].
   2:{ injection H as <-. exists (three_numbers w0), []. split; [exact W|]. split; [reflexivity|].
       split; [apply nothing_is_added|]. intros y. subst w1. unfold work_added; cbn [load_added nothing_added ball_squares real map Rows.product].
       rewrite dot_motion. change (three_numbers w0) with (motion_list w0). rewrite dot_motion.
@@ -120,12 +128,12 @@ Proof.
     destruct z as [|z1 [|z2 [|z3 z]]]; cbn -[Q2R]; rewrite ?Q2R_opp, ?Q2R_0, ?Q2R_1; try ring.
 Qed.
 
-Lemma space_load q ld g : load_of q = Some ld -> dimension q = 6%nat ->
+Lemma space_load q ld g : load_of q = Some ld -> several q = None ->
   (exists w0 w1, Forall2 within (wrench q) (six_numbers w0) /\ added_in_space (load_ball q) w1 /\
      SpaceModel.wrench g = SpaceModel.add_screw w0 w1) ->
   is_load ld (screw_list (SpaceModel.wrench g)).
 Proof.
-  unfold load_of. intros H D (w0 & w1 & W & A & ->). unfold added_in_space in A. destruct (load_ball q) as [b|].
+  unfold load_of. intros H One (w0 & w1 & W & A & ->). unfold added_in_space in A. rewrite One in H. destruct (load_ball q) as [b|].
   2:{ injection H as <-. exists (six_numbers w0), []. split; [exact W|]. split; [reflexivity|].
       split; [apply nothing_is_added|]. intros y. subst w1. unfold work_added; cbn [load_added nothing_added ball_squares real map Rows.product].
       change (six_numbers w0) with (screw_list w0). rewrite !dot_screw.
@@ -157,26 +165,64 @@ Proof.
     destruct z as [|z1 [|z2 [|z3 [|z4 [|z5 [|z6 z]]]]]]; cbn -[Q2R]; rewrite ?Q2R_opp, ?Q2R_0, ?Q2R_1; try ring.
 Qed.
 
+Lemma seen_suits boxes rs : Forall2 seen_in boxes rs -> Forall2 suits (map_all make_row boxes) rs.
+Proof.
+  rewrite map_all_is. induction 1 as [|b r bs rs S F IH]; cbn; constructor; [|exact IH]. now split.
+Qed.
+
+Lemma plane_seen bits c c' b : chosen_contact c c' -> enlarge bits c = Some b -> seen_in b (contact_row c').
+Proof. intros Ch B. exact (proj2 (fits_suits (make_row b) _ (conj eq_refl (enlarge_plane _ _ _ _ B Ch)))). Qed.
+
+Lemma plane_signed bits c b c' : enlarge bits c = Some b -> chosen_contact c c' -> box_signed b = true.
+Proof.
+  unfold enlarge. intros H ((x & y & nx & ny & e & EP & _ & _ & EN & _) & _). rewrite EP, EN in H.
+  destruct (numbers bits c _) as [[[p u] k]|]; [|discriminate]. now injection H as <-.
+Qed.
+
+Lemma bodies_pose k (row_of : BodiesModel.contact k -> Rows.row)
+    (chosen_contact : contact -> BodiesModel.contact k -> Prop) bits q st its m :
+  BodiesModel.numbers k = Bodies.numbers_of its ->
+  (forall c c' b, chosen_contact c c' -> enlarge_finger bits c = Some b -> seen_in b (row_of c')) ->
+  (forall c, List.length (Rows.weights (row_of c)) = List.length (Rows.slips (row_of c))) ->
+  setting_of bits q = Some st -> chosen_bodies chosen_contact q its m -> poses q st (mechanism_rows k row_of m).
+Proof.
+  intros En Seen Lr H Ch. unfold setting_of, rows_of in H. pose proof Ch as (Sv & D & Nu & _ & _ & _ & W & U & Law).
+  rewrite Sv in H. destruct (mechanism_boxes _ _ _ _) as [boxes|] eqn:B; [|discriminate].
+  unfold load_of in H. rewrite Sv in H. destruct (load_ball q); [discriminate|]. injection H as <-.
+  destruct Nu as (Lw & Lu & _).
+  constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.wrench Rows.direction Rows.normal mechanism_rows
+    pushes make_setting load_growth]; try assumption; try reflexivity; try (now split); try congruence.
+  - apply seen_suits. eapply mechanism_seen; eassumption.
+  - now apply box_is_load.
+  - split; [exact Lw|]. apply (mechanism_shapes k row_of m); [|exact Lr]. apply Ch.
+Qed.
+
 Lemma choice_poses bits q st s : setting_of bits q = Some st -> choice_of q s -> poses q st s.
 Proof.
-  unfold setting_of. intros H C. destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate].
-  destruct (load_of q) as [ld|] eqn:Ld; [|discriminate].
-  assert (Grows : load_growth ld = direction q).
-  { unfold load_of in Ld. destruct (load_ball q) as [b|]; [|now injection Ld as <-].
-    destruct (addition_of b); [|discriminate]. now injection Ld as <-. }
-  injection H as <-. destruct C as [(g & (D & F & W & U & N) & ->)|(g & (D & F & W & U & N) & ->)];
+  intros H C. destruct C as [(g & (Sv & D & F & W & U & N) & ->)|[(g & (Sv & D & F & W & U & N) & ->)|[C|C]]].
+  1, 2: unfold setting_of, rows_of in H; rewrite Sv in H;
+    destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate];
+    destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]; pose proof (load_grows _ _ Ld) as Grows; injection H as <-;
     (constructor; cbn [make_setting rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
        Rows.normal grasp_rows space_grasp_rows]; rewrite ?Grows; try assumption; try reflexivity; try (now split);
      try (now apply (plane_load q)); try (now apply (space_load q));
      try (split; [reflexivity|]; apply Forall_map, Forall_forall; intros c _; now repeat constructor)).
   - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact q c /\ r = contact_row c)) with (2 := E).
-    + intros q0 b r B (c & Ch & ->).
-      exact (proj2 (fits_suits (make_row b) _ (conj eq_refl (enlarge_plane _ _ _ _ B Ch)))).
+    + intros q0 b r B (c & Ch & ->). eapply plane_seen; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
   - apply (enlarge_all_suits bits _ _ _ (fun q r => exists c, chosen_contact_in_space q c /\ r = space_contact_row c))
       with (2 := E).
     + intros q0 b r B (c & Ch & ->). eapply enlarge_space; eassumption.
     + apply Forall2_map_right. eapply Forall2_weaken; [|exact F]. cbv beta. eauto.
+  - destruct C as (m & (its & Sp & Ch) & ->).
+    eapply (bodies_pose BodiesModel.in_plane); try eassumption; [unfold Bodies.numbers_of; now rewrite Sp| |reflexivity].
+    intros c c' b Cc B. apply (plane_seen bits c); [exact Cc|]. unfold enlarge_finger in B.
+    destruct (enlarge bits c) as [b'|] eqn:E; [|discriminate]. destruct (Qeq_bool (torsion c) 0); [exact B|].
+    rewrite (plane_signed bits c b' c') in B by assumption. discriminate.
+  - destruct C as (m & (its & Sp & Ch) & ->).
+    eapply (bodies_pose BodiesModel.in_space); try eassumption; [unfold Bodies.numbers_of; now rewrite Sp| |].
+    + intros c c' b. apply finger_seen.
+    + intros t. unfold finger_row. destruct (Req_EM_T _ _); reflexivity.
 Qed.
 
 (* What an answer says, of rows. *)
@@ -199,25 +245,40 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | NotProvedHere _ => True
   end.
 
+(* What is said of all multiples is said of rows. *)
+Lemma of_all_rows q (P : (R -> Prop) -> Prop) : (forall A B, (forall l, A l <-> B l) -> P B -> P A) ->
+  (forall s, choice_of q s -> P (Rows.stable_at s)) -> of_all q P.
+Proof.
+  intros Same H. unfold of_all. repeat split.
+  - intros g C. apply Same with (2 := H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl)))). intros l. apply stable_as_rows.
+  - intros g C. apply Same with (Rows.stable_at (space_grasp_rows g)); [apply space_stable_as_rows|].
+    apply H. right; left. now exists g.
+  - intros m C. apply Same with (Rows.stable_at (plane_mechanism m)).
+    + intros l. destruct C as (its & _ & Ch). apply plane_mechanism_stable. apply Ch.
+    + apply H. right; right; left. now exists m.
+  - intros m C. apply Same with (Rows.stable_at (space_mechanism m)).
+    + intros l. destruct C as (its & _ & Ch). apply space_mechanism_stable; [apply Ch|].
+      destruct Ch as (_ & _ & _ & _ & T & _). clear - T.
+      induction T as [|c t cs ts ((_ & _ & N) & _) T IH]; constructor; [exact N|exact IH].
+    + apply H. right; right; right. now exists m.
+Qed.
+
 Lemma true_of_grasps q a : true_of_rows q a -> true_answer q a.
 Proof.
-  destruct a as [| |intervals|resisted refuted|c|pieces| |]; cbn; intros H; try exact I;
-    [split; intros g C..|intros g C a b g' (u & v & Pl & u' & v' & Eu & Ev & ->)].
-  - apply stable_as_rows. apply H. left. now exists g.
-  - apply space_stable_as_rows. apply H. right. now exists g.
-  - intros St. apply (H (grasp_rows g)); [left; now exists g|]. now apply stable_as_rows.
-  - intros St. apply (H (space_grasp_rows g)); [right; now exists g|]. now apply space_stable_as_rows.
-  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
-  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
-  - intros l L. rewrite stable_as_rows. apply H; [left; now exists g|exact L].
-  - intros l L. rewrite space_stable_as_rows. apply H; [right; now exists g|exact L].
-  - destruct (H (grasp_rows g)) as (m & M & Lm & Cl); [left; now exists g|].
-    destruct (plane_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
-    apply (plane_class _ g i m E). apply Cl. rewrite E. now apply plane_mass_good.
-  - destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; now exists g|].
-    destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
-    apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
-  - unfold Model.stable. rewrite stable_as_rows.
+  destruct a as [| |intervals|resisted refuted|c|pieces| |]; cbn; intros H; try exact I.
+  1-4: apply of_all_rows; [|exact H]; intros A B E S.
+  - now apply E.
+  - intros St. now apply S, E.
+  - intros l L. rewrite E. now apply S.
+  - intros l L. rewrite E. now apply S.
+  - split; intros g C.
+    + destruct (H (grasp_rows g)) as (m & M & Lm & Cl); [left; now exists g|].
+      destruct (plane_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
+      apply (plane_class _ g i m E). apply Cl. rewrite E. now apply plane_mass_good.
+    + destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; left; now exists g|].
+      destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
+      apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
+  - intros g C a b g' (u & v & Pl & u' & v' & Eu & Ev & ->). unfold Model.stable. rewrite stable_as_rows.
     apply (H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl))) u v Pl eq_refl a b
       (motion_list (Model.add (Model.wrench g) (Model.add (Model.scale a u') (Model.scale b v'))))).
     intros y. unfold real. rewrite Eu, Ev. change (three_numbers u') with (motion_list u').

@@ -3,7 +3,7 @@
     `read_grasp_says` is the theorem; what the definitions before it say is FORMAT.md sections 1 and 6.  Nothing is
     said of loads, and of contacts that are stated by [on]. *)
 From Coq Require Import Bool List QArith String ZArith.
-From Proved Require Import Grammar Json Numeral Question ReadGrasp.
+From Proved Require Import Grammar Json Numeral Question ReadBodies ReadGrasp.
 Import ListNotations.
 Local Open Scope string_scope.
 Local Open Scope list_scope.
@@ -249,7 +249,7 @@ Proof.
     destruct S as (S1 & S2 & S3). now apply contact_says.
   - intros w Fw. rewrite Fw in W. destruct W as (a & -> & A). eapply wrench_says, A.
   - intros Fw Fl. rewrite Fw in W. rewrite Fl in L. subst own loads. unfold no_wrench. reflexivity.
-  - intros vs Fs. rewrite Fs in Nm. destruct Nm as (a & -> & A). unfold read_cases in A. step A raw R. step A u7 U7.
+  - intros vs Fs. rewrite Fs in Nm. destruct Nm as (a & -> & A). unfold read_list_of_cases in A. step A raw R. step A u7 U7.
     step A u8 U8. injection A as <-.
     destruct (array_says _ _ is_own_case _ _ _ (case_says v) R) as (items & -> & F). exists items.
     split; [reflexivity|]. set (common := match own with Some _ => _ | None => _ end).
@@ -257,4 +257,20 @@ Proof.
     destruct it as [name w]. destruct I as (them & -> & Fn & Ss). exists them. split; [reflexivity|]. split; [exact Fn|].
     intros u U. exists w. split; [exact (Ss u U)|reflexivity].
   - intros Fs. rewrite Fs in Nm. now subst named.
+Qed.
+
+Lemma bodies_are_read value g : read_grasp_of_bodies value = Fine g -> bodies_read g <> None.
+Proof.
+  unfold read_grasp_of_bodies. intros H. step H ms M. step H u1 U1. step H u2 U2. step H bs B. step H js J. step H u3 U3.
+  step H u4 U4. step H rs R. step H ss Sp. step H ts T. step H ds D. destruct (match ds with Some it => it | None => _ end).
+  step H cs C. step H w W. step H l L. step H u5 U5. step H ns Ns. injection H as <-. discriminate.
+Qed.
+
+(** Of a file of several bodies nothing is said. *)
+Theorem read_file_says value g : read_file value = Fine g -> bodies_read g = None -> is_grasp value g.
+Proof.
+  unfold read_file. intros H B.
+  assert (One : read_grasp value = Fine g -> is_grasp value g) by apply read_grasp_says.
+  destruct value as [| | | | |them]; try (exact (One H)). destruct (find_member "format" them); [|exact (One H)].
+  destruct (is_text _ _); [|exact (One H)]. now apply bodies_are_read in H.
 Qed.

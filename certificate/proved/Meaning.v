@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: MIT *)
-(* Which grasps (Model.v, SpaceModel.v) a question (Question.v) is about: one, or if numbers are uncertain a
+(* Which grasps (Model.v, SpaceModel.v, BodiesModel.v) a question (Question.v) is about: one, or if numbers are uncertain a
    box of them (FORMAT.md section 6); and what an answer claims about them. *)
 From Coq Require Import Reals List QArith Qreals.
 From Proved Require Import Question RigidModel.
-From Proved Require Model SpaceModel.
+From Proved Require Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -21,6 +21,8 @@ Definition chosen_contact (q : contact) (c : Model.contact) :=
   within (preload q) (Model.preload c) /\
   Model.growth c = Q2R (preload_growth q).
 
+Definition law_of (q : question) : Model.law := if bilateral q then Model.bilateral else Model.unilateral.
+
 Definition three_numbers (w : Model.vector) : list R := [Model.along_x w; Model.along_y w; Model.about_z w].
 
 (* A ball has the forces and torques of these squares. *)
@@ -36,12 +38,13 @@ Definition added (b : option ball) (w : Model.vector) : Prop :=
   end.
 
 Definition chosen (q : question) (g : Model.grasp) :=
+  several q = None /\
   dimension q = 3%nat /\
   Forall2 chosen_contact (contacts q) (Model.contacts g) /\
   (exists w0 w1, Forall2 within (wrench q) (three_numbers w0) /\ added (load_ball q) w1 /\
      Model.wrench g = Model.add w0 w1) /\
   map Q2R (direction q) = three_numbers (Model.direction g) /\
-  Model.normal g = if bilateral q then Model.bilateral else Model.unilateral.
+  Model.normal g = law_of q.
 
 (* The same in space, where n0 may turn every way: n = n0 + t with t across n0, and the tangent of
    the angle, |t| / |n0|, at most the slope. *)
@@ -76,12 +79,59 @@ Definition added_in_space (b : option ball) (w : SpaceModel.screw) : Prop :=
   end.
 
 Definition chosen_in_space (q : question) (g : SpaceModel.grasp) :=
+  several q = None /\
   dimension q = 6%nat /\
   Forall2 chosen_contact_in_space (contacts q) (SpaceModel.contacts g) /\
   (exists w0 w1, Forall2 within (wrench q) (six_numbers w0) /\ added_in_space (load_ball q) w1 /\
      SpaceModel.wrench g = SpaceModel.add_screw w0 w1) /\
   map Q2R (direction q) = six_numbers (SpaceModel.direction g) /\
-  SpaceModel.normal_law g = if bilateral q then Model.bilateral else Model.unilateral.
+  SpaceModel.normal_law g = law_of q.
+
+(* Of several bodies, without a ball, which meet in contacts chosen so.  Hinges, slides and levers are not uncertain. *)
+Definition real_body (b : rigid_body) : BodiesModel.rigid_body :=
+  match b with
+  | Free first => BodiesModel.Free first
+  | Link on eta turns => BodiesModel.Link on (map Q2R eta) (map Q2R turns)
+  end.
+
+Definition chosen_element (q : element) (e : BodiesModel.element) :=
+  BodiesModel.lever e = map Q2R (lever q) /\
+  BodiesModel.is_spring e = element_spring q /\
+  within (element_stiffness q) (BodiesModel.stiffness e) /\
+  within (element_preload q) (BodiesModel.preload e) /\
+  BodiesModel.growth e = Q2R (element_growth q).
+
+Definition chosen_bodies {k : BodiesModel.kind} (chosen_contact : contact -> BodiesModel.contact k -> Prop)
+    (q : question) (its : mechanism) (m : BodiesModel.mechanism k) :=
+  several q = Some its /\
+  BodiesModel.coordinates m = dimension q /\
+  BodiesModel.has_all_numbers m /\
+  BodiesModel.bodies m = map real_body (bodies its) /\
+  Forall2 (fun c t => chosen_contact c (BodiesModel.touching t) /\
+             BodiesModel.of_body t = of_body c /\ BodiesModel.by_body t = by_body c)
+    (contacts q) (BodiesModel.touches m) /\
+  Forall2 chosen_element (elements its) (BodiesModel.elements m) /\
+  Forall2 within (wrench q) (BodiesModel.wrench m) /\
+  map Q2R (direction q) = BodiesModel.direction m /\
+  BodiesModel.normal m = law_of q.
+
+Definition chosen_bodies_in_plane (q : question) (m : BodiesModel.mechanism BodiesModel.in_plane) :=
+  exists its, bodies_in_space its = false /\ chosen_bodies (k := BodiesModel.in_plane) chosen_contact q its m.
+
+Definition chosen_finger (q : contact) (t : BodiesModel.finger) :=
+  chosen_contact_in_space q (BodiesModel.hard t) /\
+  BodiesModel.torsion t = Q2R (torsion q) /\
+  SpaceModel.normal (BodiesModel.hard t) <> SpaceModel.zero.
+
+Definition chosen_bodies_in_space (q : question) (m : BodiesModel.mechanism BodiesModel.in_space) :=
+  exists its, bodies_in_space its = true /\ chosen_bodies (k := BodiesModel.in_space) chosen_finger q its m.
+
+(* What is true of all that a question is about, of the multiples at which each is stable. *)
+Definition of_all (q : question) (P : (R -> Prop) -> Prop) : Prop :=
+  (forall g, chosen q g -> P (Model.stable_at g)) /\
+  (forall g, chosen_in_space q g -> P (SpaceModel.stable_at g)) /\
+  (forall m, chosen_bodies_in_plane q m -> P (BodiesModel.stable_at m)) /\
+  (forall m, chosen_bodies_in_space q m -> P (BodiesModel.stable_at m)).
 
 Definition among (l : R) (i : Q * option Q) :=
   Q2R (fst i) <= l /\ match snd i with Some h => l <= Q2R h | None => True end.
@@ -123,23 +173,11 @@ Definition in_piece (s t : R) (points : list (Q * Q * Q)) := sum_of points 1 s t
 (* What an answer says about a question.  That a certificate is rejected says nothing. *)
 Definition true_answer (q : question) (a : answer) : Prop :=
   match a with
-  | Stable =>
-      (forall g, chosen q g -> Model.stable g) /\
-      (forall g, chosen_in_space q g -> SpaceModel.stable g)
-  | Unstable =>
-      (forall g, chosen q g -> ~ Model.stable g) /\
-      (forall g, chosen_in_space q g -> ~ SpaceModel.stable g)
-  | Margin intervals =>
-      (forall g, chosen q g -> forall l, 0 <= l -> (Model.stable_at g l <-> Exists (among l) intervals)) /\
-      (forall g, chosen_in_space q g -> forall l, 0 <= l ->
-         (SpaceModel.stable_at g l <-> Exists (among l) intervals))
-  | Claims resisted refuted =>
-      (forall g, chosen q g -> forall l, 0 <= l ->
-         (Exists (among l) resisted -> Model.stable_at g l) /\
-         (Exists (refuted_by l) refuted -> ~ Model.stable_at g l)) /\
-      (forall g, chosen_in_space q g -> forall l, 0 <= l ->
-         (Exists (among l) resisted -> SpaceModel.stable_at g l) /\
-         (Exists (refuted_by l) refuted -> ~ SpaceModel.stable_at g l))
+  | Stable => of_all q (fun stable_at => stable_at 0)
+  | Unstable => of_all q (fun stable_at => ~ stable_at 0)
+  | Margin intervals => of_all q (fun stable_at => forall l, 0 <= l -> (stable_at l <-> Exists (among l) intervals))
+  | Claims resisted refuted => of_all q (fun stable_at => forall l, 0 <= l ->
+      (Exists (among l) resisted -> stable_at l) /\ (Exists (refuted_by l) refuted -> ~ stable_at l))
   | Class c =>
       (forall g, chosen q g -> exists m, inertia_of (inertia q) m /\ is_of_class c Model.zero (can g m)) /\
       (forall g, chosen_in_space q g -> exists m, inertia_of_space (inertia q) m /\

@@ -2,7 +2,7 @@
 (** The question that is asked of a grasp file with the options of the command line: FORMAT.md
     section 1, the table and what follows it, and section 6. The certificate plays no part here. *)
 From Coq Require Import Bool List QArith Qabs String ZArith.
-From Proved Require Import Json Question ReadGrasp RigidClass Root.
+From Proved Require Import Json Question ReadBodies ReadGrasp RigidClass Root.
 Import ListNotations.
 Local Open Scope string_scope.
 
@@ -54,6 +54,8 @@ Definition in_full (numbers : list Q) : list Q :=
 (** The question as it is judged, and as it is printed. *)
 Record posed : Set := {
   the_question : question;
+  free_coordinates : list string;  (** of several bodies, to be printed *)
+  joint_coordinates : list (option string);
   stated_wrench : list interval;  (** before it was widened *)
   the_options : options;  (** a ball with its point *)
   is_box : bool }.
@@ -67,14 +69,16 @@ Definition find_tolerance (kind : string) (asked : options) : option tolerance :
   | None => None
   end.
 
-Definition check_dimension (in_space : bool) (part : string) (numbers : option (list Q))
-  : result unit :=
+Definition check_dimension (file : grasp) (part : string) (numbers : option (list Q)) : result unit :=
   match numbers with
   | None => Fine tt
   | Some v =>
-      check_that (has_length (if in_space then 6 else 3) v) (of_question part)
-        (if in_space then "expected 6 numbers, as the grasp is in space"
-         else "expected 3 numbers, as the grasp is planar")
+      check_that (Nat.eqb (List.length v) (coordinates_read file)) (of_question part)
+        (match bodies_read file with
+         | Some _ => "expected a number for each coordinate of the bodies and joints"
+         | None => if in_space file then "expected 6 numbers, as the grasp is in space"
+                   else "expected 3 numbers, as the grasp is planar"
+         end)
   end.
 
 Definition wrench_asked (file : grasp) (asked : options) : result (list interval) :=
@@ -88,10 +92,10 @@ Definition wrench_asked (file : grasp) (asked : options) : result (list interval
       | None => refuse here ("the grasp has no case """ ++ name ++ """")
       end
   | None, None =>
-      match asked_direction asked, asked_plane asked, cases file with
-      | Some d, _, _ | None, Some (d, _), _ => Fine (map (fun _ => exactly 0) d)
-      | None, None, [] => Fine (common_wrench file)
-      | None, None, (name, _) :: _ =>
+      match asked_direction asked, asked_plane asked, has_loads file, cases file with
+      | Some d, _, _, _ | None, Some (d, _), _, _ => Fine (map (fun _ => exactly 0) d)
+      | None, None, true, _ | None, None, _, [] => Fine (common_wrench file)
+      | None, None, false, (name, _) :: _ =>
           refuse here ("the grasp has cases, and none is chosen; expected the name of one, such as """
                        ++ name ++ """")
       end
@@ -115,7 +119,14 @@ Definition asked_contact (asked : options) (it : contact) : contact :=
      friction := widen (by_ "friction") (friction it);
      stiffness := widen (by_ "stiffness") (stiffness it);
      preload := widen (by_ "preload") given;
-     preload_growth := preload_growth it |}.
+     preload_growth := preload_growth it;
+     of_body := of_body it; by_body := by_body it; torsion := torsion it |}.
+
+Definition asked_element (asked : options) (it : element) : element :=
+  {| lever := lever it; element_spring := element_spring it;
+     element_stiffness := widen (find_tolerance "stiffness" asked) (element_stiffness it);
+     element_preload := widen (find_tolerance "preload" asked) (element_preload it);
+     element_growth := element_growth it |}.
 
 (** The ball, with its point. *)
 Definition ball_asked (file : grasp) (asked : options) (stated : list interval) : result (option stated_ball) :=
@@ -166,7 +177,7 @@ Definition has_irrational_preload (it : contact) : bool :=
   && match exact_root (sum_of_squares (normal it)) with Some _ => false | None => true end.
 
 (** What FORMAT.md section 6 does not allow, and whether the contact makes the question a box. *)
-Definition check_contact (margin in_space : bool) (at_path : path) (it : contact)
+Definition check_contact (margin claims : bool) (at_path : path) (it : contact)
   : result bool :=
   let here name := (Member name :: at_path)%list in
   let* _ := check_that (Qle_bool 0 (low (friction it))) (here "friction")
@@ -176,29 +187,47 @@ Definition check_contact (margin in_space : bool) (at_path : path) (it : contact
   let* _ := check_that (is_below 0 (low (stiffness it))) (here "stiffness")
               "it may be 0 or less; expected above 0" in
   let* _ := check_that (is_below (slope it) 1) (here "normal") "expected a slope below 1" in
+  let* _ := check_that (is_0 (slope it) || is_0 (torsion it)) (here "normal")
+              "expected no slope, as the contact has torsion" in
   let* _ := check_that (negb margin || is_one_point it) at_path
               "found an interval, but a margin is about one grasp; expected numbers" in
   let irrational := has_irrational_preload it in
-  let* _ := check_that (negb (irrational && margin && negb in_space)) (here "normal")
+  let* _ := check_that (negb (irrational && margin && negb claims)) (here "normal")
               ("the contact has a preload and a normal of irrational length, so there is no exact "
                ++ "question; run stickslip snap GRASP -o FILE, and ask about FILE") in
   Fine (irrational || negb (is_one_point it)).
 
-(** Contacts with P^u, and under [Scale] without the file's preloads. *)
-Fixpoint with_growths (contacts : list contact) (numbers : list Q) (done : list contact)
-  : option (list contact) :=
-  match contacts, numbers with
-  | [], [] => Some (rev_append done [])
-  | it :: others, p :: rest =>
-      with_growths others rest
-        ({| position := position it; normal := normal it; slope := slope it; friction := friction it;
-            stiffness := stiffness it; preload := preload it; preload_growth := p |} :: done)
-  | _, _ => None
-  end.
+(** Whether it makes the question a box. *)
+Definition check_element (margin : bool) (at_path : path) (it : element) : result bool :=
+  let spring := element_spring it in
+  let k := low (element_stiffness it) in
+  let* _ := check_that (spring || Qle_bool 0 (low (element_preload it))) at_path
+              "the preload may be below 0; expected 0 or more" in
+  let* _ := check_that (if spring then Qle_bool 0 k else is_below 0 k) at_path
+              "the stiffness may be too small; expected above 0, of a spring 0 or more" in
+  let certain := is_exact (element_stiffness it) && is_exact (element_preload it) in
+  let* _ := check_that (negb margin || certain) at_path
+              "found an interval, but a margin is about one grasp; expected numbers" in
+  Fine (negb certain).
 
-Definition scaled (it : contact) : contact :=
+(** P^u, and under [Scale] none of the file's preloads. *)
+Definition with_growth (p : interval) (u : Q) (it : contact) : contact :=
   {| position := position it; normal := normal it; slope := slope it; friction := friction it;
-     stiffness := stiffness it; preload := exactly 0; preload_growth := low (preload it) |}.
+     stiffness := stiffness it; preload := p; preload_growth := u;
+     of_body := of_body it; by_body := by_body it; torsion := torsion it |}.
+
+Definition element_with_growth (p : interval) (u : Q) (it : element) : element :=
+  {| lever := lever it; element_spring := element_spring it; element_stiffness := element_stiffness it;
+     element_preload := p; element_growth := u |}.
+
+(** By so many numbers; and those that are left. *)
+Fixpoint with_growths {A : Type} (grown : A -> Q -> A) (items : list A) (numbers : list Q) (done : list A)
+  : option (list A * list Q) :=
+  match items, numbers with
+  | [], _ => Some (rev_append done [], numbers)
+  | it :: others, p :: rest => with_growths grown others rest (grown it p :: done)
+  | _ :: _, [] => None
+  end.
 
 (** The plane has two directions that differ, and nothing else grows. *)
 Definition check_plane (file : grasp) (asked : options) : result unit :=
@@ -206,6 +235,8 @@ Definition check_plane (file : grasp) (asked : options) : result unit :=
   match asked_plane asked with
   | None => Fine tt
   | Some (u, v) =>
+      let* _ := check_that (match bodies_read file with Some _ => false | None => true end) here
+                  "the grasp is of several bodies; expected a question about a wrench or a direction" in
       let* _ := check_that (negb (in_space file)) here
                   "the grasp is in space; a region is about a planar grasp" in
       let* _ := check_that (negb (asks_margin asked)) here "a direction is given as well; expected one of them" in
@@ -218,8 +249,9 @@ Definition check_plane (file : grasp) (asked : options) : result unit :=
   end.
 
 Definition pose (file : grasp) (asked : options) : result posed :=
-  let* _ := check_dimension (in_space file) "wrench" (asked_wrench asked) in
-  let* _ := check_dimension (in_space file) "direction" (asked_direction asked) in
+  let claims := in_space file || match bodies_read file with Some _ => true | None => false end in
+  let* _ := check_dimension file "wrench" (asked_wrench asked) in
+  let* _ := check_dimension file "direction" (asked_direction asked) in
   let* _ := check_that (match asked_preload asked with Some p => Qle_bool 0 p | None => true end)
               (of_question "preload") "expected 0 or more" in
   let* _ := check_plane file asked in
@@ -227,22 +259,33 @@ Definition pose (file : grasp) (asked : options) : result posed :=
   let* _ := check_tolerances asked (asked_uncertain asked) in
   let* ball := ball_asked file asked stated in
   let them := map_all (asked_contact asked) (all_contacts file) in
-  let* them :=
+  let others := match bodies_read file with Some its => map_all (asked_element asked) (elements its) | None => [] end in
+  let* '(them, others) :=
     match asked_growth asked with
     | Some (By numbers) =>
-        let problem := "expected numbers of 0 or more, one for each contact" in
-        let* _ := check_that (forallb (Qle_bool 0) numbers) (of_question "preload direction") problem in
-        match with_growths them numbers [] with
-        | Some them => Fine them
-        | None => refuse (of_question "preload direction") problem
+        let problem := "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any" in
+        let wrong := refuse (of_question "preload direction") problem in
+        match with_growths (fun it p => with_growth (preload it) p it) them numbers [] with
+        | None => wrong
+        | Some (them, rest) =>
+            match with_growths (fun it p => element_with_growth (element_preload it) p it) others rest [] with
+            | Some (others, []) =>
+                let* _ := check_that (forallb (fun it => Qle_bool 0 (preload_growth it)) them
+                                      && forallb (fun it => element_spring it || Qle_bool 0 (element_growth it)) others)
+                            (of_question "preload direction") problem in
+                Fine (them, others)
+            | _ => wrong
+            end
         end
-    | _ => Fine them
+    | _ => Fine (them, others)
     end in
   let* _ :=
     match asked_inertia asked with
     | None => Fine tt
     | Some numbers =>
         let here := of_question "inertia" in
+        let* _ := check_that (match bodies_read file with Some _ => false | None => true end) here
+                    "the grasp is of several bodies; expected a question about a wrench or a direction" in
         let* _ := check_that (negb (asks_margin asked || asks_plane asked)) here
                     "a direction or a plane is given as well; expected one of them" in
         let* _ := check_that (has_length (if in_space file then 9 else 3) numbers) here
@@ -252,23 +295,25 @@ Definition pose (file : grasp) (asked : options) : result posed :=
            else "the squared radius of gyration must be > 0")
     end in
   let margin := asks_one asked in
-  let* boxes := each (check_contact margin (in_space file)) [Member "contacts"] them in
+  let* boxes := each (check_contact margin claims) [Member "contacts"] them in
+  let* other_boxes := each (check_element margin) [Member "ratchets and springs"] others in
   let widened := map (widen (find_tolerance "wrench" asked)) stated in
   let certain := forallb is_exact widened in
   let* _ := check_that (negb margin || certain) [Member "wrench"]
               "found an interval, but a margin is about one grasp; expected numbers" in
-  let them := match asked_growth asked with
-              | Some Scale => map_all scaled them
-              | _ => them
-              end in
+  let scales := match asked_growth asked with Some Scale => true | _ => false end in
+  let them := if scales then map_all (fun it => with_growth (exactly 0) (low (preload it)) it) them else them in
+  let others := if scales then map_all (fun it => element_with_growth (exactly 0) (low (element_preload it)) it) others
+                else others in
   let u := match asked_direction asked with Some u => u | None => map (fun _ => 0%Q) stated end in
   let* _ := check_that (negb (asks_margin asked) || negb (forallb is_0 u)
-                        || existsb (fun it => negb (is_0 (preload_growth it))) them)
+                        || existsb (fun it => negb (is_0 (preload_growth it))) them
+                        || existsb (fun it => negb (is_0 (element_growth it))) others)
               (of_question "direction")
               ("neither the wrench nor a preload changes; expected a direction other than 0, or to "
                ++ "scale preloads some of which are not 0") in
   Fine {| the_question :=
-            {| dimension := if in_space file then 6 else 3;
+            {| dimension := coordinates_read file;
                bilateral := asked_bilateral asked;
                is_margin := asks_margin asked;
                contacts := them;
@@ -279,7 +324,14 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                             end;
                direction := u;
                load_plane := asked_plane asked;
-               inertia := match asked_inertia asked with Some numbers => numbers | None => [] end |};
+               inertia := match asked_inertia asked with Some numbers => numbers | None => [] end;
+               several := match bodies_read file with
+                          | Some its => Some {| bodies_in_space := bodies_in_space its; bodies := bodies its;
+                                                elements := others |}
+                          | None => None
+                          end |};
+          free_coordinates := names_of_bodies file;
+          joint_coordinates := names_of_joints file;
           stated_wrench := stated;
           the_options :=
             {| asked_wrench := asked_wrench asked; asked_case := asked_case asked;
@@ -288,4 +340,4 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                asked_plane := asked_plane asked; asked_inertia := asked_inertia asked; asked_uncertain := asked_uncertain asked;
                asked_ball := ball |};
           is_box := negb certain || (match ball with Some _ => true | None => false end)
-                    || existsb (fun box => box) boxes |}.
+                    || existsb (fun box => box) (boxes ++ other_boxes)%list |}.

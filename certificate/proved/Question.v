@@ -23,7 +23,32 @@ Record contact := Contact {
   friction : interval;
   stiffness : interval;
   preload : interval;        (* P; of a margin with the preload direction `scale`, 0 *)
-  preload_growth : Q         (* P^u; 0 without a preload direction *)
+  preload_growth : Q;        (* P^u; 0 without a preload direction *)
+  of_body : option nat;      (* of several bodies those that meet, as their numbers; None is the ground *)
+  by_body : option nat;
+  torsion : Q                (* of a soft finger in space, else 0 *)
+}.
+
+(* Of several bodies (FORMAT.md section 14).  A body that is no link moves by coordinates of its own, from this one on.
+   A link moves as the body that it is on, and besides by so many times its `eta` as it turns: the sum of all
+   coordinates times `turns`. *)
+Inductive rigid_body :=
+  | Free (first : nat)
+  | Link (on : option nat) (eta turns : list Q).
+
+(* A ratchet or a spring. *)
+Record element := Elastic {
+  lever : list Q;            (* its row: how far it gives way, by coordinate *)
+  element_spring : bool;
+  element_stiffness : interval;
+  element_preload : interval;
+  element_growth : Q
+}.
+
+Record mechanism := Mechanism {
+  bodies_in_space : bool;
+  bodies : list rigid_body;  (* each after the one that it is on *)
+  elements : list element
 }.
 
 (* A ball of loads: those of a force and a torque at a point whose size, with torques divided by a length, is at most
@@ -31,7 +56,7 @@ Record contact := Contact {
 Record ball := Ball { radius : Q; torque_length : Q; about : list Q }.
 
 Record question := Question {
-  dimension : nat;           (* of motions: 3 in the plane, 6 in space *)
+  dimension : nat;           (* of motions: 3 in the plane, 6 in space, of several bodies as many as coordinates *)
   bilateral : bool;          (* the normal law *)
   is_margin : bool;          (* a direction of either kind was given *)
   contacts : list contact;
@@ -39,7 +64,8 @@ Record question := Question {
   load_ball : option ball;   (* of which any load is added to w *)
   direction : list Q;        (* u; as many zeros without a direction of wrenches *)
   load_plane : option (list Q * list Q);   (* u and v, if it is about w + s u + t v *)
-  inertia : list Q           (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
+  inertia : list Q;          (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
+  several : option mechanism (* of several bodies *)
 }.
 
 (* The certificate, in the order of its text.  INDEX and CONTACT are whole numbers >= 0 of any

@@ -13,8 +13,17 @@ Record statement : Set := {
   options_stated : options  (** without wrench and case *) }.
 
 (** What the numbers of a certificate depend on. *)
-Record shape : Set := { spatial : bool; of_margin : bool; of_plane : bool; of_class : bool }.
-Definition size_of_twist (s : shape) : Z := if spatial s then 6 else 3.
+Record shape : Set := {
+  spatial : bool;
+  of_bodies : bool;
+  size_of_twist : Z;      (** D *)
+  soft : list bool;       (** whether each contact has torsion *)
+  of_margin : bool;
+  of_plane : bool;
+  of_class : bool }.
+
+(** All margins are claims but those of one body in the plane. *)
+Definition of_claims (s : shape) : bool := spatial s || of_bodies s.
 
 Definition read_numbers (count : Z) : path -> json -> result (list Q) :=
   read_sized count (if count =? 6 then "an array of 6 numbers"
@@ -112,11 +121,12 @@ Definition read_plane (at_path : path) (value : json) : result (list Q * list Q)
   let* them := read_sized 2 "two directions of three numbers" (read_numbers 3) at_path value in
   Fine (nth 0 them [], nth 1 them []).
 
-Definition read_statement (in_space : bool) (at_path : path) (value : json) : result statement :=
+Definition read_statement (s : shape) (at_path : path) (value : json) : result statement :=
   let* members :=
     members_in_order (["contacts"; "wrench"; "preload"; "normal_law"; "direction"; "preload_direction"]
-                      ++ (if in_space then [] else ["plane"]) ++ ["inertia"; "uncertain"])%list at_path value in
-  let count := if in_space then 6%Z else 3%Z in
+                      ++ (if of_claims s then [] else ["plane"]) ++ (if of_bodies s then [] else ["inertia"])
+                      ++ ["uncertain"])%list at_path value in
+  let count := size_of_twist s in
   let* m := member "contacts" read_index at_path members in
   let* w := member "wrench" (read_sized count "an array of the components" read_stated_component)
               at_path members in
@@ -125,8 +135,8 @@ Definition read_statement (in_space : bool) (at_path : path) (value : json) : re
   let* u := optional_member "direction" (read_numbers count) at_path members in
   let* growing := optional_member "preload_direction" read_growth at_path members in
   let* plane := optional_member "plane" read_plane at_path members in
-  let* i := optional_member "inertia" (read_inertia in_space) at_path members in
-  let* uncertain := optional_member "uncertain" (read_tolerances in_space) at_path members in
+  let* i := optional_member "inertia" (read_inertia (spatial s)) at_path members in
+  let* uncertain := optional_member "uncertain" (read_tolerances (spatial s)) at_path members in
   Fine {| stated_contacts := m;
           wrench_stated := w;
           options_stated :=
@@ -188,15 +198,16 @@ Definition read_nodes (s : shape) : path -> json -> result (list node) :=
   read_array "an array of nodes" (read_node s).
 
 (** Witnesses and points. *)
-Definition read_friction (s : shape) (at_path : path) (value : json) : result (list Q) :=
-  if spatial s then read_numbers 3 at_path value
+Definition read_friction (s : shape) (contact : Z) (at_path : path) (value : json) : result (list Q) :=
+  if spatial s then
+    read_numbers (match numbered (soft s) contact with Some true => 4 | _ => 3 end) at_path value
   else let* x := read_fraction at_path value in Fine [x].
 
 Definition read_share (s : shape) (at_path : path) (value : json) : result (Z * list Q) :=
   match value with
   | Array [index; share] =>
       let* i := read_index at_path index in
-      let* numbers := read_friction s at_path share in
+      let* numbers := read_friction s i at_path share in
       Fine (i, numbers)
   | _ => expected "[contact, share]" at_path value
   end.
@@ -267,7 +278,7 @@ Definition read_answers (s : shape) (at_path : path) (value : json) : result (Z 
   | Array [contact; forces] =>
       let* i := read_index at_path contact in
       let* them := read_sized (size_of_twist s) "a force for each component of a wrench"
-                     (read_friction s) at_path forces in
+                     (read_friction s i) at_path forces in
       Fine (i, them)
   | _ => expected "[contact, forces]" at_path value
   end.
@@ -389,7 +400,7 @@ Definition read_force (s : shape) (at_path : path) (value : json) : result (Z * 
   | Array [contact; along; across] =>
       let* i := read_index at_path contact in
       let* a := read_fraction at_path along in
-      let* f := read_friction s at_path across in
+      let* f := read_friction s i at_path across in
       Fine (i, (a, f))
   | _ => expected "[contact, number, friction]" at_path value
   end.
@@ -473,7 +484,7 @@ Definition read_verdict (s : shape) (at_path : path) (value : json) : result boo
 
 Definition read_body (s : shape) (good : bool) (members : list (string * json)) : result proof :=
   if of_margin s then
-    if spatial s then
+    if of_claims s then
       let* it := next_read "intervals" (read_array "an array of claims" (read_claim s)) members in
       let* claims := finish it in
       Fine (MarginInSpace claims)
@@ -548,7 +559,15 @@ Definition read_known_format (at_path : path) (value : json) : result unit :=
   if is_text "stickslip-certificate/2" value then Fine tt
   else expected """stickslip-certificate/2"", the only one that this program knows" at_path value.
 
-Definition read_certificate (in_space : bool) (value : json) : result (statement * certificate) :=
+Definition read_certificate (q : question) (value : json) : result (statement * certificate) :=
+  let asked (margin plane class : bool) : shape :=
+    {| spatial := match several q with Some its => bodies_in_space its | None => Nat.eqb (dimension q) 6 end;
+       of_bodies := match several q with Some _ => true | None => false end;
+       size_of_twist := Z.of_nat (dimension q);
+       soft := map_all (fun it => negb (is_0 (torsion it))) (contacts q);
+       of_margin := margin;
+       of_plane := plane;
+       of_class := class |} in
   match value with
   | Object members =>
       let* '(_, rest) := next_read "format" read_known_format members in
@@ -556,12 +575,11 @@ Definition read_certificate (in_space : bool) (value : json) : result (statement
         if begins_with "producer" rest
         then let* '(_, rest) := next_read "producer" read_any_text rest in Fine rest
         else Fine rest in
-      let* '(stated, rest) := next_read "question" (read_statement in_space) rest in
+      let* '(stated, rest) := next_read "question" (read_statement (asked false false false)) rest in
       let o := options_stated stated in
-      let s := {| spatial := in_space; of_margin := asks_margin o; of_plane := asks_plane o;
-                  of_class := asks_class o && negb (asks_margin o || asks_plane o) |} in
+      let s := asked (asks_margin o) (asks_plane o) (asks_class o && negb (asks_margin o || asks_plane o)) in
       let* '(b, rest) :=
-        if begins_with "bits" rest && (negb (of_margin s) || in_space) && negb (of_class s || of_plane s)
+        if begins_with "bits" rest && (negb (of_margin s) || of_claims s) && negb (of_class s || of_plane s)
         then next_read "bits" read_bits rest
         else Fine (default_bits, rest) in
       if of_plane s then let* it := read_region s rest in Fine (stated, Certificate b it)
@@ -609,7 +627,9 @@ Definition same_ball (a b : stated_ball) : bool :=
 Definition broken_question_rule (stated : statement) (asked : posed) : option string :=
   let said := options_stated stated in
   let options := the_options asked in
-  let m := fold_left (fun count _ => count + 1)%Z (contacts (the_question asked)) 0%Z in
+  let count {A : Type} (items : list A) := fold_left (fun count _ => count + 1)%Z items 0%Z in
+  let q := the_question asked in
+  let m := (count (contacts q) + match several q with Some its => count (elements its) | None => 0 end)%Z in
   if negb (stated_contacts stated =? m)%Z then Some "question-contacts"
   else if negb (same_list same_interval (wrench_stated stated) (stated_wrench asked))
   then Some "question-wrench"

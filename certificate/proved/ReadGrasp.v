@@ -14,8 +14,13 @@ Definition add_intervals (a b : interval) : interval :=
     grows. *)
 Record grasp : Set := {
   in_space : bool;
+  coordinates_read : nat;  (** D *)
+  bodies_read : option mechanism;  (** of several bodies: ReadBodies.v *)
+  names_of_bodies : list string;  (** of several bodies, of their coordinates *)
+  names_of_joints : list (option string);
   all_contacts : list contact;
   common_wrench : list interval;  (** with cases, what is added to each *)
+  has_loads : bool;  (** so that no case has to be chosen *)
   cases : list (string * list interval) }.
 
 Definition most_contacts : Z := 1000000.
@@ -282,10 +287,10 @@ Fixpoint check_names (at_path : path) (names : list string) : result unit :=
       check_names at_path rest
   end.
 
-Definition read_cases (v : version) (at_path : path) (value : json)
+Definition read_list_of_cases (read : path -> json -> result (string * list interval)) (at_path : path) (value : json)
   : result (list (string * list interval)) :=
   let what := "an array of one case or more"%string in
-  let* them := read_array what (read_case v) at_path value in
+  let* them := read_array what read at_path value in
   let* _ := match them with [] => expected what at_path value | _ => Fine tt end in
   let* _ := check_names at_path (map fst them) in
   Fine them.
@@ -384,14 +389,14 @@ Definition read_contact (v : version) (outline : list (list edge)) (defaults : p
       Fine {| position := p; normal := n; slope := e; friction := mu;
               stiffness := or_number (or (own_stiffness own) (own_stiffness defaults)) 1%Q;
               preload := or_number (or (own_preload own) (own_preload defaults)) 0%Q;
-              preload_growth := 0%Q |}
+              preload_growth := 0%Q; of_body := None; by_body := None; torsion := 0%Q |}
   end.
 
 (** The whole file. *)
 Definition read_format (at_path : path) (value : json) : result bool :=
   if is_text "stickslip-grasp/2" value then Fine true
   else if is_text "stickslip-grasp/1" value then Fine false
-  else expected """stickslip-grasp/1"" or ""stickslip-grasp/2""" at_path value.
+  else expected """stickslip-grasp/1"", ""stickslip-grasp/2"" or ""stickslip-grasp/3""" at_path value.
 
 Definition read_any_text (at_path : path) (value : json) : result unit :=
   match value with Text _ => Fine tt | _ => expected "a string" at_path value end.
@@ -462,7 +467,7 @@ Definition read_grasp (value : json) : result grasp :=
   let* them := member "contacts" read_contacts [] members in
   let* own := optional_member "wrench" (read_wrench v) [] members in
   let* loads := optional_member "loads" (read_loads v) [] members in
-  let* named := optional_member "cases" (read_cases v) [] members in
+  let* named := optional_member "cases" (read_list_of_cases (read_case v)) [] members in
   let* _ := check_that (negb (has_member "wrench" members && has_member "loads" members)) []
               "both ""wrench"" and ""loads""; give one of them" in
   let* _ := check_that (has_member "wrench" members || has_member "loads" members
@@ -472,6 +477,11 @@ Definition read_grasp (value : json) : result grasp :=
     match own, loads with Some w, _ | None, Some w => w | None, None => no_wrench v end in
   let named := match named with Some it => it | None => [] end in
   Fine {| in_space := is_in_space v;
+          coordinates_read := if is_in_space v then 6 else 3;
+          bodies_read := None;
+          names_of_bodies := [];
+          names_of_joints := [];
           all_contacts := them;
           common_wrench := common;
+          has_loads := false;
           cases := map (fun '(name, w) => (name, add_wrench w common)) named |}.

@@ -3,12 +3,14 @@
    only if its rows are. *)
 From Coq Require Import Reals List Lra.
 From Proved Require Import Rows.
-From Proved Require Model SpaceModel.
+From Proved Require Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
 
 (* Of lists of any length: what is not there is 0. *)
-Definition at_ (y : list R) (k : nat) : R := nth k y 0.
+Notation at_ := BodiesModel.at_.
+Notation motion_of := BodiesModel.motion_of.
+Notation screw_of := BodiesModel.screw_of.
 
 Lemma at_cons a y k : at_ (a :: y) (S k) = at_ y k.
 Proof. reflexivity. Qed.
@@ -34,7 +36,6 @@ Section Plane.
 Import Model.
 
 Definition motion_list (d : vector) : list R := [along_x d; along_y d; about_z d].
-Definition motion_of (y : list R) : vector := Vector (at_ y 0) (at_ y 1) (at_ y 2).
 
 Definition contact_row (c : contact) : row :=
   Row (motion_list (N c)) [motion_list (T c)] [1] (friction c)
@@ -75,16 +76,24 @@ Proof.
   - rewrite Rabs_left in S by lra. apply Rmult_eq_reg_r with t; lra.
 Qed.
 
-Lemma obeys_as_row l d lambda c f : obeys l lambda d c f ->
-  Rows.obeys l (motion_list d) 1 lambda (contact_row c) (row_force f).
+Lemma obeys_as_row l d lambda c f : obeys l lambda (motion_of d) c f ->
+  Rows.obeys l d 1 lambda (contact_row c) (row_force f).
 Proof.
   destruct f as [a b]. intros (L & C & P & M). unfold row_force; cbn [fst snd Rows.obeys].
-  rewrite v_is, slip_is, of_list. cbn [rho weights contact_row]. rewrite !size_one.
-  split; [exact L|]. split; [exact C|]. set (t := work (T c) d) in *. cbn.
+  rewrite v_is, slip_is. cbn [rho weights contact_row]. rewrite !size_one.
+  split; [exact L|]. split; [exact C|]. set (t := work (T c) (motion_of d)) in *. cbn.
   destruct (Rtotal_order t 0) as [H|[H|H]].
   - rewrite M, Rabs_left by exact H. ring.
   - rewrite H, Rabs_R0. ring.
   - rewrite P, Rabs_right by lra. ring.
+Qed.
+
+Lemma work_is c a g y : Rows.work (contact_row c) (a, g) y = work (contact_wrench c (a, at_ g 0)) (motion_of y).
+Proof.
+  unfold Rows.work. rewrite slip_is. cbn [fst snd Rows.N weights contact_row]. rewrite dot_motion.
+  replace (product [1] g [work (T c) (motion_of y)]) with (at_ g 0 * work (T c) (motion_of y))
+    by (destruct g; unfold at_; cbn; ring).
+  unfold work, contact_wrench, add, scale; cbn. ring.
 Qed.
 
 Lemma works_are cs fs y :
@@ -92,11 +101,7 @@ Lemma works_are cs fs y :
                                       (motion_of y).
 Proof.
   revert fs. induction cs as [|c cs IH]; intros [|[a g] fs]; try (unfold work; cbn; ring).
-  cbn [map works]. rewrite IH. unfold Rows.work. rewrite slip_is.
-  cbn [fst snd Rows.N weights contact_row]. rewrite dot_motion.
-  replace (product [1] g [work (T c) (motion_of y)]) with (at_ g 0 * work (T c) (motion_of y))
-    by (destruct g; unfold at_; cbn; ring).
-  unfold sum, contact_wrenches, work, contact_wrench, add, scale; cbn. ring.
+  cbn [map works]. rewrite IH, work_is. unfold sum, contact_wrenches, work, contact_wrench, add, scale, at_; cbn. ring.
 Qed.
 
 Lemma load_is g l y : load (grasp_rows g) 1 l y = work (add (wrench g) (scale l (direction g))) (motion_of y).
@@ -107,7 +112,7 @@ Theorem rows_of_equilibrium g lambda d fs : equilibrium g lambda d fs ->
 Proof.
   intros [O B]. split; [reflexivity|]. split.
   - cbn [rows normal grasp_rows]. clear B. induction O as [|c f cs fs Oc O IH]; cbn; constructor; auto.
-    now apply obeys_as_row.
+    apply obeys_as_row. now rewrite of_list.
   - intros y. rewrite load_is. cbn [rows grasp_rows]. rewrite works_are, map_map.
     rewrite (map_ext _ (fun f => f)) by (now intros [a b]). rewrite map_id.
     transitivity (work zero (motion_of y)); [|unfold work; cbn; ring].
@@ -141,8 +146,6 @@ Import SpaceModel.
 
 Definition screw_list (d : screw) : list R :=
   [x (linear d); y (linear d); z (linear d); x (angular d); y (angular d); z (angular d)].
-Definition screw_of (d : list R) : screw :=
-  Screw (Vector (at_ d 0) (at_ d 1) (at_ d 2)) (Vector (at_ d 3) (at_ d 4) (at_ d 5)).
 
 (* The direction e - (e.n / n.n) n across the normal n. *)
 Definition across (n e : vector) : vector := add e (scale (- (dot e n / dot n n)) n).
@@ -274,14 +277,14 @@ Proof.
       [unfold dot, scale; cbn; ring|]. rewrite dot_across. ring.
 Qed.
 
-Lemma space_obeys_as_row l d lambda c f : obeys l lambda d c f ->
-  Rows.obeys l (screw_list d) 1 lambda (space_contact_row c) (space_row_force f).
+Lemma space_obeys_as_row l d lambda c f : obeys l lambda (screw_of d) c f ->
+  Rows.obeys l d 1 lambda (space_contact_row c) (space_row_force f).
 Proof.
   destruct f as [a f]. intros (L & _ & C & S). unfold space_row_force; cbn [fst snd Rows.obeys].
-  rewrite space_v_is, space_slip_is, screw_of_list. cbn [rho weights space_contact_row].
+  rewrite space_v_is, space_slip_is. cbn [rho weights space_contact_row].
   rewrite !size_is. split; [exact L|]. split; [exact C|].
   rewrite product_three. change (vector_of (vector_list f)) with (Vector (x f) (y f) (z f)).
-  set (s := slip c d) in *. pose proof (sqrt_pos (dot s s)) as NN. fold (norm s) in NN.
+  set (s := slip c (screw_of d)) in *. pose proof (sqrt_pos (dot s s)) as NN. fold (norm s) in NN.
   assert (SQ : norm s * norm s = dot s s).
   { apply sqrt_sqrt. unfold dot. pose proof (Rle_0_sqr (x s)) as A. pose proof (Rle_0_sqr (y s)) as B.
     pose proof (Rle_0_sqr (z s)) as D. unfold Rsqr in *. lra. }
@@ -304,18 +307,22 @@ Proof.
   lra.
 Qed.
 
+Lemma space_work_is c f d :
+  Rows.work (space_contact_row c) f d = work (contact_wrench c (space_force c f)) (screw_of d).
+Proof.
+  destruct f as [a g]. unfold Rows.work. rewrite space_slip_is.
+  cbn [fst snd Rows.N weights space_contact_row]. rewrite dot_screw, product_three.
+  unfold space_force; cbn [fst snd]. rewrite contact_work by apply dot_across.
+  rewrite slip_across, friction_across. reflexivity.
+Qed.
+
 Lemma space_works_are cs fs d :
   works (map space_contact_row cs) fs d =
   work (sum (contact_wrenches cs (map (fun cf => space_force (fst cf) (snd cf)) (combine cs fs)))) (screw_of d).
 Proof.
-  revert fs. induction cs as [|c cs IH]; intros [|[a g] fs]; try (unfold work, dot; cbn; ring).
-  cbn [map works combine]. rewrite IH. unfold Rows.work. rewrite space_slip_is.
-  cbn [fst snd Rows.N weights space_contact_row]. rewrite dot_screw, product_three.
-  assert (E : work (contact_wrench c (space_force c (a, g))) (screw_of d) =
-    a * work (N c) (screw_of d) + dot (vector_of g) (slip c (screw_of d))).
-  { unfold space_force; cbn [fst snd]. rewrite contact_work by apply dot_across.
-    rewrite slip_across, friction_across. reflexivity. }
-  rewrite <- E. unfold sum, contact_wrenches, work, add_screw, add, dot; cbn. ring.
+  revert fs. induction cs as [|c cs IH]; intros [|f fs]; try (unfold work, dot; cbn; ring).
+  cbn [map works combine]. rewrite IH, space_work_is.
+  unfold sum, contact_wrenches, work, add_screw, add, dot; cbn. ring.
 Qed.
 
 Lemma space_load_is g l d :
@@ -330,7 +337,7 @@ Theorem rows_of_space_equilibrium g lambda d fs : equilibrium g lambda d fs ->
 Proof.
   intros [O B]. split; [reflexivity|]. split.
   - cbn [rows normal space_grasp_rows]. clear B. induction O as [|c f cs fs Oc O IH]; cbn; constructor; auto.
-    now apply space_obeys_as_row.
+    apply space_obeys_as_row. now rewrite screw_of_list.
   - intros e. rewrite space_load_is. cbn [rows space_grasp_rows]. rewrite space_works_are.
     assert (E : map (fun cf => space_force (fst cf) (snd cf)) (combine (contacts g) (map space_row_force fs)) = fs).
     { clear B. induction O as [|c [a f] cs fs Oc O IH]; cbn; [reflexivity|]. rewrite IH. f_equal.

@@ -43,8 +43,47 @@ Definition nearest (w : form) (gens : list form) : option form :=
          | Some b => if less_along w b s then Some s else best
          end) gens None.
 
-(* |s|^2 times the part of w across s. *)
-Definition part_across (w s : form) : form := combine (inner s s) w (- inner w s) s.
+(* A point k / m of the cone, from which w - k / m = e / m leads on to w, and its squared length n / d. *)
+Record foot := Foot { of_gens : list form; foot_m : Z; foot_e : form; foot_n : Z; foot_d : Z }.
+
+(* The nearest to w on the line of a generator, and on the plane of two, where these are between them. *)
+Definition foot_on (w s : form) : list foot :=
+  let a := inner w s in
+  let ss := inner s s in
+  if 0 <? a then [Foot [s] ss (combine ss w (- a) s) (a * a) ss] else [].
+
+Definition foot_between (w s t : form) : list foot :=
+  let ws := inner w s in
+  let wt := inner w t in
+  let ss := inner s s in
+  let tt := inner t t in
+  let st := inner s t in
+  let det := ss * tt - st * st in
+  let cs := ws * tt - wt * st in
+  let ct := wt * ss - ws * st in
+  if (0 <? det) && (0 <? cs) && (0 <? ct)
+  then [Foot [s; t] det (combine 1 (combine det w (- cs) s) (- ct) t) (cs * ws + ct * wt) det] else [].
+
+Definition longer (best f : foot) : foot :=
+  if foot_n best * foot_d f <? foot_n f * foot_d best then f else best.
+
+(* Of all points of the cone the one that is nearest to w, if that is on its border: as long as a generator leads on, on
+   from it towards that.  Nothing is proved of it: what it finds is looked at. *)
+Fixpoint foot_from (steps : nat) (w : form) (gens : list form) (f : foot) : option foot :=
+  match nearest (foot_e f) gens, steps with
+  | None, _ => Some f
+  | Some g, steps =>
+      if inner (foot_e f) g <=? 0 then Some f
+      else match steps with
+           | O => None
+           | S steps' =>
+               let next := fold_left longer (foot_on w g ++ flat_map (fun s => foot_between w s g) (of_gens f)) f in
+               if foot_n f * foot_d next <? foot_n next * foot_d f then foot_from steps' w gens next else None
+           end
+  end.
+
+Definition foot_of (w : form) (gens : list form) : option foot :=
+  foot_from (List.length gens) w gens (Foot [] 1 w 0 1).
 
 Definition nowhere_along (gens : list form) (e : form) : bool :=
   forallb (fun s => inner s e <=? 0) gens.
@@ -52,11 +91,12 @@ Definition nowhere_along (gens : list form) (e : form) : bool :=
 (* If w is outside of the cone, an e with e.w > 0 and e.s <= 0 for all generators: its
    distance from the cone. *)
 Definition separator (gens : list form) (w : form) : option form :=
-  let e := match nearest w gens with
-           | Some s => if 0 <? inner w s then part_across w s else w
-           | None => w
-           end in
-  if nowhere_along gens e && (0 <? inner w e) then Some e else None.
+  match foot_of w gens with
+  | Some f =>
+      let e := primitive (foot_e f) in
+      if nowhere_along gens e && (0 <? inner w e) then Some e else None
+  | None => None
+  end.
 
 (* Whether -s is shown to be outside of the cone, by one of the separators or one more. *)
 Definition outside (gens separators : list form) (s : form) : option (list form) :=
@@ -107,8 +147,12 @@ Definition most_along (gens : list form) (z : form) : bool * Z * Z :=
   | Some s =>
       let a := inner w s in
       if 0 <=? a then
-        if nowhere_along gens (part_across w s) && (0 <? inner s s) then (false, a * a, inner s s)
-        else whole
+        match foot_of w gens with
+        | Some f =>
+            let k := combine (foot_m f) w (-1) (foot_e f) in
+            if nowhere_along gens (foot_e f) && (0 <? foot_m f) then (false, inner k k, foot_m f * foot_m f) else whole
+        | None => whole
+        end
       else if forallb (fun g => (inner w g <=? 0) && (a * a * inner g g <=? inner w g * inner w g * inner s s))
                 gens && (0 <? inner s s)
            then (true, a * a, inner s s)
@@ -268,20 +312,21 @@ Proof.
   assert (GG : IZR gg = product (real g) (real g)) by apply inner_is.
   assert (AA : IZR a = product (real w) (real g)) by apply inner_is.
   destruct (Z.leb_spec 0 a) as [A0|A0].
-  - destruct (nowhere_along ms gens (part_across ms w g) && (0 <? gg)%Z) eqn:H; [|exact Whole].
-    apply andb_true_iff in H as [H P]. apply Z.ltb_lt in P. split; [nia|]. split; [exact P|].
-    apply nowhere_along_dual, C in H. rewrite Rows.product_sym in H. unfold part_across in H.
-    rewrite product_combine, opp_IZR in H. fold a gg in H.
-    apply IZR_lt in P. apply IZR_le in A0. rewrite Rmult_1_l, mult_IZR, sqrt_of_square by lra.
-    pose proof (sqrt_lt_R0 _ P) as R0. pose proof (sqrt_sqrt (IZR gg) ltac:(lra)) as R2.
-    pose proof (Rows.product_bound W (real g) s positive) as Cy.
-    assert (LT : size (real g) = sqrt (IZR gg)) by (unfold Rows.size; now rewrite GG).
-    rewrite LT in Cy. rewrite <- WE. set (root := sqrt (IZR gg)) in *.
-    apply Rmult_le_reg_l with (IZR gg); [exact P|].
-    replace (IZR gg * (IZR a / root * size s)) with (IZR a * (root * size s))
-      by (rewrite <- R2 at 1; field; lra).
-    apply Rle_trans with (IZR a * product (real g) s); [lra|].
-    apply Rmult_le_compat_l; lra.
+  - destruct (foot_of ms w gens) as [f|]; [|exact Whole]. set (m := foot_m f). set (e := foot_e f).
+    set (k := combine m w (-1) e).
+    destruct (nowhere_along ms gens e && (0 <? m)%Z) eqn:H; [|exact Whole].
+    apply andb_true_iff in H as [H P]. apply Z.ltb_lt in P.
+    assert (KK : IZR (inner k k) = product (real k) (real k)) by apply inner_is.
+    assert (K0 : 0 <= IZR (inner k k)) by (rewrite KK; now apply Rows.product_nonneg).
+    split; [now apply le_IZR|]. split; [nia|].
+    apply nowhere_along_dual, C in H. rewrite Rows.product_sym in H. apply IZR_lt in P. rewrite Rmult_1_l.
+    pose proof (Rows.product_bound W (real k) s positive) as Cy. unfold k in Cy at 1.
+    rewrite product_combine in Cy. rewrite <- WE.
+    assert (LT : sqrt (IZR (inner k k) / IZR (m * m)) = size (real k) / IZR m).
+    { unfold Rdiv. rewrite sqrt_mult_alt, mult_IZR by exact K0. unfold Rows.size. rewrite KK. f_equal.
+      rewrite sqrt_inv, sqrt_square by lra. reflexivity. }
+    rewrite LT. apply Rmult_le_reg_l with (IZR m); [exact P|].
+    replace (IZR m * (size (real k) / IZR m * size s)) with (size (real k) * size s) by (field; lra). lra.
   - destruct (forallb _ gens && (0 <? gg)%Z) eqn:H; [|exact Whole].
     apply andb_true_iff in H as [H P]. apply Z.ltb_lt in P. split; [nia|]. split; [exact P|].
     rewrite forallb_forall in H. apply IZR_lt in P, A0.
@@ -335,7 +380,7 @@ Definition separates_cone (gens : list form) (e : form) := nowhere_along ms gens
 Lemma separator_is gs w e : separator ms gs w = Some e ->
   separates_cone gs e /\ (0 < inner w e)%Z.
 Proof.
-  unfold separator. set (e0 := match nearest ms w gs with Some s => _ | None => w end).
+  unfold separator. destruct (foot_of ms w gs) as [f|]; [|discriminate]. set (e0 := primitive (foot_e f)).
   intros H. destruct (nowhere_along ms gs e0 && (0 <? inner w e0)%Z) eqn:C; [|discriminate].
   injection H as <-. apply andb_true_iff in C as [C1 C2]. apply Z.ltb_lt in C2. now split.
 Qed.

@@ -411,7 +411,7 @@ Proof.
   { unfold it in S. cbn [separates make_row] in S. unfold pull_tips, it.
     cbn [pulls make_row]. set (tips0 := List.concat _) in *.
     destruct (map primitive tips0) as [|f0 fs] eqn:M; [discriminate|].
-    destruct (same_forms (f0 :: fs)) eqn:SF; [|discriminate]. injection S as ->.
+    destruct (same_forms (f0 :: fs) && _) eqn:SF; [|discriminate]. apply andb_true_iff in SF as [SF _]. injection S as ->.
     cbn in SF. rewrite forallb_forall in SF. intros g Hg. apply (in_map primitive) in Hg.
     rewrite M in Hg. destruct Hg as [<-|Hg]; [reflexivity|].
     specialize (SF _ Hg). pose proof (rdot_all_zero _ x SF) as Z. rewrite rdot_combine in Z. lra. }

@@ -57,8 +57,8 @@ Answers and exit codes:
                   others; of a plane, that exactly the wrenches of the pieces are resisted
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
-  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of several
-                  bodies; or it takes more work than the files' length allows
+  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of balls
+                  of loads about several bodies; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -129,7 +129,6 @@ let tokens file limits text =
   with Tokenise.Not_json { line; column; problem } ->
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
-(* Of several bodies nothing is judged, whatever else is asked. *)
 let is_of_several_bodies = function
   | Object members -> List.mem ("format", Text "stickslip-grasp/3") members
   | _ -> false
@@ -142,7 +141,8 @@ let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate
     tokens name limits text in
   try
     let file = read grasp_name Tokenise.of_grasp (grasp ()) in
-    if is_of_several_bodies file then Print.Not_judged "several bodies: stickslip-check judges them"
+    if options.asked_ball <> None && is_of_several_bodies file then
+      Print.Not_judged "balls of loads about several bodies: stickslip-check judges them"
     else
     let asked = or_illegible grasp_name (ask options file) in
     let answer, certificate =

@@ -164,11 +164,27 @@ let node_of = function
   | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) | AtProofOf (_, Some n) -> Some (int_of_nat n)
   | _ -> None
 
+(* How many there are; of several bodies, which elements, and the coordinates of their motion. *)
+let contacts_of asked =
+  let count items = string_of_int (List.length items) in
+  let contacts = count asked.the_question.contacts in
+  match asked.the_question.several with
+  | None -> contacts
+  | Some its ->
+    let springs, ratchets = List.partition (fun it -> it.element_spring) its.elements in
+    contacts ^ "; ratchets: " ^ count ratchets ^ "; springs: " ^ count springs
+    ^ "\ncoordinates "
+    ^ separated printable
+        (asked.free_coordinates
+         @ List.mapi
+             (fun q name -> match name with Some it -> it | None -> "joint " ^ string_of_int q)
+             asked.joint_coordinates)
+
 let question asked =
   let o = asked.the_options in
   let given name show = function Some it -> "\n" ^ name ^ show it | None -> "" in
   let numbers = function Some (By numbers) -> " + f " ^ vector numbers | _ -> "" in
-  "\ncontacts    " ^ string_of_int (List.length asked.the_question.contacts)
+  "\ncontacts    " ^ contacts_of asked
   ^ "\nwrench      (" ^ separated (interval number) asked.stated_wrench ^ ")"
   ^ given "direction   " vector o.asked_direction
   ^ given "plane       wrench + s " (fun (u, v) -> vector u ^ " + t " ^ vector v) o.asked_plane
@@ -192,7 +208,8 @@ let json_question asked =
     | them ->
       let one (kind, t) = json_string kind ^ ": " ^ t in
       "{" ^ separated one them ^ "}" in
-  "{\"contacts\": " ^ string_of_int (List.length asked.the_question.contacts)
+  let others = match asked.the_question.several with None -> [] | Some its -> its.elements in
+  "{\"contacts\": " ^ string_of_int (List.length asked.the_question.contacts + List.length others)
   ^ ", \"wrench\": [" ^ separated (interval json_number) asked.stated_wrench ^ "]"
   ^ ", \"preload\": " ^ or_null json_number o.asked_preload
   ^ ", \"normal_law\": " ^ json_string (law o)

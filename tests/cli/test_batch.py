@@ -86,7 +86,7 @@ class Batch(Case):
         file = self.write("one.json", line)
         ball = result.get("uncertain")
         said = result["verdict"] + (", for every grasp in the box" if ball else "")
-        for checker in checkers(result["certificate"], file):
+        for checker in checkers(result["certificate"]):
             words = (*checker, file, result["certificate"], *options)
             code, out, err = run(*words, *(("--uncertain", ball) if ball else ()))
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)

@@ -13,7 +13,7 @@ from fractions import Fraction as F
 import numpy as np
 from bodies_newton import equilibria
 from bodies_smt import statics
-from test_cli import HERE, PROVED, checkers, run, stickslip
+from test_cli import HERE, checkers, run, stickslip
 from test_space import Z3, Space
 
 ROOT = os.path.join(HERE, "..", "..")
@@ -130,13 +130,7 @@ def arch(stones, thickness, mu):
     return grasp(names, contacts, [weight(name, 1, on_circle(1 - F(2 * k + 1, 2 * stones))) for k, name in enumerate(names)])
 
 
-def all_but_proved(proof):
-    """Of what stickslip-proved does not judge."""
-    return [command for command in checkers(proof) if command != [PROVED]]
-
-
 class Bodies(Space):
-    judges = staticmethod(all_but_proved)
     engine = "bodies"
 
     def decide(self, content, *words):
@@ -261,7 +255,7 @@ class ClosedForms(Bodies):
         self.assertLess(F(high), least)
         self.assertGreater(F(high), least * F(99, 100))
         self.assertGreater(F(answer["refuted"][0][0]), least)
-        for checker in checkers(proof, file):
+        for checker in checkers(proof):
             self.assertEqual(run(*checker, file, proof, *words)[0], 0)
 
     def test_how_hard_must_the_tendon_pull(self):
@@ -278,7 +272,7 @@ class ClosedForms(Bodies):
         low = F(answer["resisted"][0][0])
         self.assertGreaterEqual(low, F(1, 2))
         self.assertLess(low, F(51, 100))
-        for checker in checkers(proof, file):
+        for checker in checkers(proof):
             self.assertEqual(run(*checker, file, proof, *words)[0], 0)
 
     def test_a_picture_has_all_bodies_and_the_forces_between_them(self):

@@ -33,7 +33,7 @@ class Examples(Case):
                 continue
             code, _, err = stickslip("decide", grasp, "--certificate", proof)
             self.assertEqual((code, err), (DONE, ""), name)
-            for checker in checkers(proof, grasp):
+            for checker in checkers(proof):
                 self.assertEqual(run(*checker, grasp, proof)[0], DONE, name)
 
     def test_more_friction_breaks_it(self):

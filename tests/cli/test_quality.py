@@ -80,7 +80,7 @@ class Quality(Case):
 
     def judge(self, folder, name, verdict, *options):
         file, proof = (os.path.join(folder, name + end) for end in (".json", ".certificate.json"))
-        for checker in checkers(proof, file):
+        for checker in checkers(proof):
             code, out, err = run(*checker, file, proof, *options)
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
             self.assertRegex(out, rf"verdict +{verdict}\b")

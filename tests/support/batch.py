@@ -89,8 +89,8 @@ def check_js(lines):
 
 
 def is_covered(question):
-    """Whether stickslip-proved judges this: not several bodies."""
-    return "stickslip-grasp/3" not in question["grasp"]  # whatever else is wrong
+    """Whether stickslip-proved judges this: not balls of loads about several bodies, whatever else is wrong."""
+    return "stickslip-grasp/3" not in question["grasp"] or "wrench=ball:" not in " ".join(question["options"])
 
 
 def check_proved(lines):

@@ -50,6 +50,13 @@ module Coq__1 = struct
 end
 include Coq__1
 
+(** val mul : nat -> nat -> nat **)
+
+let rec mul n0 m =
+  match n0 with
+  | O -> O
+  | S p -> add m (mul p m)
+
 (** val sub : nat -> nat -> nat **)
 
 let rec sub n0 m =
@@ -740,6 +747,12 @@ module N =
         m)
       n0
  end
+
+(** val hd : 'a1 -> 'a1 list -> 'a1 **)
+
+let hd default = function
+| [] -> default
+| x :: _ -> x
 
 (** val tl : 'a1 list -> 'a1 list **)
 
@@ -1471,14 +1484,28 @@ let exactly q0 =
 
 type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
-                 preload : interval; preload_growth : q }
+                 preload : interval; preload_growth : q;
+                 of_body : nat option; by_body : nat option; torsion : 
+                 q }
+
+type rigid_body =
+| Free of nat
+| Link of nat option * q list * q list
+
+type element = { lever : q list; element_spring : bool;
+                 element_stiffness : interval; element_preload : interval;
+                 element_growth : q }
+
+type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
+                   elements : element list }
 
 type ball = { radius : q; torque_length : q; about : q list }
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
-                  load_plane : (q list * q list) option; inertia : q list }
+                  load_plane : (q list * q list) option; inertia : q list;
+                  several : mechanism option }
 
 type parameter =
 | PX
@@ -1960,6 +1987,29 @@ let same_forms = function
 let negative f =
   map Z.opp f
 
+(** val same_at_corners : q list multi -> bool **)
+
+let same_at_corners t =
+  same_forms (tips (integer_tree (scaling_of_trees (t :: [])) t))
+
+(** val vanishes : interval -> bool **)
+
+let vanishes i =
+  (&&)
+    (qeq_bool i.low { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+    (qeq_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+
+(** val pull_certain : cbox -> bool **)
+
+let pull_certain b =
+  (&&) (same_at_corners (mmap n_of (geometry_tree b)))
+    ((||)
+      ((&&) ((&&) (certain b.box_preload) (certain b.box_growth))
+        (certain b.box_stiffness))
+      ((&&) (vanishes b.box_preload) (vanishes b.box_growth)))
+
 (** val count : interval list -> nat **)
 
 let count box0 =
@@ -2059,17 +2109,16 @@ let make_row b =
    else mmap (map (map (to_integer fs))) (geometry_tree b)); forms_scale =
   fs; metric = (map (to_integer ms) b.box_weights); metric_scale = ms;
   slip_certain =
-  (if b.box_signed
-   then same_forms (map primitive (tips tau0))
-   else Nat.eqb n0 O); tau = tau0; minus_tau = (mmap negative tau0);
-  edges_plus = (edges0 (minus_ends b.box_friction)); edges_minus =
+  (if b.box_signed then same_at_corners (tau_tree b) else Nat.eqb n0 O);
+  tau = tau0; minus_tau = (mmap negative tau0); edges_plus =
+  (edges0 (minus_ends b.box_friction)); edges_minus =
   (edges0 (ends b.box_friction)); edges_none =
   (edges0 (full_range b.box_friction)); pulls = pulls0; pull_scale = ps;
   separates =
   (match vs with
    | [] -> None
-   | f :: _ -> if same_forms vs then Some f else None); slack =
-  (b.box_slack b.box_geometry); parameters = n0; weight =
+   | f :: _ -> if (&&) (same_forms vs) (pull_certain b) then Some f else None);
+  slack = (b.box_slack b.box_geometry); parameters = n0; weight =
   (Z.div numerator0 g); over_weight = (Z.div denominator g) }
 
 (** val nowhere_negative : ray list -> form -> bool **)
@@ -2206,10 +2255,77 @@ let nearest ms w gens =
           | Some b -> if less_along ms w b s then Some s else best
           | None -> Some s)) gens None
 
-(** val part_across : Big_int_Z.big_int list -> form -> form -> form **)
+type foot = { of_gens : form list; foot_m : Big_int_Z.big_int; foot_e : 
+              form; foot_n : Big_int_Z.big_int; foot_d : Big_int_Z.big_int }
 
-let part_across ms w s =
-  combine0 (inner_of ms s s) w (Z.opp (inner_of ms w s)) s
+(** val foot_on : Big_int_Z.big_int list -> form -> form -> foot list **)
+
+let foot_on ms w s =
+  let a = inner_of ms w s in
+  let ss = inner_of ms s s in
+  if Z.ltb Big_int_Z.zero_big_int a
+  then { of_gens = (s :: []); foot_m = ss; foot_e =
+         (combine0 ss w (Z.opp a) s); foot_n = (Z.mul a a); foot_d =
+         ss } :: []
+  else []
+
+(** val foot_between :
+    Big_int_Z.big_int list -> form -> form -> form -> foot list **)
+
+let foot_between ms w s t =
+  let ws = inner_of ms w s in
+  let wt = inner_of ms w t in
+  let ss = inner_of ms s s in
+  let tt = inner_of ms t t in
+  let st = inner_of ms s t in
+  let det0 = Z.sub (Z.mul ss tt) (Z.mul st st) in
+  let cs = Z.sub (Z.mul ws tt) (Z.mul wt st) in
+  let ct = Z.sub (Z.mul wt ss) (Z.mul ws st) in
+  if (&&)
+       ((&&) (Z.ltb Big_int_Z.zero_big_int det0)
+         (Z.ltb Big_int_Z.zero_big_int cs)) (Z.ltb Big_int_Z.zero_big_int ct)
+  then { of_gens = (s :: (t :: [])); foot_m = det0; foot_e =
+         (combine0 Big_int_Z.unit_big_int (combine0 det0 w (Z.opp cs) s)
+           (Z.opp ct) t); foot_n = (Z.add (Z.mul cs ws) (Z.mul ct wt));
+         foot_d = det0 } :: []
+  else []
+
+(** val longer : foot -> foot -> foot **)
+
+let longer best f =
+  if Z.ltb (Z.mul best.foot_n f.foot_d) (Z.mul f.foot_n best.foot_d)
+  then f
+  else best
+
+(** val foot_from :
+    Big_int_Z.big_int list -> nat -> form -> form list -> foot -> foot option **)
+
+let rec foot_from ms steps w gens f =
+  match nearest ms f.foot_e gens with
+  | Some g ->
+    if Z.leb (inner_of ms f.foot_e g) Big_int_Z.zero_big_int
+    then Some f
+    else (match steps with
+          | O -> None
+          | S steps' ->
+            let next0 =
+              fold_left longer
+                (app (foot_on ms w g)
+                  (flat_map (fun s -> foot_between ms w s g) f.of_gens)) f
+            in
+            if Z.ltb (Z.mul f.foot_n next0.foot_d)
+                 (Z.mul next0.foot_n f.foot_d)
+            then foot_from ms steps' w gens next0
+            else None)
+  | None -> Some f
+
+(** val foot_of :
+    Big_int_Z.big_int list -> form -> form list -> foot option **)
+
+let foot_of ms w gens =
+  foot_from ms (length gens) w gens { of_gens = []; foot_m =
+    Big_int_Z.unit_big_int; foot_e = w; foot_n = Big_int_Z.zero_big_int;
+    foot_d = Big_int_Z.unit_big_int }
 
 (** val nowhere_along :
     Big_int_Z.big_int list -> form list -> form -> bool **)
@@ -2221,18 +2337,14 @@ let nowhere_along ms gens e =
     Big_int_Z.big_int list -> form list -> form -> form option **)
 
 let separator ms gens w =
-  let e =
-    match nearest ms w gens with
-    | Some s ->
-      if Z.ltb Big_int_Z.zero_big_int (inner_of ms w s)
-      then part_across ms w s
-      else w
-    | None -> w
-  in
-  if (&&) (nowhere_along ms gens e)
-       (Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
-  then Some e
-  else None
+  match foot_of ms w gens with
+  | Some f ->
+    let e = primitive f.foot_e in
+    if (&&) (nowhere_along ms gens e)
+         (Z.ltb Big_int_Z.zero_big_int (inner_of ms w e))
+    then Some e
+    else None
+  | None -> None
 
 (** val outside :
     Big_int_Z.big_int list -> form list -> form list -> form -> form list
@@ -2283,10 +2395,17 @@ let most_along ms gens z0 =
    | Some s ->
      let a = inner_of ms w s in
      if Z.leb Big_int_Z.zero_big_int a
-     then if (&&) (nowhere_along ms gens (part_across ms w s))
-               (Z.ltb Big_int_Z.zero_big_int (inner_of ms s s))
-          then ((false, (Z.mul a a)), (inner_of ms s s))
-          else whole
+     then (match foot_of ms w gens with
+           | Some f ->
+             let k =
+               combine0 f.foot_m w (Big_int_Z.minus_big_int
+                 Big_int_Z.unit_big_int) f.foot_e
+             in
+             if (&&) (nowhere_along ms gens f.foot_e)
+                  (Z.ltb Big_int_Z.zero_big_int f.foot_m)
+             then ((false, (inner_of ms k k)), (Z.mul f.foot_m f.foot_m))
+             else whole
+           | None -> whole)
      else if (&&)
                (forallb (fun g ->
                  (&&) (Z.leb (inner_of ms w g) Big_int_Z.zero_big_int)
@@ -2481,8 +2600,8 @@ let rec pivot column0 = function
 (** val eliminate :
     nat -> nat -> matrix -> (nat * vector) list -> (nat * vector) list **)
 
-let rec eliminate columns column0 m done0 =
-  match columns with
+let rec eliminate columns0 column0 m done0 =
+  match columns0 with
   | O -> done0
   | S columns' ->
     (match pivot column0 m with
@@ -2494,14 +2613,14 @@ let rec eliminate columns column0 m done0 =
              (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
                Big_int_Z.unit_big_int })) r
        in
-       let without = fun a ->
+       let without0 = fun a ->
          plus_times a
            (qopp
              (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
                Big_int_Z.unit_big_int })) r0
        in
-       eliminate columns' (S column0) (map without others)
-         (app (map (fun p0 -> ((fst p0), (without (snd p0)))) done0)
+       eliminate columns' (S column0) (map without0 others)
+         (app (map (fun p0 -> ((fst p0), (without0 (snd p0)))) done0)
            ((column0, r0) :: []))
      | None -> eliminate columns' (S column0) m done0)
 
@@ -3236,6 +3355,145 @@ let enlarge bits0 q0 =
                        | _ :: _ -> None))))
            | _ :: _ -> None)))
 
+(** val with_turn : q list list -> q list list **)
+
+let with_turn fs =
+  app fs (({ qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: (firstn (S (S (S O))) (n_of fs))))) :: [])
+
+(** val soften : q -> cbox -> cbox **)
+
+let soften e b =
+  { box_names = b.box_names; box_geometry = b.box_geometry; box_forms =
+    (fun geometry -> with_turn (b.box_forms geometry)); box_friction =
+    b.box_friction; box_preload = b.box_preload; box_growth = b.box_growth;
+    box_stiffness = b.box_stiffness; box_square = b.box_square; box_normal =
+    b.box_normal; box_weights =
+    (app b.box_weights ((qdiv (qmult e e) b.box_square) :: [])); box_signed =
+    b.box_signed; box_spring = b.box_spring; box_turns = b.box_turns;
+    box_slack = b.box_slack }
+
+(** val enlarge_finger : Big_int_Z.big_int -> contact -> cbox option **)
+
+let enlarge_finger bits0 c =
+  match enlarge bits0 c with
+  | Some b ->
+    if qeq_bool c.torsion { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int }
+    then Some b
+    else if (||) b.box_signed b.box_turns
+         then None
+         else Some (soften c.torsion b)
+  | None -> None
+
+(** val dot_q : q list -> q list -> q **)
+
+let rec dot_q a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | x :: a' ->
+    (match b with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | y :: b' -> qplus (qmult x y) (dot_q a' b'))
+
+(** val lift_q : q list list -> q list -> q list **)
+
+let lift_q g f =
+  map (fun g0 -> reduced (dot_q f g0)) g
+
+(** val lift_forms_q : q list list -> q list list -> q list list **)
+
+let lift_forms_q g fs =
+  (lift_q g (hd [] fs)) :: (map (lift_q g) (tl fs))
+
+(** val lift_box : q list list -> cbox -> cbox **)
+
+let lift_box g b =
+  { box_names = b.box_names; box_geometry = b.box_geometry; box_forms =
+    (fun geometry -> lift_forms_q g (b.box_forms geometry)); box_friction =
+    b.box_friction; box_preload = b.box_preload; box_growth = b.box_growth;
+    box_stiffness = b.box_stiffness; box_square = b.box_square; box_normal =
+    b.box_normal; box_weights = b.box_weights; box_signed = b.box_signed;
+    box_spring = b.box_spring; box_turns = b.box_turns; box_slack =
+    b.box_slack }
+
+(** val of_number_q : q list list -> nat option -> q list **)
+
+let of_number_q motions = function
+| Some number -> nth number motions []
+| None -> []
+
+(** val motion_of_body_q :
+    nat -> q list -> q list list -> rigid_body -> q list **)
+
+let motion_of_body_q n0 d before = function
+| Free first -> firstn n0 (skipn first d)
+| Link (on, eta, turns) ->
+  add_multiple (of_number_q before on) (dot_q turns d) eta
+
+(** val motions_q :
+    nat -> q list -> rigid_body list -> q list list -> q list list **)
+
+let rec motions_q n0 d bodies0 before =
+  match bodies0 with
+  | [] -> before
+  | b :: rest ->
+    motions_q n0 d rest
+      (app before ((map reduced (motion_of_body_q n0 d before b)) :: []))
+
+(** val numbers_of : mechanism -> nat **)
+
+let numbers_of its =
+  if its.bodies_in_space then S (S (S (S (S (S O))))) else S (S (S O))
+
+(** val unit_q : nat -> q list **)
+
+let unit_q k =
+  app
+    (repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+      k) ({ qnum = Big_int_Z.unit_big_int; qden =
+    Big_int_Z.unit_big_int } :: [])
+
+(** val unit_motions : nat -> mechanism -> q list list list **)
+
+let unit_motions d its =
+  map (fun k -> motions_q (numbers_of its) (unit_q k) its.bodies []) (seq O d)
+
+(** val columns : q list list list -> contact -> q list list **)
+
+let columns units c =
+  map (fun ms ->
+    add_multiple (of_number_q ms c.of_body) { qnum = (Big_int_Z.minus_big_int
+      Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int }
+      (of_number_q ms c.by_body)) units
+
+(** val element_box : element -> cbox **)
+
+let element_box e =
+  { box_names = []; box_geometry = []; box_forms = (fun _ -> e.lever :: []);
+    box_friction =
+    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
+    box_preload = e.element_preload; box_growth = (exactly e.element_growth);
+    box_stiffness = e.element_stiffness; box_square = { qnum =
+    Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }; box_normal = [];
+    box_weights = []; box_signed = true; box_spring = e.element_spring;
+    box_turns = false; box_slack = (fun _ -> { qnum = Big_int_Z.zero_big_int;
+    qden = Big_int_Z.unit_big_int }) }
+
+(** val mechanism_boxes :
+    Big_int_Z.big_int -> nat -> mechanism -> contact list -> cbox list option **)
+
+let mechanism_boxes bits0 d its contacts0 =
+  let units = unit_motions d its in
+  (match all_some (fun c ->
+           match enlarge_finger bits0 c with
+           | Some b -> Some (lift_box (columns units c) b)
+           | None -> None) contacts0 with
+   | Some boxes -> Some (app boxes (map element_box its.elements))
+   | None -> None)
+
 (** val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
 
 let contains a b =
@@ -3724,9 +3982,9 @@ let set_load s ld =
   { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
     s.pushes; slipping = s.slipping; short = s.short; exact = s.exact }
 
-(** val numbers_of : load -> interval list **)
+(** val numbers_of0 : load -> interval list **)
 
-let numbers_of ld =
+let numbers_of0 ld =
   match ld.load_added.ball_numbers with
   | [] -> ld.load_box
   | i :: l -> i :: l
@@ -3750,16 +4008,16 @@ let halves s name index c =
   match name with
   | PWrench ->
     let ld = s.the_load in
-    (match numbered (numbers_of ld) index with
+    (match numbered (numbers_of0 ld) index with
      | Some i ->
        if is_inside i c
        then Inl
               ((set_load s
                  (with_numbers ld
-                   (replace (numbers_of ld) index (low_half i c)))),
+                   (replace (numbers_of0 ld) index (low_half i c)))),
               (set_load s
                 (with_numbers ld
-                  (replace (numbers_of ld) index (high_half i c)))))
+                  (replace (numbers_of0 ld) index (high_half i c)))))
        else Inr "part-inside"
      | None -> Inr "part-contact")
   | _ ->
@@ -4422,11 +4680,11 @@ let walls_of simplex e =
 
 (** val transpose : nat -> matrix -> matrix **)
 
-let transpose columns m =
+let transpose columns0 m =
   map (fun j ->
     map (fun a ->
       nth j a { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
-      m) (seq O columns)
+      m) (seq O columns0)
 
 (** val all_positive : vector -> bool **)
 
@@ -4847,7 +5105,7 @@ let column n0 them l =
 (** val reach_holds :
     nat -> interval list -> interval list list -> vector -> bool **)
 
-let reach_holds n0 left columns reach =
+let reach_holds n0 left columns0 reach =
   (&&) (Nat.eqb (length reach) n0)
     (forallb (fun k ->
       let z0 =
@@ -4860,7 +5118,7 @@ let reach_holds n0 left columns reach =
         (qle_bool
           (fold_left (fun sum0 l ->
             let d =
-              nth k (nth l columns [])
+              nth k (nth l columns0 [])
                 (exactly { qnum = Big_int_Z.zero_big_int; qden =
                   Big_int_Z.unit_big_int })
             in
@@ -4961,8 +5219,8 @@ let resting_sound lambda r =
     nat -> setting -> resting list -> interval list list -> vector -> q ->
     string option **)
 
-let rest_fails_at n0 s them columns reach lambda =
-  if negb (reach_holds n0 (left_over n0 s them lambda) columns reach)
+let rest_fails_at n0 s them columns0 reach lambda =
+  if negb (reach_holds n0 (left_over n0 s them lambda) columns0 reach)
   then Some "rest-reach"
   else if negb
             ((&&) (forallb (cone_holds reach lambda) them)
@@ -6117,6 +6375,16 @@ let most_depth rows0 =
     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
     Big_int_Z.unit_big_int))))))))
 
+(** val rows_of : Big_int_Z.big_int -> question -> row list option **)
+
+let rows_of bits0 q0 =
+  match q0.several with
+  | Some its ->
+    (match mechanism_boxes bits0 q0.dimension its q0.contacts with
+     | Some boxes -> Some (map_all make_row boxes)
+     | None -> None)
+  | None -> enlarge_all bits0 q0.contacts
+
 (** val unit_loads : q list -> matrix option **)
 
 let unit_loads = function
@@ -6218,11 +6486,14 @@ let addition_of b =
 let load_of q0 =
   match q0.load_ball with
   | Some b ->
-    (match addition_of b with
-     | Some it ->
-       Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
-         it }
-     | None -> None)
+    (match q0.several with
+     | Some _ -> None
+     | None ->
+       (match addition_of b with
+        | Some it ->
+          Some { load_box = q0.wrench; load_growth = q0.direction;
+            load_added = it }
+        | None -> None))
   | None ->
     Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
       nothing_added }
@@ -6230,7 +6501,7 @@ let load_of q0 =
 (** val setting_of : Big_int_Z.big_int -> question -> setting option **)
 
 let setting_of bits0 q0 =
-  match enlarge_all bits0 q0.contacts with
+  match rows_of bits0 q0 with
   | Some rows0 ->
     (match load_of q0 with
      | Some ld -> Some (make_setting q0.dimension rows0 ld no_push)
@@ -6831,9 +7102,11 @@ let read_index at_path value0 =
 let add_intervals a b =
   { low = (qplus a.low b.low); high = (qplus a.high b.high) }
 
-type grasp = { in_space : bool; all_contacts : contact list;
-               common_wrench : interval list;
-               cases : (string * interval list) list }
+type grasp = { in_space : bool; coordinates_read : nat;
+               bodies_read : mechanism option; names_of_bodies : string list;
+               names_of_joints : string option list;
+               all_contacts : contact list; common_wrench : interval list;
+               has_loads : bool; cases : (string * interval list) list }
 
 (** val most_contacts : Big_int_Z.big_int **)
 
@@ -7381,12 +7654,13 @@ let rec check_names at_path = function
       ((^) "the name \"" ((^) name "\" appears twice"))) (fun _ ->
     check_names at_path rest)
 
-(** val read_cases :
-    version -> path -> json -> (string * interval list) list result **)
+(** val read_list_of_cases :
+    (path -> json -> (string * interval list) result) -> path -> json ->
+    (string * interval list) list result **)
 
-let read_cases v at_path value0 =
+let read_list_of_cases read at_path value0 =
   let what = "an array of one case or more" in
-  bind (read_array what (read_case v) at_path value0) (fun them ->
+  bind (read_array what read at_path value0) (fun them ->
     bind
       (match them with
        | [] -> expected what at_path value0
@@ -7626,6 +7900,8 @@ let read_contact v outline defaults at_path value0 =
              (or_number (or0 own.own_preload defaults.own_preload) { qnum =
                Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
              preload_growth = { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int }; of_body = None; by_body = None;
+             torsion = { qnum = Big_int_Z.zero_big_int; qden =
              Big_int_Z.unit_big_int } }
          | None ->
            refuse at_path
@@ -7638,8 +7914,9 @@ let read_format at_path value0 =
   then Fine true
   else if is_text "stickslip-grasp/1" value0
        then Fine false
-       else expected "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"" at_path
-              value0
+       else expected
+              "\"stickslip-grasp/1\", \"stickslip-grasp/2\" or \"stickslip-grasp/3\""
+              at_path value0
 
 (** val read_any_text : path -> json -> unit result **)
 
@@ -7770,7 +8047,8 @@ let read_grasp value0 =
                     bind (optional_member "loads" (read_loads v) [] members)
                       (fun loads ->
                       bind
-                        (optional_member "cases" (read_cases v) [] members)
+                        (optional_member "cases"
+                          (read_list_of_cases (read_case v)) [] members)
                         (fun named ->
                         bind
                           (check_that
@@ -7799,11 +8077,761 @@ let read_grasp value0 =
                               | Some it -> it
                               | None -> []
                             in
-                            Fine { in_space = v.is_in_space; all_contacts =
-                            them; common_wrench = common; cases =
+                            Fine { in_space = v.is_in_space;
+                            coordinates_read =
+                            (if v.is_in_space
+                             then S (S (S (S (S (S O)))))
+                             else S (S (S O))); bodies_read = None;
+                            names_of_bodies = []; names_of_joints = [];
+                            all_contacts = them; common_wrench = common;
+                            has_loads = false; cases =
                             (map (fun pat ->
                               let (name, w) = pat in
                               (name, (add_wrench w common))) named0) })))))))))))))
+
+type named_body = { name_of : string; link : (nat option * q list) option }
+
+(** val ground : string **)
+
+let ground =
+  "ground"
+
+(** val number_from : string -> named_body list -> nat -> nat option **)
+
+let rec number_from name bodies0 number =
+  match bodies0 with
+  | [] -> None
+  | b :: rest ->
+    if (=) b.name_of name
+    then Some number
+    else number_from name rest (S number)
+
+(** val number_of : string -> named_body list -> nat option **)
+
+let number_of name bodies0 =
+  number_from name bodies0 O
+
+(** val without : string list -> (string * json) list -> json **)
+
+let without names members =
+  Object
+    (filter (fun pat -> let (name, _) = pat in negb (is_among name names))
+      members)
+
+(** val read_axis : version -> path -> json -> q list result **)
+
+let read_axis v at_path value0 =
+  bind (read_point v at_path value0) (fun g ->
+    bind
+      (check_that (negb (forallb is_0 g)) at_path
+        "expected a vector other than 0") (fun _ -> Fine g))
+
+(** val read_slide : version -> path -> json -> q list result **)
+
+let read_slide v at_path value0 =
+  bind (read_axis v at_path value0) (fun g -> Fine
+    (app g
+      (if v.is_in_space
+       then { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+              qden = Big_int_Z.unit_big_int } :: ({ qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } :: []))
+       else { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } :: [])))
+
+(** val read_hinge : version -> path -> json -> q list result **)
+
+let read_hinge v at_path value0 =
+  if v.is_in_space
+  then bind (members_of ("at" :: ("axis" :: [])) at_path value0)
+         (fun members ->
+         bind (member "at" (read_point v) at_path members) (fun c ->
+           bind (member "axis" (read_axis v) at_path members) (fun g ->
+             match c with
+             | [] -> expected "a hinge" at_path value0
+             | cx :: l ->
+               (match l with
+                | [] -> expected "a hinge" at_path value0
+                | cy :: l0 ->
+                  (match l0 with
+                   | [] -> expected "a hinge" at_path value0
+                   | cz :: l1 ->
+                     (match l1 with
+                      | [] ->
+                        (match g with
+                         | [] -> expected "a hinge" at_path value0
+                         | gx :: l2 ->
+                           (match l2 with
+                            | [] -> expected "a hinge" at_path value0
+                            | gy :: l3 ->
+                              (match l3 with
+                               | [] -> expected "a hinge" at_path value0
+                               | gz :: l4 ->
+                                 (match l4 with
+                                  | [] ->
+                                    Fine
+                                      ((qminus (qmult cy gz) (qmult cz gy)) :: (
+                                      (qminus (qmult cz gx) (qmult cx gz)) :: (
+                                      (qminus (qmult cx gy) (qmult cy gx)) :: (gx :: (gy :: (gz :: []))))))
+                                  | _ :: _ ->
+                                    expected "a hinge" at_path value0))))
+                      | _ :: _ -> expected "a hinge" at_path value0))))))
+  else bind (read_point v at_path value0) (fun c ->
+         match c with
+         | [] -> expected "a hinge" at_path value0
+         | x :: l ->
+           (match l with
+            | [] -> expected "a hinge" at_path value0
+            | y :: l0 ->
+              (match l0 with
+               | [] ->
+                 Fine (y :: ((qopp x) :: ({ qnum = Big_int_Z.unit_big_int;
+                   qden = Big_int_Z.unit_big_int } :: [])))
+               | _ :: _ -> expected "a hinge" at_path value0)))
+
+(** val read_on_body :
+    named_body list -> path -> json -> nat option result **)
+
+let read_on_body before at_path value0 =
+  let what = "the name of a body that stands before this one, or \"ground\""
+  in
+  (match value0 with
+   | Text name ->
+     (match number_of name before with
+      | Some number -> Fine (Some number)
+      | None ->
+        if (=) name ground then Fine None else expected what at_path value0)
+   | _ -> expected what at_path value0)
+
+(** val read_named_body :
+    version -> named_body list -> path -> json -> named_body result **)
+
+let read_named_body v before at_path value0 =
+  bind
+    (members_of
+      ("name" :: ("hinge" :: ("slide" :: ("on" :: ("outline" :: ("mesh" :: []))))))
+      at_path value0) (fun members ->
+    bind (member "name" read_name at_path members) (fun name ->
+      bind
+        (check_that (negb ((=) name ground)) ((Member "name") :: at_path)
+          "expected another name than \"ground\"") (fun _ ->
+        bind (optional_member "hinge" (read_hinge v) at_path members)
+          (fun hinge ->
+          bind (optional_member "slide" (read_slide v) at_path members)
+            (fun slide ->
+            bind (optional_member "on" (read_on_body before) at_path members)
+              (fun on ->
+              bind
+                (optional_member "outline" (read_outline v) at_path members)
+                (fun _ ->
+                bind (optional_member "mesh" (read_body v) at_path members)
+                  (fun _ ->
+                  bind
+                    (check_that
+                      (match number_of name before with
+                       | Some _ -> false
+                       | None -> true) at_path
+                      ((^) "the name \"" ((^) name "\" appears twice")))
+                    (fun _ ->
+                    let linked = fun eta -> Fine { name_of = name; link =
+                      (Some ((match on with
+                              | Some it -> it
+                              | None -> None), eta)) }
+                    in
+                    (match hinge with
+                     | Some eta ->
+                       (match slide with
+                        | Some _ ->
+                          refuse at_path
+                            "both \"hinge\" and \"slide\"; give one of them"
+                        | None -> linked eta)
+                     | None ->
+                       (match slide with
+                        | Some eta -> linked eta
+                        | None ->
+                          bind
+                            (check_that
+                              (match on with
+                               | Some _ -> false
+                               | None -> true) ((Member "on") :: at_path)
+                              "expected none, as there is neither a \"hinge\" nor a \"slide\"")
+                            (fun _ -> Fine { name_of = name; link = None }))))))))))))
+
+(** val read_bodies_after :
+    version -> Big_int_Z.big_int -> path -> json list -> named_body list ->
+    named_body list result **)
+
+let rec read_bodies_after v index at_path items before =
+  match items with
+  | [] -> Fine before
+  | item :: rest ->
+    (match read_named_body v before ((Element index) :: at_path) item with
+     | Fine it ->
+       read_bodies_after v (Z.add index Big_int_Z.unit_big_int) at_path rest
+         (app before (it :: []))
+     | Malformed (where_, found, problem) ->
+       Malformed (where_, found, problem))
+
+(** val read_bodies : version -> path -> json -> named_body list result **)
+
+let read_bodies v at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "a list of bodies, of one or more" at_path value0
+   | _ :: _ -> read_bodies_after v Big_int_Z.zero_big_int at_path items [])
+| _ -> expected "a list of bodies, of one or more" at_path value0
+
+type turns_of_links = (string * q) list
+
+(** val read_all_turns :
+    named_body list -> path -> (string * json) list -> turns_of_links result **)
+
+let rec read_all_turns bodies0 at_path = function
+| [] -> Fine []
+| p :: rest ->
+  let (name, value0) = p in
+  let here = (Member name) :: at_path in
+  bind
+    (check_that
+      (existsb (fun b ->
+        (&&) ((=) b.name_of name)
+          (match b.link with
+           | Some _ -> true
+           | None -> false)) bodies0) here
+      "expected a link, which is a body with a \"hinge\" or a \"slide\"")
+    (fun _ ->
+    bind
+      (check_that (negb (has_member name rest)) here
+        "the member appears twice; keep one of them") (fun _ ->
+      bind (read_decimal here value0) (fun c ->
+        bind
+          (check_that (negb (is_0 c)) here "expected a number other than 0")
+          (fun _ ->
+          bind (read_all_turns bodies0 at_path rest) (fun others -> Fine
+            ((name, c) :: others))))))
+
+(** val read_turns :
+    named_body list -> path -> json -> turns_of_links result **)
+
+let read_turns bodies0 at_path value0 = match value0 with
+| Object members ->
+  (match members with
+   | [] ->
+     expected "an object of one number or more, each by the name of a link"
+       at_path value0
+   | _ :: _ -> read_all_turns bodies0 at_path members)
+| _ ->
+  expected "an object of one number or more, each by the name of a link"
+    at_path value0
+
+(** val find_turn : string -> turns_of_links -> q **)
+
+let find_turn name turns =
+  match find (fun pat -> let (other, _) = pat in (=) other name) turns with
+  | Some p -> let (_, c) = p in c
+  | None -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val read_element :
+    version -> bool -> string -> q list -> path -> (string * json) list ->
+    element result **)
+
+let read_element v spring preload_name row0 at_path members =
+  let or_0 = fun it ->
+    match it with
+    | Some i -> i
+    | None ->
+      exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  in
+  bind
+    (if spring
+     then optional_member "stiffness" (read_property v false) at_path members
+     else bind (member "stiffness" (read_property v true) at_path members)
+            (fun k -> Fine (Some k))) (fun k ->
+    bind
+      (optional_member preload_name
+        (if spring then read_interval v else read_property v false) at_path
+        members) (fun p -> Fine { lever = row0; element_spring = spring;
+      element_stiffness = (or_0 k); element_preload = (or_0 p);
+      element_growth = { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } }))
+
+(** val read_text : path -> json -> string result **)
+
+let read_text at_path value0 = match value0 with
+| Text it -> Fine it
+| _ -> expected "a string" at_path value0
+
+(** val read_joint :
+    version -> named_body list -> path -> json -> ((turns_of_links * string
+    option) * (q list -> element result) option) result **)
+
+let read_joint v bodies0 at_path value0 =
+  bind
+    (members_of ("turns" :: ("name" :: ("stiffness" :: ("torque" :: []))))
+      at_path value0) (fun members ->
+    bind (optional_member "name" read_text at_path members) (fun name ->
+      bind (member "turns" (read_turns bodies0) at_path members)
+        (fun turns -> Fine ((turns, name),
+        (if (||) (has_member "stiffness" members)
+              (has_member "torque" members)
+         then Some (fun row0 ->
+                read_element v true "torque" row0 at_path members)
+         else None)))))
+
+(** val sum_of : q list list -> nat -> q list **)
+
+let sum_of rows0 count0 =
+  fold_left (fun sum0 row0 ->
+    map (fun pat -> let (a, b) = pat in qplus a b) (combine sum0 row0)) rows0
+    (repeat { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+      count0)
+
+(** val read_over :
+    version -> named_body list -> (string -> q list) -> nat -> bool -> string
+    -> path -> json -> element result **)
+
+let read_over v bodies0 turned0 count0 spring preload_name at_path value0 =
+  bind
+    (members_of ("over" :: ("name" :: ("stiffness" :: (preload_name :: []))))
+      at_path value0) (fun members ->
+    bind (optional_member "name" read_any_text at_path members) (fun _ ->
+      bind (member "over" (read_turns bodies0) at_path members) (fun over0 ->
+        let row0 =
+          sum_of
+            (map (fun pat ->
+              let (name, r) = pat in map (qmult r) (turned0 name)) over0)
+            count0
+        in
+        bind
+          (check_that
+            (negb
+              (forallb (fun x ->
+                qeq_bool x { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }) row0)) ((Member
+            "over") :: at_path)
+            "expected links that some joint turns, so that its length changes")
+          (fun _ -> read_element v spring preload_name row0 at_path members))))
+
+(** val read_load_on_body :
+    version -> named_body list -> q list list list -> path -> json ->
+    interval list result **)
+
+let read_load_on_body v bodies0 units at_path value0 = match value0 with
+| Object members ->
+  bind
+    (check_members
+      ("body" :: ("wrench" :: ("force" :: ("at" :: ("weight" :: ("direction" :: ("torque" :: [])))))))
+      at_path members) (fun _ ->
+    let read_known = fun at_path0 value1 ->
+      match value1 with
+      | Text name ->
+        (match number_of name bodies0 with
+         | Some number -> Fine number
+         | None -> expected "the name of one of \"bodies\"" at_path0 value1)
+      | _ -> expected "the name of one of \"bodies\"" at_path0 value1
+    in
+    bind (member "body" read_known at_path members) (fun b ->
+      let motions = map (fun ms -> nth b ms []) units in
+      if has_member "wrench" members
+      then bind (members_of ("body" :: ("wrench" :: [])) at_path value0)
+             (fun members0 ->
+             let is_link =
+               match nth_error bodies0 b with
+               | Some it ->
+                 (match it.link with
+                  | Some _ -> true
+                  | None -> false)
+               | None -> true
+             in
+             bind
+               (check_that (negb is_link) at_path
+                 "the body is a link, which takes a force, a weight or a torque, but no wrench")
+               (fun _ ->
+               bind (member "wrench" (read_wrench v) at_path members0)
+                 (fun w -> Fine
+                 (map (fun motion -> { low =
+                   (dot_q (map (fun i -> i.low) w) motion); high =
+                   (dot_q (map (fun i -> i.high) w) motion) }) motions))))
+      else bind (read_load v at_path (without ("body" :: []) members))
+             (fun w -> Fine
+             (map (fun motion -> exactly (dot_q w motion)) motions))))
+| _ -> expected "an object {...}" at_path value0
+
+(** val no_load : nat -> interval list **)
+
+let no_load count0 =
+  repeat
+    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    count0
+
+(** val read_state_wrench :
+    version -> nat -> path -> json -> interval list result **)
+
+let read_state_wrench v count0 at_path value0 =
+  read_sized (Z.of_nat count0) "an array of a number for each coordinate"
+    (read_interval v) at_path value0
+
+(** val read_loads_on_bodies :
+    nat -> (path -> json -> interval list result) -> path -> json -> interval
+    list result **)
+
+let read_loads_on_bodies count0 read_one at_path value0 =
+  bind (read_array "an array of loads" read_one at_path value0) (fun loads ->
+    Fine (fold_left add_wrench loads (no_load count0)))
+
+(** val read_case_of_bodies :
+    (path -> json -> interval list result) -> (path -> json -> interval list
+    result) -> path -> json -> (string * interval list) result **)
+
+let read_case_of_bodies read_w read_l at_path value0 =
+  bind (members_of ("name" :: ("wrench" :: ("loads" :: []))) at_path value0)
+    (fun members ->
+    bind (member "name" read_name at_path members) (fun name ->
+      bind (optional_member "wrench" read_w at_path members) (fun own ->
+        bind (optional_member "loads" read_l at_path members) (fun loads ->
+          match own with
+          | Some w ->
+            (match loads with
+             | Some _ ->
+               refuse at_path
+                 "expected one of the members \"wrench\" and \"loads\""
+             | None -> Fine (name, w))
+          | None ->
+            (match loads with
+             | Some w -> Fine (name, w)
+             | None ->
+               refuse at_path
+                 "expected one of the members \"wrench\" and \"loads\"")))))
+
+(** val read_torsion : version -> path -> json -> q result **)
+
+let read_torsion v at_path value0 =
+  bind
+    (check_that v.is_in_space at_path
+      "expected none, as the grasp is in the plane") (fun _ ->
+    bind (read_decimal at_path value0) (fun e ->
+      bind
+        (check_that
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } e) at_path
+          "expected a number of 0 or more") (fun _ -> Fine e)))
+
+(** val read_contact_of_bodies :
+    version -> named_body list -> properties -> q -> path -> json -> contact
+    result **)
+
+let read_contact_of_bodies v bodies0 defaults soft0 at_path value0 =
+  bind
+    (members_of
+      ("of" :: ("by" :: ("torsion" :: ("position" :: ("normal" :: ("friction" :: ("stiffness" :: ("preload" :: []))))))))
+      at_path value0) (fun members ->
+    let known = fun at_path0 value1 ->
+      match value1 with
+      | Text name ->
+        (match number_of name bodies0 with
+         | Some number -> Fine (Some number)
+         | None -> expected "the name of one of \"bodies\"" at_path0 value1)
+      | _ -> expected "the name of one of \"bodies\"" at_path0 value1
+    in
+    let other = fun at_path0 value1 ->
+      match value1 with
+      | Text name ->
+        if (=) name ground then Fine None else known at_path0 value1
+      | _ -> known at_path0 value1
+    in
+    bind (member "of" known at_path members) (fun of_ ->
+      bind (optional_member "by" other at_path members) (fun by_0 ->
+        let by_1 = match by_0 with
+                   | Some it -> it
+                   | None -> None in
+        bind
+          (check_that
+            (match of_ with
+             | Some a ->
+               (match by_1 with
+                | Some b -> negb (Nat.eqb a b)
+                | None -> true)
+             | None -> true) ((Member "by") :: at_path)
+            "expected another body than \"of\"") (fun _ ->
+          bind (optional_member "torsion" (read_torsion v) at_path members)
+            (fun e ->
+            bind
+              (read_contact v [] defaults at_path
+                (without ("of" :: ("by" :: ("torsion" :: []))) members))
+              (fun it -> Fine { position = it.position; normal = it.normal;
+              slope = it.slope; friction = it.friction; stiffness =
+              it.stiffness; preload = it.preload; preload_growth =
+              it.preload_growth; of_body = of_; by_body = by_1; torsion =
+              (match e with
+               | Some e0 -> e0
+               | None -> soft0) }))))))
+
+(** val read_defaults_of_bodies :
+    version -> path -> json -> (properties * q) result **)
+
+let read_defaults_of_bodies v at_path value0 =
+  bind
+    (members_of
+      ("friction" :: ("stiffness" :: ("preload" :: ("torsion" :: []))))
+      at_path value0) (fun members ->
+    bind (optional_member "torsion" (read_torsion v) at_path members)
+      (fun e ->
+      bind (read_properties v at_path members) (fun them -> Fine (them,
+        (match e with
+         | Some e0 -> e0
+         | None ->
+           { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })))))
+
+(** val number_bodies :
+    nat -> nat -> named_body list -> (string -> q list) -> rigid_body list **)
+
+let rec number_bodies size1 next0 bodies0 turned0 =
+  match bodies0 with
+  | [] -> []
+  | b :: rest ->
+    (match b.link with
+     | Some p ->
+       let (on, eta) = p in
+       (Link (on, eta,
+       (turned0 b.name_of))) :: (number_bodies size1 next0 rest turned0)
+     | None ->
+       (Free next0) :: (number_bodies size1 (add next0 size1) rest turned0))
+
+(** val names_of_body : version -> named_body -> string list **)
+
+let names_of_body v b =
+  match b.link with
+  | Some _ -> []
+  | None ->
+    map (fun way0 -> (^) b.name_of way0)
+      (if v.is_in_space
+       then " x" :: (" y" :: (" z" :: (" turn x" :: (" turn y" :: (" turn z" :: [])))))
+       else " x" :: (" y" :: (" turn" :: [])))
+
+(** val most_coordinates : Big_int_Z.big_int **)
+
+let most_coordinates =
+  (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    Big_int_Z.unit_big_int))))
+
+(** val listed_member :
+    string -> (path -> json -> 'a1 result) -> (string * json) list -> 'a1
+    list result **)
+
+let listed_member name read members =
+  bind (optional_member name (read_array "an array" read) [] members)
+    (fun them -> Fine (match them with
+                       | Some it -> it
+                       | None -> []))
+
+(** val read_springs :
+    q list list -> (q list -> element result) option list -> element list
+    result **)
+
+let rec read_springs levers joints =
+  match levers with
+  | [] -> Fine []
+  | row0 :: levers0 ->
+    (match joints with
+     | [] -> Fine []
+     | o :: joints0 ->
+       (match o with
+        | Some read ->
+          bind (read row0) (fun it ->
+            bind (read_springs levers0 joints0) (fun others -> Fine
+              (it :: others)))
+        | None -> read_springs levers0 joints0))
+
+(** val read_grasp_of_bodies : json -> grasp result **)
+
+let read_grasp_of_bodies value0 =
+  bind
+    (members_of
+      ("format" :: ("bodies" :: ("contacts" :: ("name" :: ("units" :: ("defaults" :: ("joints" :: ("tendons" :: ("ratchets" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))))
+      [] value0) (fun members ->
+    let v = { is_second = true; is_in_space =
+      (match find_member "contacts" members with
+       | Some j ->
+         (match j with
+          | Array items ->
+            (match items with
+             | [] -> false
+             | j0 :: _ ->
+               (match j0 with
+                | Object first ->
+                  is_array
+                    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                    Big_int_Z.unit_big_int) (find_member "position" first)
+                | _ -> false))
+          | _ -> false)
+       | None -> false) }
+    in
+    let size1 = if v.is_in_space then S (S (S (S (S (S O))))) else S (S (S O))
+    in
+    bind (optional_member "name" read_any_text [] members) (fun _ ->
+      bind (optional_member "units" read_units [] members) (fun _ ->
+        bind (member "bodies" (read_bodies v) [] members) (fun bodies0 ->
+          bind (listed_member "joints" (read_joint v bodies0) members)
+            (fun joints ->
+            bind
+              (check_that
+                (forallb (fun b ->
+                  match b.link with
+                  | Some _ ->
+                    existsb (fun pat ->
+                      let (y, _) = pat in
+                      let (turns, _) = y in
+                      existsb (fun pat0 ->
+                        let (name, _) = pat0 in (=) name b.name_of) turns)
+                      joints
+                  | None -> true) bodies0) ((Member "bodies") :: [])
+                "a link that no joint turns; expected its name in \"turns\" of one of \"joints\"")
+              (fun _ ->
+              let own =
+                mul size1
+                  (length
+                    (filter (fun b ->
+                      match b.link with
+                      | Some _ -> false
+                      | None -> true) bodies0))
+              in
+              let count0 = add own (length joints) in
+              bind
+                (check_that (Z.leb (Z.of_nat count0) most_coordinates)
+                  ((Member "bodies") :: []) "more than 30 coordinates")
+                (fun _ ->
+                let turned0 = fun name ->
+                  app
+                    (repeat { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int } own)
+                    (map (fun pat ->
+                      let (y, _) = pat in
+                      let (turns, _) = y in find_turn name turns) joints)
+                in
+                let levers =
+                  map (fun q0 ->
+                    app
+                      (repeat { qnum = Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int } (add own q0)) ({ qnum =
+                      Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int } :: (repeat { qnum =
+                                                    Big_int_Z.zero_big_int;
+                                                    qden =
+                                                    Big_int_Z.unit_big_int }
+                                                    (sub
+                                                      (sub (sub count0 own)
+                                                        q0) (S O)))))
+                    (seq O (length joints))
+                in
+                bind
+                  (listed_member "ratchets"
+                    (read_over v bodies0 turned0 count0 false "preload")
+                    members) (fun ratchets ->
+                  bind
+                    (read_springs levers
+                      (map (fun pat -> let (_, spring) = pat in spring)
+                        joints)) (fun springs ->
+                    bind
+                      (listed_member "tendons"
+                        (read_over v bodies0 turned0 count0 true "tension")
+                        members) (fun tendons ->
+                      let its = { bodies_in_space = v.is_in_space; bodies =
+                        (number_bodies size1 O bodies0 turned0); elements =
+                        (app ratchets (app springs tendons)) }
+                      in
+                      bind
+                        (optional_member "defaults"
+                          (read_defaults_of_bodies v) [] members)
+                        (fun defaults ->
+                        let (defaults0, soft0) =
+                          match defaults with
+                          | Some it -> it
+                          | None ->
+                            ({ own_friction = None; own_stiffness = None;
+                              own_preload = None }, { qnum =
+                              Big_int_Z.zero_big_int; qden =
+                              Big_int_Z.unit_big_int })
+                        in
+                        let read_contacts = fun at_path value1 ->
+                          match value1 with
+                          | Array items ->
+                            bind
+                              (check_that
+                                (negb (is_longer_than most_contacts items))
+                                at_path "too many contacts") (fun _ ->
+                              each
+                                (read_contact_of_bodies v bodies0 defaults0
+                                  soft0) at_path items)
+                          | _ ->
+                            expected "an array of contacts" at_path value1
+                        in
+                        bind (member "contacts" read_contacts [] members)
+                          (fun them ->
+                          let read_w = read_state_wrench v count0 in
+                          let read_l =
+                            read_loads_on_bodies count0
+                              (read_load_on_body v bodies0
+                                (unit_motions count0 its))
+                          in
+                          bind (optional_member "wrench" read_w [] members)
+                            (fun own_wrench ->
+                            bind (optional_member "loads" read_l [] members)
+                              (fun loads ->
+                              bind
+                                (check_that
+                                  (negb
+                                    ((&&) (has_member "wrench" members)
+                                      (has_member "loads" members))) []
+                                  "both \"wrench\" and \"loads\"; give one of them")
+                                (fun _ ->
+                                let common =
+                                  match own_wrench with
+                                  | Some w -> w
+                                  | None ->
+                                    (match loads with
+                                     | Some w -> w
+                                     | None -> no_load count0)
+                                in
+                                bind
+                                  (optional_member "cases"
+                                    (read_list_of_cases
+                                      (read_case_of_bodies read_w read_l)) []
+                                    members) (fun named ->
+                                  let named0 =
+                                    match named with
+                                    | Some it -> it
+                                    | None -> []
+                                  in
+                                  Fine { in_space = v.is_in_space;
+                                  coordinates_read = count0; bodies_read =
+                                  (Some its); names_of_bodies =
+                                  (concat (map (names_of_body v) bodies0));
+                                  names_of_joints =
+                                  (map (fun pat ->
+                                    let (y, _) = pat in
+                                    let (_, name) = y in name) joints);
+                                  all_contacts = them; common_wrench =
+                                  common; has_loads =
+                                  ((||) (has_member "wrench" members)
+                                    (has_member "loads" members)); cases =
+                                  (map (fun pat ->
+                                    let (name, w) = pat in
+                                    (name, (add_wrench w common))) named0) }))))))))))))))))
+
+(** val read_file : json -> grasp result **)
+
+let read_file value0 = match value0 with
+| Object members ->
+  (match find_member "format" members with
+   | Some format ->
+     if is_text "stickslip-grasp/3" format
+     then read_grasp_of_bodies value0
+     else read_grasp value0
+   | None -> read_grasp value0)
+| _ -> read_grasp value0
 
 type tolerance = { amount : q; percent : bool }
 
@@ -7886,8 +8914,10 @@ let in_full numbers0 = match numbers0 with
                       Big_int_Z.unit_big_int } :: [])))
                   | _ :: _ -> numbers0))))))
 
-type posed = { the_question : question; stated_wrench : interval list;
-               the_options : options; is_box : bool }
+type posed = { the_question : question; free_coordinates : string list;
+               joint_coordinates : string option list;
+               stated_wrench : interval list; the_options : options;
+               is_box : bool }
 
 (** val of_question : string -> path **)
 
@@ -7902,21 +8932,18 @@ let find_tolerance kind asked =
   | Some p -> let (_, it) = p in Some it
   | None -> None
 
-(** val check_dimension : bool -> string -> q list option -> unit result **)
+(** val check_dimension : grasp -> string -> q list option -> unit result **)
 
-let check_dimension in_space0 part0 = function
+let check_dimension file part0 = function
 | Some v ->
-  check_that
-    (has_length
-      (if in_space0
-       then (Big_int_Z.mult_int_big_int 2
-              ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-              Big_int_Z.unit_big_int))
-       else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-              Big_int_Z.unit_big_int)) v) (of_question part0)
-    (if in_space0
-     then "expected 6 numbers, as the grasp is in space"
-     else "expected 3 numbers, as the grasp is planar")
+  check_that (Nat.eqb (length v) file.coordinates_read) (of_question part0)
+    (match file.bodies_read with
+     | Some _ ->
+       "expected a number for each coordinate of the bodies and joints"
+     | None ->
+       if file.in_space
+       then "expected 6 numbers, as the grasp is in space"
+       else "expected 3 numbers, as the grasp is planar")
 | None -> Fine ()
 
 (** val wrench_asked : grasp -> options -> interval list result **)
@@ -7953,14 +8980,16 @@ let wrench_asked file asked =
                 exactly { qnum = Big_int_Z.zero_big_int; qden =
                   Big_int_Z.unit_big_int }) d)
             | None ->
-              (match file.cases with
-               | [] -> Fine file.common_wrench
-               | p :: _ ->
-                 let (name, _) = p in
-                 refuse here
-                   ((^)
-                     "the grasp has cases, and none is chosen; expected the name of one, such as \""
-                     ((^) name "\"")))))))
+              if file.has_loads
+              then Fine file.common_wrench
+              else (match file.cases with
+                    | [] -> Fine file.common_wrench
+                    | p :: _ ->
+                      let (name, _) = p in
+                      refuse here
+                        ((^)
+                          "the grasp has cases, and none is chosen; expected the name of one, such as \""
+                          ((^) name "\"")))))))
 
 (** val widen : tolerance option -> interval -> interval **)
 
@@ -7996,7 +9025,17 @@ let asked_contact asked it =
    | Some t -> qplus it.slope t.amount
    | None -> it.slope); friction = (widen (by_0 "friction") it.friction);
   stiffness = (widen (by_0 "stiffness") it.stiffness); preload =
-  (widen (by_0 "preload") given); preload_growth = it.preload_growth }
+  (widen (by_0 "preload") given); preload_growth = it.preload_growth;
+  of_body = it.of_body; by_body = it.by_body; torsion = it.torsion }
+
+(** val asked_element : options -> element -> element **)
+
+let asked_element asked it =
+  { lever = it.lever; element_spring = it.element_spring; element_stiffness =
+    (widen (find_tolerance "stiffness" asked) it.element_stiffness);
+    element_preload =
+    (widen (find_tolerance "preload" asked) it.element_preload);
+    element_growth = it.element_growth }
 
 (** val ball_asked :
     grasp -> options -> interval list -> stated_ball option result **)
@@ -8098,7 +9137,7 @@ let has_irrational_preload it =
 
 (** val check_contact : bool -> bool -> path -> contact -> bool result **)
 
-let check_contact margin in_space0 at_path it =
+let check_contact margin claims at_path it =
   let here = fun name -> (Member name) :: at_path in
   bind
     (check_that
@@ -8121,43 +9160,75 @@ let check_contact margin in_space0 at_path it =
               Big_int_Z.unit_big_int }) (here "normal")
             "expected a slope below 1") (fun _ ->
           bind
-            (check_that ((||) (negb margin) (is_one_point it)) at_path
-              "found an interval, but a margin is about one grasp; expected numbers")
+            (check_that ((||) (is_0 it.slope) (is_0 it.torsion))
+              (here "normal") "expected no slope, as the contact has torsion")
             (fun _ ->
-            let irrational = has_irrational_preload it in
             bind
-              (check_that
-                (negb ((&&) ((&&) irrational margin) (negb in_space0)))
-                (here "normal")
-                ((^)
-                  "the contact has a preload and a normal of irrational length, so there is no exact "
-                  "question; run stickslip snap GRASP -o FILE, and ask about FILE"))
-              (fun _ -> Fine ((||) irrational (negb (is_one_point it)))))))))
+              (check_that ((||) (negb margin) (is_one_point it)) at_path
+                "found an interval, but a margin is about one grasp; expected numbers")
+              (fun _ ->
+              let irrational = has_irrational_preload it in
+              bind
+                (check_that
+                  (negb ((&&) ((&&) irrational margin) (negb claims)))
+                  (here "normal")
+                  ((^)
+                    "the contact has a preload and a normal of irrational length, so there is no exact "
+                    "question; run stickslip snap GRASP -o FILE, and ask about FILE"))
+                (fun _ -> Fine ((||) irrational (negb (is_one_point it))))))))))
+
+(** val check_element : bool -> path -> element -> bool result **)
+
+let check_element margin at_path it =
+  let spring = it.element_spring in
+  let k = it.element_stiffness.low in
+  bind
+    (check_that
+      ((||) spring
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } it.element_preload.low)) at_path
+      "the preload may be below 0; expected 0 or more") (fun _ ->
+    bind
+      (check_that
+        (if spring
+         then qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } k
+         else is_below { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } k) at_path
+        "the stiffness may be too small; expected above 0, of a spring 0 or more")
+      (fun _ ->
+      let certain0 =
+        (&&) (is_exact it.element_stiffness) (is_exact it.element_preload)
+      in
+      bind
+        (check_that ((||) (negb margin) certain0) at_path
+          "found an interval, but a margin is about one grasp; expected numbers")
+        (fun _ -> Fine (negb certain0))))
+
+(** val with_growth : interval -> q -> contact -> contact **)
+
+let with_growth p u it =
+  { position = it.position; normal = it.normal; slope = it.slope; friction =
+    it.friction; stiffness = it.stiffness; preload = p; preload_growth = u;
+    of_body = it.of_body; by_body = it.by_body; torsion = it.torsion }
+
+(** val element_with_growth : interval -> q -> element -> element **)
+
+let element_with_growth p u it =
+  { lever = it.lever; element_spring = it.element_spring; element_stiffness =
+    it.element_stiffness; element_preload = p; element_growth = u }
 
 (** val with_growths :
-    contact list -> q list -> contact list -> contact list option **)
+    ('a1 -> q -> 'a1) -> 'a1 list -> q list -> 'a1 list -> ('a1 list * q
+    list) option **)
 
-let rec with_growths contacts0 numbers0 done0 =
-  match contacts0 with
-  | [] ->
-    (match numbers0 with
-     | [] -> Some (rev_append done0 [])
-     | _ :: _ -> None)
+let rec with_growths grown items numbers0 done0 =
+  match items with
+  | [] -> Some ((rev_append done0 []), numbers0)
   | it :: others ->
     (match numbers0 with
      | [] -> None
-     | p :: rest ->
-       with_growths others rest ({ position = it.position; normal =
-         it.normal; slope = it.slope; friction = it.friction; stiffness =
-         it.stiffness; preload = it.preload; preload_growth = p } :: done0))
-
-(** val scaled : contact -> contact **)
-
-let scaled it =
-  { position = it.position; normal = it.normal; slope = it.slope; friction =
-    it.friction; stiffness = it.stiffness; preload =
-    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
-    preload_growth = it.preload.low }
+     | p :: rest -> with_growths grown others rest ((grown it p) :: done0))
 
 (** val check_plane : grasp -> options -> unit result **)
 
@@ -8167,53 +9238,67 @@ let check_plane file asked =
    | Some p ->
      let (u, v) = p in
      bind
-       (check_that (negb file.in_space) here
-         "the grasp is in space; a region is about a planar grasp") (fun _ ->
+       (check_that
+         (match file.bodies_read with
+          | Some _ -> false
+          | None -> true) here
+         "the grasp is of several bodies; expected a question about a wrench or a direction")
+       (fun _ ->
        bind
-         (check_that (negb (asks_margin asked)) here
-           "a direction is given as well; expected one of them") (fun _ ->
-         check_that
-           (match u with
-            | [] -> false
-            | a :: l ->
-              (match l with
-               | [] -> false
-               | b :: l0 ->
-                 (match l0 with
-                  | [] -> false
-                  | c :: l1 ->
-                    (match l1 with
-                     | [] ->
-                       (match v with
-                        | [] -> false
-                        | d :: l2 ->
-                          (match l2 with
-                           | [] -> false
-                           | e :: l3 ->
-                             (match l3 with
-                              | [] -> false
-                              | f :: l4 ->
-                                (match l4 with
-                                 | [] ->
-                                   negb
-                                     ((&&)
+         (check_that (negb file.in_space) here
+           "the grasp is in space; a region is about a planar grasp")
+         (fun _ ->
+         bind
+           (check_that (negb (asks_margin asked)) here
+             "a direction is given as well; expected one of them") (fun _ ->
+           check_that
+             (match u with
+              | [] -> false
+              | a :: l ->
+                (match l with
+                 | [] -> false
+                 | b :: l0 ->
+                   (match l0 with
+                    | [] -> false
+                    | c :: l1 ->
+                      (match l1 with
+                       | [] ->
+                         (match v with
+                          | [] -> false
+                          | d :: l2 ->
+                            (match l2 with
+                             | [] -> false
+                             | e :: l3 ->
+                               (match l3 with
+                                | [] -> false
+                                | f :: l4 ->
+                                  (match l4 with
+                                   | [] ->
+                                     negb
                                        ((&&)
+                                         ((&&)
+                                           (is_0
+                                             (qminus (qmult b f) (qmult c e)))
+                                           (is_0
+                                             (qminus (qmult c d) (qmult a f))))
                                          (is_0
-                                           (qminus (qmult b f) (qmult c e)))
-                                         (is_0
-                                           (qminus (qmult c d) (qmult a f))))
-                                       (is_0 (qminus (qmult a e) (qmult b d))))
-                                 | _ :: _ -> false))))
-                     | _ :: _ -> false)))) here
-           "its directions are multiples of one another; expected a plane"))
+                                           (qminus (qmult a e) (qmult b d))))
+                                   | _ :: _ -> false))))
+                       | _ :: _ -> false)))) here
+             "its directions are multiples of one another; expected a plane")))
    | None -> Fine ())
 
 (** val pose : grasp -> options -> posed result **)
 
 let pose file asked =
-  bind (check_dimension file.in_space "wrench" asked.asked_wrench) (fun _ ->
-    bind (check_dimension file.in_space "direction" asked.asked_direction)
-      (fun _ ->
+  let claims =
+    (||) file.in_space
+      (match file.bodies_read with
+       | Some _ -> true
+       | None -> false)
+  in
+  bind (check_dimension file "wrench" asked.asked_wrench) (fun _ ->
+    bind (check_dimension file "direction" asked.asked_direction) (fun _ ->
       bind
         (check_that
           (match asked.asked_preload with
@@ -8227,147 +9312,213 @@ let pose file asked =
             bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
               bind (ball_asked file asked stated) (fun ball0 ->
                 let them = map_all (asked_contact asked) file.all_contacts in
+                let others =
+                  match file.bodies_read with
+                  | Some its -> map_all (asked_element asked) its.elements
+                  | None -> []
+                in
                 bind
                   (match asked.asked_growth with
                    | Some g ->
                      (match g with
-                      | Scale -> Fine them
+                      | Scale -> Fine (them, others)
                       | By numbers0 ->
                         let problem =
-                          "expected numbers of 0 or more, one for each contact"
+                          "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
                         in
-                        bind
-                          (check_that
-                            (forallb
-                              (qle_bool { qnum = Big_int_Z.zero_big_int;
-                                qden = Big_int_Z.unit_big_int }) numbers0)
-                            (of_question "preload direction") problem)
-                          (fun _ ->
-                          match with_growths them numbers0 [] with
-                          | Some them0 -> Fine them0
-                          | None ->
-                            refuse (of_question "preload direction") problem))
-                   | None -> Fine them) (fun them0 ->
+                        let wrong =
+                          refuse (of_question "preload direction") problem
+                        in
+                        (match with_growths (fun it p ->
+                                 with_growth it.preload p it) them numbers0 [] with
+                         | Some p ->
+                           let (them0, rest) = p in
+                           (match with_growths (fun it p0 ->
+                                    element_with_growth it.element_preload p0
+                                      it) others rest [] with
+                            | Some p0 ->
+                              let (others0, l) = p0 in
+                              (match l with
+                               | [] ->
+                                 bind
+                                   (check_that
+                                     ((&&)
+                                       (forallb (fun it ->
+                                         qle_bool { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int }
+                                           it.preload_growth) them0)
+                                       (forallb (fun it ->
+                                         (||) it.element_spring
+                                           (qle_bool { qnum =
+                                             Big_int_Z.zero_big_int; qden =
+                                             Big_int_Z.unit_big_int }
+                                             it.element_growth)) others0))
+                                     (of_question "preload direction")
+                                     problem) (fun _ -> Fine (them0, others0))
+                               | _ :: _ -> wrong)
+                            | None -> wrong)
+                         | None -> wrong))
+                   | None -> Fine (them, others)) (fun pat ->
+                  let (them0, others0) = pat in
                   bind
                     (match asked.asked_inertia with
                      | Some numbers0 ->
                        let here = of_question "inertia" in
                        bind
                          (check_that
-                           (negb
-                             ((||) (asks_margin asked) (asks_plane asked)))
-                           here
-                           "a direction or a plane is given as well; expected one of them")
+                           (match file.bodies_read with
+                            | Some _ -> false
+                            | None -> true) here
+                           "the grasp is of several bodies; expected a question about a wrench or a direction")
                          (fun _ ->
                          bind
                            (check_that
-                             (has_length
-                               (if file.in_space
-                                then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                       (Big_int_Z.mult_int_big_int 2
-                                       (Big_int_Z.mult_int_big_int 2
-                                       Big_int_Z.unit_big_int)))
-                                else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                       Big_int_Z.unit_big_int)) numbers0)
+                             (negb
+                               ((||) (asks_margin asked) (asks_plane asked)))
                              here
-                             (if file.in_space
-                              then "expected 6 or 9 numbers"
-                              else "expected 3 numbers")) (fun _ ->
-                           check_that
-                             (match masses numbers0 with
-                              | Some _ -> true
-                              | None -> false) here
-                             (if file.in_space
-                              then "the tensor is not positive definite"
-                              else "the squared radius of gyration must be > 0")))
+                             "a direction or a plane is given as well; expected one of them")
+                           (fun _ ->
+                           bind
+                             (check_that
+                               (has_length
+                                 (if file.in_space
+                                  then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                         (Big_int_Z.mult_int_big_int 2
+                                         (Big_int_Z.mult_int_big_int 2
+                                         Big_int_Z.unit_big_int)))
+                                  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                         Big_int_Z.unit_big_int)) numbers0)
+                               here
+                               (if file.in_space
+                                then "expected 6 or 9 numbers"
+                                else "expected 3 numbers")) (fun _ ->
+                             check_that
+                               (match masses numbers0 with
+                                | Some _ -> true
+                                | None -> false) here
+                               (if file.in_space
+                                then "the tensor is not positive definite"
+                                else "the squared radius of gyration must be > 0"))))
                      | None -> Fine ()) (fun _ ->
                     let margin = asks_one asked in
                     bind
-                      (each (check_contact margin file.in_space) ((Member
+                      (each (check_contact margin claims) ((Member
                         "contacts") :: []) them0) (fun boxes ->
-                      let widened =
-                        map (widen (find_tolerance "wrench" asked)) stated
-                      in
-                      let certain0 = forallb is_exact widened in
                       bind
-                        (check_that ((||) (negb margin) certain0) ((Member
-                          "wrench") :: [])
-                          "found an interval, but a margin is about one grasp; expected numbers")
-                        (fun _ ->
-                        let them1 =
-                          match asked.asked_growth with
-                          | Some g ->
-                            (match g with
-                             | Scale -> map_all scaled them0
-                             | By _ -> them0)
-                          | None -> them0
+                        (each (check_element margin) ((Member
+                          "ratchets and springs") :: []) others0)
+                        (fun other_boxes ->
+                        let widened =
+                          map (widen (find_tolerance "wrench" asked)) stated
                         in
-                        let u =
-                          match asked.asked_direction with
-                          | Some u -> u
-                          | None ->
-                            map (fun _ -> { qnum = Big_int_Z.zero_big_int;
-                              qden = Big_int_Z.unit_big_int }) stated
-                        in
+                        let certain0 = forallb is_exact widened in
                         bind
-                          (check_that
+                          (check_that ((||) (negb margin) certain0) ((Member
+                            "wrench") :: [])
+                            "found an interval, but a margin is about one grasp; expected numbers")
+                          (fun _ ->
+                          let scales =
+                            match asked.asked_growth with
+                            | Some g ->
+                              (match g with
+                               | Scale -> true
+                               | By _ -> false)
+                            | None -> false
+                          in
+                          let them1 =
+                            if scales
+                            then map_all (fun it ->
+                                   with_growth
+                                     (exactly { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int })
+                                     it.preload.low it) them0
+                            else them0
+                          in
+                          let others1 =
+                            if scales
+                            then map_all (fun it ->
+                                   element_with_growth
+                                     (exactly { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int })
+                                     it.element_preload.low it) others0
+                            else others0
+                          in
+                          let u =
+                            match asked.asked_direction with
+                            | Some u -> u
+                            | None ->
+                              map (fun _ -> { qnum = Big_int_Z.zero_big_int;
+                                qden = Big_int_Z.unit_big_int }) stated
+                          in
+                          bind
+                            (check_that
+                              ((||)
+                                ((||)
+                                  ((||) (negb (asks_margin asked))
+                                    (negb (forallb is_0 u)))
+                                  (existsb (fun it ->
+                                    negb (is_0 it.preload_growth)) them1))
+                                (existsb (fun it ->
+                                  negb (is_0 it.element_growth)) others1))
+                              (of_question "direction")
+                              ((^)
+                                "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                                "scale preloads some of which are not 0"))
+                            (fun _ -> Fine { the_question = { dimension =
+                            file.coordinates_read; bilateral =
+                            asked.asked_bilateral; is_margin =
+                            (asks_margin asked); contacts = them1; wrench =
+                            widened; load_ball =
+                            (match ball0 with
+                             | Some b ->
+                               Some { radius = b.stated_radius;
+                                 torque_length = b.stated_length; about =
+                                 b.stated_point }
+                             | None -> None); direction = u; load_plane =
+                            asked.asked_plane; inertia =
+                            (match asked.asked_inertia with
+                             | Some numbers0 -> numbers0
+                             | None -> []); several =
+                            (match file.bodies_read with
+                             | Some its ->
+                               Some { bodies_in_space = its.bodies_in_space;
+                                 bodies = its.bodies; elements = others1 }
+                             | None -> None) }; free_coordinates =
+                            file.names_of_bodies; joint_coordinates =
+                            file.names_of_joints; stated_wrench = stated;
+                            the_options = { asked_wrench =
+                            asked.asked_wrench; asked_case =
+                            asked.asked_case; asked_preload =
+                            asked.asked_preload; asked_bilateral =
+                            asked.asked_bilateral; asked_direction =
+                            asked.asked_direction; asked_growth =
+                            asked.asked_growth; asked_plane =
+                            asked.asked_plane; asked_inertia =
+                            asked.asked_inertia; asked_uncertain =
+                            asked.asked_uncertain; asked_ball = ball0 };
+                            is_box =
                             ((||)
-                              ((||) (negb (asks_margin asked))
-                                (negb (forallb is_0 u)))
-                              (existsb (fun it ->
-                                negb (is_0 it.preload_growth)) them1))
-                            (of_question "direction")
-                            ((^)
-                              "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                              "scale preloads some of which are not 0"))
-                          (fun _ -> Fine { the_question = { dimension =
-                          (if file.in_space
-                           then S (S (S (S (S (S O)))))
-                           else S (S (S O))); bilateral =
-                          asked.asked_bilateral; is_margin =
-                          (asks_margin asked); contacts = them1; wrench =
-                          widened; load_ball =
-                          (match ball0 with
-                           | Some b ->
-                             Some { radius = b.stated_radius; torque_length =
-                               b.stated_length; about = b.stated_point }
-                           | None -> None); direction = u; load_plane =
-                          asked.asked_plane; inertia =
-                          (match asked.asked_inertia with
-                           | Some numbers0 -> numbers0
-                           | None -> []) }; stated_wrench = stated;
-                          the_options = { asked_wrench = asked.asked_wrench;
-                          asked_case = asked.asked_case; asked_preload =
-                          asked.asked_preload; asked_bilateral =
-                          asked.asked_bilateral; asked_direction =
-                          asked.asked_direction; asked_growth =
-                          asked.asked_growth; asked_plane =
-                          asked.asked_plane; asked_inertia =
-                          asked.asked_inertia; asked_uncertain =
-                          asked.asked_uncertain; asked_ball = ball0 };
-                          is_box =
-                          ((||)
-                            ((||) (negb certain0)
-                              (match ball0 with
-                               | Some _ -> true
-                               | None -> false))
-                            (existsb (fun box0 -> box0) boxes)) }))))))))))))
+                              ((||) (negb certain0)
+                                (match ball0 with
+                                 | Some _ -> true
+                                 | None -> false))
+                              (existsb (fun box0 -> box0)
+                                (app boxes other_boxes))) })))))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool; of_plane : bool;
-               of_class : bool }
+type shape = { spatial : bool; of_bodies : bool;
+               size_of_twist : Big_int_Z.big_int; soft : bool list;
+               of_margin : bool; of_plane : bool; of_class : bool }
 
-(** val size_of_twist : shape -> Big_int_Z.big_int **)
+(** val of_claims : shape -> bool **)
 
-let size_of_twist s =
-  if s.spatial
-  then (Big_int_Z.mult_int_big_int 2
-         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-         Big_int_Z.unit_big_int))
-  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-         Big_int_Z.unit_big_int)
+let of_claims s =
+  (||) s.spatial s.of_bodies
 
 (** val read_numbers : Big_int_Z.big_int -> path -> json -> q list result **)
 
@@ -8387,7 +9538,7 @@ let read_numbers count0 =
 (** val read_twist : shape -> path -> json -> q list result **)
 
 let read_twist s =
-  read_numbers (size_of_twist s)
+  read_numbers s.size_of_twist
 
 (** val read_or_null : path -> json -> q option result **)
 
@@ -8556,24 +9707,17 @@ let read_plane at_path value0 =
         Big_int_Z.unit_big_int)) at_path value0) (fun them -> Fine
     ((nth O them []), (nth (S O) them [])))
 
-(** val read_statement : bool -> path -> json -> statement result **)
+(** val read_statement : shape -> path -> json -> statement result **)
 
-let read_statement in_space0 at_path value0 =
+let read_statement s at_path value0 =
   bind
     (members_in_order
       (app
         ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
-        (app (if in_space0 then [] else "plane" :: [])
-          ("inertia" :: ("uncertain" :: [])))) at_path value0)
-    (fun members ->
-    let count0 =
-      if in_space0
-      then (Big_int_Z.mult_int_big_int 2
-             ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-             Big_int_Z.unit_big_int))
-      else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-             Big_int_Z.unit_big_int)
-    in
+        (app (if of_claims s then [] else "plane" :: [])
+          (app (if s.of_bodies then [] else "inertia" :: [])
+            ("uncertain" :: [])))) at_path value0) (fun members ->
+    let count0 = s.size_of_twist in
     bind (member "contacts" read_index at_path members) (fun m ->
       bind
         (member "wrench"
@@ -8591,11 +9735,11 @@ let read_statement in_space0 at_path value0 =
                 bind (optional_member "plane" read_plane at_path members)
                   (fun plane ->
                   bind
-                    (optional_member "inertia" (read_inertia in_space0)
+                    (optional_member "inertia" (read_inertia s.spatial)
                       at_path members) (fun i ->
                     bind
                       (optional_member "uncertain"
-                        (read_tolerances in_space0) at_path members)
+                        (read_tolerances s.spatial) at_path members)
                       (fun uncertain -> Fine { stated_contacts = m;
                       wrench_stated = w; options_stated = { asked_wrench =
                       None; asked_case = None; asked_preload = p;
@@ -8673,7 +9817,7 @@ let read_node s at_path value0 =
        | [] -> read_index at_path index
        | _ :: _ -> expected "a kind and a contact" at_path value0)
   in
-  let twist0 = size_of_twist s in
+  let twist0 = s.size_of_twist in
   (match value0 with
    | Array items0 ->
      (match items0 with
@@ -8736,13 +9880,22 @@ let read_node s at_path value0 =
 let read_nodes s =
   read_array "an array of nodes" (read_node s)
 
-(** val read_friction : shape -> path -> json -> q list result **)
+(** val read_friction :
+    shape -> Big_int_Z.big_int -> path -> json -> q list result **)
 
-let read_friction s at_path value0 =
+let read_friction s contact0 at_path value0 =
   if s.spatial
   then read_numbers
-         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-         Big_int_Z.unit_big_int) at_path value0
+         (match numbered s.soft contact0 with
+          | Some b ->
+            if b
+            then (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+                   Big_int_Z.unit_big_int))
+            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                   Big_int_Z.unit_big_int)
+          | None ->
+            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+              Big_int_Z.unit_big_int)) at_path value0
   else bind (read_fraction at_path value0) (fun x -> Fine (x :: []))
 
 (** val read_share :
@@ -8759,7 +9912,7 @@ let read_share s at_path value0 = match value0 with
         (match l0 with
          | [] ->
            bind (read_index at_path index) (fun i ->
-             bind (read_friction s at_path share) (fun numbers0 -> Fine (i,
+             bind (read_friction s i at_path share) (fun numbers0 -> Fine (i,
                numbers0)))
          | _ :: _ -> expected "[contact, share]" at_path value0)))
 | _ -> expected "[contact, share]" at_path value0
@@ -8849,7 +10002,7 @@ let read_resisted at_path value0 = match value0 with
 (** val read_matrix : shape -> path -> json -> q list list result **)
 
 let read_matrix s =
-  read_sized (size_of_twist s)
+  read_sized s.size_of_twist
     "a matrix with a row for each component of a twist" (read_twist s)
 
 (** val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool **)
@@ -8869,7 +10022,7 @@ let read_walls s more at_path value0 =
   in
   (match value0 with
    | Array items ->
-     if (&&) (has_at_most (Z.add (size_of_twist s) more) items)
+     if (&&) (has_at_most (Z.add s.size_of_twist more) items)
           (negb (has_at_most more items))
      then each (read_twist s) at_path items
      else expected what at_path value0
@@ -8890,8 +10043,8 @@ let read_answers s at_path value0 = match value0 with
          | [] ->
            bind (read_index at_path contact0) (fun i ->
              bind
-               (read_sized (size_of_twist s)
-                 "a force for each component of a wrench" (read_friction s)
+               (read_sized s.size_of_twist
+                 "a force for each component of a wrench" (read_friction s i)
                  at_path forces) (fun them -> Fine (i, them)))
          | _ :: _ -> expected "[contact, forces]" at_path value0)))
 | _ -> expected "[contact, forces]" at_path value0
@@ -9108,7 +10261,7 @@ let read_force s at_path value0 = match value0 with
             | [] ->
               bind (read_index at_path contact0) (fun i ->
                 bind (read_fraction at_path along) (fun a ->
-                  bind (read_friction s at_path across) (fun f -> Fine (i,
+                  bind (read_friction s i at_path across) (fun f -> Fine (i,
                     (a, f)))))
             | _ :: _ -> expected "[contact, number, friction]" at_path value0))))
 | _ -> expected "[contact, number, friction]" at_path value0
@@ -9276,7 +10429,7 @@ let read_verdict s at_path value0 =
 
 let read_body0 s good members =
   if s.of_margin
-  then if s.spatial
+  then if of_claims s
        then bind
               (next_read "intervals"
                 (read_array "an array of claims" (read_claim s)) members)
@@ -9403,45 +10556,58 @@ let read_known_format at_path value0 =
          at_path value0
 
 (** val read_certificate :
-    bool -> json -> (statement * certificate) result **)
+    question -> json -> (statement * certificate) result **)
 
-let read_certificate in_space0 value0 = match value0 with
-| Object members ->
-  bind (next_read "format" read_known_format members) (fun pat ->
-    let (_, rest) = pat in
-    bind
-      (if begins_with "producer" rest
-       then bind (next_read "producer" read_any_text rest) (fun pat0 ->
-              let (_, rest0) = pat0 in Fine rest0)
-       else Fine rest) (fun rest0 ->
-      bind (next_read "question" (read_statement in_space0) rest0)
-        (fun pat0 ->
-        let (stated, rest1) = pat0 in
-        let o = stated.options_stated in
-        let s = { spatial = in_space0; of_margin = (asks_margin o);
-          of_plane = (asks_plane o); of_class =
-          ((&&) (asks_class o) (negb ((||) (asks_margin o) (asks_plane o)))) }
-        in
-        bind
-          (if (&&)
-                ((&&) (begins_with "bits" rest1)
-                  ((||) (negb s.of_margin) in_space0))
-                (negb ((||) s.of_class s.of_plane))
-           then next_read "bits" read_bits rest1
-           else Fine (default_bits, rest1)) (fun pat1 ->
-          let (b, rest2) = pat1 in
-          if s.of_plane
-          then bind (read_region s rest2) (fun it -> Fine (stated, { bits =
-                 b; body = it }))
-          else if s.of_class
-               then bind (read_class s rest2) (fun it -> Fine (stated,
-                      { bits = b; body = it }))
-               else bind (next_read "verdict" (read_verdict s) rest2)
-                      (fun pat2 ->
-                      let (good, rest3) = pat2 in
-                      bind (read_body0 s good rest3) (fun it -> Fine (stated,
-                        { bits = b; body = it })))))))
-| _ -> expected "an object {...}" [] value0
+let read_certificate q0 value0 =
+  let asked = fun margin plane class1 -> { spatial =
+    (match q0.several with
+     | Some its -> its.bodies_in_space
+     | None -> Nat.eqb q0.dimension (S (S (S (S (S (S O))))))); of_bodies =
+    (match q0.several with
+     | Some _ -> true
+     | None -> false); size_of_twist = (Z.of_nat q0.dimension); soft =
+    (map_all (fun it -> negb (is_0 it.torsion)) q0.contacts); of_margin =
+    margin; of_plane = plane; of_class = class1 }
+  in
+  (match value0 with
+   | Object members ->
+     bind (next_read "format" read_known_format members) (fun pat ->
+       let (_, rest) = pat in
+       bind
+         (if begins_with "producer" rest
+          then bind (next_read "producer" read_any_text rest) (fun pat0 ->
+                 let (_, rest0) = pat0 in Fine rest0)
+          else Fine rest) (fun rest0 ->
+         bind
+           (next_read "question" (read_statement (asked false false false))
+             rest0) (fun pat0 ->
+           let (stated, rest1) = pat0 in
+           let o = stated.options_stated in
+           let s =
+             asked (asks_margin o) (asks_plane o)
+               ((&&) (asks_class o)
+                 (negb ((||) (asks_margin o) (asks_plane o))))
+           in
+           bind
+             (if (&&)
+                   ((&&) (begins_with "bits" rest1)
+                     ((||) (negb s.of_margin) (of_claims s)))
+                   (negb ((||) s.of_class s.of_plane))
+              then next_read "bits" read_bits rest1
+              else Fine (default_bits, rest1)) (fun pat1 ->
+             let (b, rest2) = pat1 in
+             if s.of_plane
+             then bind (read_region s rest2) (fun it -> Fine (stated,
+                    { bits = b; body = it }))
+             else if s.of_class
+                  then bind (read_class s rest2) (fun it -> Fine (stated,
+                         { bits = b; body = it }))
+                  else bind (next_read "verdict" (read_verdict s) rest2)
+                         (fun pat2 ->
+                         let (good, rest3) = pat2 in
+                         bind (read_body0 s good rest3) (fun it -> Fine
+                           (stated, { bits = b; body = it })))))))
+   | _ -> expected "an object {...}" [] value0)
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
 
@@ -9503,9 +10669,16 @@ let same_ball a b =
 let broken_question_rule stated asked =
   let said = stated.options_stated in
   let options0 = asked.the_options in
+  let count0 = fun items ->
+    fold_left (fun count0 _ -> Z.add count0 Big_int_Z.unit_big_int) items
+      Big_int_Z.zero_big_int
+  in
+  let q0 = asked.the_question in
   let m =
-    fold_left (fun count0 _ -> Z.add count0 Big_int_Z.unit_big_int)
-      asked.the_question.contacts Big_int_Z.zero_big_int
+    Z.add (count0 q0.contacts)
+      (match q0.several with
+       | Some its -> count0 its.elements
+       | None -> Big_int_Z.zero_big_int)
   in
   if negb (Z.eqb stated.stated_contacts m)
   then Some "question-contacts"
@@ -9556,15 +10729,13 @@ let broken_question_rule stated asked =
 (** val ask : options -> json -> posed result **)
 
 let ask asked file =
-  bind (read_grasp file) (fun it -> pose it asked)
+  bind (read_file file) (fun it -> pose it asked)
 
 (** val judge : oracle -> posed -> json -> (answer * certificate) result **)
 
 let judge advisor asked text =
   let q0 = asked.the_question in
-  bind
-    (read_certificate (Nat.eqb q0.dimension (S (S (S (S (S (S O))))))) text)
-    (fun pat ->
+  bind (read_certificate q0 text) (fun pat ->
     let (stated, it) = pat in
     (match broken_question_rule stated asked with
      | Some rule -> Fine ((Rejected (rule, Nowhere)), it)

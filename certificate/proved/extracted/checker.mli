@@ -24,6 +24,8 @@ type comparison =
 
 val add : nat -> nat -> nat
 
+val mul : nat -> nat -> nat
+
 val sub : nat -> nat -> nat
 
 val eqb : bool -> bool -> bool
@@ -138,6 +140,8 @@ module N :
 
   val ldiff : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
  end
+
+val hd : 'a1 -> 'a1 list -> 'a1
 
 val tl : 'a1 list -> 'a1 list
 
@@ -353,14 +357,28 @@ val exactly : q -> interval
 
 type contact = { position : interval list; normal : q list; slope : q;
                  friction : interval; stiffness : interval;
-                 preload : interval; preload_growth : q }
+                 preload : interval; preload_growth : q;
+                 of_body : nat option; by_body : nat option; torsion : 
+                 q }
+
+type rigid_body =
+| Free of nat
+| Link of nat option * q list * q list
+
+type element = { lever : q list; element_spring : bool;
+                 element_stiffness : interval; element_preload : interval;
+                 element_growth : q }
+
+type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
+                   elements : element list }
 
 type ball = { radius : q; torque_length : q; about : q list }
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
-                  load_plane : (q list * q list) option; inertia : q list }
+                  load_plane : (q list * q list) option; inertia : q list;
+                  several : mechanism option }
 
 type parameter =
 | PX
@@ -576,6 +594,12 @@ val same_forms : form list -> bool
 
 val negative : form -> form
 
+val same_at_corners : q list multi -> bool
+
+val vanishes : interval -> bool
+
+val pull_certain : cbox -> bool
+
 val count : interval list -> nat
 
 val of_motion : form -> form
@@ -636,7 +660,19 @@ val less_along : Big_int_Z.big_int list -> form -> form -> form -> bool
 
 val nearest : Big_int_Z.big_int list -> form -> form list -> form option
 
-val part_across : Big_int_Z.big_int list -> form -> form -> form
+type foot = { of_gens : form list; foot_m : Big_int_Z.big_int; foot_e : 
+              form; foot_n : Big_int_Z.big_int; foot_d : Big_int_Z.big_int }
+
+val foot_on : Big_int_Z.big_int list -> form -> form -> foot list
+
+val foot_between : Big_int_Z.big_int list -> form -> form -> form -> foot list
+
+val longer : foot -> foot -> foot
+
+val foot_from :
+  Big_int_Z.big_int list -> nat -> form -> form list -> foot -> foot option
+
+val foot_of : Big_int_Z.big_int list -> form -> form list -> foot option
 
 val nowhere_along : Big_int_Z.big_int list -> form list -> form -> bool
 
@@ -808,6 +844,39 @@ val numbers :
 
 val enlarge : Big_int_Z.big_int -> contact -> cbox option
 
+val with_turn : q list list -> q list list
+
+val soften : q -> cbox -> cbox
+
+val enlarge_finger : Big_int_Z.big_int -> contact -> cbox option
+
+val dot_q : q list -> q list -> q
+
+val lift_q : q list list -> q list -> q list
+
+val lift_forms_q : q list list -> q list list -> q list list
+
+val lift_box : q list list -> cbox -> cbox
+
+val of_number_q : q list list -> nat option -> q list
+
+val motion_of_body_q : nat -> q list -> q list list -> rigid_body -> q list
+
+val motions_q : nat -> q list -> rigid_body list -> q list list -> q list list
+
+val numbers_of : mechanism -> nat
+
+val unit_q : nat -> q list
+
+val unit_motions : nat -> mechanism -> q list list list
+
+val columns : q list list list -> contact -> q list list
+
+val element_box : element -> cbox
+
+val mechanism_boxes :
+  Big_int_Z.big_int -> nat -> mechanism -> contact list -> cbox list option
+
 val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
 
 type height = Big_int_Z.big_int * ray
@@ -931,7 +1000,7 @@ val set_row : setting -> Big_int_Z.big_int -> cbox -> setting
 
 val set_load : setting -> load -> setting
 
-val numbers_of : load -> interval list
+val numbers_of0 : load -> interval list
 
 val with_numbers : load -> interval list -> load
 
@@ -1372,6 +1441,8 @@ val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
 
+val rows_of : Big_int_Z.big_int -> question -> row list option
+
 val unit_loads : q list -> matrix option
 
 val addition_of : ball -> addition option
@@ -1461,9 +1532,11 @@ val read_index : path -> json -> Big_int_Z.big_int result
 
 val add_intervals : interval -> interval -> interval
 
-type grasp = { in_space : bool; all_contacts : contact list;
-               common_wrench : interval list;
-               cases : (string * interval list) list }
+type grasp = { in_space : bool; coordinates_read : nat;
+               bodies_read : mechanism option; names_of_bodies : string list;
+               names_of_joints : string option list;
+               all_contacts : contact list; common_wrench : interval list;
+               has_loads : bool; cases : (string * interval list) list }
 
 val most_contacts : Big_int_Z.big_int
 
@@ -1552,8 +1625,9 @@ val read_case : version -> path -> json -> (string * interval list) result
 
 val check_names : path -> string list -> unit result
 
-val read_cases :
-  version -> path -> json -> (string * interval list) list result
+val read_list_of_cases :
+  (path -> json -> (string * interval list) result) -> path -> json ->
+  (string * interval list) list result
 
 val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option
 
@@ -1585,6 +1659,101 @@ val version_of : (string * json) list -> version result
 
 val read_grasp : json -> grasp result
 
+type named_body = { name_of : string; link : (nat option * q list) option }
+
+val ground : string
+
+val number_from : string -> named_body list -> nat -> nat option
+
+val number_of : string -> named_body list -> nat option
+
+val without : string list -> (string * json) list -> json
+
+val read_axis : version -> path -> json -> q list result
+
+val read_slide : version -> path -> json -> q list result
+
+val read_hinge : version -> path -> json -> q list result
+
+val read_on_body : named_body list -> path -> json -> nat option result
+
+val read_named_body :
+  version -> named_body list -> path -> json -> named_body result
+
+val read_bodies_after :
+  version -> Big_int_Z.big_int -> path -> json list -> named_body list ->
+  named_body list result
+
+val read_bodies : version -> path -> json -> named_body list result
+
+type turns_of_links = (string * q) list
+
+val read_all_turns :
+  named_body list -> path -> (string * json) list -> turns_of_links result
+
+val read_turns : named_body list -> path -> json -> turns_of_links result
+
+val find_turn : string -> turns_of_links -> q
+
+val read_element :
+  version -> bool -> string -> q list -> path -> (string * json) list ->
+  element result
+
+val read_text : path -> json -> string result
+
+val read_joint :
+  version -> named_body list -> path -> json -> ((turns_of_links * string
+  option) * (q list -> element result) option) result
+
+val sum_of : q list list -> nat -> q list
+
+val read_over :
+  version -> named_body list -> (string -> q list) -> nat -> bool -> string
+  -> path -> json -> element result
+
+val read_load_on_body :
+  version -> named_body list -> q list list list -> path -> json -> interval
+  list result
+
+val no_load : nat -> interval list
+
+val read_state_wrench : version -> nat -> path -> json -> interval list result
+
+val read_loads_on_bodies :
+  nat -> (path -> json -> interval list result) -> path -> json -> interval
+  list result
+
+val read_case_of_bodies :
+  (path -> json -> interval list result) -> (path -> json -> interval list
+  result) -> path -> json -> (string * interval list) result
+
+val read_torsion : version -> path -> json -> q result
+
+val read_contact_of_bodies :
+  version -> named_body list -> properties -> q -> path -> json -> contact
+  result
+
+val read_defaults_of_bodies :
+  version -> path -> json -> (properties * q) result
+
+val number_bodies :
+  nat -> nat -> named_body list -> (string -> q list) -> rigid_body list
+
+val names_of_body : version -> named_body -> string list
+
+val most_coordinates : Big_int_Z.big_int
+
+val listed_member :
+  string -> (path -> json -> 'a1 result) -> (string * json) list -> 'a1 list
+  result
+
+val read_springs :
+  q list list -> (q list -> element result) option list -> element list result
+
+val read_grasp_of_bodies : json -> grasp result
+
+val read_file : json -> grasp result
+
 type tolerance = { amount : q; percent : bool }
 
 type growth =
@@ -1615,20 +1784,24 @@ val asks_one : options -> bool
 
 val in_full : q list -> q list
 
-type posed = { the_question : question; stated_wrench : interval list;
-               the_options : options; is_box : bool }
+type posed = { the_question : question; free_coordinates : string list;
+               joint_coordinates : string option list;
+               stated_wrench : interval list; the_options : options;
+               is_box : bool }
 
 val of_question : string -> path
 
 val find_tolerance : string -> options -> tolerance option
 
-val check_dimension : bool -> string -> q list option -> unit result
+val check_dimension : grasp -> string -> q list option -> unit result
 
 val wrench_asked : grasp -> options -> interval list result
 
 val widen : tolerance option -> interval -> interval
 
 val asked_contact : options -> contact -> contact
+
+val asked_element : options -> element -> element
 
 val ball_asked :
   grasp -> options -> interval list -> stated_ball option result
@@ -1643,10 +1816,15 @@ val has_irrational_preload : contact -> bool
 
 val check_contact : bool -> bool -> path -> contact -> bool result
 
-val with_growths :
-  contact list -> q list -> contact list -> contact list option
+val check_element : bool -> path -> element -> bool result
 
-val scaled : contact -> contact
+val with_growth : interval -> q -> contact -> contact
+
+val element_with_growth : interval -> q -> element -> element
+
+val with_growths :
+  ('a1 -> q -> 'a1) -> 'a1 list -> q list -> 'a1 list -> ('a1 list * q list)
+  option
 
 val check_plane : grasp -> options -> unit result
 
@@ -1655,10 +1833,11 @@ val pose : grasp -> options -> posed result
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
 
-type shape = { spatial : bool; of_margin : bool; of_plane : bool;
-               of_class : bool }
+type shape = { spatial : bool; of_bodies : bool;
+               size_of_twist : Big_int_Z.big_int; soft : bool list;
+               of_margin : bool; of_plane : bool; of_class : bool }
 
-val size_of_twist : shape -> Big_int_Z.big_int
+val of_claims : shape -> bool
 
 val read_numbers : Big_int_Z.big_int -> path -> json -> q list result
 
@@ -1690,7 +1869,7 @@ val read_inertia : bool -> path -> json -> q list result
 
 val read_plane : path -> json -> (q list * q list) result
 
-val read_statement : bool -> path -> json -> statement result
+val read_statement : shape -> path -> json -> statement result
 
 val read_parameter : shape -> path -> json -> parameter result
 
@@ -1702,7 +1881,8 @@ val read_node : shape -> path -> json -> node result
 
 val read_nodes : shape -> path -> json -> node list result
 
-val read_friction : shape -> path -> json -> q list result
+val read_friction :
+  shape -> Big_int_Z.big_int -> path -> json -> q list result
 
 val read_share : shape -> path -> json -> (Big_int_Z.big_int * q list) result
 
@@ -1781,7 +1961,7 @@ val read_class : shape -> (string * json) list -> proof result
 
 val read_known_format : path -> json -> unit result
 
-val read_certificate : bool -> json -> (statement * certificate) result
+val read_certificate : question -> json -> (statement * certificate) result
 
 val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool
 

@@ -41,15 +41,23 @@ Definition addition_of (b : ball) : option addition :=
   | None => None
   end.
 
+(* On a body that moves so in a unit of each coordinate. *)
+Definition addition_on (motions : list (list Q)) (it : addition) : addition :=
+  Addition (ball_numbers it) (map (fun way => map (inner way) motions) (ball_ways it)) (ball_squares it).
+
 Definition load_of (q : question) : option load :=
-  match load_ball q, several q with
-  | None, _ => Some (Load (wrench q) (direction q) nothing_added)
-  | Some b, None =>
+  match load_ball q with
+  | None => Some (Load (wrench q) (direction q) nothing_added)
+  | Some b =>
       match addition_of b with
-      | Some it => Some (Load (wrench q) (direction q) it)
+      | Some it =>
+          Some (Load (wrench q) (direction q)
+                  match several q with
+                  | None => it
+                  | Some its => addition_on (map (fun ms => of_number_q ms (on_body b)) (unit_motions (dimension q) its)) it
+                  end)
       | None => None
       end
-  | Some _, Some _ => None
   end.
 
 (* The box that the question is about. *)

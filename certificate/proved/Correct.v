@@ -93,20 +93,13 @@ Qed.
 
 Lemma load_grows q ld : load_of q = Some ld -> load_growth ld = direction q.
 Proof.
-  unfold load_of. destruct (load_ball q) as [b|], (several q); try discriminate; [|now intros [= <-]..].
-  destruct (addition_of b); [|discriminate]. now intros [= <-].
+  unfold load_of. destruct (load_ball q) as [b|]; [destruct (addition_of b); [|discriminate]|]; now intros [= <-].
 Qed.
 
-Lemma plane_load q ld g : load_of q = Some ld -> several q = None ->
-  (exists w0 w1, Forall2 within (wrench q) (three_numbers w0) /\ added (load_ball q) w1 /\ Model.wrench g = Model.add w0 w1) ->
-  is_load ld (motion_list (Model.wrench g)).
+Lemma plane_ball b it w : addition_of b = Some it -> added (Some b) w ->
+  exists e, is_addition it 3 e /\ forall z, Rows.dot (three_numbers w) z = work_added it e z.
 Proof.
-  unfold load_of. intros H One (w0 & w1 & W & A & ->). unfold added in A. rewrite One in H. destruct (load_ball q) as [b|].
-  2:{ injection H as <-. exists (three_numbers w0), []. split; [exact W|]. split; [reflexivity|].
-      split; [apply nothing_is_added|]. intros y. subst w1. unfold work_added; cbn [load_added nothing_added ball_squares real map Rows.product].
-      rewrite dot_motion. change (three_numbers w0) with (motion_list w0). rewrite dot_motion.
-      unfold Model.work, Model.add, Model.zero; cbn. ring. }
-  destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. injection H as <-.
+  intros Ad A.
   destruct A as (x & y & fx & fy & t & Ab & In_b & ->).
   destruct (ball_sizes b it Ad) as (R0 & L0 & ways & U & ->).
   destruct (about b) as [|cx [|cy [|? ?]]]; try discriminate Ab. injection Ab as <- <-. cbn in U. injection U as <-.
@@ -116,8 +109,8 @@ Proof.
   assert (M0 : 0 < Q2R m) by (unfold m; rewrite Q2R_mult; now apply Rmult_lt_0_compat).
   destruct (number_in_ball r fx R0 ltac:(lra)) as (Wx & Ex & Sx). destruct (number_in_ball r fy R0 ltac:(lra)) as (Wy & Ey & Sy).
   destruct (number_in_ball m t M0 T1) as (Wt & Et & St).
-  exists (three_numbers w0), [fx / Q2R (r * r); fy / Q2R (r * r); t / Q2R (m * m)].
-  split; [exact W|]. split; [reflexivity|]. split.
+  exists [fx / Q2R (r * r); fy / Q2R (r * r); t / Q2R (m * m)].
+  split.
   - constructor; cbn.
     + rewrite !Q2R_mult. repeat constructor; now apply Rmult_lt_0_compat.
     + repeat constructor.
@@ -128,17 +121,10 @@ Proof.
     destruct z as [|z1 [|z2 [|z3 z]]]; cbn -[Q2R]; rewrite ?Q2R_opp, ?Q2R_0, ?Q2R_1; try ring.
 Qed.
 
-Lemma space_load q ld g : load_of q = Some ld -> several q = None ->
-  (exists w0 w1, Forall2 within (wrench q) (six_numbers w0) /\ added_in_space (load_ball q) w1 /\
-     SpaceModel.wrench g = SpaceModel.add_screw w0 w1) ->
-  is_load ld (screw_list (SpaceModel.wrench g)).
+Lemma space_ball b it w : addition_of b = Some it -> added_in_space (Some b) w ->
+  exists e, is_addition it 6 e /\ forall z, Rows.dot (six_numbers w) z = work_added it e z.
 Proof.
-  unfold load_of. intros H One (w0 & w1 & W & A & ->). unfold added_in_space in A. rewrite One in H. destruct (load_ball q) as [b|].
-  2:{ injection H as <-. exists (six_numbers w0), []. split; [exact W|]. split; [reflexivity|].
-      split; [apply nothing_is_added|]. intros y. subst w1. unfold work_added; cbn [load_added nothing_added ball_squares real map Rows.product].
-      change (six_numbers w0) with (screw_list w0). rewrite !dot_screw.
-      unfold SpaceModel.work, SpaceModel.add_screw, SpaceModel.no_screw, SpaceModel.dot, SpaceModel.add, SpaceModel.zero; cbn. ring. }
-  destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. injection H as <-.
+  intros Ad A.
   destruct A as ([px py pz] & [fx fy fz] & [tx ty tz] & Ab & In_b & ->).
   unfold SpaceModel.dot in In_b. cbn [SpaceModel.x SpaceModel.y SpaceModel.z] in *.
   destruct (ball_sizes b it Ad) as (R0 & L0 & ways & U & ->).
@@ -152,9 +138,9 @@ Proof.
   destruct (number_in_ball r fx R0 ltac:(lra)) as (Wx & Ex & Sx). destruct (number_in_ball r fy R0 ltac:(lra)) as (Wy & Ey & Sy).
   destruct (number_in_ball r fz R0 ltac:(lra)) as (Wz & Ez & Sz). destruct (number_in_ball m tx M0 ltac:(lra)) as (Wu & Eu & Su).
   destruct (number_in_ball m ty M0 ltac:(lra)) as (Wv & Ev & Sv). destruct (number_in_ball m tz M0 ltac:(lra)) as (Ww & Ew & Sw).
-  exists (six_numbers w0), [fx / Q2R (r * r); fy / Q2R (r * r); fz / Q2R (r * r);
+  exists [fx / Q2R (r * r); fy / Q2R (r * r); fz / Q2R (r * r);
                             tx / Q2R (m * m); ty / Q2R (m * m); tz / Q2R (m * m)].
-  split; [exact W|]. split; [reflexivity|]. split.
+  split.
   - constructor; cbn.
     + rewrite !Q2R_mult. repeat constructor; now apply Rmult_lt_0_compat.
     + repeat constructor.
@@ -163,6 +149,73 @@ Proof.
     + rewrite Sx, Sy, Sz, Su, Sv, Sw. unfold Rdiv in *. rewrite !Rmult_plus_distr_r in S. lra.
   - intros z. unfold work_added. rewrite product_is_dot. cbn -[Q2R Qmult]. rewrite Ex, Ey, Ez, Eu, Ev, Ew.
     destruct z as [|z1 [|z2 [|z3 [|z4 [|z5 [|z6 z]]]]]]; cbn -[Q2R]; rewrite ?Q2R_opp, ?Q2R_0, ?Q2R_1; try ring.
+Qed.
+
+Lemma plane_load q ld g : load_of q = Some ld -> several q = None ->
+  (exists w0 w1, Forall2 within (wrench q) (three_numbers w0) /\ added (load_ball q) w1 /\ Model.wrench g = Model.add w0 w1) ->
+  is_load ld (motion_list (Model.wrench g)).
+Proof.
+  unfold load_of. intros H One (w0 & w1 & W & A & ->). destruct (load_ball q) as [b|].
+  - destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. rewrite One in H. injection H as <-.
+    destruct (plane_ball b it w1 Ad A) as (e & Ie & We). exists (three_numbers w0), e.
+    split; [exact W|]. split; [reflexivity|]. split; [exact Ie|]. intros y. cbn [load_added]. rewrite <- We.
+    change (three_numbers w0) with (motion_list w0). change (three_numbers w1) with (motion_list w1). rewrite !dot_motion.
+    unfold Model.work, Model.add; cbn. ring.
+  - injection H as <-. cbn in A. subst w1. exists (three_numbers w0), []. split; [exact W|]. split; [reflexivity|].
+    split; [apply nothing_is_added|]. intros y. change (three_numbers w0) with (motion_list w0). rewrite !dot_motion.
+    unfold work_added, Model.work, Model.add, Model.zero; cbn. ring.
+Qed.
+
+Lemma space_load q ld g : load_of q = Some ld -> several q = None ->
+  (exists w0 w1, Forall2 within (wrench q) (six_numbers w0) /\ added_in_space (load_ball q) w1 /\
+     SpaceModel.wrench g = SpaceModel.add_screw w0 w1) ->
+  is_load ld (screw_list (SpaceModel.wrench g)).
+Proof.
+  unfold load_of. intros H One (w0 & w1 & W & A & ->). destruct (load_ball q) as [b|].
+  - destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. rewrite One in H. injection H as <-.
+    destruct (space_ball b it w1 Ad A) as (e & Ie & We). exists (six_numbers w0), e.
+    split; [exact W|]. split; [reflexivity|]. split; [exact Ie|]. intros y. cbn [load_added]. rewrite <- We.
+    change (six_numbers w0) with (screw_list w0). change (six_numbers w1) with (screw_list w1). rewrite !dot_screw.
+    unfold SpaceModel.work, SpaceModel.add_screw, SpaceModel.dot, SpaceModel.add; cbn. ring.
+  - injection H as <-. cbn in A. subst w1. exists (six_numbers w0), []. split; [exact W|]. split; [reflexivity|].
+    split; [apply nothing_is_added|]. intros y. change (six_numbers w0) with (screw_list w0). rewrite !dot_screw.
+    unfold work_added, SpaceModel.work, SpaceModel.add_screw, SpaceModel.no_screw, SpaceModel.dot, SpaceModel.add, SpaceModel.zero;
+      cbn. ring.
+Qed.
+
+(* On one of several bodies a ball does the work of its wrench on how that body moves. *)
+Lemma addition_lifts it n e G : is_addition it n e -> is_addition (addition_on G it) (List.length G) e.
+Proof.
+  intros [Sq _ Nu Wi Ib]. constructor; try assumption. cbn [ball_ways addition_on].
+  apply Forall_map, Forall_forall. intros way _. apply map_length.
+Qed.
+
+Lemma lifted_work it e G y : work_added (addition_on G it) e y = work_added it e (combination (map real G) y).
+Proof.
+  unfold work_added, Degree.times. cbn [addition_on ball_squares ball_ways]. f_equal. rewrite !map_map. apply map_ext.
+  intros way. rewrite <- dot_lift. f_equal. unfold lift, real. rewrite !map_map. apply map_ext. intros g. apply inner_is.
+Qed.
+
+Lemma bodies_load k q its (m : BodiesModel.mechanism k) ld : load_of q = Some ld -> several q = Some its ->
+  BodiesModel.numbers k = Bodies.numbers_of its -> BodiesModel.coordinates m = dimension q ->
+  BodiesModel.bodies m = map real_body (bodies its) -> loaded_by_ball q its m -> is_load ld (BodiesModel.wrench m).
+Proof.
+  unfold load_of, loaded_by_ball. intros H Sv En D Eb L. destruct (load_ball q) as [b|];
+    [|injection H as <-; now apply box_is_load].
+  destruct (addition_of b) as [it|] eqn:Ad; [|discriminate]. rewrite Sv in H. injection H as <-.
+  destruct L as (w0 & w1 & W & Lw & Wb & ->).
+  assert (B : exists n e, is_addition it n e /\ forall z, Rows.dot w1 z = work_added it e z).
+  { unfold wrench_of_ball in Wb. destruct (bodies_in_space its); destruct Wb as (w & A & ->);
+      [destruct (space_ball b it w Ad A) as (e & Ie)|destruct (plane_ball b it w Ad A) as (e & Ie)]; eauto. }
+  destruct B as (n & e & Ie & We). set (G := map (fun ms => of_number_q ms (on_body b)) (unit_motions (dimension q) its)).
+  assert (EG : work_on_body m (on_body b) w1 = lift (map real G) w1).
+  { unfold work_on_body, lift, G, unit_motions. rewrite !map_map, D. apply map_ext. intros j.
+    unfold real. rewrite of_number_real, motions_real, unit_real, En, Eb. reflexivity. }
+  assert (LG : List.length G = List.length w0) by (unfold G, unit_motions; rewrite !map_length, seq_length; congruence).
+  clearbody G. exists w0, e. split; [exact W|]. split; [|split].
+  - rewrite EG, plus_length; [reflexivity|]. unfold lift. rewrite !map_length. exact (PeanoNat.Nat.eq_le_incl _ _ LG).
+  - cbn [load_added]. rewrite <- LG. eapply addition_lifts, Ie.
+  - intros y. cbn [load_added]. rewrite lifted_work, <- We, EG, Rows.dot_plus, dot_lift. reflexivity.
 Qed.
 
 Lemma seen_suits boxes rs : Forall2 seen_in boxes rs -> Forall2 suits (map_all make_row boxes) rs.
@@ -186,14 +239,14 @@ Lemma bodies_pose k (row_of : BodiesModel.contact k -> Rows.row)
   (forall c, List.length (Rows.weights (row_of c)) = List.length (Rows.slips (row_of c))) ->
   setting_of bits q = Some st -> chosen_bodies chosen_contact q its m -> poses q st (mechanism_rows k row_of m).
 Proof.
-  intros En Seen Lr H Ch. unfold setting_of, rows_of in H. pose proof Ch as (Sv & D & Nu & _ & _ & _ & W & U & Law).
+  intros En Seen Lr H Ch. unfold setting_of, rows_of in H. pose proof Ch as (Sv & D & Nu & Eb & _ & _ & W & U & Law).
   rewrite Sv in H. destruct (mechanism_boxes _ _ _ _) as [boxes|] eqn:B; [|discriminate].
-  unfold load_of in H. rewrite Sv in H. destruct (load_ball q); [discriminate|]. injection H as <-.
-  destruct Nu as (Lw & Lu & _).
+  destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]. pose proof (load_grows _ _ Ld) as Grows. injection H as <-.
+  pose proof Nu as (Lw & Lu & _).
   constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.wrench Rows.direction Rows.normal mechanism_rows
-    pushes make_setting load_growth]; try assumption; try reflexivity; try (now split); try congruence.
+    pushes make_setting]; rewrite ?Grows; try assumption; try reflexivity; try (now split); try congruence.
   - apply seen_suits. eapply mechanism_seen; eassumption.
-  - now apply box_is_load.
+  - eapply bodies_load; eassumption.
   - split; [exact Lw|]. apply (mechanism_shapes k row_of m); [|exact Lr]. apply Ch.
 Qed.
 

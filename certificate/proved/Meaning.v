@@ -3,7 +3,7 @@
    box of them (FORMAT.md section 6); and what an answer claims about them. *)
 From Coq Require Import Reals List QArith Qreals.
 From Proved Require Import Question RigidModel.
-From Proved Require Model SpaceModel BodiesModel.
+From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -87,7 +87,7 @@ Definition chosen_in_space (q : question) (g : SpaceModel.grasp) :=
   map Q2R (direction q) = six_numbers (SpaceModel.direction g) /\
   SpaceModel.normal_law g = law_of q.
 
-(* Of several bodies, without a ball, which meet in contacts chosen so.  Hinges, slides and levers are not uncertain. *)
+(* Of several bodies, which meet in contacts chosen so.  Hinges, slides and levers are not uncertain. *)
 Definition real_body (b : rigid_body) : BodiesModel.rigid_body :=
   match b with
   | Free first => BodiesModel.Free first
@@ -101,6 +101,25 @@ Definition chosen_element (q : element) (e : BodiesModel.element) :=
   within (element_preload q) (BodiesModel.preload e) /\
   BodiesModel.growth e = Q2R (element_growth q).
 
+(* A wrench of a ball, as the numbers of which one body's motions have as many. *)
+Definition wrench_of_ball (in_space : bool) (b : ball) (numbers : list R) : Prop :=
+  if in_space then exists w, added_in_space (Some b) w /\ numbers = six_numbers w
+  else exists w, added (Some b) w /\ numbers = three_numbers w.
+
+(* The work that a wrench on a body does in a unit of each coordinate. *)
+Definition work_on_body {k : BodiesModel.kind} (m : BodiesModel.mechanism k) (b : option nat) (numbers : list R) : list R :=
+  map (fun j => Rows.dot numbers (BodiesModel.of_number
+                  (BodiesModel.motions (BodiesModel.numbers k) (repeat 0 j ++ [1]) (BodiesModel.bodies m) []) b))
+    (seq 0 (BodiesModel.coordinates m)).
+
+Definition loaded_by_ball {k : BodiesModel.kind} (q : question) (its : mechanism) (m : BodiesModel.mechanism k) : Prop :=
+  match load_ball q with
+  | None => Forall2 within (wrench q) (BodiesModel.wrench m)
+  | Some b => exists w0 w1, Forall2 within (wrench q) w0 /\ List.length w0 = BodiesModel.coordinates m /\
+      wrench_of_ball (bodies_in_space its) b w1 /\
+      BodiesModel.wrench m = Rows.plus w0 (work_on_body m (on_body b) w1)
+  end.
+
 Definition chosen_bodies {k : BodiesModel.kind} (chosen_contact : contact -> BodiesModel.contact k -> Prop)
     (q : question) (its : mechanism) (m : BodiesModel.mechanism k) :=
   several q = Some its /\
@@ -111,7 +130,7 @@ Definition chosen_bodies {k : BodiesModel.kind} (chosen_contact : contact -> Bod
              BodiesModel.of_body t = of_body c /\ BodiesModel.by_body t = by_body c)
     (contacts q) (BodiesModel.touches m) /\
   Forall2 chosen_element (elements its) (BodiesModel.elements m) /\
-  Forall2 within (wrench q) (BodiesModel.wrench m) /\
+  loaded_by_ball q its m /\
   map Q2R (direction q) = BodiesModel.direction m /\
   BodiesModel.normal m = law_of q.
 

@@ -128,8 +128,8 @@ Definition asked_element (asked : options) (it : element) : element :=
      element_preload := widen (find_tolerance "preload" asked) (element_preload it);
      element_growth := element_growth it |}.
 
-(** The ball, with its point. *)
-Definition ball_asked (file : grasp) (asked : options) (stated : list interval) : result (option stated_ball) :=
+(** The ball, with its point, and as it is judged. *)
+Definition ball_asked (file : grasp) (asked : options) (stated : list interval) : result (option (stated_ball * ball)) :=
   match asked_ball asked with
   | None => Fine None
   | Some b =>
@@ -147,10 +147,20 @@ Definition ball_asked (file : grasp) (asked : options) (stated : list interval) 
                    else "expected a point of two coordinates, as the grasp is planar") in
       let* _ := check_that (forallb (fun it => Qeq_bool (low it) (high it)) stated) here
                   "expected a load without intervals" in
-      let* _ := check_that (match stated_body b with None => true | Some _ => false end) here
-                  "expected no body, as the grasp has one only" in
-      Fine (Some {| stated_radius := stated_radius b; stated_length := stated_length b; stated_point := point;
-                    stated_body := None |})
+      let* body :=
+        match bodies_read file, stated_body b with
+        | None, None => Fine None
+        | None, Some _ => refuse here "expected no body, as the grasp has one only"
+        | Some _, None => refuse here "expected the name of one of ""bodies"""
+        | Some _, Some name =>
+            match number_from name (body_names file) 0 with
+            | Some number => Fine (Some number)
+            | None => refuse here "expected the name of one of ""bodies"""
+            end
+        end in
+      Fine (Some ({| stated_radius := stated_radius b; stated_length := stated_length b; stated_point := point;
+                     stated_body := stated_body b |},
+                  Ball (stated_radius b) (stated_length b) point body))
   end.
 
 Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) : result unit :=
@@ -318,10 +328,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                is_margin := asks_margin asked;
                contacts := them;
                wrench := widened;
-               load_ball := match ball with
-                            | Some b => Some (Ball (stated_radius b) (stated_length b) (stated_point b))
-                            | None => None
-                            end;
+               load_ball := match ball with Some (_, b) => Some b | None => None end;
                direction := u;
                load_plane := asked_plane asked;
                inertia := match asked_inertia asked with Some numbers => numbers | None => [] end;
@@ -338,6 +345,6 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                asked_preload := asked_preload asked; asked_bilateral := asked_bilateral asked;
                asked_direction := asked_direction asked; asked_growth := asked_growth asked;
                asked_plane := asked_plane asked; asked_inertia := asked_inertia asked; asked_uncertain := asked_uncertain asked;
-               asked_ball := ball |};
+               asked_ball := match ball with Some (b, _) => Some b | None => None end |};
           is_box := negb certain || (match ball with Some _ => true | None => false end)
                     || existsb (fun box => box) (boxes ++ other_boxes)%list |}.

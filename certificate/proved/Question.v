@@ -52,8 +52,8 @@ Record mechanism := Mechanism {
 }.
 
 (* A ball of loads: those of a force and a torque at a point whose size, with torques divided by a length, is at most
-   its radius. *)
-Record ball := Ball { radius : Q; torque_length : Q; about : list Q }.
+   its radius; of several bodies on one of them, as its number. *)
+Record ball := Ball { radius : Q; torque_length : Q; about : list Q; on_body : option nat }.
 
 Record question := Question {
   dimension : nat;           (* of motions: 3 in the plane, 6 in space, of several bodies as many as coordinates *)

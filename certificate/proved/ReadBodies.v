@@ -11,12 +11,12 @@ Record named_body : Set := { name_of : string; link : option (option nat * list 
 
 Definition ground : string := "ground".
 
-Fixpoint number_from (name : string) (bodies : list named_body) (number : nat) : option nat :=
-  match bodies with
+Fixpoint number_from (name : string) (names : list string) (number : nat) : option nat :=
+  match names with
   | [] => None
-  | b :: rest => if (name_of b =? name)%string then Some number else number_from name rest (S number)
+  | other :: rest => if (other =? name)%string then Some number else number_from name rest (S number)
   end.
-Definition number_of (name : string) (bodies : list named_body) : option nat := number_from name bodies 0.
+Definition number_of (name : string) (bodies : list named_body) : option nat := number_from name (map name_of bodies) 0.
 
 (** All members but these. *)
 Definition without (names : list string) (members : list (string * json)) : json :=
@@ -345,6 +345,7 @@ Definition read_grasp_of_bodies (value : json) : result grasp :=
   Fine {| in_space := is_in_space v;
           coordinates_read := count;
           bodies_read := Some its;
+          body_names := map name_of bodies;
           names_of_bodies := List.concat (map (names_of_body v) bodies);
           names_of_joints := map (fun '(_, name, _) => name) joints;
           all_contacts := them;

@@ -2,7 +2,7 @@
 (** The certificate, `stickslip-certificate/2`, in the order of its text: FORMAT.md sections 2, 6
     and 7. And the rules `question-...` of section 3. *)
 From Coq Require Import Ascii Bool List QArith String ZArith.
-From Proved Require Import Json Numeral Pose Question ReadGrasp.
+From Proved Require Import Json Numeral Pose Question ReadBodies ReadGrasp.
 Import ListNotations.
 Local Open Scope string_scope.
 
@@ -76,38 +76,40 @@ Definition read_tolerance (at_path : path) (value : json) : result tolerance :=
   end.
 
 (** BALL. *)
-Definition read_ball (in_space : bool) (at_path : path) (value : json) : result stated_ball :=
-  let coordinates := if in_space then 3%Z else 2%Z in
-  let* members := members_in_order ["ball"; "length"; "about"] at_path value in
+Definition read_ball (s : shape) (at_path : path) (value : json) : result stated_ball :=
+  let coordinates := if spatial s then 3%Z else 2%Z in
+  let* members :=
+    members_in_order (["ball"; "length"; "about"] ++ if of_bodies s then ["body"] else [])%list at_path value in
   let* r := member "ball" read_fraction at_path members in
   let* l := member "length" read_fraction at_path members in
   let* c := optional_member "about" (read_sized coordinates "an array of the coordinates of a point" read_fraction)
               at_path members in
-  Fine {| stated_radius := r; stated_length := l; stated_body := None;
+  let* b := if of_bodies s then let* name := member "body" read_text at_path members in Fine (Some name) else Fine None in
+  Fine {| stated_radius := r; stated_length := l; stated_body := b;
           stated_point := match c with Some c => c | None => repeat 0%Q (Z.to_nat coordinates) end |}.
 
 (** Tolerances, and the ball that may stand in place of that of the wrench. *)
-Fixpoint read_all_tolerances (in_space : bool) (at_path : path) (members : list (string * json))
+Fixpoint read_all_tolerances (s : shape) (at_path : path) (members : list (string * json))
   : result (list (string * tolerance) * option stated_ball) :=
   match members with
   | [] => Fine ([], None)
   | (kind, value) :: rest =>
       if (kind =? "wrench") && (match value with Object _ => true | _ => false end) then
-        let* b := read_ball in_space (Member kind :: at_path) value in
-        let* '(others, _) := read_all_tolerances in_space at_path rest in
+        let* b := read_ball s (Member kind :: at_path) value in
+        let* '(others, _) := read_all_tolerances s at_path rest in
         Fine (others, Some b)
       else
         let* t := read_tolerance (Member kind :: at_path) value in
-        let* '(others, b) := read_all_tolerances in_space at_path rest in
+        let* '(others, b) := read_all_tolerances s at_path rest in
         Fine ((kind, t) :: others, b)
   end.
 
-Definition read_tolerances (in_space : bool) (at_path : path) (value : json)
+Definition read_tolerances (s : shape) (at_path : path) (value : json)
   : result (list (string * tolerance) * option stated_ball) :=
   let* members := members_in_order uncertain_kinds at_path value in
   match members with
   | [] => expected "an object of one tolerance or more" at_path value
-  | _ => read_all_tolerances in_space at_path members
+  | _ => read_all_tolerances s at_path members
   end.
 
 Definition read_inertia (in_space : bool) (at_path : path) (value : json) : result (list Q) :=
@@ -136,7 +138,7 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
   let* growing := optional_member "preload_direction" read_growth at_path members in
   let* plane := optional_member "plane" read_plane at_path members in
   let* i := optional_member "inertia" (read_inertia (spatial s)) at_path members in
-  let* uncertain := optional_member "uncertain" (read_tolerances (spatial s)) at_path members in
+  let* uncertain := optional_member "uncertain" (read_tolerances s) at_path members in
   Fine {| stated_contacts := m;
           wrench_stated := w;
           options_stated :=

@@ -16,7 +16,8 @@ Record grasp : Set := {
   in_space : bool;
   coordinates_read : nat;  (** D *)
   bodies_read : option mechanism;  (** of several bodies: ReadBodies.v *)
-  names_of_bodies : list string;  (** of several bodies, of their coordinates *)
+  body_names : list string;
+  names_of_bodies : list string;  (** of their coordinates *)
   names_of_joints : list (option string);
   all_contacts : list contact;
   common_wrench : list interval;  (** with cases, what is added to each *)
@@ -479,6 +480,7 @@ Definition read_grasp (value : json) : result grasp :=
   Fine {| in_space := is_in_space v;
           coordinates_read := if is_in_space v then 6 else 3;
           bodies_read := None;
+          body_names := [];
           names_of_bodies := [];
           names_of_joints := [];
           all_contacts := them;

@@ -37,9 +37,9 @@ the program that produced the certificate:
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%;
-                           wrench=ball:R[:length=L][:about=X:Y[:Z]] is every load that differs
-                           from the wrench by a force f and a torque t at that point with
-                           |f|^2 + |t|^2/L^2 <= R^2
+                           wrench=ball:R[:length=L][:about=X:Y[:Z]][:body=NAME] is every load that
+                           differs from the wrench by a force f and a torque t at that point with
+                           |f|^2 + |t|^2/L^2 <= R^2, of several bodies on the one named
 
   --json                   answer as one JSON object
   --batch                  answer many: each line of standard input is a JSON object
@@ -57,8 +57,7 @@ Answers and exit codes:
                   others; of a plane, that exactly the wrenches of the pieces are resisted
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
-  not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of balls
-                  of loads about several bodies; or it takes more work than the files' length allows
+  not judged  3   it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -129,10 +128,6 @@ let tokens file limits text =
   with Tokenise.Not_json { line; column; problem } ->
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
-let is_of_several_bodies = function
-  | Object members -> List.mem ("format", Text "stickslip-grasp/3") members
-  | _ -> false
-
 let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate_name, certificate) =
   let options = arguments.options in
   Work.begin_question ();
@@ -141,9 +136,6 @@ let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate
     tokens name limits text in
   try
     let file = read grasp_name Tokenise.of_grasp (grasp ()) in
-    if options.asked_ball <> None && is_of_several_bodies file then
-      Print.Not_judged "balls of loads about several bodies: stickslip-check judges them"
-    else
     let asked = or_illegible grasp_name (ask options file) in
     let answer, certificate =
       or_illegible certificate_name

@@ -52,12 +52,14 @@ let interval between { low; high } =
 
 let tolerance { amount; percent } = number amount ^ if percent then "%" else ""
 
-let ball { stated_radius; stated_length; stated_point; _ } =
+let ball { stated_radius; stated_length; stated_point; stated_body } =
   "ball:" ^ number stated_radius ^ ", length " ^ number stated_length ^ ", about " ^ vector stated_point
+  ^ match stated_body with Some name -> ", on the body \"" ^ printable name ^ "\"" | None -> ""
 
-let json_ball { stated_radius; stated_length; stated_point; _ } =
+let json_ball { stated_radius; stated_length; stated_point; stated_body } =
   "{\"ball\": " ^ json_number stated_radius ^ ", \"length\": " ^ json_number stated_length
-  ^ ", \"about\": " ^ json_vector stated_point ^ "}"
+  ^ ", \"about\": " ^ json_vector stated_point
+  ^ (match stated_body with Some name -> ", \"body\": " ^ json_string name | None -> "") ^ "}"
 
 (* Those given, in the order of kinds, a ball last; as they are shown. *)
 let tolerances show show_ball asked =

@@ -71,7 +71,7 @@ class Preload(Case):
         """The grasp file, of which all checkers accept the certificate."""
         grasp = os.path.join(folder, f"{name}.json")
         proof = os.path.join(folder, f"{name}.certificate.json")
-        for checker in checkers(proof, grasp):
+        for checker in checkers(proof):
             code, out, err = run(*checker, grasp, proof, *words)
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
             self.assertRegex(out, verdict)

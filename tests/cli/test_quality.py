@@ -153,7 +153,7 @@ class Quality(Case):
         file, proof = self.write("hand.json", hand()), os.path.join(folder, "hand.certificate.json")
         ball = ("--uncertain", "wrench=ball:1/20:length=1:body=disc")
         self.assertEqual(self.json("decide", file, *ball, "--certificate", proof)["verdict"], "stable")
-        for checker in checkers(proof, file):
+        for checker in checkers(proof):
             code, out, err = run(*checker, file, proof, *ball)
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
 

@@ -1499,7 +1499,8 @@ type element = { lever : q list; element_spring : bool;
 type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
                    elements : element list }
 
-type ball = { radius : q; torque_length : q; about : q list }
+type ball = { radius : q; torque_length : q; about : q list;
+              on_body : nat option }
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
@@ -6481,19 +6482,28 @@ let addition_of b =
           ways; ball_squares = (map (fun m -> qmult m m) most) }
    | None -> None)
 
+(** val addition_on : q list list -> addition -> addition **)
+
+let addition_on motions it =
+  { ball_numbers = it.ball_numbers; ball_ways =
+    (map (fun way0 -> map (inner way0) motions) it.ball_ways); ball_squares =
+    it.ball_squares }
+
 (** val load_of : question -> load option **)
 
 let load_of q0 =
   match q0.load_ball with
   | Some b ->
-    (match q0.several with
-     | Some _ -> None
-     | None ->
-       (match addition_of b with
-        | Some it ->
-          Some { load_box = q0.wrench; load_growth = q0.direction;
-            load_added = it }
-        | None -> None))
+    (match addition_of b with
+     | Some it ->
+       Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
+         (match q0.several with
+          | Some its ->
+            addition_on
+              (map (fun ms -> of_number_q ms b.on_body)
+                (unit_motions q0.dimension its)) it
+          | None -> it) }
+     | None -> None)
   | None ->
     Some { load_box = q0.wrench; load_growth = q0.direction; load_added =
       nothing_added }
@@ -7103,7 +7113,8 @@ let add_intervals a b =
   { low = (qplus a.low b.low); high = (qplus a.high b.high) }
 
 type grasp = { in_space : bool; coordinates_read : nat;
-               bodies_read : mechanism option; names_of_bodies : string list;
+               bodies_read : mechanism option; body_names : string list;
+               names_of_bodies : string list;
                names_of_joints : string option list;
                all_contacts : contact list; common_wrench : interval list;
                has_loads : bool; cases : (string * interval list) list }
@@ -8082,9 +8093,10 @@ let read_grasp value0 =
                             (if v.is_in_space
                              then S (S (S (S (S (S O)))))
                              else S (S (S O))); bodies_read = None;
-                            names_of_bodies = []; names_of_joints = [];
-                            all_contacts = them; common_wrench = common;
-                            has_loads = false; cases =
+                            body_names = []; names_of_bodies = [];
+                            names_of_joints = []; all_contacts = them;
+                            common_wrench = common; has_loads = false;
+                            cases =
                             (map (fun pat ->
                               let (name, w) = pat in
                               (name, (add_wrench w common))) named0) })))))))))))))
@@ -8096,20 +8108,18 @@ type named_body = { name_of : string; link : (nat option * q list) option }
 let ground =
   "ground"
 
-(** val number_from : string -> named_body list -> nat -> nat option **)
+(** val number_from : string -> string list -> nat -> nat option **)
 
-let rec number_from name bodies0 number =
-  match bodies0 with
+let rec number_from name names number =
+  match names with
   | [] -> None
-  | b :: rest ->
-    if (=) b.name_of name
-    then Some number
-    else number_from name rest (S number)
+  | other :: rest ->
+    if (=) other name then Some number else number_from name rest (S number)
 
 (** val number_of : string -> named_body list -> nat option **)
 
 let number_of name bodies0 =
-  number_from name bodies0 O
+  number_from name (map (fun n0 -> n0.name_of) bodies0) O
 
 (** val without : string list -> (string * json) list -> json **)
 
@@ -8807,7 +8817,9 @@ let read_grasp_of_bodies value0 =
                                   in
                                   Fine { in_space = v.is_in_space;
                                   coordinates_read = count0; bodies_read =
-                                  (Some its); names_of_bodies =
+                                  (Some its); body_names =
+                                  (map (fun n0 -> n0.name_of) bodies0);
+                                  names_of_bodies =
                                   (concat (map (names_of_body v) bodies0));
                                   names_of_joints =
                                   (map (fun pat ->
@@ -9038,7 +9050,7 @@ let asked_element asked it =
     element_growth = it.element_growth }
 
 (** val ball_asked :
-    grasp -> options -> interval list -> stated_ball option result **)
+    grasp -> options -> interval list -> (stated_ball * ball) option result **)
 
 let ball_asked file asked stated =
   match asked.asked_ball with
@@ -9083,13 +9095,26 @@ let ball_asked file asked stated =
                 (forallb (fun it -> qeq_bool it.low it.high) stated) here
                 "expected a load without intervals") (fun _ ->
               bind
-                (check_that
-                  (match b.stated_body with
-                   | Some _ -> false
-                   | None -> true) here
-                  "expected no body, as the grasp has one only") (fun _ ->
-                Fine (Some { stated_radius = b.stated_radius; stated_length =
-                b.stated_length; stated_point = point0; stated_body = None })))))))
+                (match file.bodies_read with
+                 | Some _ ->
+                   (match b.stated_body with
+                    | Some name ->
+                      (match number_from name file.body_names O with
+                       | Some number -> Fine (Some number)
+                       | None ->
+                         refuse here "expected the name of one of \"bodies\"")
+                    | None ->
+                      refuse here "expected the name of one of \"bodies\"")
+                 | None ->
+                   (match b.stated_body with
+                    | Some _ ->
+                      refuse here
+                        "expected no body, as the grasp has one only"
+                    | None -> Fine None)) (fun body0 -> Fine (Some
+                ({ stated_radius = b.stated_radius; stated_length =
+                b.stated_length; stated_point = point0; stated_body =
+                b.stated_body }, { radius = b.stated_radius; torque_length =
+                b.stated_length; about = point0; on_body = body0 }))))))))
   | None -> Fine None
 
 (** val check_tolerances :
@@ -9473,10 +9498,7 @@ let pose file asked =
                             (asks_margin asked); contacts = them1; wrench =
                             widened; load_ball =
                             (match ball0 with
-                             | Some b ->
-                               Some { radius = b.stated_radius;
-                                 torque_length = b.stated_length; about =
-                                 b.stated_point }
+                             | Some p -> let (_, b) = p in Some b
                              | None -> None); direction = u; load_plane =
                             asked.asked_plane; inertia =
                             (match asked.asked_inertia with
@@ -9498,8 +9520,10 @@ let pose file asked =
                             asked.asked_growth; asked_plane =
                             asked.asked_plane; asked_inertia =
                             asked.asked_inertia; asked_uncertain =
-                            asked.asked_uncertain; asked_ball = ball0 };
-                            is_box =
+                            asked.asked_uncertain; asked_ball =
+                            (match ball0 with
+                             | Some p -> let (b, _) = p in Some b
+                             | None -> None) }; is_box =
                             ((||)
                               ((||) (negb certain0)
                                 (match ball0 with
@@ -9618,37 +9642,44 @@ let read_tolerance at_path value0 =
      bind (read_fraction at_path value0) (fun x -> Fine { amount = x;
        percent = false }))
 
-(** val read_ball : bool -> path -> json -> stated_ball result **)
+(** val read_ball : shape -> path -> json -> stated_ball result **)
 
-let read_ball in_space0 at_path value0 =
+let read_ball s at_path value0 =
   let coordinates1 =
-    if in_space0
+    if s.spatial
     then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
            Big_int_Z.unit_big_int)
     else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
   in
   bind
-    (members_in_order ("ball" :: ("length" :: ("about" :: []))) at_path
-      value0) (fun members ->
+    (members_in_order
+      (app ("ball" :: ("length" :: ("about" :: [])))
+        (if s.of_bodies then "body" :: [] else [])) at_path value0)
+    (fun members ->
     bind (member "ball" read_fraction at_path members) (fun r ->
       bind (member "length" read_fraction at_path members) (fun l ->
         bind
           (optional_member "about"
             (read_sized coordinates1 "an array of the coordinates of a point"
-              read_fraction) at_path members) (fun c -> Fine
-          { stated_radius = r; stated_length = l; stated_point =
-          (match c with
-           | Some c0 -> c0
-           | None ->
-             repeat { qnum = Big_int_Z.zero_big_int; qden =
-               Big_int_Z.unit_big_int } (Z.to_nat coordinates1));
-          stated_body = None }))))
+              read_fraction) at_path members) (fun c ->
+          bind
+            (if s.of_bodies
+             then bind (member "body" read_text at_path members) (fun name ->
+                    Fine (Some name))
+             else Fine None) (fun b -> Fine { stated_radius = r;
+            stated_length = l; stated_point =
+            (match c with
+             | Some c0 -> c0
+             | None ->
+               repeat { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int } (Z.to_nat coordinates1));
+            stated_body = b })))))
 
 (** val read_all_tolerances :
-    bool -> path -> (string * json) list -> ((string * tolerance)
+    shape -> path -> (string * json) list -> ((string * tolerance)
     list * stated_ball option) result **)
 
-let rec read_all_tolerances in_space0 at_path = function
+let rec read_all_tolerances s at_path = function
 | [] -> Fine ([], None)
 | p :: rest ->
   let (kind, value0) = p in
@@ -9656,22 +9687,22 @@ let rec read_all_tolerances in_space0 at_path = function
        (match value0 with
         | Object _ -> true
         | _ -> false)
-  then bind (read_ball in_space0 ((Member kind) :: at_path) value0) (fun b ->
-         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+  then bind (read_ball s ((Member kind) :: at_path) value0) (fun b ->
+         bind (read_all_tolerances s at_path rest) (fun pat ->
            let (others, _) = pat in Fine (others, (Some b))))
   else bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
-         bind (read_all_tolerances in_space0 at_path rest) (fun pat ->
+         bind (read_all_tolerances s at_path rest) (fun pat ->
            let (others, b) = pat in Fine (((kind, t) :: others), b)))
 
 (** val read_tolerances :
-    bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+    shape -> path -> json -> ((string * tolerance) list * stated_ball option)
     result **)
 
-let read_tolerances in_space0 at_path value0 =
+let read_tolerances s at_path value0 =
   bind (members_in_order uncertain_kinds at_path value0) (fun members ->
     match members with
     | [] -> expected "an object of one tolerance or more" at_path value0
-    | _ :: _ -> read_all_tolerances in_space0 at_path members)
+    | _ :: _ -> read_all_tolerances s at_path members)
 
 (** val read_inertia : bool -> path -> json -> q list result **)
 
@@ -9738,14 +9769,14 @@ let read_statement s at_path value0 =
                     (optional_member "inertia" (read_inertia s.spatial)
                       at_path members) (fun i ->
                     bind
-                      (optional_member "uncertain"
-                        (read_tolerances s.spatial) at_path members)
-                      (fun uncertain -> Fine { stated_contacts = m;
-                      wrench_stated = w; options_stated = { asked_wrench =
-                      None; asked_case = None; asked_preload = p;
-                      asked_bilateral = law; asked_direction = u;
-                      asked_growth = growing; asked_plane = plane;
-                      asked_inertia = i; asked_uncertain =
+                      (optional_member "uncertain" (read_tolerances s)
+                        at_path members) (fun uncertain -> Fine
+                      { stated_contacts = m; wrench_stated = w;
+                      options_stated = { asked_wrench = None; asked_case =
+                      None; asked_preload = p; asked_bilateral = law;
+                      asked_direction = u; asked_growth = growing;
+                      asked_plane = plane; asked_inertia = i;
+                      asked_uncertain =
                       (match uncertain with
                        | Some p0 -> let (it, _) = p0 in it
                        | None -> []); asked_ball =

@@ -372,7 +372,8 @@ type element = { lever : q list; element_spring : bool;
 type mechanism = { bodies_in_space : bool; bodies : rigid_body list;
                    elements : element list }
 
-type ball = { radius : q; torque_length : q; about : q list }
+type ball = { radius : q; torque_length : q; about : q list;
+              on_body : nat option }
 
 type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
@@ -1447,6 +1448,8 @@ val unit_loads : q list -> matrix option
 
 val addition_of : ball -> addition option
 
+val addition_on : q list list -> addition -> addition
+
 val load_of : question -> load option
 
 val setting_of : Big_int_Z.big_int -> question -> setting option
@@ -1533,7 +1536,8 @@ val read_index : path -> json -> Big_int_Z.big_int result
 val add_intervals : interval -> interval -> interval
 
 type grasp = { in_space : bool; coordinates_read : nat;
-               bodies_read : mechanism option; names_of_bodies : string list;
+               bodies_read : mechanism option; body_names : string list;
+               names_of_bodies : string list;
                names_of_joints : string option list;
                all_contacts : contact list; common_wrench : interval list;
                has_loads : bool; cases : (string * interval list) list }
@@ -1663,7 +1667,7 @@ type named_body = { name_of : string; link : (nat option * q list) option }
 
 val ground : string
 
-val number_from : string -> named_body list -> nat -> nat option
+val number_from : string -> string list -> nat -> nat option
 
 val number_of : string -> named_body list -> nat option
 
@@ -1804,7 +1808,7 @@ val asked_contact : options -> contact -> contact
 val asked_element : options -> element -> element
 
 val ball_asked :
-  grasp -> options -> interval list -> stated_ball option result
+  grasp -> options -> interval list -> (stated_ball * ball) option result
 
 val check_tolerances : options -> (string * tolerance) list -> unit result
 
@@ -1855,14 +1859,14 @@ val before_percent : string -> string option
 
 val read_tolerance : path -> json -> tolerance result
 
-val read_ball : bool -> path -> json -> stated_ball result
+val read_ball : shape -> path -> json -> stated_ball result
 
 val read_all_tolerances :
-  bool -> path -> (string * json) list -> ((string * tolerance)
+  shape -> path -> (string * json) list -> ((string * tolerance)
   list * stated_ball option) result
 
 val read_tolerances :
-  bool -> path -> json -> ((string * tolerance) list * stated_ball option)
+  shape -> path -> json -> ((string * tolerance) list * stated_ball option)
   result
 
 val read_inertia : bool -> path -> json -> q list result

@@ -413,7 +413,7 @@ class RadiusSearch {
         if (!is_much_open || below <= result_.proved) break;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) {
-          high = least_failed;
+          if (!box_.is_one_planar_body()) high = least_failed;
           break;
         }
         least_failed = factor;

@@ -63,9 +63,9 @@ install_packages() {
   step "Installing ${missing[*]}" apt-install "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
 }
 
-# Eight files of a module are compiled as one: most of the time goes to headers that they share.
+# Up to twenty files of a module are compiled as one: most of the time goes to headers that they share.
 # One file alone is compiled by the presets of CMakePresets.json, for those who edit it.
-together=-DCMAKE_UNITY_BUILD=ON
+together="-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=20"
 
 jobs_for_build() { nproc 2>/dev/null || echo 2; }
 

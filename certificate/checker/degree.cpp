@@ -7,11 +7,6 @@
 namespace stickslip_check {
 namespace {
 
-/// a += factor b.
-void add(Vector& a, const Rational& factor, const Vector& b) {
-  for (std::size_t j = 0; j < a.size(); ++j) a[j] += factor * b[j];
-}
-
 /// A basis of the vectors that have the product 0 with every row: by elimination.
 std::vector<Vector> kernel(std::vector<Vector> rows) {
   const std::size_t columns = rows[0].size();

@@ -13,10 +13,6 @@ Vector unit(std::size_t size, std::size_t j) {
   return e;
 }
 
-void add(Vector& sum, const Rational& factor, const Vector& v) {
-  for (std::size_t j = 0; j < v.size(); ++j) sum[j] += factor * v[j];
-}
-
 }  // namespace
 
 Load::Load(std::vector<Bounds> components)

@@ -190,6 +190,10 @@ Rational dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
+void add(Vector& sum, const Rational& factor, const Vector& v) {
+  for (std::size_t j = 0; j < v.size(); ++j) sum[j] += factor * v[j];
+}
+
 Vector cross(const Vector& a, const Vector& b) {
   Vector result;
   for (std::size_t j = 0; j < 3; ++j) {

@@ -68,6 +68,8 @@ Rational root_above(const Rational& x);
 
 /// The sum of products of as many coordinates as the shorter of the two has.
 Rational dot(const Vector& a, const Vector& b);
+/// sum += factor v.
+void add(Vector& sum, const Rational& factor, const Vector& v);
 /// Of three coordinates each.
 Vector cross(const Vector& a, const Vector& b);
 

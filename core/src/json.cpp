@@ -14,8 +14,8 @@ namespace {
 
 // The floating-point type is only a by-product of the parser, which rejects what overflows
 // it. long double on x86 reaches 1e4932, so it does not get in the way of kMaxExponent.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, long double>;
+using ParsedJson = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                        std::uint64_t, long double>;
 
 /// "line:column" of a byte, columns counted in characters.
 std::string position_of(std::string_view text, std::size_t offset) {
@@ -115,7 +115,7 @@ void refuse_trailing_comma(std::string_view text, std::size_t at) {
 
 /// Builds the tree. Every container that is still open is an entry of `open_`; the parser
 /// itself is iterative, so nesting costs no stack.
-class Builder : public nlohmann::json_sax<Json> {
+class Builder : public nlohmann::json_sax<ParsedJson> {
  public:
   Builder(std::string_view text, const std::vector<JsonStream>& streams)
       : text_(text), streams_(streams) {}
@@ -328,7 +328,7 @@ JsonNode parse_json(std::string_view text, const std::vector<JsonStream>& stream
     throw InputError("", "1:1", "the text is empty", "write a grasp, see docs/grasp_file.md");
   }
   Builder builder(text, streams);
-  const bool complete = Json::sax_parse(text.begin(), text.end(), &builder);
+  const bool complete = ParsedJson::sax_parse(text.begin(), text.end(), &builder);
   require(complete, "the JSON parser stopped without a reason");
   // The parser takes a NUL byte for the end of the text and would not see what follows it.
   const std::size_t nul = text.find('\0');
@@ -341,8 +341,8 @@ JsonNode parse_json(std::string_view text, const std::vector<JsonStream>& stream
 
 std::string json_string(const std::string& text, const std::string& path) {
   try {
-    return Json(text).dump();
-  } catch (const Json::exception&) {
+    return ParsedJson(text).dump();
+  } catch (const ParsedJson::exception&) {
     fail_at(path, quote(text) + " is not valid UTF-8", "give the " + path + " in UTF-8");
   }
 }

@@ -135,11 +135,11 @@ class ClassSweep {
 
   std::optional<RigidSplit> unknown(const RigidCell& cell) const {
     for (std::size_t i = 0; i < family_.size(); ++i) {
-      if (cell.touch(i) == RigidCell::Touch::kUnknown) return RigidSplit{ContactId(i), false};
+      if (cell.touch(i) == Touch::kUnknown) return RigidSplit{ContactId(i), false};
     }
     for (std::size_t i = 0; i < family_.size(); ++i) {
-      if (cell.touch(i) == RigidCell::Touch::kTouching &&
-          cell.slip(i) == RigidCell::Slip::kUnknown && !family_.rows()[i].friction.is_zero()) {
+      if (cell.touch(i) == Touch::kTouching && cell.slip(i) == RigidCell::Slip::kUnknown &&
+          !family_.rows()[i].friction.is_zero()) {
         return RigidSplit{ContactId(i), true};
       }
     }

@@ -43,7 +43,7 @@ std::vector<UnitEdges> unit_edges(const Problem& problem, const Rational& length
   return result;
 }
 
-Rational dot(const IntegerVector3& u, const Vector3& x) {
+Rational product(const IntegerVector3& u, const Vector3& x) {
   return Rational(u[0]) * x[0] + Rational(u[1]) * x[1] + Rational(u[2]) * x[2];
 }
 
@@ -86,7 +86,7 @@ struct Support {
     for (const UnitEdges& e : triangles) {
       const std::array<Vector3, 3> corners{Vector3{0, 0, 0}, e.plus, e.minus};
       std::array<Rational, 3> heights;
-      for (std::size_t k = 0; k < 3; ++k) heights[k] = dot(u, corners[k]);
+      for (std::size_t k = 0; k < 3; ++k) heights[k] = product(u, corners[k]);
       const Rational top = *std::max_element(heights.begin(), heights.end());
       offset += top;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -151,8 +151,8 @@ std::vector<HalfSpace> wrench_space_facets(const Problem& problem, ForceBound bo
     // The sum over all contacts, or the best of them.
     Rational reach = 0;
     for (const UnitEdges& e : edges) {
-      const Rational here =
-          std::max({Rational(0), dot(facet.normal, e.plus), dot(facet.normal, e.minus)});
+      const Rational here = std::max(
+          {Rational(0), product(facet.normal, e.plus), product(facet.normal, e.minus)});
       reach = bound == ForceBound::kL1 ? std::max(reach, here) : Rational(reach + here);
     }
     require(reach == facet.offset, "a facet does not support the grasp wrench space");

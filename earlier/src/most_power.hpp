@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The linear program of a cell of accelerations, in the plane and in space.
+/// Cells of accelerations, in the plane and in space: what is known of a contact, and the
+/// linear program of a cell.
 #pragma once
 
 #include <variant>
@@ -10,6 +11,13 @@
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip::earlier_detail {
+
+/// What is known of the acceleration along a contact's normal.
+enum class Touch {
+  kUnknown,   ///< N.a >= 0
+  kTouching,  ///< N.a = 0
+  kApart      ///< N.a >= 0, no force
+};
 
 /// Why no point has w.a > 0: multipliers of the rows with w.a's own, coprime integers.
 struct NoPower {

@@ -7,7 +7,6 @@
 namespace stickslip::earlier_detail {
 namespace {
 
-using Touch = RigidCell::Touch;
 using Slip = RigidCell::Slip;
 
 /// The sign of lambda if v = lambda u; 0 if there is none.

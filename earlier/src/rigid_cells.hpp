@@ -30,11 +30,6 @@ struct CellPoint {
 /// conditions, in those that it is not known to be in it is relaxed.
 class RigidCell {
  public:
-  enum class Touch {
-    kUnknown,   ///< N.a >= 0
-    kTouching,  ///< N.a = 0
-    kApart      ///< N.a >= 0, no force
-  };
   enum class Slip {
     kUnknown,
     kPlus,   ///< T.a >= 0, force on the edge N - mu T

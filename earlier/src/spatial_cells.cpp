@@ -8,9 +8,6 @@
 namespace stickslip::earlier_detail {
 namespace {
 
-using Touch = SpatialLabel::Touch;
-using Slip = SpatialLabel::Slip;
-
 template <std::size_t n>
 RationalRow row_of(const std::array<Rational, n>& v) {
   return {v.begin(), v.end()};
@@ -57,13 +54,13 @@ SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vec
       add_row(disc.normal_row(),
               label.touch == Touch::kTouching ? Relation::kEqual : Relation::kGreaterEqual);
       const Vector3& n = disc.normal();
-      if (label.slip == Slip::kNone) {
+      if (label.slip == SpatialLabel::Slip::kNone) {
         along(disc.direction(0, 0), Relation::kEqual);
         along(disc.direction(1, 0), Relation::kEqual);
-      } else if (label.slip == Slip::kLine) {
+      } else if (label.slip == SpatialLabel::Slip::kLine) {
         along(label.line, Relation::kGreaterEqual);
         along(cross(n, label.line), Relation::kEqual);
-      } else if (label.slip == Slip::kSector) {
+      } else if (label.slip == SpatialLabel::Slip::kSector) {
         const std::vector<Vector3> sides = discs[label.owner].directions(label.sector);
         along(cross(n, sides.front()), Relation::kGreaterEqual);
         along(cross(sides.back(), n), Relation::kGreaterEqual);
@@ -71,9 +68,10 @@ SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vec
     }
     if (label.touch == Touch::kApart) continue;
     const std::vector<Vector3> corners =
-        label.slip == Slip::kSector
+        label.slip == SpatialLabel::Slip::kSector
             ? disc.outer_against(discs[label.owner].directions(label.sector))
-        : label.slip == Slip::kLine      ? std::vector<Vector3>{*disc.against(label.line)}
+        : label.slip == SpatialLabel::Slip::kLine
+            ? std::vector<Vector3>{*disc.against(label.line)}
         : polygon == DiscPolygon::kOuter ? disc.outer()
                                          : disc.inner();
     for (const Vector3& friction : corners) add_edge(i, friction);
@@ -248,7 +246,8 @@ class SpatialSearch {
       const double size = std::sqrt(to_double(dot(slip, slip) * discs_[i].square()));
       const double driving =
           (to_double(dot(friction, slip)) + to_double(normal) * size) / total;
-      if (driving > worst.power && cell[i].slip != Slip::kNone && discs_[i].has_friction()) {
+      if (driving > worst.power && cell[i].slip != SpatialLabel::Slip::kNone &&
+          discs_[i].has_friction()) {
         worst = {driving, i, true, slip};
       }
     }
@@ -260,7 +259,7 @@ class SpatialSearch {
     bool finer = false;
     for (std::size_t i = 0; i < discs_.size(); ++i) {
       const auto& [normal, friction] = point.forces[i];
-      if (cell[i].slip == Slip::kSector ||
+      if (cell[i].slip == SpatialLabel::Slip::kSector ||
           dot(friction, friction) <= discs_[i].square() * normal * normal) {
         continue;
       }
@@ -284,7 +283,7 @@ class SpatialSearch {
     const auto add_sector = [&](const Sector& sector, std::size_t owner) {
       add(
           [&](SpatialLabel& label) {
-            label.slip = Slip::kSector;
+            label.slip = SpatialLabel::Slip::kSector;
             label.sector = sector;
             label.owner = owner;
           },
@@ -294,9 +293,9 @@ class SpatialSearch {
       for (const Touch touch : {Touch::kTouching, Touch::kApart}) {
         add([&](SpatialLabel& label) { label.touch = touch; }, false);
       }
-    } else if (cell[i].slip == Slip::kUnknown) {
+    } else if (cell[i].slip == SpatialLabel::Slip::kUnknown) {
       split.direction = row_of(discs_[i].direction(0, 0));
-      add([](SpatialLabel& label) { label.slip = Slip::kNone; }, true);
+      add([](SpatialLabel& label) { label.slip = SpatialLabel::Slip::kNone; }, true);
       for (std::size_t q = 0; q < 4; ++q) add_sector({q, 0, 1}, i);
     } else {
       const Sector& sector = cell[i].sector;
@@ -322,18 +321,18 @@ class SpatialSearch {
     for (std::size_t i = 0; i < discs_.size(); ++i) {
       SpatialLabel& label = mode[i];
       label.touch = point.forces[i].normal.is_zero() ? Touch::kApart : Touch::kTouching;
-      label.slip = Slip::kUnknown;
+      label.slip = SpatialLabel::Slip::kUnknown;
       if (label.touch == Touch::kApart || !discs_[i].has_friction()) continue;
       const Vector3 slip = discs_[i].slip(point.acceleration);
-      label.slip = Slip::kNone;
+      label.slip = SpatialLabel::Slip::kNone;
       if (is_zero(primitive_multiple(slip))) continue;
       Sector there = discs_[i].near(slip);
-      const bool known = cell[i].slip == Slip::kSector;
+      const bool known = cell[i].slip == SpatialLabel::Slip::kSector;
       const Rational off(1, 20);
       there.low = known ? cell[i].sector.low : std::max(Rational(0), there.low - off);
       there.high = known ? cell[i].sector.high : std::min(Rational(1), there.high + off);
       if (known) there.quarter = cell[i].sector.quarter;
-      label.slip = Slip::kLine;
+      label.slip = SpatialLabel::Slip::kLine;
       label.line = discs_[known ? cell[i].owner : i].direction(there.quarter,
                                                                simplest(there.low, there.high));
       if (!discs_[i].against(label.line)) return false;

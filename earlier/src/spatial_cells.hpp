@@ -21,11 +21,6 @@ Vector6 load_of(const GraspBox& grasp);
 
 /// What is known of a contact.
 struct SpatialLabel {
-  enum class Touch {
-    kUnknown,   ///< N.a >= 0
-    kTouching,  ///< N.a = 0
-    kApart      ///< N.a >= 0, no force
-  };
   enum class Slip {
     kUnknown,
     kNone,    ///< S a = 0

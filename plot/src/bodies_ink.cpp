@@ -351,7 +351,7 @@ class BodiesReader {
     if (mechanism_ == nullptr) return motion;
     RationalRow twist;
     for (const RationalRow& row : mechanism_->motion_of(body)) {
-      twist.push_back(dot(row, motion));
+      twist.push_back(stickslip::dot(row, motion));
     }
     if (twist.size() == 3) return {twist[0], twist[1], 0, 0, 0, twist[2]};
     return twist;

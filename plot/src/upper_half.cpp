@@ -33,7 +33,7 @@ struct Track {
   SpherePoint e1, e2;
 
   explicit Track(const IntegerVector3& normal) : e1(to_sphere(rising_point(normal))) {
-    e2 = to_sphere(cross(normal, rising_point(normal)));
+    e2 = to_sphere(stickslip::cross(normal, rising_point(normal)));
   }
   SpherePoint at(double angle) const {
     SpherePoint p{};
@@ -107,8 +107,8 @@ UpperHalf::Span UpperHalf::span(HalfedgeId halfedge) const {
   const Track track(n);
   // An edge is no longer than half a circle, so at most one of its ends is cut off, and it
   // comes back to neither side of the rim.
-  const bool rises_at_a =
-      height(a) == Sign::kZero && dot(vertices_[a.index()], rising_point(n)).sign() > 0;
+  const bool rises_at_a = height(a) == Sign::kZero &&
+                          stickslip::dot(vertices_[a.index()], rising_point(n)).sign() > 0;
   const bool rises = height(a) == Sign::kNegative && height(b) == Sign::kPositive;
   if (height(a) != Sign::kPositive && !rises_at_a && !rises) return {};
   Span span;

@@ -80,8 +80,7 @@ py::object classes(const GraspFile& grasp, const py::object& direction,
   if (const auto* undecided = std::get_if<Undecided>(&found)) return text(undecided->limit);
   return tuple_of(std::get<std::vector<ClassRange>>(found), [](const ClassRange& range) {
     return py::make_tuple(text(to_string(range.rigid_class)), fraction(range.low),
-                          range.high ? fraction(*range.high) : py::object(py::none()),
-                          range.has_low, range.has_high);
+                          fraction_or_none(range.high), range.has_low, range.has_high);
   });
 }
 
@@ -101,9 +100,8 @@ py::tuple factors(const GraspFile& grasp, const py::object& wrench, const py::ob
   return tuple_of(found, [](const FactorRange& range) {
     const auto& kind = range.rigid_class;
     return py::make_tuple(kind ? py::object(text(to_string(*kind))) : py::object(py::none()),
-                          fraction(range.low),
-                          range.high ? fraction(*range.high) : py::object(py::none()),
-                          range.has_low, range.has_high);
+                          fraction(range.low), fraction_or_none(range.high), range.has_low,
+                          range.has_high);
   });
 }
 

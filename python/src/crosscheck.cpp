@@ -27,10 +27,6 @@ py::tuple fractions_of(const RationalRow& row) {
   return tuple_of(row, [](const Rational& x) { return fraction(x); });
 }
 
-py::object fraction_or_none(const std::optional<Rational>& value) {
-  return value ? fraction(*value) : py::object(py::none());
-}
-
 Rational not_negative(const py::object& value, const std::string& place) {
   const Rational number = exact(value, place);
   if (number.sign() >= 0) return number;

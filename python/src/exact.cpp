@@ -105,6 +105,10 @@ py::object fraction(const Rational& value) {
       .attr("Fraction")(python_int(numerator(value)), python_int(denominator(value)));
 }
 
+py::object fraction_or_none(const std::optional<Rational>& value) {
+  return value ? fraction(*value) : py::object(py::none());
+}
+
 py::tuple fractions(const Rational& x, const Rational& y) {
   return py::make_tuple(fraction(x), fraction(y));
 }

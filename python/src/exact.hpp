@@ -5,6 +5,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <optional>
 #include <string>
 
 #include "stickslip/core/twist.hpp"
@@ -25,6 +26,8 @@ Wrench exact_wrench(const pybind11::list& values, const std::string& name);
 
 /// A fractions.Fraction.
 pybind11::object fraction(const Rational& value);
+/// None where there is no value.
+pybind11::object fraction_or_none(const std::optional<Rational>& value);
 pybind11::tuple fractions(const Twist& twist);
 pybind11::tuple fractions(const Wrench& wrench);
 pybind11::tuple fractions(const Rational& x, const Rational& y);

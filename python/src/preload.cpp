@@ -45,10 +45,6 @@ FoundPreload largest_ball(const Question& asked, const LoadBall& shape, const Ra
   return found;
 }
 
-py::object fraction_or_none(const std::optional<Rational>& number) {
-  return number ? fraction(*number) : py::object(py::none());
-}
-
 /// With a budget under the first load alone.
 py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::object& budget,
                       const std::string& uncertain, const py::object& length,

@@ -192,9 +192,7 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   py::tuple resisted(margin.resisted.size());
   for (std::size_t i = 0; i < resisted.size(); ++i) {
     const MarginInterval& interval = margin.resisted[i];
-    resisted[i] =
-        py::make_tuple(fraction(interval.low),
-                       interval.high ? fraction(*interval.high) : py::object(py::none()));
+    resisted[i] = py::make_tuple(fraction(interval.low), fraction_or_none(interval.high));
   }
   py::dict work("ranges"_a = answer.work.ranges, "mode_programs"_a = answer.work.modes);
   work.attr("update")(stats(answer.work.cone));

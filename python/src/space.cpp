@@ -62,12 +62,12 @@ std::shared_ptr<const Mesh> body_from(const py::object& body) {
 }
 
 /// The package has checked the lengths, and the body.
-SpatialGraspFile make_grasp(const py::list& positions, const py::list& normals,
-                            const py::object& friction, const py::object& stiffness,
-                            const py::object& preload, const py::list& wrench,
-                            const std::string& name, bool assumed_stiffness,
-                            const py::list& cases, const py::list& units,
-                            const py::object& body) {
+SpatialGraspFile make_spatial_grasp(const py::list& positions, const py::list& normals,
+                                    const py::object& friction, const py::object& stiffness,
+                                    const py::object& preload, const py::list& wrench,
+                                    const std::string& name, bool assumed_stiffness,
+                                    const py::list& cases, const py::list& units,
+                                    const py::object& body) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -100,7 +100,7 @@ SpatialGraspFile make_grasp(const py::list& positions, const py::list& normals,
 }
 
 /// Every stiffness written out, as of a GraspFile.
-std::string text_of(SpatialGraspFile grasp) {
+std::string spatial_text(SpatialGraspFile grasp) {
   grasp.assumed_stiffness.clear();
   return write_grasp_file(grasp);
 }
@@ -142,10 +142,11 @@ auto scalars(Interval UncertainContact::*member) {
   return by_contact([member](const UncertainContact& c) { return fraction((c.*member).low); });
 }
 
-py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& direction,
-                           const py::object& wrench, const py::object& preload,
-                           const py::object& preload_direction, bool bilateral,
-                           std::size_t node_limit, bool warnings, const py::object& accuracy) {
+py::dict find_spatial_margin(const SpatialGraspFile& grasp, const py::object& direction,
+                             const py::object& wrench, const py::object& preload,
+                             const py::object& preload_direction, bool bilateral,
+                             std::size_t node_limit, bool warnings,
+                             const py::object& accuracy) {
   const Question question = question_in_box(
       grasp, question_options(wrench, preload, bilateral, direction, preload_direction));
   SpatialMarginOptions options;
@@ -165,8 +166,7 @@ py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& dire
   const auto pairs = [](const std::vector<MarginInterval>& intervals) {
     py::list result;
     for (const MarginInterval& i : intervals) {
-      result.append(
-          py::make_tuple(fraction(i.low), i.high ? fraction(*i.high) : py::object(py::none())));
+      result.append(py::make_tuple(fraction(i.low), fraction_or_none(i.high)));
     }
     return py::tuple(result);
   };
@@ -184,11 +184,11 @@ py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& dire
   return result;
 }
 
-py::tuple pickled(const SpatialGraspFile& grasp) {
+py::tuple pickled_grasp(const SpatialGraspFile& grasp) {
   return py::make_tuple(py::bytes(write_grasp_file(grasp)));
 }
 
-SpatialGraspFile unpickled(const py::tuple& state) {
+SpatialGraspFile unpickled_grasp(const py::tuple& state) {
   return {parse_any_grasp(state[0].cast<std::string>(), "<pickle>", Intervals::kRefused)};
 }
 
@@ -223,8 +223,8 @@ py::object parse(const std::string& content, const std::string& name) {
 void bind_space(py::module_& module) {
   py::class_<SpatialGraspFile, GraspFile, std::shared_ptr<SpatialGraspFile>>(module,
                                                                              "SpatialGraspData")
-      .def(py::init(&make_grasp))
-      .def("text", &text_of)
+      .def(py::init(&make_spatial_grasp))
+      .def("text", &spatial_text)
       .def("with_friction",
            [](const SpatialGraspFile& g, const py::object& friction) {
              return in_its_class(
@@ -255,7 +255,7 @@ void bind_space(py::module_& module) {
              return py::make_tuple(std::move(grasp),
                                    moved_normals(result.snapped, fractions_of<Vector3>));
            })
-      .def(py::pickle(&pickled, &unpickled));
+      .def(py::pickle(&pickled_grasp, &unpickled_grasp));
   py::class_<BodiesFile, SpatialGraspFile, std::shared_ptr<BodiesFile>>(module, "BodiesData")
       .def("in_space", [](const BodiesFile& f) { return mechanism_in(f).in_space; })
       .def("bodies",
@@ -268,11 +268,12 @@ void bind_space(py::module_& module) {
           [](const BodiesFile& f) { return tuple_of(coordinate_names(mechanism_in(f)), text); })
       .def("springs", &spring_names)
       .def("pairs", &pairs_of)
-      .def(py::pickle([](const BodiesFile& f) { return pickled(f); },
-                      [](const py::tuple& state) { return BodiesFile{unpickled(state)}; }));
+      .def(py::pickle(
+          [](const BodiesFile& f) { return pickled_grasp(f); },
+          [](const py::tuple& state) { return BodiesFile{unpickled_grasp(state)}; }));
   module.def("parse_grasp", &parse);
   // Before that of the plane, which takes any grasp.
-  module.def("margin", &find_grasp_margin, py::prepend());
+  module.def("margin", &find_spatial_margin, py::prepend());
 }
 
 }  // namespace stickslip::python

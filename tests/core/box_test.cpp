@@ -4,29 +4,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "error_of.hpp"
 #include "random_numbers.hpp"
-#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {
 
+using test::error_of;
 using ::testing::HasSubstr;
 using testing::Random;
 using testing::same;
 
 LoadedGrasp one_contact() {
   return {Grasp({{{1, -2}, {3, 4}, Rational(1, 2), 4, 3}}), {5, -10, 0}};
-}
-
-/// The error, with its place.
-template <class Act>
-InputError error_of(const Act& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error;
-  }
-  return InputError("", "", "no error", "");
 }
 
 void expect_same(const GraspBox& a, const GraspBox& b) {

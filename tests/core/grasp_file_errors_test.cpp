@@ -12,13 +12,14 @@
 #include <set>
 #include <sstream>
 
-#include "stickslip/core/error.hpp"
+#include "error_of.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
 
 namespace stickslip {
 namespace {
 
+using test::error_of;
 using ::testing::HasSubstr;
 
 const std::string kCorpus = STICKSLIP_GRASP_CORPUS;
@@ -26,17 +27,6 @@ const std::string kCorpus = STICKSLIP_GRASP_CORPUS;
 std::string slurp(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The error of `read`, or one that says there was none.
-template <class Read>
-InputError error_of(const Read& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error;
-  }
-  return InputError("", "", "no error", "");
 }
 
 struct BadFile {

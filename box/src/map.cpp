@@ -300,9 +300,9 @@ RationalRow wrench_along(const GraspBox& grasp, const std::string& text,
 
 }  // namespace
 
-MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& axis) {
+MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& place) {
   const auto fail = [&](const std::string& problem, const std::string& remedy) {
-    throw InputError("", axis, problem, remedy);
+    throw InputError("", place, problem, remedy);
   };
   const std::size_t equals = text.find('=');
   const std::size_t colon = text.find(':', std::min(equals, text.size()));
@@ -311,10 +311,11 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
   }
   MapAxis result;
   result.name = std::string(text.substr(0, equals));
+  result.place = place;
   if (result.name.find(',') != std::string::npos) {
     result.kind = AxisKind::kAlong;
-    result.along = wrench_along(grasp, result.name, axis);
-    result.range = axis_range(text, equals, colon, axis);
+    result.along = wrench_along(grasp, result.name, place);
+    result.range = axis_range(text, equals, colon, place);
     return result;
   }
   const std::size_t bracket = std::min(result.name.find('['), result.name.size());
@@ -355,7 +356,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
                                     std::to_string(count - 1) + "]"
                               : word + " has no parts");
   }
-  result.range = axis_range(text, equals, colon, axis);
+  result.range = axis_range(text, equals, colon, place);
   const bool is_positive = result.kind == AxisKind::kStiffness;
   const bool is_nonnegative =
       is_positive || result.kind == AxisKind::kFriction || result.kind == AxisKind::kPreload;
@@ -394,16 +395,15 @@ void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
           : x_axis.index == y_axis.index || !x_axis.index || !y_axis.index;
   const bool clash = same_kind ? of_one_number : turns_wrench(x_axis) && turns_wrench(y_axis);
   if (clash) {
-    throw InputError("", "y", "both axes vary " + x_axis.name,
+    throw InputError("", y_axis.place, "both axes vary " + x_axis.name,
                      "choose two numbers that do not depend on each other");
   }
   for (const MapAxis& axis : {x_axis, y_axis}) {
     if (!options.uncertain.ball || !varies_load(axis)) continue;
-    throw InputError(
-        "", "uncertain",
-        "a ball of loads, and the axis " + axis.name + " varies the load in its centre",
-        "let axes vary friction, stiffness or preload; or give wrench=T, a "
-        "tolerance of each component");
+    throw InputError("", axis.place,
+                     axis.name + " varies the load in the centre of a ball of loads",
+                     "let axes vary friction, stiffness or preload; or give wrench=T, a "
+                     "tolerance of each component");
   }
   // What is wrong with a cell is wrong with all of them together.
   box_of_cell(grasp, x_axis, y_axis, x_axis.range, y_axis.range, options.uncertain);

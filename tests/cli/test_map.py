@@ -112,7 +112,7 @@ class Map(Case):
         out = stickslip("map", *words)[1]
         self.assertIn("all grasps of a cell with wrench=ball:1/10.", out)
         for axis, uncertain, naming in (
-                ("load=0:1", "wrench=ball:1", ["the axis load varies the load", "wrench=T"]),
+                ("load=0:1", "wrench=ball:1", ["--x: load varies the load in the centre", "wrench=T"]),
                 ("wrench[1]=0:1", "wrench=ball:1", ["wrench[1]"]),
                 ("load=0:1", "friction=1/10", ["contacts[2].friction", "[-1/10, 11/10]"]),
                 ("load=0:1", "frction=1", ["--uncertain", "friction"])):
@@ -187,7 +187,7 @@ class Map(Case):
         for words, part in (
                 (("--x", "1,0=0:1", "--y", "load=0:1"), "a wrench of 2 numbers"),
                 (("--x", "0,0,0=0:1", "--y", "load=0:1"), "its wrench is 0"),
-                (("--x", "1,0,0=0:1", "--y", "2,0,0=0:1"), "both axes vary")):
+                (("--x", "1,0,0=0:1", "--y", "2,0,0=0:1"), "--y: both axes vary")):
             self.fails("map", FIG1, "--wrench", "0,0,0", *words, naming=[part])
 
     def test_pictures_of_the_documentation(self):

@@ -27,6 +27,7 @@ enum class AxisKind {
 /// An axis of a map.
 struct MapAxis {
   std::string name;                    ///< as it was given: "friction[2]"
+  std::string place;                   ///< where: "--x", in errors
   AxisKind kind = AxisKind::kLoad;     ///< of what
   std::optional<std::size_t> index{};  ///< of a contact or a component; nothing: of all
   Interval range;                      ///< of the factor or value
@@ -35,9 +36,9 @@ struct MapAxis {
 
 /// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360" or, for a multiple of a
 /// wrench that is added, "0,1,0=-1:1", for this one grasp; directions are of a force in the
-/// plane. Throws InputError with the place `axis` for what is
+/// plane. Throws InputError with the place `place` for what is
 /// no axis, or leaves the grasps that there are.
-MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& axis);
+MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& place);
 
 /// A cell of a map: a rectangle of the plane of its axes.
 struct MapCell {

@@ -10,7 +10,7 @@ const {test} = require('node:test');
 const ROOT = path.join(__dirname, '..', '..');
 const SCRIPT = path.join(ROOT, 'page', 'web', 'check.js');
 const {check, for_tests} = require(SCRIPT);
-const {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, slip_metric, Contact, pressures, plane_bound, Loads} = for_tests;
+const {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, Contact, pressures, plane_bound, Loads} = for_tests;
 
 /** Whole numbers from low to high, the same in every run. */
 class Random {
@@ -89,76 +89,6 @@ test('a sum is that of its fractions', () => {
 });
 
 // ---- Cones
-
-test('the cone of slips has what two of its vectors add up to', () => {
-  // In the plane a vector is in a cone if it is a sum of at most two of the generators (Carathéodory).
-  const cross = (a, b) => a[0] * b[1] - a[1] * b[0];
-  const inside = (t, list) => t.every((x) => x === 0) || list.some((a) => list.some((b) => {
-    const det = cross(a, b);
-    if (det === 0) return cross(a, t) === 0 && a[0] * t[0] + a[1] * t[1] > 0;
-    return cross(t, b) * det >= 0 && cross(a, t) * det >= 0;
-  }));
-  const vectors = [];
-  for (let x = -2; x <= 2; ++x) for (let y = -2; y <= 2; ++y) vectors.push([x, y]);
-  const random = new Random(4);
-  const seen = new Set();
-  // Planes with the normals (0, 0, 1), (0, 1, 1) and (1, 2, 3): an image of the plane of numbers.
-  const planes = [[[0, 0, 1], [1, 0, 0], [0, 1, 0]], [[0, 1, 1], [1, 0, 0], [0, 1, -1]], [[1, 2, 3], [2, -1, 0], [3, 0, -1]]];
-  for (let k = 0; k < 3000; ++k) {
-    const list = Array.from({length: random.from(0, 4)}, () => random.pick(vectors));
-    const [n, e, f] = random.pick(planes), lift = ([x, y]) => [0, 1, 2].map((j) => BigInt(x * e[j] + y * f[j]));
-    const metric = slip_metric(n.map((x) => fraction(x)), fraction(0)), without = (s) => s.filter((_, j) => j !== metric.dropped);
-    const slips = list.map((x) => without(lift(x))), cone = new SlipCone(slips, metric);
-    seen.add(cone.cone.kind);
-    for (const t of vectors) assert.strictEqual(cone.has(without(lift(t))), inside(t, list), `${JSON.stringify(list)} ${t}`);
-    for (const side of cone.cone.generators) assert.ok(cone.has(side));
-  }
-  assert.deepStrictEqual([...seen].sort(), ['all', 'half', 'line', 'ray', 'sector', 'zero']);
-});
-
-test('the cone of slips with torsion, and its nearest point, are those of three of its vectors', () => {
-  // By Cramer's rule in the four numbers of the document: the nearest point to q on the span of some, if it is between them.
-  const determinant = (m) => (m.length === 0 ? fraction(1) : m[0].reduce((sum, x, j) => sum.plus(
-      x.times(determinant(m.slice(1).map((row) => row.filter((_, k) => k !== j)))).times(fraction(j % 2 ? -1 : 1))), fraction(0)));
-  const random = new Random(15), seen = [0, 0, 0, 0];
-  const planes = [[[0, 0, 1], [1, 0, 0], [0, 1, 0]], [[0, 1, 1], [1, 0, 0], [0, 1, -1]], [[1, 2, 3], [2, -1, 0], [3, 0, -1]]];
-  for (let k = 0; k < 300; ++k) {
-    const [n, e, f] = random.pick(planes), gamma = random.pick([fraction(1), fraction(1, 36), fraction(7, 2)]);
-    const lift = ([x, y, turn]) => [...[0, 1, 2].map((j) => BigInt(x * e[j] + y * f[j])), BigInt(turn)];
-    const product = (s, t) => s.reduce((sum, x, j) => sum.plus(Fraction.of(x * t[j]).times(j < 3 ? fraction(1) : gamma)), fraction(0));
-    const some = () => [random.from(-2, 2), random.from(-2, 2), random.from(-1, 1)];
-    const list = Array.from({length: random.from(1, 6)}, some);
-    if (random.from(0, 2) === 0) list.push(list[0].map((x) => -x));
-    const slips = list.map(lift).filter((s) => s.some((x) => x !== 0n));
-    if (slips.length === 0) continue;
-    const metric = slip_metric(n.map((x) => fraction(x)), gamma), without = (s) => s.filter((_, j) => j !== metric.dropped);
-    const cone = new SlipCone(slips.map(without), metric);
-    for (const t of [slips[0].map((x) => -x), ...Array.from({length: 8}, () => lift(some()))]) {
-      const q = t.map((x) => -x);
-      let most = fraction(0), needed = 0;
-      for (let chosen = 1; chosen < 1 << slips.length; ++chosen) {
-        const set = slips.filter((_, j) => chosen >> j & 1);
-        if (set.length > 3) continue;
-        const gram = set.map((a) => set.map((b) => product(a, b))), all = determinant(gram);
-        if (all.isZero()) continue;
-        const heights = set.map((a) => product(a, q));
-        const multiples = set.map((_, j) => determinant(gram.map((row, i) => (i === j ? heights : row))).over(all));
-        if (multiples.some((x) => x.sign() < 0)) continue;
-        const square = multiples.reduce((sum, x, j) => sum.plus(x.times(heights[j])), fraction(0));
-        if (square.compare(most) > 0) [most, needed] = [square, set.length];
-      }
-      assert.strictEqual(cone.has(without(q)), most.equals(product(q, q)));
-      if (needed === 0) {  // then it is the slip to which q is nearest in angle
-        most = slips.map((s) => product(s, q).times(product(s, q).magnitude()).over(product(s, s)))
-            .reduce((a, b) => (a.compare(b) > 0 ? a : b));
-      }
-      const [square, sign] = cone.most(without(t));
-      assert.ok(Fraction.of(square.n, square.d).times(fraction(sign)).equals(most), `${slips} ${t}`);
-      ++seen[needed];
-    }
-  }
-  assert.ok(Math.min(...seen) > 100, `${seen}`);
-});
 
 test('a region\'s generators satisfy its conditions, and nothing else is in it', () => {
   const random = new Random(5);
@@ -312,40 +242,6 @@ test('bytes serve as well as text; what is not UTF-8 is malformed', () => {
   bytes[3] = 255;
   const answer = check(bytes, certificate);
   assert.deepStrictEqual([answer.answer, answer.file], ['malformed', 'grasp']);
-});
-
-test('grasp files of several bodies that are malformed name their place', () => {
-  const hand = () => ({format: 'stickslip-grasp/3',
-    bodies: [{name: 'palm', slide: [0, 1]}, {name: 'tip', hinge: [1, 0], on: 'palm'}, {name: 'box'}],
-    joints: [{turns: {palm: 1}, stiffness: 1}, {turns: {tip: 1}}], tendons: [{over: {palm: 1, tip: 2}}],
-    contacts: [{of: 'box', by: 'tip', position: [0, 0], normal: [0, 1], friction: 1}], loads: []});
-  const [, certificate] = asked([], [0, 0, 0, 0, 0], 'stable', {twist: [0, 0, 0, 0, 0], shares: []});
-  const stated = certificate.replace('"contacts":0', '"contacts":3');
-  assert.strictEqual(check(JSON.stringify(hand()), stated).answer, 'accepted');
-  for (const [place, found, change] of [
-    ['bodies[0].on', /stands before this one, so that links are in no loop/, (file) => { file.bodies[0].on = 'tip'; }],
-    ['bodies[2].on', /only a link/, (file) => { file.bodies[2].on = 'tip'; }],
-    ['bodies[1]', /no joint turns the link "tip"/, (file) => { file.joints.pop(); file.tendons.pop(); }],
-    ['bodies', /31 coordinates, at most 30/, (file) => { file.joints.push(...Array(26).fill({turns: {palm: 1}})); }],
-    ['bodies[1].hinge', /expected an array of 2/, (file) => { file.bodies[1].hinge = {at: [1, 0, 0], axis: [0, 0, 1]}; }],
-    ['joints[1].turns.box', /no such link; they are "palm", "tip"/, (file) => { file.joints[1].turns = {box: 1}; }],
-    ['tendons[0].over', /cancel/, (file) => {
-      file.joints = [{turns: {palm: 1, tip: -1}}];
-      file.tendons[0].over = {palm: 1, tip: 1};
-    }],
-    ['contacts[0].by', /with itself/, (file) => { file.contacts[0].by = 'box'; }],
-    ['contacts[0].of', /expected the name of a body/, (file) => { file.contacts[0].of = 'ground'; }],
-    ['contacts[0].normal', /expected an array of 2/, (file) => { file.contacts[0].normal = [0, 1, 0]; }],
-    ['loads[0].wrench', /its body is a link/, (file) => { file.loads.push({body: 'tip', wrench: [0, 0, 0]}); }],
-    ['loads[0]', /"body" is missing/, (file) => { file.loads.push({torque: 1}); }],
-    ['format', /must be "stickslip-grasp\/3", as the file has bodies/, (file) => { file.format = 'stickslip-grasp/2'; }],
-  ]) {
-    const file = hand();
-    change(file);
-    const answer = check(JSON.stringify(file), stated);
-    assert.deepStrictEqual([answer.answer, answer.file, answer.place], ['malformed', 'grasp', place]);
-    assert.match(answer.found, found);
-  }
 });
 
 test('a plain script: in a browser it needs TextDecoder, and leaves one global', () => {

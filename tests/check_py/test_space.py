@@ -648,20 +648,6 @@ class TwinTest(Case):
 
 
 class ConeTest(unittest.TestCase):
-    def test_of_slips(self):
-        """Against pairs of generators, on all sets of up to four directions of a grid."""
-        for normal in ((0, 0, 1), (1, 2, -2), (0, 3, 0)):
-            basis = [naive_space.cross(normal, e) for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
-            basis = [b for b in basis if any(b)][:2]
-            grid = [tuple(i * a + j * b for a, b in zip(*basis))
-                    for i, j in itertools.product((-1, 0, 1), repeat=2)]
-            for count in range(4):
-                for chosen in itertools.combinations(grid, count):
-                    cone = check.SlipCone(chosen, Fraction(0))
-                    for s in grid:
-                        self.assertEqual(cone.contains(s), naive_space.in_cone(s, chosen),
-                                         (normal, chosen, s))
-
     def test_in_seven_coordinates(self):
         """Regions by brute force, with slips that are 0."""
         rng = random.Random(12)

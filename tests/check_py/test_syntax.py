@@ -3,10 +3,12 @@
 
 import json
 import os
+import re
 import tempfile
 import unittest
 
-from support import FIG1, PROGRAMS, UP, UP_TREE, Case, certificate, start, up
+from support import (CHECK_NODE, FIG1, HERE, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_NODE, UP, UP_TREE, Case, certificate, in_batch, start,
+                     up)
 
 
 class MalformedTest(Case):
@@ -186,6 +188,10 @@ class MalformedTest(Case):
         self.bad("tree[0]", text.replace('"HERE"', "0,0"))
 
 
+# The library says of six numbers in version 1 where the third coordinate would be.
+LIKE_IN_SPACE = '{"format": "stickslip-grasp/1", "contacts": [], "wrench": [0, 0, 0, 0, 0, 0]}'
+
+
 class GraspFileTest(Case):
     """§1 and docs/grasp_file.md."""
 
@@ -204,6 +210,20 @@ class GraspFileTest(Case):
         self.accepts(self.file(name="\U0001f916" + "x" * 100_000), proof)
         self.bad("not JSON", "\ufeff\ufeff" + json.dumps(self.file()))
         self.bad("surrogate", json.dumps(self.file(name="\udc80")))
+
+    def test_places_are_those_of_the_library(self):
+        """Or the value around them, or one inside."""
+        with open(os.path.join(HERE, "..", "corpus", "grasps", "refused.txt"), encoding="utf-8") as file:
+            lines = [line.split(" |") for line in file if not line.startswith("#")]
+        lines = [(text, place.strip()) for text, place, *_ in lines if place != " top level" and not text.startswith(LIKE_IN_SPACE)]
+        self.assertGreater(len(lines), 100)
+        proof = certificate(0, [0, 0, 0], tree=[])
+        for text, place in lines:
+            reports = [self.run_both(text, proof)[1]]
+            reports += [in_batch(program, text, proof, ()) for program in ([STICKSLIP_CHECK], [STICKSLIP_NODE, CHECK_NODE]) if program[0]]
+            for report in reports:  # of one checker with a line, or the file
+                found = re.fullmatch(r"(?:line \d+, |grasp: )?([^,]+)(, vertex)?", report["path"])[1]
+                self.assertTrue(found.startswith(place) or place.startswith(found), (text, place, report))
 
     def wrench(self, text):
         """What the checker takes a number of the file for, or None if it is malformed."""
@@ -329,7 +349,9 @@ class SpoofTest(Case):
     def test_texts_of_grasps(self):
         evil = self.EVIL
         for content in ({**FIG1, evil: 1}, {**FIG1, "format": evil}, {**FIG1, "wrench": [evil, 0, 0]},
-                        {**FIG1, "defaults": {evil: 1}}, {**FIG1, "contacts": [{evil: 1}]}):
+                        {**FIG1, "defaults": {evil: 1}}, {**FIG1, "contacts": [{evil: 1}]},
+                        {"format": "stickslip-grasp/3", "bodies": [{"name": evil, "slide": [0, 1]}], "contacts": []},
+                        {"format": "stickslip-grasp/3", "bodies": [{"name": "a"}], "joints": [{"turns": {evil: 1}}], "contacts": []}):
             code, _, _, _ = self.run_both(content, up(), *UP)
             self.assertEqual(code, 2)
         self.accepts({**FIG1, "name": evil}, up(), *UP)

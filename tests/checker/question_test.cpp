@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rows of FORMAT.md §1, and where a grasp file is malformed. What is asked, and what
-// cannot be, is for tests/rules and tests/check_py.
+// The rows of FORMAT.md §1. What is asked, and what cannot be, is for tests/rules and
+// tests/check_py.
 #include "question.hpp"
 
 #include <gtest/gtest.h>
@@ -9,17 +9,6 @@
 
 namespace stickslip_check {
 namespace {
-
-TEST(Question, ErrorsNameFileAndPlace) {
-  try {
-    read(replaced(fig1("1", "0, 0, 0"), R"("normal": [0, 1])", R"("normal": [0, true])"));
-    FAIL();
-  } catch (const Malformed& error) {
-    EXPECT_EQ(error.file, "grasp");
-    EXPECT_EQ(error.place, "line 5, contacts[1].normal[1]");
-    EXPECT_NE(error.problem.find("found true, expected a number"), std::string::npos);
-  }
-}
 
 TEST(Question, RowsOfAnyLength) {
   const Contact contact{{2, 5}, {3, 4}, Rational(1, 2), 7, 10};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Grasps of several bodies (FORMAT.md §14): rows against velocities that are found another way,
-// and trees against the naive twin. What files may say, and answers in closed form, are for
+// and leaves against equilibria. What files may say, and answers in closed form, are for
 // tests/rules.
 #include "bodies.hpp"
 
@@ -10,7 +10,7 @@
 #include <map>
 
 #include "leaf.hpp"
-#include "naive.hpp"
+#include "question.hpp"
 #include "support.hpp"
 
 namespace stickslip_check {
@@ -76,7 +76,7 @@ TEST(Bodies, OptionsReachTheElementsTheyAreAbout) {
   EXPECT_EQ(at(2, Parameter::kStiffness), "0");
 }
 
-// ---- rows, and trees, against velocities
+// ---- rows, and leaves, against velocities
 
 /// A mechanism that knows how each point moves, without any matrix.
 struct Velocities {
@@ -159,6 +159,16 @@ Vector small(Random& random, std::size_t size, bool nonzero = false) {
   for (std::size_t k = 0; k < size; ++k) v.emplace_back(between(random, -2, 2));
   return nonzero && v == Vector(size) ? small(random, size, true) : v;
 }
+
+/// FORMAT.md §1; of what does not slip, the tangent is 0.
+struct NaiveRow {
+  Vector normal;
+  Vector tangent;
+  Rational friction;
+  Vector v;  ///< while it is made, the stiffness and the preload
+  bool slips = true;
+  bool spring = false;
+};
 
 /// A random grasp as a text, and what follows from velocities.
 struct Mechanical {
@@ -384,32 +394,6 @@ TEST(Bodies, RowsAreTheWorkOfForcesOnMotions) {
     }
   }
   EXPECT_GT(slipping, 300U);
-}
-
-TEST(Bodies, TreesAgreeWithTheNaiveTwin) {
-  Random random(828);
-  std::size_t accepted = 0;
-  std::size_t rejected = 0;
-  for (int trial = 0; trial < rounds(400); ++trial) {
-    const Mechanical grasp = random_grasp(random, false, 2, 2);
-    Options options;
-    options.bilateral = trial % 4 == 0;
-    Range range{0, 0};
-    const Vector zero(grasp.wrench.size());
-    if (trial % 2 == 1 && grasp.wrench != zero) {
-      options.wrench = zero;
-      options.direction = grasp.wrench;
-      range = {Rational(between(random, 0, 2)), std::nullopt, true, true};
-      if (between(random, 0, 1) == 0) range.high = range.low + 1;
-    }
-    Question question = pose(read(grasp.text), options, "grasp");
-    const NaiveQuestion q(question, range, grasp.rows);
-    const RandomTree tree(random, q);
-    accepted += tree.accepted;
-    rejected += tree.rejected;
-  }
-  EXPECT_GT(accepted, rounds(500U));
-  EXPECT_GT(rejected, rounds(500U));
 }
 
 /// Vectors of friction at a contact with such a normal force, times its length, that the laws

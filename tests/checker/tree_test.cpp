@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The walk against its naive twin, and what doubles settle against exact signs.
+// What doubles settle against exact signs, and what is rounded. That trees are judged rightly
+// is for tests/rules and the twins of tests/check_py.
 #include "tree.hpp"
 
 #include <gtest/gtest.h>
@@ -7,21 +8,35 @@
 #include <cstdlib>
 
 #include "leaf.hpp"
-#include "naive.hpp"
+#include "question.hpp"
 #include "support.hpp"
 
 namespace stickslip_check {
 namespace {
 
-NaiveQuestion random_question(Random& random, int max_contacts) {
+constexpr std::size_t kN = kPlanar + 2;
+
+/// A small random contact: degenerate cases are frequent.
+Contact random_contact(Random& random) {
+  Contact contact;
+  contact.position = {Rational(between(random, -2, 2)), Rational(between(random, -2, 2))};
+  constexpr int kNormals[][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {3, 4}, {-4, 3}, {2, 0}};
+  const int* n = kNormals[between(random, 0, 6)];
+  contact.normal = {Rational(n[0]), Rational(n[1])};
+  contact.friction = Rational(between(random, 0, 3), 2);
+  contact.stiffness = between(random, 1, 2);
+  contact.preload = between(random, 0, 2);
+  return contact;
+}
+
+Question random_question(Random& random, int max_contacts) {
   Grasp grasp{{}, Wrench(3)};
   Options options;
   const int m = between(random, 0, max_contacts);
   for (int i = 0; i < m; ++i) grasp.contacts.push_back(random_contact(random));
   for (Bounds& c : grasp.wrench) c = between(random, -3, 3);
-  options.bilateral = between(random, 0, 3) == 0;
-  if (between(random, 0, 1) == 0) return NaiveQuestion(pose(grasp, options, ""));
-  // A family, with ends where a bound is often exactly 0.
+  if (between(random, 0, 1) == 0) return pose(grasp, options, "");
+  // A family.
   options.wrench.emplace();
   for (const Bounds& c : grasp.wrench) options.wrench->push_back(c.low);
   options.direction = Vector{1, between(random, -2, 2), between(random, -2, 2)};
@@ -32,24 +47,13 @@ NaiveQuestion random_question(Random& random, int max_contacts) {
       options.preload_direction->values.emplace_back(between(random, 0, 2));
     }
   }
-  Range range{Rational(between(random, 0, 3)) / 2, std::nullopt, between(random, 0, 1) == 0,
-              between(random, 0, 1) == 0};
-  if (between(random, 0, 2) > 0) range.high = range.low + Rational(between(random, 1, 4)) / 2;
-  return NaiveQuestion(pose(grasp, options, ""), range);
+  return pose(grasp, options, "");
 }
 
-TEST(Tree, AgreesWithTheNaiveTwin) {
-  Random random(4711);
-  std::size_t accepted = 0;
-  std::size_t rejected = 0;
-  for (int trial = 0; trial < rounds(800); ++trial) {
-    const NaiveQuestion q = random_question(random, 4);
-    const RandomTree tree(random, q);
-    accepted += tree.accepted;
-    rejected += tree.rejected;
-  }
-  EXPECT_GT(accepted, rounds(500U));
-  EXPECT_GT(rejected, rounds(500U));
+Vector random_twist(Random& random) {
+  Vector y;
+  for (std::size_t j = 0; j < kPlanar; ++j) y.emplace_back(between(random, -2, 2));
+  return between(random, 0, 4) == 0 ? Vector(kPlanar) : y;
 }
 
 // What a region inherits is what a look at all contacts gives, and what doubles prove is so.
@@ -60,8 +64,8 @@ TEST(Tree, WhatIsSettledIsInherited) {
   std::size_t holding = 0;
   std::size_t proved = 0;
   for (int trial = 0; trial < 1500; ++trial) {
-    const NaiveQuestion q = random_question(random, 6);
-    const Box& box = *q.question.box;
+    const Question question = random_question(random, 6);
+    const Box& box = *question.box;
     const auto doubles = make_doubles(box);
     ASSERT_NE(doubles, nullptr);
     const Settled nothing(box, doubles);
@@ -88,7 +92,7 @@ TEST(Tree, WhatIsSettledIsInherited) {
       }
       ASSERT_EQ(both, directly.unsettled()) << "trial " << trial;
       for (int leaves = 0; leaves < 3; ++leaves) {
-        const Vector y = random_leaf(random, kPlanar).numbers;
+        const Vector y = random_twist(random);
         const bool holds = !leaf_refusal(box, region, y);
         holding += holds ? 1 : 0;
         for (const Settled& settled : {inherited, directly}) {
@@ -97,20 +101,18 @@ TEST(Tree, WhatIsSettledIsInherited) {
           EXPECT_TRUE(holds || !is_proved) << "trial " << trial;
         }
       }
-      Vector a;
-      for (std::size_t j = 0; j < kN; ++j) a.emplace_back(between(random, -1, 1));
-      if (q.size() > 0) {
-        const std::size_t i =
-            static_cast<std::size_t>(between(random, 0, static_cast<int>(q.size()) - 1));
+      Form a(kN);
+      for (Integer& c : a) c = between(random, -1, 1);
+      if (box.size() > 0) {
+        const Row& row = box.row(
+            static_cast<std::size_t>(between(random, 0, static_cast<int>(box.size()) - 1)));
         const int which = between(random, 0, 4);
-        if (which < 2) a = q.tau(i);
-        if (which >= 2 && which < 4) a = q.v(i);
+        if (which < 2) a = row.tau[0];
+        if (which >= 2 && which < 4) a = row.v[0];
       }
-      if (between(random, 0, 2) == 0) {
-        for (Rational& c : a) c = -c;
-      }
+      if (between(random, 0, 2) == 0) a = negative(a);
       if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
-      cone = cone.cut(make_form(a));
+      cone = cone.cut(a);
     }
   }
   EXPECT_GT(settled_above, visited / 16);
@@ -241,10 +243,15 @@ TEST(Tree, RoundingUpDecidesNothing) {
   for (const int much : {0, 1}) {
     Rational push = k;
     if (much == 0) push -= Rational(1, Integer(1) << 400U);
-    const NaiveQuestion q(pose({{contact}, {0, Rational(-push), 0}}, {}, ""));
-    TreeWalk walk = walk_of(q);
-    EXPECT_EQ(rule_of(walk, {NodeKind::kPlane, 0, {0, -1, 0, -1, 0}}), "");
-    EXPECT_EQ(rule_of(walk, {NodeKind::kLeaf, 0, {0, -1, 0}}), much == 0 ? "" : "leaf-bound");
+    const Question question = pose({{contact}, {0, Rational(-push), 0}}, {}, "");
+    TreeWalk walk(roots_of(question, {{0, 0}}));
+    walk.visit({NodeKind::kPlane, 0, {0, -1, 0, -1, 0}});
+    const Node leaf{NodeKind::kLeaf, 0, {0, -1, 0}};
+    if (much == 0) {
+      EXPECT_NO_THROW(walk.visit(leaf));
+    } else {
+      EXPECT_THROW(walk.visit(leaf), Rejected);
+    }
   }
 }
 

@@ -4,14 +4,13 @@ stickslip-check and stickslip-proved, and where STICKSLIP_NODE names node page/c
 
 import json
 import os
-import random
 import resource
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from support import (CHECK, FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_PROVED, UP, UP_TREE, Case,
+from support import (CHECK, FIG1, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_PROVED, UP, UP_TREE, Case,
                      certificate, check, grasp, in_process, start, up)
 
 
@@ -282,47 +281,6 @@ class CommandLineTest(Case):
         self.assertEqual((code, out), (2, ""))
         self.assertIn("internal error", err)
 
-
-class ExchangeTest(Case):
-    """Certificates of other questions and grasps."""
-
-    def corpus(self):
-        folder = os.path.join(HERE, "..", "corpus", "certificates")
-        for name in sorted(os.listdir(folder)):
-            if name.endswith(".grasp.json"):
-                texts = []
-                for kind in (name, name.replace(".grasp.", ".certificate.")):
-                    with open(os.path.join(folder, kind), encoding="utf-8") as file:
-                        texts.append(file.read())
-                question = json.loads(texts[1])["question"]
-                options = ["--normal-law", question["normal_law"]]
-                for key in ("direction", "preload_direction"):
-                    if key in question:
-                        value = question[key]
-                        value = value if value == "scale" else ",".join(map(str, value))
-                        options += ["--" + key.replace("_", "-"), value]
-                if "direction" in question:
-                    options += ["--wrench", ",".join(map(str, question["wrench"]))]
-                yield texts, options
-
-    def test_corpus(self):
-        """Each certificate of tests/corpus/certificates for its own grasp, and for others."""
-        cases = list(self.corpus())
-        self.assertGreater(len(cases), 40)
-        for (file, proof), options in cases:
-            self.accepts(file, proof, *options)
-        rng, foreign = random.Random(1), 0
-        while foreign < 150:
-            (file, own), options = rng.choice(cases)
-            (_, proof), _ = rng.choice(cases)
-            if own == proof:
-                continue
-            foreign += 1
-            code, report, _, _ = self.run_both(file, proof, *options)
-            if code == 0:  # then it proves what the own one does
-                _, right, _, _ = self.run_both(file, own, *options)
-                self.assertEqual([report[key] for key in ("verdict", "resisted", "question")],
-                                 [right[key] for key in ("verdict", "resisted", "question")])
 
 if __name__ == "__main__":
     unittest.main()

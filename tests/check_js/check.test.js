@@ -10,7 +10,7 @@ const {test} = require('node:test');
 const ROOT = path.join(__dirname, '..', '..');
 const SCRIPT = path.join(ROOT, 'page', 'web', 'check.js');
 const {check, for_tests} = require(SCRIPT);
-const {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, Contact, pressures, plane_bound, Loads} = for_tests;
+const {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, Contact, pressures, plane_bound} = for_tests;
 
 /** Whole numbers from low to high, the same in every run. */
 class Random {
@@ -20,7 +20,6 @@ class Random {
     return this.state >> 32n;
   }
   from(low, high) { return low + Number(this.bits() % BigInt(high - low + 1)); }
-  pick(list) { return list[this.from(0, list.length - 1)]; }
   long(words) {
     let n = 0n;
     for (let k = 0; k < words; ++k) n = (n << 32n) | this.bits();
@@ -149,54 +148,6 @@ test('the bound of a contact is not below what it bounds, anywhere in its box, a
     }
   }
   assert.ok(tight > 200, `${tight}`);
-});
-
-test('no load of a ball does more work than its bound, and the largest does as much', () => {
-  const random = new Random(7), sum = (list) => list.reduce((a, b) => a.plus(b), fraction(0));
-  const dot_of = (a, b) => sum(a.map((x, j) => x.times(b[j])));
-  const cross = (a, b) => [0, 1, 2].map((j) => a[(j + 1) % 3].times(b[(j + 2) % 3]).minus(a[(j + 2) % 3].times(b[(j + 1) % 3])));
-  // How the point c moves, and the turn.
-  const moved_by = (y, c) => (c.length === 2 ? [y[0].minus(y[2].times(c[1])), y[1].plus(y[2].times(c[0])), y[2]]
-    : [...cross(y.slice(3), c).map((x, j) => x.plus(y[j])), ...y.slice(3)]);
-  // A rational point of length 1, by the stereographic projection.
-  const on_sphere = (size) => {
-    const p = Array.from({length: size - 1}, () => fraction(random.from(-9, 9), random.from(1, 5))), square = dot_of(p, p);
-    const all = square.plus(fraction(1));
-    return [...p.map((x) => x.times(fraction(2)).over(all)), fraction(1).minus(square).over(all)];
-  };
-  const seen = {inside: 0, root: 0, corner: 0};
-  for (let k = 0; k < 300; ++k) {
-    const n = 2 + k % 2, size = 3 * (n - 1), some = (low, high, d) => fraction(random.from(low, high), random.from(1, d));
-    const radius = some(1, 9, 4), length = some(1, 9, 4), about = Array.from({length: n}, () => some(-6, 6, 2));
-    const w = Array.from({length: size}, () => some(-5, 5, 2)), y = Array.from({length: size}, () => some(-5, 5, 3));
-    let loads = Loads.inBall({radius, length, about, body: null}, w.map((x) => [x, x]), new Map());
-    for (let l = random.from(0, 4); l > 0; --l) {
-      const j = random.from(0, size - 1), [low, high] = loads.ranges[j];
-      const cut = low.plus(high.minus(low).times(fraction(random.from(1, 7), 8))), half = random.pick([[low, cut], [cut, high]]);
-      loads = loads.withRanges(loads.ranges.map((range, i) => (i === j ? half : range)));
-    }
-    const moved = moved_by(y, about), radii = moved.map((_, j) => (j < n ? radius : radius.times(length)));
-    const bound = loads.most(y).minus(dot_of(w, y));
-    for (let l = 0; l < 20; ++l) {
-      const share = random.pick([fraction(1), fraction(1, 2)]), z = on_sphere(size).map((x, j) => x.times(share).times(radii[j]));
-      if (!z.every((x, j) => x.compare(loads.ranges[j][0]) >= 0 && x.compare(loads.ranges[j][1]) <= 0)) continue;
-      assert.ok(dot_of(z, moved).compare(bound) <= 0);
-      ++seen.inside;
-    }
-    const reach = moved.map((x, j) => x.times(radii[j])), square = dot_of(reach, reach);
-    const most = sum(moved.map((x, j) => loads.ranges[j].map((end) => end.times(x)).reduce((a, b) => (a.compare(b) > 0 ? a : b))));
-    // A root of 64 bits is nearer than that.
-    const near = fraction(1).plus(Fraction.of(1n, 1n << 60n));
-    if (bound.equals(most)) {
-      assert.ok(most.sign() <= 0 || most.times(most).compare(square.times(near)) <= 0);
-      ++seen.corner;
-    } else {
-      assert.ok(bound.sign() >= 0 && bound.compare(most) < 0);
-      assert.ok(bound.times(bound).compare(square) >= 0 && bound.times(bound).compare(square.times(near)) <= 0);
-      ++seen.root;
-    }
-  }
-  assert.ok(seen.inside > 500 && seen.root > 50 && seen.corner > 50, JSON.stringify(seen));
 });
 
 // ---- Certificates

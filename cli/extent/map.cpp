@@ -105,7 +105,8 @@ void add_map_command(CLI::App& app, int& exit_code) {
       "wrench), direction (of its force, in degrees from the x axis), or a wrench WX,WY,T\n"
       "(a multiple of it, which is added).\n",
       kExitCodes,
-      "stickslip map fig1.json --preload 1 --x friction=0:2 --y load=0:2 --svg map.svg"));
+      "stickslip map fig1.json --preload 1 --x friction=0:2 --y load=0:2 --depth 4 --svg "
+      "map.svg"));
   command->callback([arguments, &exit_code] { exit_code = map(*arguments); });
 }
 

@@ -329,7 +329,8 @@ void add_preload_command(CLI::App& app, int& exit_code) {
       "the answer says which multiples hold. The more contacts, the farther the bound.\n",
       kExitCodesWithLimit + ";\n20 if no preloads up to a limit hold",
       "stickslip preload fig1.json --wrench 0,1/2,0 --hold\n"
-      "  $ stickslip preload fig1.json --wrench 0,1/2,0 --hold --uncertain wrench=ball:1/8\n"
+      "  $ stickslip preload fig1.json --wrench 0,1/2,0 --hold --uncertain wrench=ball:1/8 "
+      "--accuracy 10%\n"
       "  $ stickslip preload fig1.json --wrench 0,1/2,0 --budget 3 --length 2"));
   command->callback([arguments, &exit_code] {
     if (!arguments->hold && arguments->budget.empty()) {

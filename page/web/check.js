@@ -2690,8 +2690,7 @@ function check(grasp, certificate, options = {}) {
 
 scope.StickslipCheck = {check};
 if (typeof module !== 'undefined') {
-  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, slip_metric, Contact, pressures,
-    plane_bound, Loads}};
+  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, Contact, pressures, plane_bound}};
 }
 
 })(typeof globalThis !== 'undefined' ? globalThis : this);

@@ -3,8 +3,8 @@
 # The tests under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions and validation
 # on.
 #   scripts/sanitize.sh         without the tests that take longest; CI runs this
-#   scripts/sanitize.sh --all   all of them; then the share of the lines of core, lp, equilibrium,
-#                               motion, planar and the checker that they ran
+#   scripts/sanitize.sh --all   all of them; then the share of the lines of core, lp, the engine and
+#                               the checker that they ran
 # Line by line: build-asan/coverage/index.html.
 set -euo pipefail
 STICKSLIP_BUILD_DIR=${STICKSLIP_BUILD_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build-asan}
@@ -37,7 +37,7 @@ step "Writing $build/coverage/index.html" coverage_html \
   gcovr --root "$root" --add-tracefile "$lines" --html-details "$build/coverage/index.html"
 # Not --output /dev/null: gcovr 5.2 removes the file that it is to write.
 printf '\nLines run by these tests:\n'
-for module in core lp equilibrium motion planar certificate/checker; do
+for module in core lp equilibrium motion planar search degree margin box certificate/checker; do
   printf '  %-20s %s\n' "$module" "$(gcovr --root "$root" --add-tracefile "$lines" \
     --filter "$root/$module/" --print-summary --output "$build/coverage/summary.txt" | sed -n 's/^lines: //p')"
 done

@@ -176,8 +176,7 @@ class RelaxedRegion {
 }  // namespace
 
 bool is_linear(const Law& law) {
-  return law.is_point() && !law.is_family &&
-         std::all_of(law.contacts.begin(), law.contacts.end(),
+  return std::all_of(law.contacts.begin(), law.contacts.end(),
                      [](const LawContact& c) { return c.slip_dimension() == 1; });
 }
 

@@ -12,8 +12,8 @@
 
 namespace stickslip::box_detail {
 
-/// Whether decide_exactly() can be asked of regions of this law: it is of one grasp, no length
-/// is irrational, and friction is along a line.
+/// Whether decide_exactly() can be asked of regions of this law, which is of one grasp without
+/// irrational lengths: friction is along a line.
 bool is_linear(const Law& law);
 
 /// A leaf that refutes the region, the contact to split, or an equilibrium in it. As contacts

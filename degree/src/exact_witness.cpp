@@ -24,20 +24,13 @@ Rational near(double x, double size, int bits) {
 /// A basis of the motions with no slip at these contacts, by columns.
 RationalMatrix motions_without_slip(const GraspLaw& model,
                                     const std::vector<std::size_t>& sticking) {
-  std::size_t rows = 0;
-  for (const std::size_t i : sticking) rows += model.contacts[i].slip_numbers();
-  RationalMatrix slips(static_cast<Eigen::Index>(rows),
-                       static_cast<Eigen::Index>(model.motions));
-  Eigen::Index next = 0;
+  std::vector<RationalRow> slips;
   for (const std::size_t i : sticking) {
     for (const Row& row : model.contacts[i].corners.front().slip) {
-      for (std::size_t j = 0; j < model.motions; ++j) {
-        slips(next, static_cast<Eigen::Index>(j)) = Rational(row[j]);
-      }
-      ++next;
+      slips.emplace_back(row.begin(), row.end());
     }
   }
-  return null_space(slips);
+  return null_space(matrix_of(slips, model.motions));
 }
 
 RationalVector as_rationals(const RationalRow& a) {
@@ -109,7 +102,6 @@ class RoundedFaces {
       }
       for (const std::size_t i : others) slips[i] = 0;
     }
-    std::sort(sticking.begin(), sticking.end());
   }
 
  private:

@@ -67,19 +67,35 @@ TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
 }
 
 // Two pads press with 1, and each carries half of the load by friction of at least 2/5: at rest
-// for all frictions up to 4/5. The load is a tenth less at its other end, so that in the middle
-// of the box there is friction to spare either way.
+// for all frictions up to 4/5. The load is a tenth less at its other end, where friction is
+// stated: at either end of the load, or of the multiples of a margin.
 TEST(AtRest, IsProvedUpToWhereTheLeastFrictionEnds) {
+  constexpr NormalLaw kLaw = NormalLaw::kUnilateral;
+  const Rational part(1, 10);
   for (const auto& [load, is_proved] :
        {std::pair{Rational(79, 100), true}, {Rational(81, 100), false}}) {
-    const GraspBox box = two_pads(point_interval(1), {{}, {-load, Rational(1, 10) - load}, {}});
-    box.check();
-    const GraspLaw law(box, NormalLaw::kUnilateral);
-    const RoundedBox rounded(law);
+    const auto pads = [](const Rational& least, const Rational& most) {
+      return two_pads(point_interval(1), {{}, {-most, -least}, {}});
+    };
+    const GraspLaw gentle(pads(load - part, load - part), kLaw);
+    const RoundedBox rounded(gentle);
     const std::vector<NearEquilibrium> found =
         Newton(rounded.at(rounded.middle())).solve_from(3);
     ASSERT_FALSE(found.empty());
-    EXPECT_EQ(prove_at_rest(law, found.front()).has_value(), is_proved) << load;
+    const auto margin = [&](const GraspBox& at_0, int growth, const MultipleRange& range) {
+      return GraspLaw(at_0, kLaw, kDefaultBits, GrowthRates{{0, growth, 0}, {}}).within(range);
+    };
+    for (const GraspLaw& law :
+         {GraspLaw(pads(load - part, load), kLaw), margin(pads(0, 0), -1, {load - part, load}),
+          margin(pads(load, load), 1, {0, part})}) {
+      EXPECT_EQ(prove_at_rest(law, found.front()).has_value(), is_proved) << load;
+    }
+    // Friction answers no torque where the pads may be anywhere.
+    for (const Rational& most : {Rational(load - part), Rational(load)}) {
+      GraspBox wide = pads(load - part, most);
+      for (UncertainContact& c : wide.contacts) c.position[0] = {-9, 9};
+      EXPECT_FALSE(prove_at_rest(GraspLaw(wide, kLaw), found.front()));
+    }
   }
 }
 

@@ -115,6 +115,17 @@ class ClosedForms(SpaceClass):
         irrational = [((x, y, -x), (1, 0, 1)) for x in (-1, 1) for y in (-1, 1)]
         self.assertEqual(self.answer(irrational, (-F(1, 2), F(1, 10), -F(3, 5), 0, 0, 0), F(1, 2)), "must hold")
 
+    def test_forces_that_only_the_laws_of_contacts_exclude(self):
+        """They would accelerate: with the slip, where contacts part, and of one contact by the slip of another."""
+        parting = [((1, -1, 0), (1, 0, 1)), ((0, 0, 0), (0, 0, 1))]
+        self.assertEqual(self.answer(parting, (-F(3, 4), -F(1, 4), -F(1, 2), F(1, 2), F(1, 2), -1), 1), "must hold")
+        for y, side, load, friction in ((1, 1, (-F(9, 8), 0, -F(1, 4), -F(1, 4), 0, F(9, 8)), F(1, 4)),
+                                        (0, -1, (F(1, 8), 0, -F(1, 8), 0, F(1, 4), 0), 1)):
+            line = [((x, y, 1 - y), (side, 0, 0)) for x in (1, 0)]
+            self.assertEqual(self.answer(line, load, friction, (0, 0, 1, 1, 1, 1)), "open")
+        twice = [((x, y, -x), (s, 0, s)) for x in (-1, 1) for y in (-1, 1) for s in (1, 3)]  # of irrational lengths
+        self.assertEqual(self.answer(twice, (-F(1, 2), F(1, 10), -F(3, 5), 0, 0, 0), F(1, 2)), "must hold")
+
 
 class Plane(SpaceClass):
     def test_the_plane_put_into_space(self):

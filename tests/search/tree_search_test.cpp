@@ -237,6 +237,22 @@ TEST(TreeSearch, AHullOfLoadsIsRefutedAsAWhole) {
   }
 }
 
+// Two corners, the first without the second function and the other without the first; and a
+// direction without the first.
+TEST(LoadHull, BarsWhereAFunctionIsZeroOnAllThatCount) {
+  const LoadHull corners{{{{1, 0}, {1, 0}}, {{1, 1}, {0, 1}}}, {}};
+  LoadHull hull = corners;
+  hull.directions = {{{0, -1}, {0, 1}}};
+  for (const auto& [y, with_corners, bars] : {std::tuple{Row{1, 0}, true, false},
+                                              {Row{1, 0}, false, true},
+                                              {Row{1, 1}, true, true},
+                                              {Row{1, 1}, false, true}}) {
+    EXPECT_EQ(hull.bars(y, with_corners), bars) << y[1];
+    EXPECT_EQ(corners.bars(y, with_corners), bars) << y[1];
+  }
+  EXPECT_TRUE(corners.bars({1, -1}, true));  // the second is 0 at the one that does the most
+}
+
 /// No load is 0 where a strict function is, and only what is exact knows.
 TEST(TreeSearch, AsksWhatIsExactBesideAnEquilibrium) {
   const Law spring = line_of({{1, 0, 0}}, 0);

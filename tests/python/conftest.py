@@ -8,7 +8,6 @@ import json
 import os
 import signal
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -16,8 +15,6 @@ import stickslip
 
 ROOT = Path(__file__).resolve().parents[2]
 GOOD = ROOT / "tests" / "corpus" / "grasps" / "good"
-BAD = ROOT / "tests" / "corpus" / "grasps" / "bad"
-CHECK_PY = ROOT / "certificate" / "check.py"
 
 # A shell starts with SIGINT ignored what is to run in the background, and so would all that tests start.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -36,14 +33,3 @@ def program(*words):
                             capture_output=True, text=True, check=False, timeout=300)
     assert result.stderr == ""
     return json.loads(result.stdout)
-
-
-def check_py(tmp_path, grasp, certificate, *options):
-    """Whether the checker in Python accepts."""
-    (tmp_path / "grasp.json").write_text(grasp.to_text())
-    (tmp_path / "certificate.json").write_text(certificate)
-    result = subprocess.run(
-        [sys.executable, "-B", CHECK_PY, tmp_path / "grasp.json", tmp_path / "certificate.json",
-         *options], capture_output=True, text=True, check=False, timeout=300)
-    assert result.returncode in (0, 1), result.stderr
-    return result.returncode == 0

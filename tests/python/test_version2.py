@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from conftest import GOOD, program
-from stickslip import Grasp, InputError, check, decide, margin, plot_region, region
+from conftest import GOOD
+from stickslip import Grasp, InputError, check, decide, margin
 
 # By hand, from tests/corpus/grasps/good/cases.json.
 CASES = {"at rest": (0, -10, -20), "pushed": ("3/2", -10, "-49/2"), "lifted": (0, 1, -19)}
@@ -55,16 +55,6 @@ def test_decide_needs_one_of_them(shelf):
         assert answer.wrench == shelf.cases[name]
         assert check(shelf, answer.certificate, wrench=shelf.cases[name])
     assert margin(shelf, (1, 0, 0)).wrench == (0, 0, 0)
-
-
-def test_a_region_needs_none_of_them(shelf):
-    found = region(shelf, torque=-20, certificate=True)
-    (outline,) = program("region", GOOD / "cases.json", "--torque", "-20")["areas"][0]["outlines"]
-    assert [[str(c) for c in corner] for corner in found.areas[0][0].vertices] == outline["vertices"]
-    plain = region(of_cases({}), torque=-20, certificate=True)
-    assert (found.areas, found.certificate) == (plain.areas, plain.certificate)
-    assert found.check()
-    assert found.plot() == plot_region(shelf, torque=-20) == plot_region(of_cases({}), torque=-20)
 
 
 @pytest.mark.parametrize("cases, message", [

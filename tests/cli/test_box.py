@@ -7,7 +7,7 @@ import unittest
 from fractions import Fraction
 
 from test_cli import (BAD_INPUT, CORPUS, DONE, FIG1, STABLE, UNDECIDED, UNSTABLE,
-                      Case, checkers, read, run, stickslip)
+                      Case, read, stickslip)
 
 FRAGILE = 30
 QUICK = ("--node-limit", "1")
@@ -46,9 +46,7 @@ class AtRest(Case):
         proof = self.path("proof.json")
         answer = json.loads(stickslip("decide", file, *words, "--json", "--certificate", proof)[1])
         self.assertEqual(answer["verdict"], "stable")
-        for checker in checkers(proof):
-            code, out, err = run(*checker, file, proof, *words)
-            self.assertEqual(code, DONE, out + err)
+        self.accepted(file, proof, *words, verdict="stable")
         return answer["proof"]
 
     def test_needs_no_tree(self):
@@ -186,11 +184,6 @@ class Asking(Case):
 class Answers(Case):
     """What the engine answers; each proof is judged by both checkers."""
 
-    def judged(self, grasp, proof, *words):
-        for checker in checkers(proof):
-            code, out, err = run(*checker, grasp, proof, *words)
-            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-
     def answer(self, verdict, grasp, *words, box=True):
         """Asks twice, and lets both checkers judge the proof."""
         proof = self.path("proof.json")
@@ -199,7 +192,7 @@ class Answers(Case):
         self.assertEqual((answer["verdict"], answer.get("box")), (verdict, True if box else None))
         self.assertEqual(set(answer) & {"proof", "refutation"},
                          {"proof" if verdict == "stable" else "refutation"})
-        self.judged(grasp, proof, *words)
+        self.accepted(grasp, proof, *words)
         os.remove(proof)
         return answer
 
@@ -235,7 +228,7 @@ class Answers(Case):
             self.assertTrue(Fraction(2, 5) <= friction <= Fraction(3, 5))
             self.assertEqual(friction > Fraction(1, 2), verdict == "unstable")
             self.assertEqual(json.loads(read(example))["name"], "more friction breaks it")
-            self.judged(example, os.path.join(folder, f"{verdict}.certificate.json"))
+            self.accepted(example, os.path.join(folder, f"{verdict}.certificate.json"))
             given = answer["examples"][verdict]["contacts"][2]["friction"]
             self.assertEqual(Fraction(given), friction)
         # All frictions at once: less of the others breaks it as well.

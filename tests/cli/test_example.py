@@ -6,7 +6,7 @@ import os
 import re
 import unittest
 
-from test_cli import DONE, HERE, Case, checkers, read, run, stickslip
+from test_cli import DONE, HERE, Case, read, stickslip
 
 ROOT = os.path.join(HERE, "..", "..")
 FOLDERS = [os.path.join(ROOT, "examples", "grasps"), os.path.join(ROOT, "paper_examples", "grasps")]
@@ -33,8 +33,7 @@ class Examples(Case):
                 continue
             code, _, err = stickslip("decide", grasp, "--certificate", proof)
             self.assertEqual((code, err), (DONE, ""), name)
-            for checker in checkers(proof):
-                self.assertEqual(run(*checker, grasp, proof)[0], DONE, name)
+            self.accepted(grasp, proof)
 
     def test_more_friction_breaks_it(self):
         grasp = json.loads(stickslip("example", "more-friction-breaks")[1])

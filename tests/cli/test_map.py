@@ -59,10 +59,7 @@ class Map(Case):
             for contact, interval in ((2, cells[k][0]), (0, cells[k][1])):
                 self.assertEqual((Fraction(friction[contact]["min"]),
                                   Fraction(friction[contact]["max"])), interval)
-            for checker in checkers(os.path.join(folder, f"cell{k}.certificate.json")):
-                code, out, err = run(*checker, grasp, os.path.join(folder, f"cell{k}.certificate.json"))
-                self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-                self.assertRegex(out, rf"verdict +{cells[k][2]}\b")
+            self.accepted(grasp, os.path.join(folder, f"cell{k}.certificate.json"), verdict=rf"{cells[k][2]}\b")
         drawn = [(r.get("data-x"), r.get("data-y"), r.get("data-verdict"))
                  for r in ET.fromstring(read(svg)).iter("{http://www.w3.org/2000/svg}rect")
                  if r.get("data-verdict")]
@@ -79,12 +76,9 @@ class Map(Case):
                 if verdict == "undecided":
                     continue
                 files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
-                for checker in checkers(files[1]):
-                    code, out, err = run(*checker, *files, *option)
-                    self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-                    self.assertRegex(out, rf"verdict +{verdict}\b")
-                    if ball:
-                        self.assertIn("question-uncertain", run(*checker, *files)[1])
+                self.accepted(*files, *option, verdict=rf"{verdict}\b")
+                for checker in checkers(files[1]) if ball else ():
+                    self.assertIn("question-uncertain", run(*checker, *files)[1])
                 self.agrees_nearby(json.loads(read(A)), x, y, verdict, ball, random.Random(k))
 
     def agrees_nearby(self, grasp, x, y, verdict, ball, source):
@@ -162,11 +156,8 @@ class Map(Case):
             self.assertIn(verdict, (expected, "undecided"))
             if verdict == "undecided":
                 continue
-            for checker in checkers(os.path.join(folder, f"cell{k}.certificate.json")):
-                files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
-                code, out, err = run(*checker, *files)
-                self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-                self.assertRegex(out, rf"verdict +{verdict}\b")
+            files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
+            self.accepted(*files, verdict=rf"{verdict}\b")
         area = sum((x[1] - x[0]) * (y[1] - y[0]) for x, y, verdict in cells if verdict != "undecided")
         self.assertGreater(area, Fraction(6, 10) * 2)
         self.fails("map", grasp, "--x", "direction=0:90", "--y", "load=0:1",
@@ -259,10 +250,7 @@ class RegionInSpace(Case):
                 if verdict == "undecided":
                     continue
                 files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
-                for checker in checkers(files[1]):
-                    code, out, err = run(*checker, *files)
-                    self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-                    self.assertRegex(out, rf"verdict +{verdict}\b")
+                self.accepted(*files, verdict=rf"{verdict}\b")
 
     def test_by_default_all_forces_within_the_preloads(self):
         answer, cells = self.region("--depth", "2")

@@ -11,7 +11,7 @@ from fractions import Fraction as F
 
 from preload_smt import fraction, least_sum
 from test_box import EXAMPLES
-from test_cli import DONE, UNSTABLE, Case, checkers, read, run, stickslip
+from test_cli import DONE, UNSTABLE, Case, read, run, stickslip
 
 Z3 = os.environ.get("Z3", "z3")
 JAW = os.path.join(EXAMPLES, "jaw.json")
@@ -71,10 +71,7 @@ class Preload(Case):
         """The grasp file, of which all checkers accept the certificate."""
         grasp = os.path.join(folder, f"{name}.json")
         proof = os.path.join(folder, f"{name}.certificate.json")
-        for checker in checkers(proof):
-            code, out, err = run(*checker, grasp, proof, *words)
-            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-            self.assertRegex(out, verdict)
+        self.accepted(grasp, proof, *words, verdict=verdict)
         return json.loads(read(grasp))
 
     def names(self, folder, kind):
@@ -85,12 +82,12 @@ class Preload(Case):
         preloads = [F(p) for p in answer["preloads"]]
         self.assertEqual(sum(preloads), F(answer["sum"]))
         for name in held:
-            grasp = self.judged(folder, name, r"verdict +stable\b", *ball)
+            grasp = self.judged(folder, name, r"stable\b", *ball)
             self.assertEqual(preloads_of(grasp), [(p, p) for p in preloads])
         multiples = answer["multiples"]
         for name in self.names(folder, "range"):
             if answer["each_for_itself"]:
-                grasp = self.judged(folder, name, r"verdict +stable\b", *ball)
+                grasp = self.judged(folder, name, r"stable\b", *ball)
                 self.assertEqual(preloads_of(grasp),
                                  [(p * F(multiples[0][0]), p * F(multiples[0][1])) for p in preloads])
             else:
@@ -103,7 +100,7 @@ class Preload(Case):
         """Of all sums below `most`, or of it; the loads that are refused."""
         names = self.names(folder, "bound")
         self.assertEqual(len(names), answer["boxes"])
-        grasps = [self.judged(folder, name, r"verdict +unstable\b") for name in names]
+        grasps = [self.judged(folder, name, r"unstable\b") for name in names]
         boxes = [preloads_of(grasp) for grasp in grasps]
         for grasp in grasps:  # alike but for preloads and loads
             self.assertEqual(without_preloads(grasp), without_preloads(grasps[0]))
@@ -294,7 +291,7 @@ class Preload(Case):
         self.assertLess(bound, F(5, 4) * F(178, 100))
         self.assertLessEqual(F(answer["sum"]), 8)
         self.checked(folder, answer, ["proved"], "--uncertain", f"wrench=ball:{proved}:length=1/1000")
-        self.judged(folder, "refuted", r"verdict +unstable\b")
+        self.judged(folder, "refuted", r"unstable\b")
         refused, contacts = self.bound_is_proved(folder, answer, F(8), True)
         self.assertEqual(contacts, without_preloads(pinch(2, "1/2", "1/2")))
         for x, y, torque in refused:  # no farther than the bound

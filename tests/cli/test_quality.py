@@ -80,13 +80,10 @@ class Quality(Case):
 
     def judge(self, folder, name, verdict, *options):
         file, proof = (os.path.join(folder, name + end) for end in (".json", ".certificate.json"))
-        for checker in checkers(proof):
-            code, out, err = run(*checker, file, proof, *options)
-            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-            self.assertRegex(out, rf"verdict +{verdict}\b")
-            if options:  # a larger ball is another question
-                code, out, err = run(*checker, file, proof, *(word.replace("ball:", "ball:1") for word in options))
-                self.assertNotEqual(code, DONE, out + err)
+        self.accepted(file, proof, *options, verdict=rf"{verdict}\b")
+        for checker in checkers(proof) if options else ():  # a larger ball is another question
+            code, out, err = run(*checker, file, proof, *(word.replace("ball:", "ball:1") for word in options))
+            self.assertNotEqual(code, DONE, out + err)
 
     def assert_quality(self, file, square, *words, most=F(102, 100)):
         """The square of the quality is between those of the two radii, which are near each other."""
@@ -153,9 +150,7 @@ class Quality(Case):
         file, proof = self.write("hand.json", hand()), os.path.join(folder, "hand.certificate.json")
         ball = ("--uncertain", "wrench=ball:1/20:length=1:body=disc")
         self.assertEqual(self.json("decide", file, *ball, "--certificate", proof)["verdict"], "stable")
-        for checker in checkers(proof):
-            code, out, err = run(*checker, file, proof, *ball)
-            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+        self.accepted(file, proof, *ball)
 
     def test_loads_of_a_proved_ball_are_resisted(self):
         rng = random.Random(7)

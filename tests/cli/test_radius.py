@@ -7,7 +7,7 @@ import unittest
 from fractions import Fraction
 
 from test_box import A, EXAMPLES, between, with_friction
-from test_cli import BAD_INPUT, DONE, FIG1, Case, checkers, read, run, stickslip
+from test_cli import BAD_INPUT, DONE, FIG1, Case, read, stickslip
 
 QUICK = ("--uncertain", "friction=10%", "--accuracy", "10%")
 C = os.path.join(EXAMPLES, "more-friction-breaks-no-preload.json")
@@ -24,10 +24,7 @@ class Radius(Case):
     def judged(self, folder, name, verdict):
         """The grasp file, of which both checkers accept the certificate."""
         grasp = os.path.join(folder, f"{name}.json")
-        for checker in checkers(os.path.join(folder, f"{name}.certificate.json")):
-            code, out, err = run(*checker, grasp, os.path.join(folder, f"{name}.certificate.json"))
-            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
-            self.assertRegex(out, rf"verdict +{verdict}\b")
+        self.accepted(grasp, os.path.join(folder, f"{name}.certificate.json"), verdict=rf"{verdict}\b")
         return json.loads(read(grasp))
 
     def radius(self, grasp, *words):

@@ -6,7 +6,6 @@ import unittest
 from fractions import Fraction as F
 
 from test_bodies import Bodies, contact, force, grasp, text, weight
-from test_cli import checkers, run
 
 
 def torque(body, about):
@@ -81,8 +80,7 @@ class ClosedForms(Bodies):
         self.assertEqual(F(low), 0)
         self.assertTrue(199 < 4 * F(high) ** 2 < 200, high)  # w^2 (1 + (arm / e)^2) <= (2 mu P)^2
         self.assertGreater(4 * F(answer["refuted"][0][0]) ** 2, 200)
-        for checker in checkers(proof):
-            self.assertEqual(run(*checker, file, proof, *words)[0], 0)
+        self.accepted(file, proof, *words)
 
 
 if __name__ == "__main__":

@@ -235,23 +235,6 @@ class Asked(SpaceClass):
             "contacts": [{"position": [0, 0, 0], "normal": [0, 0, 1]}]})
         self.fails("compare", uncertain, "--methods", METHODS, naming=["u.json"])
 
-    def test_batch_says_the_same_of_both_dimensions(self):
-        lines = [{"format": "stickslip-grasp/2", "defaults": {"friction": "1/2"}, "wrench": [0, 0, -1, 0, 0, 0],
-                  "contacts": [{"position": p, "normal": n} for p, n in FLOOR]},
-                 {"format": "stickslip-grasp/1", "defaults": {"friction": "1/2"}, "wrench": [0, -1, 0],
-                  "contacts": [{"position": [x, -1], "normal": [0, 1]} for x in (-1, 1)]}]
-        path = self.path("lines.jsonl")
-        with open(path, "w", encoding="utf-8") as file:
-            file.writelines(json.dumps(line) + "\n" for line in lines)
-        code, out, err = stickslip("batch", path, "--class", "--certificates", self.path("proofs"))
-        self.assertEqual((code, err), (DONE, ""))
-        results = [json.loads(line) for line in out.splitlines()]
-        self.assertEqual([result["class"] for result in results], ["must hold"] * 2)
-        for line, result, inertia in zip(lines, results, ("0,0,0,1,1,1", "0,0,1")):
-            grasp = self.write("g.json", line)
-            for checker in ((CHECK,), (sys.executable, "-B", CHECK_PY)):
-                self.assertEqual(run(*checker, grasp, result["certificate"], "--inertia", inertia)[0], 0)
-
 
 if __name__ == "__main__":
     unittest.main()

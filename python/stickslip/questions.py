@@ -304,8 +304,10 @@ def best_preload(
         as_count("boxes", boxes),
         as_count("node_limit", node_limit))
     law = result["normal_law"]
-    result["proofs"] = {name: Proof(texts[0], texts[1], law, texts[2])
-                        for name, texts in result["proofs"].items()}
+    rates = None if result["each_for_itself"] else result["preloads"]
+    result["proofs"] = {
+        name: Proof(texts[0], texts[1], law, texts[2], rates if name.startswith("range") else None)
+        for name, texts in result["proofs"].items()}
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return BestPreload(grasp=about_grasp, **result)
 

@@ -9,7 +9,7 @@ import unittest
 from fractions import Fraction as F
 
 from test_cli import CHECK, CHECK_PY, DONE, run, stickslip
-from test_space import EXAMPLES, Space, contact, force_at, grasp
+from test_space import EXAMPLES, Space, contact, grasp
 
 PART = F(1, 1000)  # that may stay undecided at an end: the default of --accuracy
 

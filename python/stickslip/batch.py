@@ -402,11 +402,12 @@ class Batch:
     def _write_ready(self) -> None:
         while self._next_to_write in self._ready:
             chunk, decided = self._ready.pop(self._next_to_write)
-            self._output.write(decided.results)
+            with self._interruption:  # which says how many are written
+                self._output.write(decided.results)
+                self.tally.add(decided.tally)
             self._next_to_write += 1
             self._bytes_held -= len(decided.results)
             self._bytes_written = chunk.end
-            self.tally.add(decided.tally)
 
     def interruption_text(self) -> str:
         if self._given.output == "-":

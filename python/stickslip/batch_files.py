@@ -87,18 +87,18 @@ class Output:
             raise cannot_write(self.name, error) from None
 
     def write(self, text: bytes) -> None:
-        with self._interruption:
-            before = os.fstat(self._file).st_size
-            rest = memoryview(text)
-            try:
-                while rest:
-                    rest = rest[os.write(self._file, rest):]
-            except BrokenPipeError:  # as of `| head`, which has what it wants
-                self._interruption.number = signal.SIGPIPE
-            except OSError as error:
-                if self._regular:
-                    os.ftruncate(self._file, before + text.rfind(b"\n", 0, len(text) - len(rest)) + 1)
-                raise cannot_write(self.name, error) from None
+        """Within the interruption, with what counts the results."""
+        before = os.fstat(self._file).st_size
+        rest = memoryview(text)
+        try:
+            while rest:
+                rest = rest[os.write(self._file, rest):]
+        except BrokenPipeError:  # as of `| head`, which has what it wants
+            self._interruption.number = signal.SIGPIPE
+        except OSError as error:
+            if self._regular:
+                os.ftruncate(self._file, before + text.rfind(b"\n", 0, len(text) - len(rest)) + 1)
+            raise cannot_write(self.name, error) from None
 
 
 class Cutter:

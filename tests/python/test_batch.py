@@ -17,6 +17,7 @@ import signal
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -319,6 +320,28 @@ def started(*words, **more):
         return out.exists() and out.read_bytes().count(b"\n") >= 20
     wait_until(has_lines)
     return process
+
+
+def test_what_is_written_as_a_signal_comes_is_counted(tmp_path):
+    from stickslip.batch import Batch, Interrupted, Interruption, Output
+    handlers = {number: signal.getsignal(number) for number in Interruption.SIGNALS}
+    batch, counted = object.__new__(Batch), []
+    try:
+        batch._interruption = Interruption()
+        output = Output(str(tmp_path / "out.jsonl"), batch._interruption)
+
+        def write(text):
+            output.write(text)
+            signal.raise_signal(signal.SIGINT)
+
+        batch._output, batch.tally = SimpleNamespace(write=write), SimpleNamespace(add=counted.append)
+        batch._ready, batch._next_to_write = {0: (None, SimpleNamespace(results=b"{}\n", tally=1))}, 0
+        with pytest.raises(Interrupted):
+            batch._write_ready()
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+    assert (tmp_path / "out.jsonl").read_bytes() == b"{}\n" and counted == [1]
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])

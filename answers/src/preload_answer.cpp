@@ -33,8 +33,10 @@ void add_range(NamedFiles& files, NormalLaw law, const PreloadRange& range) {
           return margin_certificate_text(question, known, kPreloadProducer);
         },
         margin);
-    files.emplace_back("range" + std::to_string(k),
-                       ProvedFiles{write_grasp(box_of(question.grasp)), certificate});
+    files.emplace_back(
+        "range" + std::to_string(k),
+        ProvedFiles{
+            write_grasp(box_of(question.grasp)), certificate, {}, question.preload_direction});
   }
   add_boxes(files, "range", law, range.boxes);
 }

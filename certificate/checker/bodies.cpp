@@ -77,9 +77,7 @@ Vector at_point(const Vector& p, const Vector& f) {
 Vector combined(const Matrix& rows, const Vector& factors) {
   Vector result(rows[0].size());
   spend(kStepsOfRational * factors.size() * result.size());
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    for (std::size_t j = 0; j < result.size(); ++j) result[j] += factors[k] * rows[k][j];
-  }
+  for (std::size_t k = 0; k < factors.size(); ++k) add(result, factors[k], rows[k]);
   return result;
 }
 

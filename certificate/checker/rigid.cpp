@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t kStepsOfContact = 20;
 
 Vector plus(Vector a, const Rational& factor, const Vector& b) {
-  for (std::size_t j = 0; j < a.size(); ++j) a[j] += factor * b[j];
+  add(a, factor, b);
   return a;
 }
 

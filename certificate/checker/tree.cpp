@@ -184,9 +184,7 @@ void TreeWalk::check_leaf(Region region, const Vector& y) {
   const std::vector<Vector>& direction = roots_[trees_ - 1].direction;
   if (direction.empty()) return;
   Vector pull(y.size() + 2);
-  for (std::size_t j = 0; j < y.size(); ++j) {
-    for (std::size_t k = 0; k < pull.size(); ++k) pull[k] += y[j] * direction[j][k];
-  }
+  for (std::size_t j = 0; j < y.size(); ++j) add(pull, y[j], direction[j]);
   if (side(generators, {make_form(pull)}) <= 0) {
     throw rejection("leaf-direction", "y.A(d - h d0) is below 0 somewhere");
   }

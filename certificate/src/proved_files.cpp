@@ -36,7 +36,7 @@ ProvedFiles proved_grasp(const GraspBox& point, NormalLaw law, bool stable,
   const Question question = about(point, law);
   const Verdict verdict = decide(problem_of(question)).verdict;
   require_verdict(stable, name_of(verdict));
-  return {write_grasp(point), certificate_text(question, verdict, producer)};
+  return {write_grasp(point), certificate_text(question, verdict, producer), {}, {}};
 }
 
 ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& decision,
@@ -47,7 +47,8 @@ ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& de
   }
   return {write_grasp(box),
           certificate_text(about(box, law), decision.verdict, producer, decision.bits),
-          box.ball ? "wrench=" + to_string(*box.ball) : ""};
+          box.ball ? "wrench=" + to_string(*box.ball) : "",
+          {}};
 }
 
 std::vector<ProvedFiles> proved_decision(const GraspBox& box, NormalLaw law,

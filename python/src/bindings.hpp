@@ -155,9 +155,12 @@ auto without_gil(Work work) {
   }
 }
 
-/// A grasp file, of a box one with intervals, and its certificate.
+/// A grasp file, of a box one with intervals, its certificate, and what a checker needs beside.
 inline pybind11::tuple files(const ProvedFiles& proved) {
-  return pybind11::make_tuple(proved.grasp, proved.certificate, proved.uncertain);
+  const auto& direction = proved.preload_direction;
+  return pybind11::make_tuple(
+      proved.grasp, proved.certificate, proved.uncertain,
+      direction ? preload_direction_of(*direction) : pybind11::object(pybind11::none()));
 }
 
 /// Of a verdict about a box: the proof, or two examples, or neither.

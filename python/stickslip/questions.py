@@ -304,10 +304,7 @@ def best_preload(
         as_count("boxes", boxes),
         as_count("node_limit", node_limit))
     law = result["normal_law"]
-    rates = None if result["each_for_itself"] else result["preloads"]
-    result["proofs"] = {
-        name: Proof(texts[0], texts[1], law, texts[2], rates if name.startswith("range") else None)
-        for name, texts in result["proofs"].items()}
+    result["proofs"] = {name: _proof(files, law) for name, files in result["proofs"].items()}
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return BestPreload(grasp=about_grasp, **result)
 
@@ -347,8 +344,8 @@ def stability_map(
     law = result["normal_law"]
     result["cells"] = tuple(
         MapCell(along_x, along_y, verdict,
-                None if texts is None else Proof(texts[0], texts[1], law, texts[2]))
-        for along_x, along_y, verdict, texts in result["cells"])
+                None if files is None else _proof(files, law))
+        for along_x, along_y, verdict, files in result["cells"])
     result["picture"] = Picture(result["picture"])
     return StabilityMap(grasp=about, x=str(x), y=str(y), uncertain=tolerances, **result)
 
@@ -812,17 +809,19 @@ def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
     return Grasp._of(data.with_friction(as_number(friction, "friction")), grasp._loaded)
 
 
-def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
-    """The texts of proofs, or pairs of these, become proofs."""
-    def proof(texts: Tuple[str, str, str]) -> Proof:
-        grasp, certificate, uncertain = texts
-        return Proof(grasp, certificate, fields["normal_law"], uncertain)
+def _proof(files: Tuple[Any, ...], law: str) -> Proof:
+    grasp, certificate, *needed = files
+    return Proof(grasp, certificate, law, *needed)
 
+
+def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
+    """The files of proofs, or pairs of these, become proofs."""
+    law = fields["normal_law"]
     for name in names:
         if name in fields:
             value = fields[name]
-            fields[name] = (proof(value) if isinstance(value[0], str)
-                            else tuple(proof(texts) for texts in value))
+            fields[name] = (_proof(value, law) if isinstance(value[0], str)
+                            else tuple(_proof(files, law) for files in value))
     return fields
 
 

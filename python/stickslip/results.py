@@ -128,16 +128,17 @@ class Proof(NamedTuple):
     normal_law: str
     uncertain: str = ""
     """What a checker needs beside the file: of a ball of loads its option ``--uncertain``."""
-    preload_direction: Optional[Tuple[Fraction, ...]] = None
-    """Likewise, of multiples of preloads: the preloads."""
+    preload_direction: Union[str, Tuple[Fraction, ...], None] = None
+    """Likewise, of multiples of preloads: as of ``check``."""
 
     def check(self) -> CheckResult:
         """What the independent checker says of the two."""
+        along = self.preload_direction
         return CheckResult(**_core.check(
             self.grasp.encode(), self.certificate.encode(), None, None,
             self.normal_law == "bilateral", None,
-            None if self.preload_direction is None else list(self.preload_direction), None, None,
-            self.uncertain, b"<grasp>", b"<certificate>"))
+            list(along) if isinstance(along, tuple) else along, None, None, self.uncertain,
+            b"<grasp>", b"<certificate>"))
 
     def __repr__(self) -> str:
         return f"Proof({len(self.certificate)} characters)"

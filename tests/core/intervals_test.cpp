@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
+#include "error_of.hpp"
 #include "random_numbers.hpp"
-#include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
 
 namespace stickslip {
@@ -23,12 +23,7 @@ GraspFile read_uncertain(const std::string& name) {
 
 /// How a reader that takes no intervals refuses the text.
 InputError refusal_of(const std::string& text) {
-  try {
-    parse_grasp(text, "f");
-  } catch (const InputError& error) {
-    return error;
-  }
-  return InputError("", "", "no error", "");
+  return test::error_of([&] { parse_grasp(text, "f"); });
 }
 
 /// A file with this contact and wrench.

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stickslip/core/error.hpp"
+#include "error_of.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -79,12 +79,7 @@ TEST(BoxQuestion, PreloadsAlongIrrationalNormals) {
 TEST(BoxQuestion, MarginsNeedNumbers) {
   const auto error_of = [](const GraspFile& file, QuestionOptions options) {
     options.direction = RationalRow{0, 1, 0};
-    try {
-      ask(file, options);
-    } catch (const InputError& error) {
-      return error;
-    }
-    return InputError("", "", "no error", "");
+    return test::error_of([&] { ask(file, options); });
   };
   EXPECT_EQ(error_of(certain(), {}).problem(), "no error");
   for (const auto& [file, tolerances] :

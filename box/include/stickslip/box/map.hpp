@@ -36,8 +36,8 @@ struct MapAxis {
 
 /// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360" or, for a multiple of a
 /// wrench that is added, "0,1,0=-1:1", for this one grasp; directions are of a force in the
-/// plane. Throws InputError with the place `place` for what is
-/// no axis, or leaves the grasps that there are.
+/// plane. Throws InputError with this place for what is no axis, or leaves the grasps that
+/// there are.
 MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& place);
 
 /// A cell of a map: a rectangle of the plane of its axes.

@@ -18,6 +18,7 @@ struct ProvedFiles {
   std::string grasp;        ///< a grasp file, of a box one with intervals
   std::string certificate;  ///< of its verdict
   std::string uncertain{};  ///< what --uncertain is for a checker, of a ball of loads
+  std::optional<PreloadDirection> preload_direction{};  ///< likewise, of a margin
 };
 
 /// Of one grasp, decided here once more. `producer` is a remark without meaning. Requires that

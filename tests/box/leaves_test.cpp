@@ -7,6 +7,7 @@
 
 #include "both_checkers.hpp"
 #include "random_grasps.hpp"
+#include "rounds.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/search/grasp_law.hpp"
 #include "stickslip/search/motion_region.hpp"
@@ -193,11 +194,11 @@ TEST(Leaves, HoldWhereTheCheckerSaysSo) {
         Kind{"slips", true, false, false, false, false, false, true},
         Kind{"soft slips", true, true, false, false, false, false, true}}) {
     Counts counts;
-    const int rounds = kind.along_slips ? 600 : 200;
+    const int rounds = test::rounds(kind.along_slips ? 600 : 200);
     for (int round = 0; round < rounds; ++round) expect_alike(random, kind, counts);
     std::cout << kind.name << ": " << counts.held << " thresholds, " << counts.lost
               << " below the checker's\n";
-    EXPECT_GE(counts.held, 30) << kind.name;
+    EXPECT_GE(counts.held, test::rounds(30)) << kind.name;
     EXPECT_EQ(kind.close ? 0 : counts.lost, 0) << kind.name;
   }
 }

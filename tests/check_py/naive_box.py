@@ -14,14 +14,15 @@ NAMES = ("x", "y", "turn", "friction", "preload", "stiffness")
 
 
 def inverse_length(square, bits):
-    """An enclosure of 1/sqrt(square), found by trying all s and halving."""
+    """An enclosure of 1/sqrt(square), found by trying one s after the other and halving."""
     root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
     if root * root == square:
         return 1 / root, 1 / root
-    s = -400
-    unit = Fraction(2) ** -s
+    unit = Fraction(1, 2 ** bits)
+    while (unit * 2 ** bits) ** 2 * square <= 1:
+        unit *= 2
     while (unit * 2 ** (bits - 1)) ** 2 * square > 1:
-        s, unit = s + 1, unit / 2
+        unit /= 2
     low, high = 2 ** (bits - 1), 2 ** bits
     while high - low > 1:
         middle = (low + high) // 2

@@ -4,6 +4,7 @@ all corners, cones by pairs of generators, roots by halving.
 """
 
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations, product
 from math import isqrt
 
@@ -205,6 +206,7 @@ class Region:
                 or any(all(not any(s) for r in rays for s in self.contacts[i].slips(r))
                        for i in self.slips))
 
+    @lru_cache(maxsize=None)
     def moves(self, i):
         if i in self.slips:
             return True

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "examples.hpp"
+#include "in_parallel.hpp"
 #include "one_grasp.hpp"
 #include "preload_boxes.hpp"
 #include "preload_patterns.hpp"
@@ -260,7 +259,7 @@ class BallSearch {
       count += boxes.size();
       std::vector<RationalRow> middles(boxes.size());
       RationalRow at_middles(boxes.size());
-      oneapi::tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t k) {
+      box_detail::in_parallel(boxes.size(), [&](std::size_t k) {
         look(boxes[k].first, boxes[k].second, middles[k], at_middles[k]);
       });
       for (std::size_t k = 0; k < boxes.size(); ++k) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
 
 #include "examples.hpp"
+#include "in_parallel.hpp"
 #include "one_grasp.hpp"
 #include "preload_boxes.hpp"
 #include "preload_patterns.hpp"
@@ -262,8 +261,7 @@ class LeastSearch {
       }
       count += boxes.size();
       std::vector<Looked> looked(boxes.size());
-      oneapi::tbb::parallel_for(std::size_t{0}, boxes.size(),
-                                [&](std::size_t k) { looked[k] = look(boxes[k]); });
+      box_detail::in_parallel(boxes.size(), [&](std::size_t k) { looked[k] = look(boxes[k]); });
       for (std::size_t k = 0; k < boxes.size(); ++k) {
         if (looked[k].refused) {
           result_.refused.push_back(std::move(*looked[k].refused));

@@ -2,12 +2,12 @@
 #include "stickslip/box/map.hpp"
 
 #include <mpfr.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "in_parallel.hpp"
 #include "one_grasp.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
@@ -214,7 +214,7 @@ class Quadtree {
     }
     if (depth < options_.depth) decide(middles);
     std::vector<std::optional<BoxDecision>> decisions(cells.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, agree.size(), [&](std::size_t k) {
+    box_detail::in_parallel(agree.size(), [&](std::size_t k) {
       const OpenCell& cell = cells[agree[k]];
       const auto middle = points_.find(middles[k]);
       if (middle != points_.end() && middle->second != points_.at(corners[4 * agree[k]]))
@@ -234,7 +234,7 @@ class Quadtree {
       const auto [entry, is_new] = points_.try_emplace(point);
       if (is_new) added.push_back(&*entry);
     }
-    oneapi::tbb::parallel_for(std::size_t{0}, added.size(), [&](std::size_t k) {
+    box_detail::in_parallel(added.size(), [&](std::size_t k) {
       const auto& [x, y] = added[k]->first;
       added[k]->second = is_stable_at(x, y);
     });

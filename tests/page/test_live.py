@@ -14,7 +14,7 @@ from browser import FIG1, STICKSLIP, STICKSLIP_CHECK, Keys, PageTest, cube, deci
 class Live(PageTest):
     def serve(self, grasp):
         # Nothing here looks at maps, which take seconds; they are given up.
-        server = subprocess.Popen([STICKSLIP, "serve", grasp, "--time-limit", "2"], stdout=subprocess.PIPE, text=True)
+        server = subprocess.Popen([STICKSLIP, "serve", grasp, "--time-limit", "1"], stdout=subprocess.PIPE, text=True)
         self.addCleanup(server.stdout.close)
         self.addCleanup(server.wait)
         self.addCleanup(server.terminate)

@@ -208,13 +208,16 @@ class RulesTest(unittest.TestCase):
             lines = self.check_py[entry[:2]][1].split("\n")
             self.assertEqual([line for line in entry.prints if line not in lines], [], (entry.name, lines))
 
-    def same_of_several(self, answers_to, says=None):
-        """What is true of one body is answered alike where it is one of several, and where links and joints move it."""
+    def same_of_several(self, answers_to, says=None, half=False):
+        """What is true of one body is answered alike where it is one of several, and where links and joints move it. Half: either is
+        asked of every other entry."""
         pairs = [(entry, as_several(entry)) for entry in self.entries
                  if entry.kind in ("plane", "plane_box", "space", "space_box", "space_margin")]
         pairs = [(entry, other) for entry, several in pairs if several is not None
                  for other in (several, on_joints(several)) if other is not None]
         self.assertGreater(len(pairs), 1000)
+        if half:
+            pairs = [pair for k, pair in enumerate(pairs) if k % 4 in (0, 3)]
         for (entry, other), report in zip(pairs, answers_to([other for _, other in pairs])):
             expected = self.check_py[entry[:2]][0]
             if report["question"] is not None and ball_of(report) is not None:
@@ -227,7 +230,7 @@ class RulesTest(unittest.TestCase):
     def test_check_py_on_several(self):
         with tempfile.TemporaryDirectory() as folder:
             asker = batch.Asker(folder)
-            self.same_of_several(lambda entries: [asker.answer(question_of(entry)) for entry in entries])
+            self.same_of_several(lambda entries: [asker.answer(question_of(entry)) for entry in entries], half=True)
 
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js_on_several(self):

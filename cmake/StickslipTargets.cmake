@@ -23,8 +23,7 @@ function(stickslip_library module)
   target_link_libraries(stickslip_${module}
     PUBLIC ${ARG_PUBLIC_LIBS} PRIVATE ${ARG_PRIVATE_LIBS})
   target_compile_features(stickslip_${module} PUBLIC cxx_std_17)
-  # The Python module is a shared library that takes it in; always, so that what scripts/demo.sh
-  # has compiled serves scripts/test.sh.
+  # The Python module is a shared library that takes it in; always, so that all builds are alike.
   set_target_properties(stickslip_${module} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   if(STICKSLIP_VALIDATE)
     target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)

@@ -59,6 +59,11 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
     parts_.emplace_back(std::move(*rest));
     return true;
   }
+  if (auto sticking = prove_sticking(box, near)) {
+    if (parts_.empty()) motion_ = sticking->motion;
+    parts_.emplace_back(std::move(*sticking));
+    return true;
+  }
   auto proof = prove_by_degree(box, middle, near,
                                {limits_.wall_limit, last_node_, limits_.is_wide}, work_);
   if (!proof) {

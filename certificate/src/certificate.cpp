@@ -191,16 +191,24 @@ std::string witness_text(const ShareWitness& witness) {
   return text + "]";
 }
 
-std::string rest_text(const RestProof& proof) {
-  std::string text = "{\"rest\": [";
+using Friction = std::vector<std::pair<ContactId, RationalRow>>;
+
+/// The member `name`, a list of friction forces.
+std::string friction_text(const char* name, const Friction& friction) {
+  std::string text = std::string("\"") + name + "\": [";
   std::string separator;
-  for (const auto& [contact, force] : proof.friction) {
+  for (const auto& [contact, force] : friction) {
     text += separator + "[" + std::to_string(contact.index()) + "," + force_text(force) + "]";
     separator = ",";
   }
-  text += "],\n \"answers\": [";
-  separator.clear();
-  for (const RestProof::Answer& answer : proof.answers) {
+  return text + "]";
+}
+
+/// The member `answers`.
+std::string answers_text(const std::vector<RestProof::Answer>& answers) {
+  std::string text = "\"answers\": [";
+  std::string separator;
+  for (const RestProof::Answer& answer : answers) {
     text += separator + "[" + std::to_string(answer.contact.index());
     std::string opening = ",[";
     for (const RationalRow& force : answer.forces) {
@@ -210,11 +218,29 @@ std::string rest_text(const RestProof& proof) {
     text += "]]";
     separator = ",\n  ";
   }
-  return text + "],\n \"reach\": [" + list(proof.reach) + "]}";
+  return text + "]";
+}
+
+std::string rest_text(const RestProof& proof) {
+  return "{" + friction_text("rest", proof.friction) + ",\n " + answers_text(proof.answers) +
+         ",\n \"reach\": [" + list(proof.reach) + "]}";
+}
+
+std::string sticking_text(const StickingProof& proof) {
+  std::string presses;
+  for (const StickingProof::Press& press : proof.presses) {
+    presses += (presses.empty() ? "[" : ",\n  [") + std::to_string(press.contact.index()) + ",[" +
+               list(press.forces) + "]]";
+  }
+  return "{\"sticking\": [" + list(proof.motion) + "],\n " +
+         friction_text("friction", proof.friction) + ",\n \"presses\": [" + presses +
+         "],\n " + answers_text(proof.answers) + ",\n \"reach\": [" + list(proof.reach) +
+         "],\n \"energy\": " + number(proof.energy) + "}";
 }
 
 struct PartText {
   std::string operator()(const RestProof& proof) const { return rest_text(proof); }
+  std::string operator()(const StickingProof& proof) const { return sticking_text(proof); }
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
   std::string operator()(const DegreeProof& proof) const { return degree_text(proof); }
 };

@@ -4,54 +4,15 @@
 #include <utility>
 #include <vector>
 
+#include "answering_forces.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/motion/dense.hpp"
 
 namespace stickslip {
+
+using namespace degree_detail;
+
 namespace {
-
-using Intervals = std::vector<Interval>;
-using Rows = std::vector<RationalRow>;
-
-/// P' at this multiple, over the box.
-Interval preload_at(const LawContact& c, const Rational& multiple) {
-  return {c.preload.low + multiple * c.rate.low, c.preload.high + multiple * c.rate.high};
-}
-
-/// Adds the ends of the wrenches of these forces a N and F over the corners.
-void add_wrenches(Intervals& sum, const LawContact& c, const RationalRow& friction,
-                  const std::vector<Rational>& normal) {
-  std::optional<Intervals> ends;
-  for (const CornerRow& corner : c.corners) {
-    const RationalRow across = corner.wrench_of(friction);
-    for (const Rational& a : normal) {
-      RationalRow wrench = across;
-      for (std::size_t k = 0; k < wrench.size(); ++k) wrench[k] += a * corner.normal[k];
-      if (!ends) {
-        ends.emplace();
-        for (const Rational& entry : wrench) ends->push_back(point_interval(entry));
-      }
-      for (std::size_t k = 0; k < wrench.size(); ++k) {
-        (*ends)[k].low = std::min((*ends)[k].low, wrench[k]);
-        (*ends)[k].high = std::max((*ends)[k].high, wrench[k]);
-      }
-    }
-  }
-  for (std::size_t k = 0; k < sum.size(); ++k) {
-    sum[k].low += (*ends)[k].low;
-    sum[k].high += (*ends)[k].high;
-  }
-}
-
-Rational largest(const Interval& interval) {
-  return std::max<Rational>(-interval.low, interval.high);
-}
-
-/// The least number of the format that is surely not below |f|, and not above.
-Rational length_above(const LawContact& contact, const RationalRow& f) {
-  constexpr unsigned kBits = 64;
-  return short_sqrt(contact.squared_force(f), kBits).upper;
-}
 
 class RestSearch {
  public:
@@ -176,15 +137,7 @@ class RestSearch {
   /// max |W|, and max |M - 1| by rows.
   void measure(Rows& off, RationalRow& rest) const {
     for (const Rational& multiple : multiples_) {
-      Intervals sum;
-      for (std::size_t k = 0; k < rest.size(); ++k) {
-        Row along(rest.size());
-        along[k] = 1;
-        const Rational most = box_.most_load_work(along);
-        const Rational least = -box_.most_load_work(negated(along));
-        const Rational grown = multiple * box_.growth[k];
-        sum.push_back({least + grown, most + grown});
-      }
+      WrenchRange sum = loads_at(box_, multiple);
       auto next = proof_.friction.begin();
       for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
         const LawContact& c = box_.contacts[i];
@@ -195,7 +148,7 @@ class RestSearch {
       for (std::size_t k = 0; k < sum.size(); ++k) rest[k] = std::max(rest[k], largest(sum[k]));
     }
     for (std::size_t l = 0; l < rest.size(); ++l) {
-      Intervals column(rest.size());
+      WrenchRange column(rest.size());
       column[l] = point_interval(-1);
       for (const RestProof::Answer& answer : proof_.answers) {
         add_wrenches(column, box_.contacts[answer.contact.index()], answer.forces[l], {0});

@@ -203,25 +203,16 @@ void GraspLaw::add_corners(LawContact& contact) const {
   place.centre = row_at(middle, normal_at(middle));
 }
 
-/// In space a corner's moment arm, |p x n| / |n|, is as large as distances that matter; in the
-/// plane a coordinate is.
+/// The largest coordinate of a position is a typical distance. (The moment arms of normals are
+/// none: those of fingers around the origin vanish, and friction turns the body all the same.)
 void GraspLaw::complete() {
-  const auto place_dimension = [](const LawContact& c) { return c.place->normal.size(); };
   double farthest = 0;
   for (const LawContact& c : contacts) {
     if (!c.place) continue;
-    if (!in_space_ || !one_body_) {
-      for (std::size_t j = 0; j < place_dimension(c); ++j) {
-        for (const Rational& end : ends_of(c.place->geometry[j])) {
-          farthest = std::max(farthest, std::fabs(to_double(end)));
-        }
+    for (std::size_t j = 0; j < c.place->normal.size(); ++j) {
+      for (const Rational& end : ends_of(c.place->geometry[j])) {
+        farthest = std::max(farthest, std::fabs(to_double(end)));
       }
-      continue;
-    }
-    for (const CornerRow& row : c.corners) {  // (of a turned n hardly another)
-      double arm = 0;
-      for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
-      farthest = std::max(farthest, arm / std::sqrt(to_double(c.squared_length)));
     }
   }
   Law::complete(farthest);

@@ -33,4 +33,9 @@ std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& w
 /// answers whatever load is left. Verified exactly by the rules of the format. O(contacts).
 std::optional<RestProof> prove_at_rest(const GraspLaw& box, const NearEquilibrium& middle);
 
+/// A proof near an equilibrium of the middle at which all contacts that press and rub stick,
+/// though it may move: contacts press a little more or less, and friction answers the rest.
+/// Verified exactly by the rules of the format. O(contacts).
+std::optional<StickingProof> prove_sticking(const GraspLaw& box, const NearEquilibrium& middle);
+
 }  // namespace stickslip

@@ -73,8 +73,25 @@ struct RestProof {
   RationalRow reach;                                        ///< >= 0
 };
 
+/// There is an equilibrium near a motion d0 at which contacts stick: f0, with answers of
+/// friction and of normal forces, balances every grasp of the box, and friction has more to
+/// spare than what is off takes away (certificate/FORMAT.md, section 6, "Stable: sticking").
+struct StickingProof {
+  /// H of a contact: how much more it presses for a unit of each component of a wrench.
+  struct Press {
+    ContactId contact;   ///< that presses
+    RationalRow forces;  ///< by component
+  };
+  RationalRow motion;                                       ///< d0
+  std::vector<std::pair<ContactId, RationalRow>> friction;  ///< f0 by contact, increasing
+  std::vector<Press> presses;                               ///< by contact, increasing
+  std::vector<RestProof::Answer> answers;                   ///< by contact, increasing
+  RationalRow reach;                                        ///< > 0
+  Rational energy;                                          ///< c > 0
+};
+
 /// Cuts of a box and proofs of its parts, in preorder.
-using StabilityProof = PartsIn<DegreeProof, RestProof>;
+using StabilityProof = PartsIn<DegreeProof, RestProof, StickingProof>;
 
 /// Whether all parts are proved at rest.
 bool are_at_rest(const StabilityProof& parts);

@@ -45,12 +45,10 @@ Vector parse_wrench(const std::string& option, const std::string& text) {
 Vector parse_max_motion(const std::string& option, const std::string& text) {
   if (text == "none") return {};
   Vector values = parse_list(option, text);
-  const bool above_zero =
-      std::all_of(values.begin(), values.end(), [](const Rational& b) { return b > 0; });
-  if (!above_zero || values.size() > kMostCoordinates) {
+  if (values.size() > kMostCoordinates) {
     throw UsageError{option + ": " + quote(text) +
-                     " is not LENGTH,ANGLE, such as 1/10,2, or a number above 0 for each "
-                     "coordinate, or the word none"};
+                     " is not LENGTH,ANGLE, such as 1/10,2, or a number for each coordinate, at "
+                     "most 30, or the word none"};
   }
   return values;
 }

@@ -1015,7 +1015,7 @@ def max_motion_asked(asked: Options, grasp: Grasp) -> Optional[Vector]:
                    "to leave the bound of the grasp file out, give --max-motion none")
                if asked.plane or asked.inertia else
                f"found {show(min(bound))}, must be > 0" if min(bound) <= 0 else "")
-    if not problem and len(bound) == 2 != grasp.dimension and not grasp.joints:
+    if not problem and len(bound) == 2 and not grasp.joints:
         bound = spread(*bound, grasp.dimension, grasp.space)
     if not problem and len(bound) != grasp.dimension:
         problem = (f"found {len(bound)} numbers, must be {grasp.dimension}, one for each coordinate"

@@ -1126,7 +1126,7 @@ function ask(grasp, options) {
     const where = `${asked}: max_motion`;
     max_motion = options.max_motion === 'none' ? null : options.max_motion.map((x) => option_number(x, where));
     if (max_motion !== null && max_motion.some((b) => b.sign() <= 0)) throw new Malformed(where, 'each number must be above 0');
-    if (max_motion !== null && max_motion.length === 2 && size !== 2 && grasp.joints === 0) max_motion = spread(...max_motion, size, space);
+    if (max_motion !== null && max_motion.length === 2 && grasp.joints === 0) max_motion = spread(...max_motion, size, space);
     if (max_motion !== null && max_motion.length !== size) {
       throw new Malformed(where, `${max_motion.length} numbers, expected ${size}${grasp.joints > 0 ? '' : ', or a length and an angle'}`);
     }

@@ -2835,10 +2835,10 @@ class Cell:
         return conditions
 
 
-def inverse(matrix: Sequence[Vector]) -> List[Vector]:
-    """By columns: of (matrix, −1) the kernel is that of all (matrix⁻¹ u, u)."""
-    size = len(matrix)
-    return [z[:size] for z in kernel([row + times(Fraction(-1), unit(size, k)) for k, row in enumerate(matrix)])]
+def inverse_of(E: List[Vector]) -> List[Vector]:
+    """C by columns, of independent rows: (E; Z) C_k is 1 in row k, else 0, and of (E; Z, −1; 0) the kernel is that of all (C u, u)."""
+    count, size = len(E), len(E[0])
+    return [z[:size] for z in kernel([row + times(Fraction(-1), unit(count, k)) for k, row in enumerate(E + kernel(E))])]
 
 
 def check_bound(part: DegreeProof, bound: Vector, high: Optional[Fraction], place: str) -> None:
@@ -2846,8 +2846,7 @@ def check_bound(part: DegreeProof, bound: Vector, high: Optional[Fraction], plac
     if high is None:
         raise Rejected("degree-bound", "a proof without an end, but motions are bounded", place)
     E = part.walls[:-1] if part.simplex else part.walls
-    C = [tuple(dot(weights, column) for column in zip(*E))  # (E Eᵀ)⁻¹ is its own transpose
-         for weights in inverse([tuple(dot(a, b) for b in E) for a in E])]
+    C = inverse_of(E)
     if part.simplex:
         # e = C u with E_j·e = 1 for all rows of E but one, which the last of the simplex replaces or which is that.
         (c,), size = kernel(list(zip(*part.walls))), len(E)

@@ -46,9 +46,10 @@ Vector parse_max_motion(const std::string& option, const std::string& text) {
   if (text == "none") return {};
   Vector values = parse_list(option, text);
   if (values.size() > kMostCoordinates) {
-    throw UsageError{option + ": " + quote(text) +
-                     " is not LENGTH,ANGLE, such as 1/10,2, or a number for each coordinate, at "
-                     "most 30, or the word none"};
+    throw UsageError{
+        option + ": " + quote(text) +
+        " is not LENGTH,ANGLE, such as 1/10,2, or a number for each coordinate, at "
+        "most 30, or the word none"};
   }
   return values;
 }

@@ -139,6 +139,13 @@ void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
 
 void QuestionArguments::add_with_enclosures_to(CLI::App& command) {
   add_to(command);
+  command
+      .add_option(
+          "--max-motion", text_.max_motion,
+          "Only equilibria with motions up to this count: a length and an angle in radians, a "
+          "number for each coordinate, or as 1000x a factor of what the load would press the "
+          "softest contact; none replaces that of the file (docs/model.md)")
+      ->type_name("LENGTH,ANGLE");
   takes_boxes_ = true;
 }
 

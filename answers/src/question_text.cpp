@@ -25,6 +25,13 @@ QuestionOptions question_options(const QuestionText& text) {
       throw InputError("", "--uncertain", error.problem(), error.remedy());
     }
   }
+  if (!text.max_motion.empty()) {
+    try {
+      options.max_motion = parse_motion_bound(text.max_motion);
+    } catch (const InputError& error) {
+      throw InputError("", "--max-motion", error.problem(), error.remedy());
+    }
+  }
   options.law = text.normal_law == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/answers/verdict_answer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/planar/near_equilibria.hpp"
@@ -123,11 +125,15 @@ std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
   return decide(problem, engine, search);
 }
 
-Answer answer_to(Question question, const AnswerOptions& options) {
+namespace {
+
+Answer answer_without_second(Question question, const AnswerOptions& options,
+                             std::optional<Unstable>& within) {
   if (const GraspBox* box = question.box()) {
     SearchOptions search;
     search.node_limit = options.node_limit;
     BoxDecision decision = decide_box(*box, question.law, search);
+    within = std::move(decision.within);
     return about_box(std::move(question), std::move(decision), options);
   }
   Problem problem = problem_of(question);
@@ -147,6 +153,55 @@ Answer answer_to(Question question, const AnswerOptions& options) {
           kDefaultBits,
           std::move(problem),
           std::move(warnings)};
+}
+
+/// The motion of a grasp that holds, if one is known.
+std::optional<RationalRow> motion_of(const Stable& stable) {
+  if (const auto* witness = std::get_if<Witness>(&stable.proof)) {
+    const auto [x, y, r] = coordinates(witness->twist);
+    return RationalRow{x, y, r};
+  }
+  return stable.motion;
+}
+
+/// The bound within which the answer says less than could be said; nothing if it says all.
+std::optional<RationalRow> bound_to_ask(const Answer& answer) {
+  const Question& question = answer.question;
+  if (question.is_bounded() || std::holds_alternative<Unstable>(answer.verdict) ||
+      std::holds_alternative<Fragile>(answer.verdict)) {
+    return std::nullopt;
+  }
+  const auto bound = natural_bound(box_of(question.grasp), kFarMotion);
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
+  if (!bound || stable == nullptr) return bound;
+  const RationalRow motion = motion_of(*stable).value_or(RationalRow{});
+  for (std::size_t j = 0; j < std::min(motion.size(), bound->size()); ++j) {
+    if (abs(motion[j]) > (*bound)[j]) return bound;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Answer answer_to(Question question, const AnswerOptions& options) {
+  std::optional<Unstable> within;
+  Answer answer = answer_without_second(std::move(question), options, within);
+  const auto bound = options.within ? bound_to_ask(answer) : std::nullopt;
+  if (!bound) return answer;
+  Question bounded = answer.question;
+  GraspBox box = box_of(bounded.grasp);
+  box.max_motion = *bound;
+  bounded.grasp = std::move(box);
+  if (within) {
+    const char* engine = box_engine(bounded);
+    answer.within = std::make_shared<const Answer>(
+        Answer{std::move(bounded), std::move(*within), engine, Json::object(), answer.bits});
+    return answer;
+  }
+  AnswerOptions second = options;
+  second.warnings = false;
+  answer.within = std::make_shared<const Answer>(answer_to(std::move(bounded), second));
+  return answer;
 }
 
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
@@ -200,7 +255,12 @@ Json to_json(const Answer& answer) {
   }
   if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
   std::visit(VerdictJson{answer, json}, answer.verdict);
+  if (question.is_bounded()) json["max_motion"] = number_json(box->max_motion);
   if (answer.warnings) json["warnings"] = warnings_json(*answer.warnings);
+  if (answer.within) {
+    json["within"] = to_json(*answer.within);
+    json["within"].erase("name");
+  }
   json["stats"] = answer.stats;
   return json;
 }

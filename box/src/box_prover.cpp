@@ -15,6 +15,24 @@
 namespace stickslip {
 namespace {
 
+/// Whether a motion is within the bound, if there is one.
+bool is_within(const Law& law, const RationalRow& motion) {
+  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
+    if (abs(motion[j]) > law.max_motion[j]) return false;
+  }
+  return true;
+}
+
+/// The same of a motion in doubles, of which the last digits are wrong.
+bool may_be_within(const Law& law, const NearEquilibrium& near) {
+  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
+    constexpr double kNearly = 1 + 1e-6;
+    const double d = near.motion[static_cast<Eigen::Index>(j)] / law.unit(j);
+    if (std::fabs(d) > kNearly * to_double(law.max_motion[j])) return false;
+  }
+  return true;
+}
+
 /// Without what is rounding alone.
 RationalRow motion_of(const Law& law, const NearEquilibrium& equilibrium) {
   RationalRow motion(law.motions);
@@ -49,6 +67,7 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
                            const NearEquilibrium& near) {
   if (is_exact_) {
     witness_ = exact_witness(box, near);
+    if (witness_ && !is_within(box, witness_->twist)) witness_.reset();
     if (witness_) {
       motion_ = witness_->twist;
       return true;
@@ -90,6 +109,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
       if ((motion - near.motion).norm() <= kSame * near.motion.norm()) return false;
     }
     tried.push_back(near.motion);
+    if (!may_be_within(box, near)) return false;
     if (!near_middle) near_middle = near;
     return holds = prove_near(box, middle, near);
   };
@@ -133,12 +153,13 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   if (stable_ == true || (limits_.is_wide && !tried.empty())) return false;
   const std::size_t before = tree_.size();
   bool refuted = false;
+  const auto take = [&](const NearEquilibrium& relaxed) {
+    const auto found = newton.polish(relaxed);
+    return found && (try_near(*found) || limits_.is_wide);
+  };
   const auto search_all = [&](bool exactly) {
     LawSearch search(box, nullptr, limits_.node_limit, work_);
-    search.on_candidate([&](const NearEquilibrium& relaxed) {
-      const auto found = newton.polish(relaxed);
-      return found && (try_near(*found) || limits_.is_wide);
-    });
+    search.on_candidate(take);
     if (exactly) {
       search.on_doubt([&](const MotionRegion& region) -> std::optional<TreeNode> {
         auto found = box_detail::decide_exactly(box, region);
@@ -149,19 +170,59 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
         return std::nullopt;
       });
     }
+    const bool may_be_far = box.max_motion.empty() && !box.far_motion.empty() && !exactly;
+    if (may_be_far) search.forces().keep_near();
     refuted = search.refute(MotionRegion::root(box), tree_);
     end_ = search.end();
+    const bool is_in_doubt = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
+                             end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
+    if (!refuted && !holds && may_be_far && is_in_doubt) {
+      tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
+      LawSearch near_search(box, nullptr, limits_.node_limit, work_);
+      near_search.on_candidate(take);
+      refuted = refute_near_first(box, near_search);
+    }
     if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
   };
   search_all(false);
   const bool in_doubt = end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
-  if (!refuted && !holds && in_doubt && is_exact_ && box_detail::is_linear(box)) {
+  if (!refuted && !holds && in_doubt && is_exact_ && box_detail::is_linear(box) &&
+      box.max_motion.empty()) {
     search_all(true);
   }
   if (!refuted && !holds) return false;
   // (Of another part it may have been proved that it is unstable.)
   if (stable_.value_or(holds) != holds) return false;
   stable_ = holds;
+  return true;
+}
+
+/// Refutes what lies near, which says whether the grasp holds within a bound, and then what is
+/// far, beyond the planes of the simplex around the bound one after another.
+bool BoxProver::refute_near_first(const GraspLaw& box, LawSearch& near) {
+  MotionRegion region = MotionRegion::root(box);
+  std::vector<MotionRegion> far;
+  for (const Row& plane : simplex_planes(box.far_motion)) {
+    std::vector<MotionRegion> both = region.halves(plane);
+    tree_.emplace_back(PlaneCut{plane});
+    far.push_back(std::move(both[1]));
+    region = std::move(both[0]);
+  }
+  const auto first = static_cast<std::ptrdiff_t>(tree_.size());
+  const bool is_near_refuted = near.refute(std::move(region), tree_);
+  end_ = near.end();
+  if (!is_near_refuted) return false;
+  const bool is_whole = parts_.empty() && first == static_cast<std::ptrdiff_t>(far.size());
+  if (is_whole) near_tree_.emplace(tree_.begin() + first, tree_.end());
+  constexpr std::size_t kLeastFar = 100;
+  const std::size_t most =
+      limits_.is_default ? std::max(kLeastFar, near.nodes()) : limits_.node_limit;
+  LawSearch search(box, nullptr, most, work_);
+  for (auto outside = far.rbegin(); outside != far.rend(); ++outside) {
+    if (search.refute(std::move(*outside), tree_)) continue;
+    end_ = search.end();
+    return false;
+  }
   return true;
 }
 

@@ -75,7 +75,7 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
 
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
                               const SearchOptions& options) {
-  if (point.is_one_planar_body() && !needs_enclosure(point)) {
+  if (point.is_one_planar_body() && !needs_enclosure(point) && !point.is_bounded()) {
     return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
   }
   return stickslip::is_stable(decide_box(point, law, options).verdict);

@@ -115,6 +115,9 @@ std::string head(const Question& question, const std::string& wrench, const std:
             (growth->scale ? "\"scale\"" : "[" + list(growth->rates) + "]");
   }
   if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
+  if (question.is_bounded()) {
+    text += ", \"max_motion\": [" + list(question.box()->max_motion) + "]";
+  }
   return text + "},\n ";
 }
 

@@ -15,6 +15,7 @@
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "uncertain_contact.hpp"
 
 namespace stickslip {
@@ -290,7 +291,7 @@ void check_keys(const JsonNode& root, bool version2) {
             std::string("write \"format\": \"") + kVersion3 + "\", which has it");
   }
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
-  for (const char* key : {"units", "outline", "body", "loads", "cases"}) {
+  for (const char* key : {"units", "outline", "body", "loads", "cases", "max_motion"}) {
     if (version2) allowed.emplace_back(key);
     if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
@@ -315,6 +316,34 @@ WrenchBox read_whole_load(const JsonNode& root, bool in_space, IntervalReader& r
     fail_at("", "the key \"wrench\" is missing", remedy);
   }
   return load.value_or(WrenchBox(in_space ? 6 : 3));
+}
+
+/// Reads "max_motion", if it is there.
+void read_max_motion(const JsonNode& root, GraspBox& box) {
+  const JsonNode* node = root.find("max_motion");
+  if (node == nullptr) return;
+  const std::string path = "max_motion";
+  RationalRow numbers;
+  if (node->kind == Kind::kObject) {
+    expect_object(*node, path, {"length", "angle"});
+    for (const char* key : {"length", "angle"}) {
+      const JsonNode& number =
+          member(*node, path, key, "give both \"length\" and \"angle\", numbers above 0");
+      numbers.push_back(read_number(number, member_path(path, key)));
+    }
+  } else {
+    expect(*node, Kind::kArray, path,
+           R"(a list of numbers, or {"length": ..., "angle": ...})");
+    for (std::size_t j = 0; j < node->children.size(); ++j) {
+      numbers.push_back(read_number(node->children[j], element_path(path, j)));
+    }
+    if (numbers.size() != box.wrench.size()) {
+      fail_at(path, "a list of " + std::to_string(numbers.size()) + " numbers",
+              "give " + std::to_string(box.wrench.size()) +
+                  R"(, one for each coordinate of motions, or {"length": ..., "angle": ...})");
+    }
+  }
+  box.max_motion = bound_of(box, {std::move(numbers)});
 }
 
 /// Gives contacts with a place on the outline their position and normal.
@@ -512,13 +541,19 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
       Grasp(std::move(contacts),
             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)}),
       planar_middle(wrench)};
-  if (uncertain.empty() && !is_uncertain(wrench)) {
+  const bool is_bounded = grasp.find("max_motion") != nullptr;
+  if (is_bounded && intervals == Intervals::kRefused) {
+    fail_at("max_motion", "motions are bounded",
+            "this is done without a bound: remove it, or ask stickslip decide");
+  }
+  if (uncertain.empty() && !is_uncertain(wrench) && !is_bounded) {
     file.content = std::move(middle);
     return file;
   }
   GraspBox box = box_of(middle);
   box.wrench = wrench;
   for (auto& [i, contact] : uncertain) box.contacts[i] = std::move(contact);
+  read_max_motion(grasp, box);
   file.content = std::move(box);
   return file;
 }
@@ -556,11 +591,13 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
       Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_surface(grasp)})
           .description();
   box.check();
+  read_max_motion(grasp, box);
   return result;
 }
 
 GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals intervals) {
-  Names allowed{"format", "name", "units", "defaults", "contacts", "wrench", "loads", "cases"};
+  Names allowed{"format",   "name",   "units", "defaults", "contacts",
+                "wrench", "loads", "cases", "max_motion"};
   allowed.insert(allowed.end(), std::begin(kOfBodies), std::end(kOfBodies));
   expect_object(grasp, "", allowed);
   expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
@@ -599,6 +636,7 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
   box.description =
       Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp)}).description();
   box.check();
+  read_max_motion(grasp, box);
   return result;
 }
 

@@ -180,7 +180,7 @@ std::string write_contact(const UncertainContact& c, std::size_t i,
 
 bool has_intervals(const GraspFile& file) {
   const auto* box = std::get_if<GraspBox>(&file.content);
-  return (box != nullptr && !box->is_point()) ||
+  return (box != nullptr && (!box->is_point() || box->is_bounded())) ||
          std::any_of(file.cases.begin(), file.cases.end(),
                      [](const NamedLoad& load) { return is_uncertain(load.wrench); });
 }
@@ -250,6 +250,9 @@ std::string write_grasp_file(const GraspFile& file) {
   }
   if (body) text += " \"body\": " + write_body(*body) + ",\n";
   if (has_bodies) text += write_mechanism(*box);
+  if (box != nullptr && box->is_bounded()) {
+    text += " \"max_motion\": " + write_list(box->max_motion, ", ", write_number) + ",\n";
+  }
   return text + " \"contacts\": [" + write_contacts(file) +
          write_loads(wrench_of(file.content), file.cases);
 }

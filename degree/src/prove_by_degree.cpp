@@ -26,6 +26,50 @@ constexpr std::size_t kFewNodes = 40;
 constexpr std::size_t kSomeNodes = 300;
 /// \}
 
+/// Rule `degree-bound`, of verdicts: whether all of the body, up to free motions, is within the
+/// bound.
+bool is_within(const DegreeProof& proof, const RationalRow& bound) {
+  if (bound.empty()) return true;
+  const RationalMatrix e = matrix_of(proof.walls, bound.size());
+  const RationalMatrix gram = e * e.transpose();
+  const auto rows = static_cast<std::size_t>(e.rows());
+  // Of a parallelepiped how far each row's wall goes alone; of a simplex its vertices, at each
+  // of which all rows but one are 1.
+  std::vector<RationalVector> ways;
+  for (std::size_t k = 0; k < rows; ++k) {
+    RationalVector at = RationalVector::Constant(e.rows(), proof.is_simplex ? 1 : 0);
+    const auto row = static_cast<Eigen::Index>(k);
+    RationalMatrix some = gram;
+    RationalMatrix across = e;
+    if (proof.is_simplex) {
+      // (Without row k the others are independent.)
+      RationalMatrix others(e.rows() - 1, e.cols());
+      others << e.topRows(row), e.bottomRows(e.rows() - 1 - row);
+      across = others;
+      some = others * others.transpose();
+      at = RationalVector::Constant(e.rows() - 1, 1);
+    } else {
+      at[row] = 1;
+    }
+    const auto u = solve_exactly(some, at);
+    if (!u) return false;
+    ways.push_back(across.transpose() * *u);
+  }
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    const auto coordinate = static_cast<Eigen::Index>(j);
+    Rational sum = abs(proof.twist[j]);
+    for (const RationalVector& way : ways) {
+      if (proof.is_simplex) {
+        if (abs(Rational(proof.twist[j] + way[coordinate])) > bound[j]) return false;
+      } else {
+        sum += abs(way[coordinate]);
+      }
+    }
+    if (sum > bound[j]) return false;
+  }
+  return true;
+}
+
 /// One proposal of walls, grown until they are refuted.
 struct Attempt {
   double size;               ///< as of Walls
@@ -236,6 +280,7 @@ std::optional<DegreeProof> DegreeSearch::prove_with(Walls walls, const Attempt& 
     ++work_.proofs;
     DegreeProof proof = walls.proof(pulls.front(), attempt.is_simplex);
     if (!has_rank(proof, about_.span.rank())) return std::nullopt;
+    if (about_.box != nullptr && !is_within(proof, about_.box->max_motion)) return std::nullopt;
     if (about_.law == NormalLaw::kBilateral && !refuter_.all_are_closed(proof)) {
       return std::nullopt;
     }

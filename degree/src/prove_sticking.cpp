@@ -52,7 +52,7 @@ class StickingSearch {
     measure(off, rest);
     if (!choose_reach(off, rest)) return std::nullopt;
     sum_up();
-    if (!choose_energy() || !holds()) return std::nullopt;
+    if (!choose_energy() || !holds() || !is_within_bound(off)) return std::nullopt;
     return std::move(proof_);
   }
 
@@ -384,6 +384,37 @@ class StickingSearch {
         const Rational slope = c.friction.low * short_sqrt(c.squared_length, kRootBits).lower;
         all[i].spare = slope * pressed - friction_[i];
         if (!(all[i].spare > 0)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Rule `sticking-bound`.
+  bool is_within_bound(const Rows& off) const {
+    if (box_.max_motion.empty()) return true;
+    RationalRow room;  // E
+    for (std::size_t l = 0; l < box_.motions; ++l) {
+      room.push_back(box_.max_motion[l] - abs(proof_.motion[l]));
+      if (!(room[l] > 0)) return false;
+    }
+    for (const std::vector<PressedContact>& all : contacts_) {
+      RationalRow moved(box_.motions);
+      for (const StickingProof::Press& press : proof_.presses) {
+        const LawContact& c = box_.contacts[press.contact.index()];
+        const Rational depth =
+            short_sqrt(2 * proof_.energy / c.stiffness.low, kRootBits).upper;
+        for (std::size_t l = 0; l < moved.size(); ++l) moved[l] += abs(press.forces[l]) * depth;
+      }
+      for (const RestProof::Answer& answer : proof_.answers) {
+        const std::size_t i = answer.contact.index();
+        const Rational slip = proof_.energy / all[i].spare + all[i].slip;
+        for (std::size_t l = 0; l < moved.size(); ++l) {
+          moved[l] += length_above(box_.contacts[i], answer.forces[l]) * slip;
+        }
+      }
+      for (std::size_t l = 0; l < moved.size(); ++l) {
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[l] += off[k][l] * room[k];
+        if (moved[l] > room[l]) return false;
       }
     }
     return true;

@@ -73,6 +73,9 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
     problem_of(question);
     return question;
   } catch (const InputError& error) {
+    if (error.place() == "max_motion" && options.max_motion) {
+      throw InputError("", "--max-motion", error.problem(), error.remedy());
+    }
     throw in_options(error, name);
   }
 }

@@ -121,10 +121,12 @@ std::size_t pushing_elements(const AnyGrasp& grasp) {
 }
 
 /// Under this wrench, widened; in the plane one grasp if it is.
-AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const Tolerances& uncertain,
+AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
                bool is_margin) {
+  const Tolerances& uncertain = options.uncertain;
+  const std::optional<MotionBound>& bound = options.max_motion;
   auto* one = std::get_if<LoadedGrasp>(&grasp);
-  if (one != nullptr && is_certain(wrench) && !uncertain.any() &&
+  if (one != nullptr && is_certain(wrench) && !uncertain.any() && !bound &&
       (is_margin || !has_irrational_preload(one->grasp))) {
     one->wrench = planar_middle(wrench);
     return grasp;
@@ -132,7 +134,8 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const Tolerances& uncert
   GraspBox box = one != nullptr ? box_of(*one) : std::get<GraspBox>(std::move(grasp));
   box.wrench = wrench;
   box = box.widened(uncertain);
-  if (box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
+  if (bound) box.max_motion = bound_of(box, *bound);
+  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
     return box.planar_middle();
   }
   return box;
@@ -220,8 +223,15 @@ Question ask(GraspFile file, const QuestionOptions& options) {
     }
   }
   if (options.uncertain.wrench) question.wrench_as_asked = wrench;
-  question.grasp = under(std::move(grasp), wrench, options.uncertain, question.is_margin());
+  question.grasp = under(std::move(grasp), wrench, options, question.is_margin());
+  if (question.is_margin()) require_unbounded(question, "a margin");
   return question;
+}
+
+void require_unbounded(const Question& question, const std::string& what) {
+  if (!question.is_bounded()) return;
+  throw InputError("", "max_motion", "motions are bounded",
+                   what + " is known without a bound only; ask with --max-motion none");
 }
 
 void require_one_grasp(const Question& question) {
@@ -239,6 +249,7 @@ void require_one_body(const AnyGrasp& grasp, const std::string& what) {
 
 Problem problem_of(const Question& question) {
   require_one_body(question, "this");
+  require_unbounded(question, "this");
   if (question.in_space()) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }

@@ -6,6 +6,7 @@
 
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/motion_bound.hpp"
 
 namespace stickslip {
 namespace {
@@ -154,6 +155,8 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   wrench = box.wrench;
   if (box.ball) ball = BallPart::all_of(box);
   law = normal_law;
+  max_motion = box.max_motion;
+  far_motion = natural_bound(box, kFarMotion).value_or(RationalRow{});
   is_family = margin.has_value();
   growth.assign(motions, 0);
   if (margin && !margin->load.empty()) growth = margin->load;

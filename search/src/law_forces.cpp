@@ -446,6 +446,9 @@ Relaxation LawForces::relaxed(const Found& found) const {
 }
 
 std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) const {
+  if (const auto plane = region_->bound_across(found.motion); plane && !only_contacts_) {
+    return Branch{PlaneCut{*plane}, region_->halves(*plane)};
+  }
   constexpr double kNoticeable = 1e-12;  // of the energy; only chooses between splits
   for (const auto& [gap, contact] : found.separations) {
     if (!(gap > kNoticeable * found.energy)) break;
@@ -468,8 +471,18 @@ std::optional<LawForces::Branch> LawForces::split_anywhere(const Relaxation& fou
   return std::nullopt;
 }
 
+bool LawForces::is_far(const Relaxation& found) const {
+  for (std::size_t j = 0; j < law_.far_motion.size(); ++j) {
+    const double d = std::fabs(found.motion[static_cast<Eigen::Index>(j)]);
+    if (d > height(found) * to_double(law_.far_motion[j]) * law_.unit(j)) return true;
+  }
+  return false;
+}
+
 /// Of a margin: motions grow without end towards one multiple, and so would the tree.
-bool LawForces::escapes(const Relaxation& found) const {
+bool LawForces::escapes(const Relaxation& found) {
+  constexpr std::size_t kManyFar = 20;
+  if (keeps_near_ && is_far(found) && ++far_ > kManyFar) return true;
   constexpr double kFar = 1e6;
   const double h = height(found);
   const double stiffest = law_.force / law_.reach;

@@ -71,6 +71,14 @@ Row end_plane(std::size_t motions, const Rational& end, int sign) {
   return primitive_multiple(plane);
 }
 
+/// The function B_j h - sign d_j of points: where it is below 0, motions are beyond the bound.
+Row bound_plane(const RationalRow& bound, std::size_t j, int sign) {
+  RationalRow plane(bound.size() + 2);
+  plane[j] = -sign;
+  plane[bound.size()] = bound[j];
+  return primitive_multiple(plane);
+}
+
 bool is_zero(const Double3& s) {
   return s[0] == 0 && s[1] == 0 && s[2] == 0;
 }
@@ -136,15 +144,32 @@ ConeOf<Row> dual_cone(const std::vector<RationalRow>& vectors) {
 
 }  // namespace
 
+std::vector<Row> simplex_planes(const RationalRow& bound) {
+  const std::size_t motions = bound.size();
+  std::vector<Row> planes;
+  RationalRow sum(motions + 2);
+  for (std::size_t j = 0; j < motions; ++j) {
+    RationalRow plane(motions + 2);
+    plane[j] = 1;
+    plane[motions] = bound[j];
+    planes.push_back(primitive_multiple(plane));
+    sum[j] = -1 / bound[j];
+  }
+  sum[motions] = motions;
+  planes.push_back(primitive_multiple(sum));
+  return planes;
+}
+
 MotionRegion MotionRegion::wall(const Law& law, const ConvexBody& body, std::size_t wall) {
   StrictCone cone = whole_family(law);
   cone.cut_to_wall(body, wall);
-  return MotionRegion(law, std::move(cone));
+  return MotionRegion(law, std::move(cone), true);
 }
 
-MotionRegion::MotionRegion(const Law& law, StrictCone cone)
+MotionRegion::MotionRegion(const Law& law, StrictCone cone, bool is_of_wall)
     : StrictCone(std::move(cone)),
       law_(&law),
+      is_of_wall_(is_of_wall),
       strict_slips_(law.contacts.size(), 0),
       still_(law.contacts.size(), 0),
       separations_(law.contacts.size(), Separation::kMixed),
@@ -159,6 +184,9 @@ MotionRegion MotionRegion::root(const Law& law) {
     const auto& [low, high, has_low] = law.multiples;
     cone.cut(end_plane(law.motions, low, 1), Side::kPositive, !has_low);
     if (high) cone.cut(end_plane(law.motions, *high, -1), Side::kPositive, true);
+  }
+  if (!law.max_motion.empty()) {
+    for (const Row& plane : simplex_planes(law.max_motion)) cone.cut(plane, Side::kPositive);
   }
   if (law.law == NormalLaw::kBilateral) {
     for (const LawContact& contact : law.contacts) {
@@ -178,6 +206,46 @@ StrictCone MotionRegion::whole_family(const Law& law) {
     cone.cut(end_plane(law.motions, *law.multiples.high, -1), Side::kPositive);
   }
   return cone;
+}
+
+/// Doubles say at which functions a look is worth while.
+bool MotionRegion::is_beyond() const {
+  if (is_of_wall_) return false;
+  const RationalRow& bound = law_->max_motion;
+  const auto height = static_cast<Eigen::Index>(bound.size());
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    const double most = to_double(bound[j]) * law_->unit(j);
+    for (const int sign : {1, -1}) {
+      const bool may_be =
+          std::all_of(generators_.begin(), generators_.end(), [&](const Reals& x) {
+            constexpr double kNearly = 1 - 1e-9;
+            return sign * x[static_cast<Eigen::Index>(j)] >= kNearly * most * x[height];
+          });
+      if (!may_be) continue;
+      const PlaneSigns signs = this->signs(bound_plane(bound, j, sign));
+      if (!signs.positive && signs.zeros_barred) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Row> MotionRegion::bound_across(const Reals& point) const {
+  const RationalRow& bound = law_->max_motion;
+  if (is_of_wall_ || bound.empty()) return std::nullopt;
+  const double height = point[static_cast<Eigen::Index>(bound.size())];
+  std::optional<std::size_t> farthest;
+  double most = 1 + 1e-9;
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    const double part = std::fabs(point[static_cast<Eigen::Index>(j)]) /
+                        (to_double(bound[j]) * law_->unit(j) * height);
+    if (!(part > most)) continue;
+    most = part;
+    farthest = j;
+  }
+  if (!farthest) return std::nullopt;
+  Row plane = bound_plane(bound, *farthest, point[static_cast<Eigen::Index>(*farthest)] > 0 ? 1 : -1);
+  if (!signs(plane).cuts()) return std::nullopt;
+  return plane;
 }
 
 std::optional<Sign> MotionRegion::slip_sign(std::size_t contact) const {
@@ -257,7 +325,7 @@ void MotionRegion::update() {
 }
 
 void MotionRegion::classify() {
-  barred_ = bars_all(all_points());
+  barred_ = bars_all(all_points()) || is_beyond();
   if (barred_) return;
   for (std::size_t i = 0; i < law_->contacts.size(); ++i) find_slips(i);
 }

@@ -16,6 +16,7 @@ struct QuestionText {
   std::string preload;                    ///< of every contact
   std::string normal_law = "unilateral";  ///< or "bilateral"
   std::string uncertain;                  ///< "friction=10%,..."
+  std::string max_motion;                 ///< "LENGTH,ANGLE", "B1,B2,...", "1000x" or "none"
   std::string direction;                  ///< of a margin, as a wrench
   std::string preload_direction;          ///< of a margin: "P0,P1,..." or "scale"
 };

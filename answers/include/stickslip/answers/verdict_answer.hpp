@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -44,6 +45,9 @@ struct Answer {
   unsigned bits = kDefaultBits;      ///< as of BoxDecision
   std::optional<Problem> problem{};  ///< of a question about no box
   Warnings warnings{};               ///< about one grasp
+  /// The answer to the same question with motions bounded by natural_bound(), where that says
+  /// more: the grasp is not decided without a bound, or holds by far motions only.
+  std::shared_ptr<const Answer> within{};
 };
 
 /// How to answer.
@@ -51,6 +55,7 @@ struct AnswerOptions {
   Engine engine = Engine::kAuto;  ///< of one grasp in the plane
   std::size_t node_limit = 0;     ///< as of each engine; 0: its own, or none
   bool warnings = true;           ///< look for traps of the model, of one grasp
+  bool within = true;             ///< answer within natural_bound(), where that says more
 };
 
 /// The verdict about one grasp: by the engine; or with kAuto, where an exact equilibrium would

@@ -16,6 +16,7 @@
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/degree/newton.hpp"
 #include "stickslip/equilibrium/search_end.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip {
 
@@ -26,6 +27,7 @@ struct ProverLimits {
   std::size_t most_nodes;  ///< of all together, beyond which a box is cut no more
   std::size_t most_parts;  ///< cuts
   bool is_wide;            ///< the box is more than what encloses lengths
+  bool is_default;         ///< nobody asked for more: far motions take what near ones took
 };
 
 /// Proofs about a box and its parts, until one fails or two parts seem to differ.
@@ -41,6 +43,9 @@ class BoxProver {
   std::optional<std::variant<Stable, Unstable>> prove();
   /// If that failed.
   SearchReport report() const;
+  /// If that failed: a tree that refutes all motions within natural_bound(box, kFarMotion), for
+  /// a question with that bound; or nothing.
+  const std::optional<Trees>& near_tree() const { return near_tree_; }
   /// Where the middles of parts lie that seem to be stable, and unstable: of each parameter of
   /// the box, from 0 to 1. Nothing, or the last one of a kind.
   const std::array<std::optional<RationalRow>, 2>& suspects() const { return suspects_; }
@@ -49,6 +54,7 @@ class BoxProver {
   bool prove(const GraspLaw& box);
   bool prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>& middle);
   bool prove_near(const GraspLaw& box, const GraspLaw& middle, const NearEquilibrium& near);
+  bool refute_near_first(const GraspLaw& box, LawSearch& near);
   std::optional<PartSplit> widest(const GraspLaw& box,
                                   const std::optional<NearEquilibrium>& near) const;
   RationalRow place_of(const GraspLaw& part) const;
@@ -64,6 +70,7 @@ class BoxProver {
   RationalRow motion_;
   StabilityProof parts_;
   Trees tree_;
+  std::optional<Trees> near_tree_;
   SearchEnd end_ = SearchEnd::kNone;
   RationalRow near_;  ///< an equilibrium in doubles without a proof
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "stickslip/core/box.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/equilibrium/proof.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/search/search_work.hpp"
@@ -22,6 +23,9 @@ struct BoxDecision {
   Verdict verdict;               ///< of exact motions only in space
   SearchWork work{};             ///< to find it
   unsigned bits = kDefaultBits;  ///< of the proof
+  /// Of an undecided question without a bound of motions: proves that with natural_bound(box,
+  /// kFarMotion) none of the grasps is stable.
+  std::optional<Unstable> within{};
 };
 
 /// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided

@@ -145,7 +145,12 @@ struct GraspBox {
   std::shared_ptr<const Mechanism> mechanism{};  ///< of several bodies; null: there is one
   std::vector<Spring> springs{};                 ///< of several bodies: ratchets first
   std::optional<LoadBall> ball{};                ///< beside a wrench that is certain
+  /// B > 0: only equilibria with |d_j| <= B_j are asked about, a number for each coordinate of
+  /// motions; empty: all are.
+  RationalRow max_motion{};
 
+  /// Whether motions are bounded.
+  bool is_bounded() const { return !max_motion.empty(); }
   /// Whether it has three coordinates.
   bool in_space() const { return mechanism ? mechanism->in_space : wrench.size() == 6; }
   /// Whether it is one body in the plane.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 
 namespace stickslip {
@@ -28,6 +29,7 @@ struct QuestionOptions {
   std::optional<PreloadDirection> preload_direction{};  ///< of the preloads
   std::optional<std::string> case_name{};  ///< of the file, whose wrench is applied
   Tolerances uncertain{};                  ///< of what is left when all is replaced
+  std::optional<MotionBound> max_motion{};  ///< in place of the file's
 };
 
 /// Is the grasp, in the plane or in space, stable under `law`? Or, with a direction, for which
@@ -55,6 +57,8 @@ struct Question {
   bool in_space() const { return stickslip::in_space(grasp); }  ///< of three coordinates
   /// Of several bodies; null: of one.
   const Mechanism* mechanism() const { return mechanism_of(grasp); }
+  /// Whether motions are bounded: only then by GraspBox::max_motion.
+  bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
   /// Of one body in the plane, for which there is more than for all others.
   bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
   /// Name, outline and units of the grasp.
@@ -77,6 +81,9 @@ Question ask(GraspFile file, const QuestionOptions& options);
 /// Throws InputError unless the question is about one grasp: in the plane as problem_of(), in
 /// space where numbers are uncertain.
 void require_one_grasp(const Question& question);
+
+/// Throws InputError if motions are bounded: `what` is not done then.
+void require_unbounded(const Question& question, const std::string& what);
 
 /// \{ Throws InputError if there are several bodies: `what` is not done for them.
 void require_one_body(const AnyGrasp& grasp, const std::string& what);

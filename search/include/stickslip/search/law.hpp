@@ -158,6 +158,10 @@ struct Law {
   bool is_family = false;                  ///< a margin: points have multiples
   MultipleRange multiples{};               ///< of a margin
   NormalLaw law = NormalLaw::kUnilateral;  ///< of all contacts
+  RationalRow max_motion{};                ///< B by coordinate of motions; empty: no bound
+  /// Motions beyond this, by coordinate, are far: rounding of the data decides what holds there
+  /// (natural_bound()). For proposals; empty: none are.
+  RationalRow far_motion{};
 
   /// \{ What follows, once complete() was called.
   double length = 1;                          ///< a typical distance

@@ -76,13 +76,16 @@ class LawForces {
   bool may_try_again() const { return separated_; }
   std::optional<Row> confirm(const Reals& twist);
   Relaxation relaxed(const Found& found) const;
-  bool escapes(const Relaxation& found) const;
+  bool escapes(const Relaxation& found);
   std::optional<NearEquilibrium> candidate(const Relaxation& found) const;
   std::optional<Branch> split(const Relaxation& found) const;
   std::optional<Branch> split_anywhere(const Relaxation& found) const;
   Branch branch(const TreeNode& node);
   void keep_to_contacts() { only_contacts_ = true; }
   /// \}
+  /// From now on a search ends that meets many far motions: what rounding decides there may
+  /// take longer than all else.
+  void keep_near() { keeps_near_ = true; }
 
  private:
   std::optional<Branch> split_separation(const Relaxation& found, std::size_t contact) const;
@@ -100,7 +103,11 @@ class LawForces {
   const Law& law_;
   const PullRule* pull_;
   SearchWork& work_;
+  bool is_far(const Relaxation& found) const;
+
   bool only_contacts_ = false;
+  bool keeps_near_ = false;
+  std::size_t far_ = 0;  ///< relaxed equilibria that were
   bool separated_ = false;                                    ///< what was found last
   const MotionRegion* region_ = nullptr;                      ///< the one entered last
   std::unique_ptr<search_detail::AllowedWrenches> wrenches_;  ///< of the region

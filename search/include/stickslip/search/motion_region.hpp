@@ -29,6 +29,10 @@ struct SlipCone {
   std::vector<Double3> units{};  ///< of a cone in three dimensions: the directions of the sides
 };
 
+/// Returns functions of points that are >= 0 on the simplex around a bound of motions
+/// (certificate/FORMAT.md, section 4) and nowhere else.
+std::vector<Row> simplex_planes(const RationalRow& bound);
+
 /// The region with what is settled about each contact. Its law must outlive it.
 class MotionRegion : public StrictCone {
  public:
@@ -60,8 +64,11 @@ class MotionRegion : public StrictCone {
   bool is_still(std::size_t contact) const { return still_[contact] != 0; }
   /// No solution is a multiple of this generator.
   bool bars_point(std::size_t generator) const { return bars_all({generator}); }
-  /// No solution lies here.
+  /// No solution lies here, or none within the bound of motions.
   bool is_barred() const { return barred_; }
+  /// A plane beyond which, on its strict side, no motion is within the bound, as that of this
+  /// point is not; nothing if that is, or if none cuts here.
+  std::optional<Row> bound_across(const Reals& point) const;
   /// \{ The largest v of a contact at a generator, and the least, in doubles, 0 where it is 0.
   double most_separation(std::size_t contact, std::size_t generator) const {
     return high_[contact * generators_.size() + generator];
@@ -83,9 +90,10 @@ class MotionRegion : public StrictCone {
   bool is_refuted(const Row& y, const PullRule* pull) const;
 
  private:
-  MotionRegion(const Law& law, StrictCone cone);
+  MotionRegion(const Law& law, StrictCone cone, bool is_of_wall = false);
   static StrictCone whole_family(const Law& law);
   void update();
+  bool is_beyond() const;
   void classify();  ///< by the strict functions
   void find_separation(std::size_t contact);
   void compute_slips(std::size_t contact);
@@ -101,6 +109,7 @@ class MotionRegion : public StrictCone {
   const std::vector<ExactSlip>& exact_sides(std::size_t contact) const;
 
   const Law* law_;
+  bool is_of_wall_;
   std::vector<char> strict_slips_;  ///< by contact
   std::vector<char> still_;         ///< by contact: s is 0 everywhere
   std::vector<Separation> separations_;

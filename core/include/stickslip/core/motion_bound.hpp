@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Bounds of motions: questions about equilibria of the size of the problem alone
+/// (certificate/FORMAT.md, section 1, *max motion*).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "stickslip/core/box.hpp"
+
+namespace stickslip {
+
+/// A bound of motions as somebody asks for it.
+struct MotionBound {
+  /// One for each coordinate of motions; or two, a length and an angle; empty: no bound.
+  RationalRow numbers{};
+  /// In place of numbers: this many times the natural motion of the grasp.
+  std::optional<Rational> factor{};
+};
+
+/// The factor at which motions are far larger than any that forces of the load's size explain.
+inline constexpr int kFarMotion = 1000;
+
+/// Reads "0.01,0.02", "1000x" or "none". Throws InputError with the place "max_motion".
+MotionBound parse_motion_bound(std::string_view text);
+
+/// Returns B for this grasp: a number above 0 for each coordinate of motions; empty for no
+/// bound. Throws InputError with the place "max_motion" for other numbers than the grasp needs,
+/// and for a factor where the grasp has no natural motion.
+RationalRow bound_of(const GraspBox& box, const MotionBound& asked);
+
+/// Returns `factor` times the natural motion of the grasp, rounded up to two digits: how far
+/// load and preloads together press the softest contact, delta = (|w| + sum of P) / k, and for
+/// rotations delta over the spread of the contacts. A translation is that of the origin, and so
+/// is larger where the origin is far away. Frames turn its axes; units do not matter. Nothing
+/// if there is no contact, or neither load nor preload. O(contacts).
+std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& factor);
+
+}  // namespace stickslip

@@ -23,8 +23,7 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 
 Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
   Warnings warnings;
-  if (options.warnings && !question.is_one_planar_body())
-    warnings = model_warnings(question, decision);
+  if (options.warnings) warnings = model_warnings(question, decision);
   const char* engine = box_engine(question);
   return {std::move(question),
           std::move(decision.verdict),

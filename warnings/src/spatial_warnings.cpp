@@ -18,9 +18,29 @@ Vector3 point_of(const UncertainContact& c) {
   return {c.position[0].low, c.position[1].low, c.position[2].low};
 }
 
-std::optional<std::string> large_motion_of(const Question& question, const RationalRow& d) {
+/// A grasp of one body, seen in space. (Of one in the plane friction across it changes
+/// nothing that the warnings are about.)
+GraspBox seen_in_space(GraspBox grasp) {
+  if (grasp.in_space()) return grasp;
+  for (UncertainContact& c : grasp.contacts) {
+    c.position.emplace_back();
+    c.normal.emplace_back(0);
+  }
+  const Interval torque = grasp.wrench[2];
+  grasp.wrench = {grasp.wrench[0], grasp.wrench[1], {}, {}, {}, torque};
+  return grasp;
+}
+
+/// A motion likewise.
+RationalRow seen_in_space(const RationalRow& motion) {
+  if (motion.size() != 3) return motion;
+  return {motion[0], motion[1], 0, 0, 0, motion[2]};
+}
+
+std::optional<std::string> large_motion_of(const GraspBox& grasp, const RationalRow& d,
+                                           bool stiffness_was_assumed) {
   std::vector<Vector3> points;
-  for (const UncertainContact& c : question.box()->contacts) points.push_back(point_of(c));
+  for (const UncertainContact& c : grasp.contacts) points.push_back(point_of(c));
   Integer common = 1;
   for (const Rational& entry : d) common = lcm(common, denominator(entry));
   const Rational scale(common);
@@ -32,7 +52,7 @@ std::optional<std::string> large_motion_of(const Question& question, const Ratio
     return dot(move, move);
   };
   return large_motion({scale, dot(turn, turn), points.size(), moved, squared_width(points)},
-                      !question.assumed_stiffness.empty());
+                      stiffness_was_assumed);
 }
 
 /// With these preloads. What is kept is rounded up where a normal has an irrational length.
@@ -160,16 +180,19 @@ std::vector<ModelWarning> model_warnings(const Question& question,
                                          const BoxDecision& decision) {
   if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   if (!question.box()->is_point()) return {};
-  const GraspBox& grasp = *question.box();
+  const GraspBox grasp = seen_in_space(*question.box());
   const std::vector<Rational> preloads = preloads_of(grasp);
   const auto* stable = std::get_if<Stable>(&decision.verdict);
+  const RationalRow motion =
+      stable != nullptr ? seen_in_space(stable->motion) : RationalRow{};
   ModelWarnings warnings;
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, stable->motion));
+    warnings.add(ModelTrap::kLargeMotion,
+                 large_motion_of(grasp, motion, !question.assumed_stiffness.empty()));
   }
   add_unbalanced_preload(grasp, preloads, warnings);
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, stable->motion));
+    warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion));
   }
   if (is_stable(decision.verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness,
@@ -195,7 +218,7 @@ std::vector<ModelWarning> model_warnings(const Question& question,
       if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
       return text;
     };
-    warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion_of(question, d)));
+    warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion_of(grasp, d, !question.assumed_stiffness.empty())));
     warnings.add(ModelTrap::kLostPreload,
                  at_multiple(lost_preload_of(grasp, preloads_at(multiple), d)));
   };

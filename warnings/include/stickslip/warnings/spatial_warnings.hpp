@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Where an exact answer about a grasp in space may mislead: the warnings of
-/// equilibrium/model_warnings.hpp, by the same rules (model_traps.hpp). A displacement is that
-/// of a point, of three components, and a turn the length of a rotation vector. Preloads are
-/// said not to balance where error bounds of doubles show it, and not on a border. Of an
-/// equilibrium that is proved by degree the motion that is near it counts. Of several bodies,
-/// in the plane and in space, there is only what contact_signs.hpp says.
+/// Where an exact answer about a grasp in space, or about one in the plane that is decided as a
+/// box, may mislead: the warnings of model_warnings.hpp, by the same rules (model_traps.hpp). A
+/// displacement is that of a point, of three components, and a turn the length of a rotation
+/// vector. Preloads are said not to balance where error bounds of doubles show it, and not on a
+/// border. An equilibrium that is proved by degree counts by the motion that is near it.
+/// Several bodies, in the plane and in space, have only what contact_signs.hpp says.
 #pragma once
 
 #include <vector>
@@ -17,9 +17,8 @@
 
 namespace stickslip {
 
-/// The warnings about a question and the answer to it; of one body none if numbers are
-/// uncertain. O(m)
-/// rational operations, and in grasps of at most kMostContactsToVary contacts verdicts that
+/// Returns the warnings about a question and the answer to it; about one body none if numbers
+/// are uncertain. O(m) rational operations, and in grasps of at most kMostContactsToVary contacts verdicts that
 /// take as many nodes as the answer took, and kNodesToVary.
 std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision);
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/answers/verdict_answer.hpp"
 
-#include <algorithm>
 #include <utility>
 
+#include "second_question.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/planar/near_equilibria.hpp"
@@ -23,7 +22,10 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 
 Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
   Warnings warnings;
-  if (options.warnings) warnings = model_warnings(question, decision);
+  if (options.warnings != WarningsAsked::kNone) {
+    warnings =
+        model_warnings(question, decision, options.warnings == WarningsAsked::kAll);
+  }
   const char* engine = box_engine(question);
   return {std::move(question),
           std::move(decision.verdict),
@@ -77,6 +79,7 @@ struct EvidenceJson {
     }
     json["proof"] = {
         {"nodes", nodes}, {"parts", part_count(proof)}, {"at_rest", are_at_rest(proof)}};
+    if (are_sticking(proof)) json["proof"]["sticking"] = true;
   }
 };
 
@@ -143,7 +146,10 @@ Answer answer_without_second(Question question, const AnswerOptions& options,
   }
   auto& decision = std::get<Decision>(judged);
   Warnings warnings;
-  if (options.warnings) warnings = model_warnings(question, problem, decision.verdict);
+  if (options.warnings != WarningsAsked::kNone) {
+    warnings = model_warnings(question, problem, decision.verdict,
+                              options.warnings == WarningsAsked::kAll);
+  }
   const char* engine = decision.engine();
   return {std::move(question),
           std::move(decision.verdict),
@@ -154,52 +160,32 @@ Answer answer_without_second(Question question, const AnswerOptions& options,
           std::move(warnings)};
 }
 
-/// The motion of a grasp that holds, if one is known.
-std::optional<RationalRow> motion_of(const Stable& stable) {
-  if (const auto* witness = std::get_if<Witness>(&stable.proof)) {
-    const auto [x, y, r] = coordinates(witness->twist);
-    return RationalRow{x, y, r};
-  }
-  return stable.motion;
-}
-
-/// The bound within which the answer says less than could be said; nothing if it says all.
-std::optional<RationalRow> bound_to_ask(const Answer& answer) {
-  const Question& question = answer.question;
-  if (question.is_bounded() || std::holds_alternative<Unstable>(answer.verdict) ||
-      std::holds_alternative<Fragile>(answer.verdict)) {
-    return std::nullopt;
-  }
-  const auto bound = natural_bound(box_of(question.grasp), kFarMotion);
-  const auto* stable = std::get_if<Stable>(&answer.verdict);
-  if (!bound || stable == nullptr) return bound;
-  const RationalRow motion = motion_of(*stable).value_or(RationalRow{});
-  for (std::size_t j = 0; j < std::min(motion.size(), bound->size()); ++j) {
-    if (abs(motion[j]) > (*bound)[j]) return bound;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 Answer answer_to(Question question, const AnswerOptions& options) {
   std::optional<Unstable> within;
   Answer answer = answer_without_second(std::move(question), options, within);
-  const auto bound = options.within ? bound_to_ask(answer) : std::nullopt;
-  if (!bound) return answer;
-  Question bounded = answer.question;
-  GraspBox box = box_of(bounded.grasp);
-  box.max_motion = *bound;
-  bounded.grasp = std::move(box);
-  if (within) {
-    const char* engine = box_engine(bounded);
+  if (!options.within) return answer;
+  std::optional<Question> second = second_question(answer.question, answer.verdict);
+  if (!second) return answer;
+  if (within && second->is_bounded()) {
+    const char* engine = box_engine(*second);
     answer.within = std::make_shared<const Answer>(
-        Answer{std::move(bounded), std::move(*within), engine, Json::object(), answer.bits});
+        Answer{std::move(*second), std::move(*within), engine, Json::object(), answer.bits});
     return answer;
   }
-  AnswerOptions second = options;
-  second.warnings = false;
-  answer.within = std::make_shared<const Answer>(answer_to(std::move(bounded), second));
+  AnswerOptions how = options;
+  how.engine = Engine::kAuto;
+  how.warnings = WarningsAsked::kNone;
+  how.within = second->is_bounded() ? false : true;
+  Answer found = answer_to(std::move(*second), how);
+  if (found.within) found = *found.within;
+  // What says the same says nothing more.
+  if (std::holds_alternative<Unstable>(answer.verdict) &&
+      std::holds_alternative<Unstable>(found.verdict)) {
+    return answer;
+  }
+  answer.within = std::make_shared<const Answer>(std::move(found));
   return answer;
 }
 
@@ -231,6 +217,16 @@ void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned
   json["bits"] = bits;
 }
 
+Json within_json(const Answer& within) {
+  Json json{{"verdict", name_of(within.verdict)}};
+  if (within.question.is_bounded()) {
+    json["max_motion"] = number_json(within.question.box()->max_motion);
+  } else {
+    json["wrench"] = wrench_json(wrench_of(within.question.grasp));
+  }
+  return json;
+}
+
 Json to_json(const Answer& answer) {
   const Question& question = answer.question;
   const GraspBox* box = question.box();
@@ -259,6 +255,10 @@ Json to_json(const Answer& answer) {
   if (answer.within) {
     json["within"] = to_json(*answer.within);
     json["within"].erase("name");
+    if (!answer.within->question.is_bounded()) {
+      json["within"]["distance"] =
+          number_json(enclose_sqrt(1, squared_distance(question, answer.within->question)));
+    }
   }
   json["stats"] = answer.stats;
   return json;

@@ -134,8 +134,13 @@ LineResult LineDecider::decide(const BatchLine& line) const {
       return outcome == LineOutcome::kDecided && !options_.certificates.empty();
     };
     if (!options_.inertia) {
-      const Answer found = answer_to(question, {Engine::kAuto, options_.node_limit, false});
+      const Answer found =
+          answer_to(question, {Engine::kAuto, options_.node_limit, WarningsAsked::kOfMotion});
       answer("verdict", found.verdict);
+      if (found.within) result["within"] = within_json(*found.within);
+      for (const ModelWarning& warning : found.warnings.value_or(std::vector<ModelWarning>{})) {
+        result["warnings"].push_back(to_string(warning.trap));
+      }
       if (options_.quality && is_stable(found.verdict) == true) {
         certificate = add_quality(result, question, line.text);
       }

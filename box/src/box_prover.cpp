@@ -60,7 +60,8 @@ std::optional<std::variant<Stable, Unstable>> BoxProver::prove() {
 }
 
 SearchReport BoxProver::report() const {
-  return {end_, limits_.node_limit, work_.nodes > last_node_, limits_.is_wide, near_};
+  const bool is_far = near_tree_.has_value() || end_ == SearchEnd::kUnbounded;
+  return {end_, limits_.node_limit, work_.nodes > last_node_, limits_.is_wide, is_far, near_};
 }
 
 bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,

@@ -84,7 +84,8 @@ AnswerOptions options_of(const DecideArguments& arguments) {
   const Engine engine = arguments.engine == "states"             ? Engine::kStates
                         : arguments.engine == "branch-and-bound" ? Engine::kBranchAndBound
                                                                  : Engine::kAuto;
-  return {engine, arguments.node_limit, !arguments.no_warnings};
+  return {engine, arguments.node_limit,
+          arguments.no_warnings ? WarningsAsked::kNone : WarningsAsked::kAll};
 }
 
 Answer answered(Question question, const DecideArguments& arguments) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verdict_text.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <utility>
 #include <vector>
 
 #include "box_numbers.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "terminal.hpp"
 #include "warnings.hpp"
@@ -147,6 +151,9 @@ struct Meaning {
            (parts == 1 ? "" : ", in " + std::to_string(parts) + " parts") +
            (are_at_rest(*proof)
                 ? ": nothing moves,\nas friction answers whatever load is left.\n"
+            : are_sticking(*proof)
+                ? ": contacts stick\nnear this motion, and friction has more to spare than "
+                  "what is off takes away.\n"
                 : ": the forces on the walls\naround motions near this one leave no way out "
                   "but an equilibrium inside.\n") +
            near_text();
@@ -197,6 +204,75 @@ struct Meaning {
   }
 };
 
+/// Spells a bound as --max-motion takes it: a length and an angle where these say all.
+std::string bound_text(const GraspBox& box, NumberText& text) {
+  const RationalRow& bound = box.max_motion;
+  const std::size_t half = box.in_space() ? 3 : 2;
+  const bool has_joints = box.mechanism && !box.mechanism->joints.empty();
+  if (!has_joints && bound == bound_of(box, {{bound.front(), bound[half]}})) {
+    return text(bound.front()) + "," + text(bound[half]);
+  }
+  std::string all;
+  for (const Rational& number : bound) all += (all.empty() ? "" : ",") + text(number);
+  return all;
+}
+
+const std::string kNatural = "within " + std::to_string(kFarMotion) +
+                             " times what the load would press the softest contact, ";
+
+/// The largest rotation of a motion, or the largest translation if it hardly turns.
+std::string size_text(const GraspBox& box, const RationalRow& motion) {
+  const std::size_t half = box.in_space() ? 3 : 2;
+  Rational turn = 0;
+  Rational move = 0;
+  for (std::size_t j = 0; j < motion.size(); ++j) {
+    Rational& most = !box.mechanism && j >= half ? turn : move;
+    most = std::max<Rational>(most, abs(motion[j]));
+  }
+  const bool turns = turn > box.max_motion.back();
+  const double size = to_double(turns ? turn : move);
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.2g", size);
+  return digits + std::string(turns ? " rad" : "");
+}
+
+/// What the heading adds of the second answer.
+std::string second_heading(const Answer& answer) {
+  if (!answer.within) return "";
+  const Answer& within = *answer.within;
+  const std::string verdict =
+      std::string(name_of(within.verdict)) +
+      (is_stable(within.verdict) ? " (proved)" : "");
+  if (!within.question.is_bounded()) {
+    char size[32];
+    std::snprintf(size, sizeof size, "%.2g",
+                  std::sqrt(to_double(squared_distance(answer.question, within.question))));
+    return ", but only for a part of the load of " + std::string(size) +
+           ", which no contact opposes;\nwithout it, " + verdict;
+  }
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
+  if (stable == nullptr) return "; " + kNatural + verdict;
+  RationalRow motion = stable->motion;
+  if (const auto* witness = std::get_if<Witness>(&stable->proof)) {
+    const auto all = coordinates(witness->twist);
+    motion.assign(all.begin(), all.end());
+  }
+  return ", but only by motions of " + size_text(*within.question.box(), motion) + ";\n" +
+         kNatural + verdict;
+}
+
+/// How to ask for the second answer and its proof.
+std::string second_text(const Answer& answer, NumberText& text) {
+  if (!answer.within) return "";
+  const Answer& within = *answer.within;
+  if (within.question.is_bounded()) {
+    return "The second answer, with its proof: --max-motion " +
+           bound_text(*within.question.box(), text) + " --certificate FILE.\n";
+  }
+  return "The load without that part is \"within\" in the answer with --json; it differs from "
+         "the one asked\nabout as two doubles do that are next to each other.\n";
+}
+
 /// What the numbers are.
 std::string legend(const Answer& answer) {
   if (answer.question.mechanism() != nullptr) {
@@ -227,7 +303,7 @@ void print_text(const Answer& answer, const NumberOptions& output,
     enclosed = enclosed_contacts(*box);
   }
   const auto* stable = std::get_if<Stable>(&answer.verdict);
-  std::cout << heading(question) << name_of(answer.verdict) << "\n\n"
+  std::cout << heading(question) << name_of(answer.verdict) << second_heading(answer) << "\n\n"
             << (question.mechanism() != nullptr
                     ? states_text(answer, *question.mechanism(), text)
                     : "  load w    " + load_text(wrench_of(question.grasp), text) + "\n")
@@ -236,7 +312,11 @@ void print_text(const Answer& answer, const NumberOptions& output,
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))
             << (question.box() == nullptr ? ""
                                           : uncertain_text(*question.box(), uncertain, text))
+            << (question.is_bounded() ? "Motions up to " + bound_text(*question.box(), text) +
+                                            " are asked about.\n"
+                                      : "")
             << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
+            << second_text(answer, text)
             << enclosure_text(enclosed, answer.bits,
                               !std::holds_alternative<Undecided>(answer.verdict))
             << legend(answer) << text.note() << units_text(question)

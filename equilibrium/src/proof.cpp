@@ -11,10 +11,23 @@ std::size_t leaf_count(const Trees& trees) {
   }));
 }
 
-bool are_at_rest(const StabilityProof& parts) {
-  return std::none_of(parts.begin(), parts.end(), [](const auto& part) {
-    return std::holds_alternative<DegreeProof>(part);
+namespace {
+
+template <class Proof>
+bool are_all(const StabilityProof& parts) {
+  return std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+    return std::holds_alternative<PartSplit>(part) || std::holds_alternative<Proof>(part);
   });
+}
+
+}  // namespace
+
+bool are_at_rest(const StabilityProof& parts) {
+  return are_all<RestProof>(parts);
+}
+
+bool are_sticking(const StabilityProof& parts) {
+  return are_all<StickingProof>(parts);
 }
 
 }  // namespace stickslip

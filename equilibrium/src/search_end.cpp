@@ -18,9 +18,14 @@ Undecided limit_reached(std::size_t node_limit) {
 Undecided undecided_by(const SearchReport& report) {
   const std::string limit = std::to_string(report.node_limit);
   const std::string beside =
-      "the load may be on a threshold: ask about one a little smaller or larger, or for the "
-      "margin";
+      "stickslip margin shows whether the load is near a threshold: ask about one a little "
+      "smaller or larger then";
   const auto answer = [&]() -> Undecided {
+    if (report.is_far) {
+      return {"what is left are motions far beyond those that a load of this size explains, and "
+              "rounding of the data decides what holds there",
+              "far", "--max-motion 1000x asks about motions of the size of the problem"};
+    }
     if (report.is_spent) {
       return {"all trees together reached their limit, a few times " + limit + " nodes",
               "nodes", kMoreNodes};

@@ -342,7 +342,7 @@ class PageAnswer {
       AnswerOptions options;
       options.engine = Engine::kBranchAndBound;  // pictures need exact forces, however long
       options.node_limit = limits_.node_limit;
-      options.warnings = warnings;
+      options.warnings = warnings ? WarningsAsked::kAll : WarningsAsked::kNone;
       answer = answer_to(question_, options);
       found = to_json(*answer);
     };

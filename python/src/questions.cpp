@@ -118,7 +118,8 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  AnswerOptions options{engine_for(grasp, engine), node_limit, warnings};
+  AnswerOptions options{engine_for(grasp, engine), node_limit,
+                        warnings ? WarningsAsked::kAll : WarningsAsked::kNone};
   // Warnings need an exact equilibrium.
   if (warnings && options.engine == Engine::kAuto) options.engine = Engine::kBranchAndBound;
   const auto [answer, certificate] = without_gil([&] {

@@ -78,6 +78,31 @@ bool ForceSpan::has_loads_of(const Law& law) const {
   return true;
 }
 
+RationalRow opposed_part(const ForceSpan& span, const Law& law, const RationalRow& load,
+                         const Rational& length) {
+  // What is taken away is a sum of loads G z, of which |G z|^2 = z.G z with G = 1 or length^2.
+  const auto weighted = [&](RationalRow z) {
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      if (law.rotates[j] != 0) z[j] *= length * length;
+    }
+    return z;
+  };
+  RationalRow left = load;
+  std::vector<RationalRow> across;  // free motions at right angles
+  for (RationalRow z : span.free_motions()) {
+    for (const RationalRow& other : across) {
+      const RationalRow of_other = weighted(other);
+      const Rational part = dot(z, of_other) / dot(other, of_other);
+      for (std::size_t j = 0; j < z.size(); ++j) z[j] -= part * other[j];
+    }
+    const RationalRow way = weighted(z);
+    const Rational part = dot(left, z) / dot(way, z);
+    for (std::size_t j = 0; j < z.size(); ++j) left[j] -= part * way[j];
+    across.push_back(std::move(z));
+  }
+  return left;
+}
+
 std::optional<Row> unopposed_twist(const Law& law) {
   RationalRow y(law.motions);
   for (const RationalRow& z : ForceSpan(law).free_motions()) {

@@ -166,7 +166,7 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const Question& question, const Problem& problem,
-                                         const Verdict& verdict) {
+                                         const Verdict& verdict, bool vary_stiffness) {
   const auto* stable = std::get_if<Stable>(&verdict);
   const auto* unstable = std::get_if<Unstable>(&verdict);
   ModelWarnings warnings;
@@ -177,7 +177,7 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Problem
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload_of(problem, stable->witness().twist));
   }
-  if (!std::holds_alternative<Undecided>(verdict)) {
+  if (vary_stiffness && !std::holds_alternative<Undecided>(verdict)) {
     const std::size_t nodes = unstable != nullptr ? unstable->tree.size() : 0;
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, problem, stable != nullptr, nodes));

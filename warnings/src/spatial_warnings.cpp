@@ -177,7 +177,8 @@ std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const Question& question,
-                                         const BoxDecision& decision) {
+                                         const BoxDecision& decision,
+                                         bool vary_stiffness) {
   if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   if (!question.box()->is_point()) return {};
   const GraspBox grasp = seen_in_space(*question.box());
@@ -194,7 +195,7 @@ std::vector<ModelWarning> model_warnings(const Question& question,
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion));
   }
-  if (is_stable(decision.verdict)) {
+  if (vary_stiffness && is_stable(decision.verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, stable != nullptr, decision));
   }

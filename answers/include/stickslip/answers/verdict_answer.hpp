@@ -45,17 +45,26 @@ struct Answer {
   unsigned bits = kDefaultBits;      ///< as of BoxDecision
   std::optional<Problem> problem{};  ///< of a question about no box
   Warnings warnings{};               ///< about one grasp
-  /// The answer to the same question with motions bounded by natural_bound(), where that says
-  /// more: the grasp is not decided without a bound, or holds by far motions only.
+  /// The answer to a second question where rounding of the data alone decides the first: with
+  /// motions bounded by natural_bound(), if the grasp is not decided without a bound, or holds
+  /// by far motions only; or under the nearest load that contacts oppose, if it does not hold
+  /// for a part of the load that is smaller than 1e-12 of it.
   std::shared_ptr<const Answer> within{};
+};
+
+/// Which traps of the model to look for.
+enum class WarningsAsked {
+  kNone,
+  kOfMotion,  ///< those that the motion and the preloads show: quick
+  kAll        ///< also with other stiffnesses, which takes as long as the verdict
 };
 
 /// How to answer.
 struct AnswerOptions {
   Engine engine = Engine::kAuto;  ///< of one grasp in the plane
   std::size_t node_limit = 0;     ///< as of each engine; 0: its own, or none
-  bool warnings = true;           ///< look for traps of the model, of one grasp
-  bool within = true;             ///< answer within natural_bound(), where that says more
+  WarningsAsked warnings = WarningsAsked::kAll;  ///< of one grasp
+  bool within = true;  ///< answer a second question where that says more
 };
 
 /// The verdict about one grasp: by the engine; or with kAuto, where an exact equilibrium would
@@ -71,6 +80,13 @@ void add_undecided(Json& json, const Undecided& undecided);
 
 /// The contacts as "enclosed", and "bits"; nothing if there are none.
 void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits);
+
+/// Returns by how much the loads of two questions differ: the square of the length of the
+/// difference of forces, and of torques over a typical length of the grasp.
+Rational squared_distance(const Question& a, const Question& b);
+
+/// The second answer in short: the bound and the verdict.
+Json within_json(const Answer& within);
 
 /// What `decide --json` prints, before finished().
 Json to_json(const Answer& answer);

@@ -95,5 +95,7 @@ using StabilityProof = PartsIn<DegreeProof, RestProof, StickingProof>;
 
 /// Whether all parts are proved at rest.
 bool are_at_rest(const StabilityProof& parts);
+/// Whether all parts are proved by sticking.
+bool are_sticking(const StabilityProof& parts);
 
 }  // namespace stickslip

@@ -41,6 +41,11 @@ class ForceSpan {
   std::vector<std::size_t> columns_;
 };
 
+/// Returns the load nearest to `load` that no free motion sees, with torques over this length:
+/// such a load differs from `load` by the part that nothing opposes. Exact.
+RationalRow opposed_part(const ForceSpan& span, const Law& law, const RationalRow& load,
+                         const Rational& length);
+
 /// The free motion that the load in the middle of the law's box is most against, if it refutes
 /// the root of all regions. In doubles it would be missed by a little.
 std::optional<Row> unopposed_twist(const Law& law);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "second_question.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "stickslip/search/force_span.hpp"
+#include "stickslip/search/grasp_law.hpp"
+
+namespace stickslip {
+namespace {
+
+/// Returns the motion of a grasp that holds, or nothing if none is known.
+RationalRow motion_of(const Stable& stable) {
+  if (const auto* witness = std::get_if<Witness>(&stable.proof)) {
+    const auto [x, y, r] = coordinates(witness->twist);
+    return {x, y, r};
+  }
+  return stable.motion;
+}
+
+Question with_grasp(Question question, GraspBox box) {
+  question.grasp = std::move(box);
+  return question;
+}
+
+std::optional<Question> bounded(const Question& question, const Verdict& verdict) {
+  GraspBox box = box_of(question.grasp);
+  const auto bound = natural_bound(box, kFarMotion);
+  if (!bound) return std::nullopt;
+  bool is_far = true;
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    const RationalRow motion = motion_of(*stable);
+    is_far = false;
+    for (std::size_t j = 0; j < motion.size(); ++j) {
+      is_far = is_far || abs(motion[j]) > (*bound)[j];
+    }
+  }
+  if (!is_far) return std::nullopt;
+  box.max_motion = *bound;
+  return with_grasp(question, std::move(box));
+}
+
+Rational squared_length(const RationalRow& load, const Law& law, const Rational& length) {
+  Rational sum = 0;
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    const Rational entry = law.rotates[j] != 0 ? Rational(load[j] / length) : load[j];
+    sum += entry * entry;
+  }
+  return sum;
+}
+
+/// A typical length of the grasp in few bits.
+Rational typical_length(const Law& law) {
+  constexpr int kBits = 4;
+  return rational_in_bits(law.length, kBits);
+}
+
+std::optional<Question> without_rounding(const Question& question) {
+  GraspBox box = box_of(question.grasp);
+  const GraspLaw law(box, question.law);
+  if (box.ball) return std::nullopt;
+  RationalRow load;
+  for (const Interval& component : box.wrench) {
+    if (!component.is_point()) return std::nullopt;
+    load.push_back(component.low);
+  }
+  const ForceSpan span(law);
+  if (span.rank() == law.motions || span.has_loads_of(law)) return std::nullopt;
+  const Rational length = typical_length(law);
+  const RationalRow opposed = opposed_part(span, law, load, length);
+  RationalRow off = load;
+  for (std::size_t j = 0; j < off.size(); ++j) off[j] -= opposed[j];
+  static const Rational kRounding = parse_rational("1e-24");  // of squares
+  if (squared_length(off, law, length) > kRounding * squared_length(load, law, length)) {
+    return std::nullopt;
+  }
+  for (std::size_t j = 0; j < opposed.size(); ++j) box.wrench[j] = point_interval(opposed[j]);
+  return with_grasp(question, std::move(box));
+}
+
+}  // namespace
+
+std::optional<Question> second_question(const Question& question, const Verdict& verdict) {
+  // Of more contacts a second answer takes more memory than the first.
+  constexpr std::size_t kMostContacts = 10000;
+  const auto* one = std::get_if<LoadedGrasp>(&question.grasp);
+  if (one != nullptr && one->grasp.size() > kMostContacts) return std::nullopt;
+  if (std::holds_alternative<Fragile>(verdict)) return std::nullopt;
+  if (std::holds_alternative<Unstable>(verdict)) return without_rounding(question);
+  if (question.is_bounded()) return std::nullopt;
+  return bounded(question, verdict);
+}
+
+Rational squared_distance(const Question& a, const Question& b) {
+  const Law law = GraspLaw(box_of(a.grasp), a.law);
+  const WrenchBox one = wrench_of(a.grasp);
+  const WrenchBox other = wrench_of(b.grasp);
+  RationalRow difference;
+  for (std::size_t j = 0; j < one.size(); ++j) {
+    difference.push_back(one[j].middle() - other[j].middle());
+  }
+  return squared_length(difference, law, typical_length(law));
+}
+
+}  // namespace stickslip

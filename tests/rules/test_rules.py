@@ -44,6 +44,7 @@ WHERE = {
     "node-certain": BOXES,
     **dict.fromkeys(["part-contact", "part-inside"], CUT),
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
+    **dict.fromkeys(["sticking-share", "sticking-motion", "sticking-reach", "sticking-press", "sticking-energy"], PARTS),
     **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
     "degree-free": PARTS,
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),

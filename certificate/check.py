@@ -414,6 +414,8 @@ class Grasp(NamedTuple):
     dimension: int            # D
     names: Tuple[str, ...] = ()  # §14: of the coordinates, if the grasp is of several bodies
     motions: Dict[str, Matrix] = {}  # J of each of them
+    joints: int = 0
+    max_motion: Optional[Vector] = None  # §1: B
 
 
 KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
@@ -489,6 +491,7 @@ class Options(NamedTuple):
     uncertain: Optional[Dict[str, Union[Tolerance, Ball]]] = None  # by kind
     plane: Optional[Tuple[Vector, Vector]] = None     # §12: u and v
     inertia: Optional[Vector] = None                  # §13: the centre of mass and γ²
+    max_motion: Optional[Vector] = None  # B, or a length and an angle, or () for none; of a question B, or None
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
@@ -695,6 +698,29 @@ def read_cases(source: Source, value: Any, common: Wrench,
     return cases
 
 
+def spread(length: Fraction, angle: Fraction, dimension: int, space: bool) -> Vector:
+    """§1, max motion: B of a length and an angle, where there are no joints."""
+    return ((length, length, angle) if not space else (length,) * 3 + (angle,) * 3) * (dimension // (SPACE if space else PLANE))
+
+
+def read_max_motion(source: Source, top: Dict[str, Any], dimension: int, joints: int) -> Optional[Vector]:
+    """§1: B, if the grasp file has it."""
+    if "max_motion" not in top:
+        return None
+    value = top["max_motion"]
+    if type(value) is not Members:
+        bound = source.vector(value, "max_motion", dimension)
+    elif joints:
+        source.fail("max_motion", f"must be an array of {dimension}, a number for each coordinate, as there are joints")
+    else:
+        fields = source.members(value, "max_motion", "length angle")
+        length, angle = (source.number(fields[key], f"max_motion.{key}") for key in ("length", "angle"))
+        bound = spread(length, angle, dimension, source.space)
+    if min(bound) <= 0:
+        source.fail("max_motion", f"{show(min(bound))} is out of range, must be > 0")
+    return bound
+
+
 class Edge(NamedTuple):
     """Of the outline, in the sense of its ring."""
     start: Vector
@@ -843,9 +869,9 @@ def read_grasp(name: str) -> Grasp:
         return read_several(source)
     top = source.members(source.root, "",
                          "format name? units? outline? body? defaults? contacts wrench? loads? "
-                         "cases?")
+                         "cases? max_motion?")
     source.check_format(top["format"])
-    for key in ("units", "outline", "body", "loads", "cases"):
+    for key in ("units", "outline", "body", "loads", "cases", "max_motion"):
         if key in top and top["format"] == GRASP.formats[0]:
             source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
     defaults = read_defaults(source, top)
@@ -871,7 +897,8 @@ def read_grasp(name: str) -> Grasp:
     cases = read_cases(source, top["cases"], common) if "cases" in top else {}
     if source.uncertain and top["format"] == GRASP.formats[0]:
         source.fail(source.uncertain, f"an object here needs \"format\": \"{GRASP.formats[1]}\"")
-    return Grasp(contacts, None if cases else common, cases, source.space, source.dimension)
+    return Grasp(contacts, None if cases else common, cases, source.space, source.dimension,
+                 max_motion=read_max_motion(source, top, source.dimension, 0))
 
 
 def make_row(contact: Contact, growth: Fraction) -> Row:
@@ -977,6 +1004,27 @@ def in_full(inertia: Vector) -> Vector:
     return inertia + zeros(3) if len(inertia) == 6 else inertia
 
 
+def max_motion_asked(asked: Options, grasp: Grasp) -> Optional[Vector]:
+    """§1, max motion: B, or None if motions are not bounded."""
+    of_option = asked.max_motion is not None
+    bound = asked.max_motion if of_option else grasp.max_motion
+    if not bound:
+        return None
+    problem = (f"{asked.family()} is about all motions; " + (
+                   "leave one of the two out" if of_option else
+                   "to leave the bound of the grasp file out, give --max-motion none")
+               if asked.plane or asked.inertia else
+               f"found {show(min(bound))}, must be > 0" if min(bound) <= 0 else "")
+    if not problem and len(bound) == 2 and not grasp.joints:
+        bound = spread(*bound, grasp.dimension, grasp.space)
+    if not problem and len(bound) != grasp.dimension:
+        problem = (f"found {len(bound)} numbers, must be {grasp.dimension}, one for each coordinate"
+                   + ", or a length and an angle" * (not grasp.joints))
+    if problem:
+        raise Malformed("the question", "max_motion", problem)
+    return bound
+
+
 def check_tolerances(asked: Options) -> None:
     """§6: what cannot be asked, whatever the grasp."""
     for kind, tolerance in (asked.uncertain or {}).items():
@@ -1073,7 +1121,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
     check_plane(asked, grasp)
     check_inertia(asked, grasp)
     check_tolerances(asked)
-    asked = about_given(asked, grasp)
+    asked = about_given(asked, grasp)._replace(max_motion=max_motion_asked(asked, grasp))
     contacts = [widened(contact, asked) for contact in grasp.contacts]
     growth = zeros(m)
     if asked.preload_direction not in (None, "scale"):
@@ -1207,7 +1255,7 @@ def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector,
 
 def read_several(source: Source) -> Grasp:
     top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
-                                          "contacts wrench? loads? cases?")
+                                          "contacts wrench? loads? cases? max_motion?")
     if top["format"] != GRASP.formats[2]:
         source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
     defaults = read_defaults(source, top)
@@ -1258,7 +1306,7 @@ def read_several(source: Source) -> Grasp:
     names = [f"{body} {move}" for body in bodies.motions if body != GROUND and body not in bodies.turns for move in moves]
     names += [joint.get("name", f"joint {q}") for q, joint in enumerate(joints)]
     return Grasp(elements, None if cases and not {"loads", "wrench"} & set(top) else common, cases, source.space, bodies.dimension,
-                 tuple(names), bodies.motions)
+                 tuple(names), bodies.motions, len(joints), read_max_motion(source, top, bodies.dimension, len(joints)))
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -1490,7 +1538,7 @@ def read_claim(source: Source, value: Any) -> Claim:
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
                            + "plane? " * (not source.space and not source.several)
-                           + "inertia? " * (not source.several) + "uncertain?", True)
+                           + "inertia? " * (not source.several) + "uncertain? max_motion?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -1514,12 +1562,15 @@ def read_claim(source: Source, value: Any) -> Claim:
         if len(inertia) not in ((6, 9) if source.space else (3,)):
             source.fail("question.inertia", "must be as the option --inertia has it")
         inertia = in_full(inertia)
+    bound = None
+    if "max_motion" in fields:
+        bound = source.vector(fields["max_motion"], "question.max_motion", source.dimension)
     wrench = [read_load_entry(source, entry, "question.wrench")
               for entry in source.array(fields["wrench"], "question.wrench", source.dimension)]
     return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
                  Options(None, preload,
                          source.choice(fields["normal_law"], "question.normal_law", LAWS),
-                         direction, growth, None, uncertain, plane, inertia))
+                         direction, growth, None, uncertain, plane, inertia, bound))
 
 
 def read_load_entry(source: Source, value: Any, place: str) -> Bounds:
@@ -1746,7 +1797,8 @@ def check_question(question: Question, claim: Claim) -> None:
                                  asked.preload_direction),
                                 ("plane", said.plane, asked.plane),
                                 ("inertia", said.inertia, asked.inertia),
-                                ("uncertain", said.uncertain, asked.uncertain)):
+                                ("uncertain", said.uncertain, asked.uncertain),
+                                ("max-motion", said.max_motion, asked.max_motion)):
         if found != wanted:
             raise Rejected(f"question-{rule}", f"the certificate says {show(found)}, asked was "
                                                f"{show(wanted)}")
@@ -1768,6 +1820,9 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
     """`witness-...`. Returns the forces, one for each contact."""
     if question.is_box:
         raise Rejected("witness-box", "an equilibrium of one grasp, but the question is about a box")
+    for j, b in enumerate(question.asked.max_motion or ()):
+        if abs(witness.x[j]) > b * witness.x[len(question.wrench)]:
+            raise Rejected("witness-bound", f"motion {j + 1} is {show(witness.x[j])}, beyond {show(b)} h")
     forces = []
     for row in question.rows:
         v, slip = dot(row.v, witness.x), tuple(dot(s, witness.x) for s in row.slip)
@@ -2278,6 +2333,7 @@ class Root(NamedTuple):
     path: str = ""                # that leads here
     direction: Sequence[Vector] = ()  # of list 2 (§6): A e, by rows
     pieces: Sequence[Cone] = ()   # §12: the dual cones of the load parts of each
+    bound: Vector = ()            # B, if motions are bounded and it is no wall
 
 
 class Region:
@@ -2298,7 +2354,7 @@ class Region:
         self.slips = slips        # the contacts whose slips are strict
         if parent:
             self.box, self.direction = box or parent.box, parent.direction
-            self.pieces = parent.pieces
+            self.pieces, self.bound = parent.pieces, parent.bound
             self.slips += parent.slips
 
     def open(self) -> None:
@@ -2343,6 +2399,7 @@ def all_points(n: int) -> Cone:
 def begin(root: Root) -> Region:
     region = Region(None, root.path)
     region.box, region.direction, region.pieces = root.box, root.direction, root.pieces
+    region.bound = root.bound
     region.cone = all_points(root.box.coordinates)
     conditions = list(root.conditions)
     if root.bilateral:
@@ -2364,10 +2421,19 @@ def within(loads: Range, dimension: int) -> List[Condition]:
     return found
 
 
+def simplex_around(bound: Vector) -> List[Condition]:
+    """§4: d_j ≥ −B_j h for all j, and Σ d_j/B_j ≤ D h."""
+    size = len(bound)
+    rows = [unit(size, j) + (b, Fraction(0)) for j, b in enumerate(bound)]
+    rows += [tuple(-1 / b for b in bound) + (Fraction(size), Fraction(0))] * (size > 0)
+    return [(row, False, False) for row in rows]
+
+
 def roots(question: Question, box: Box, ranges: Sequence[Range], path: str = "") -> List[Root]:
     """§4, of an unstable verdict or a margin."""
-    return [Root(box, within(loads, box.dimension), question.asked.law == "bilateral", path)
-            for loads in ranges]
+    bound = question.asked.max_motion or ()
+    return [Root(box, within(loads, box.dimension) + simplex_around(bound), question.asked.law == "bilateral", path,
+                 bound=bound) for loads in ranges]
 
 
 def times(factor: Fraction, a: Sequence[Fraction]) -> Vector:
@@ -2433,8 +2499,23 @@ def leaf_refusal(region: Region, y: Vector,
     return None if region.bars(flat) else "g = 0 on rays that are not barred together"
 
 
+def is_beyond(region: Region) -> bool:
+    """§4: is the region beyond the bound?"""
+    rays = region.generators()
+    for j, b in enumerate(region.bound):
+        Work.spend(1 + region.cone.weight * len(rays) // 4)
+        for sign_ in (1, -1):
+            # σ d_j − B_j h, times the denominator of B_j
+            heights = [sign_ * b.denominator * x[j] - b.numerator * x[len(region.bound)] for x, _ in rays]
+            if min(heights, default=0) >= 0 and region.bars([ray for ray, height in zip(rays, heights) if not height]):
+                return True
+    return False
+
+
 def check_leaf(region: Region, y: Vector) -> None:
     """`leaf-bound`, and §6, `leaf-direction`."""
+    if is_beyond(region):
+        return
     for shorten in (short_above, lambda x: x):
         found = leaf_refusal(region, y, shorten)
         if found is None:
@@ -2579,7 +2660,7 @@ def check_segments(segments: Sequence[Segment], resisted: Sequence[Interval],
                 raise Rejected("segment-chain", "from 0 to infinity, but the wrench or a preload is "
                                                 "not 0", place)
             start = Fraction(1) if end is None and begin == 0 else begin
-            check_degree(segment, box, question.asked.law == "bilateral", place, start, end)
+            check_degree(segment, box, question.asked, place, start, end)
         else:
             for point, name in zip(segment, ("first", "second")):
                 if point == last:
@@ -2899,12 +2980,39 @@ class Cell:
         return conditions
 
 
-def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str,
+def inverse_of(E: List[Vector]) -> List[Vector]:
+    """C by columns, of independent rows: (E; Z) C_k is 1 in row k, else 0, and of (E; Z, −1; 0) the kernel is that of all (C u, u)."""
+    count, size = len(E), len(E[0])
+    return [z[:size] for z in kernel([row + times(Fraction(-1), unit(count, k)) for k, row in enumerate(E + kernel(E))])]
+
+
+def check_bound(part: DegreeProof, bound: Vector, high: Optional[Fraction], place: str) -> None:
+    """`degree-bound`."""
+    if high is None:
+        raise Rejected("degree-bound", "a proof without an end, but motions are bounded", place)
+    E = part.walls[:-1] if part.simplex else part.walls
+    C = inverse_of(E)
+    if part.simplex:
+        # e = C u with E_j·e = 1 for all rows of E but one, which the last of the simplex replaces or which is that.
+        (c,), size = kernel(list(zip(*part.walls))), len(E)
+        corners = [[Fraction(1)] * size] + [[1 - sum(c) / c[k] * (j == k) for j in range(size)] for k in range(size)]
+        reached = [[dot(u, entries) for u in corners] for entries in zip(*C)]
+    else:
+        reached = [[sign_ * sum(map(abs, entries)) for sign_ in (-1, 1)] for entries in zip(*C)]
+    for j, (b, entries) in enumerate(zip(bound, reached)):
+        for d in (part.twist[j], part.end_twist[j]):
+            if max(abs(d + e) for e in entries) > b:
+                raise Rejected("degree-bound", f"motion {j + 1} of K goes beyond {show(b)}", place)
+
+
+def check_degree(part: DegreeProof, box: Box, asked: Options, place: str,
                  low: Fraction = Fraction(0), high: Optional[Fraction] = Fraction(0)) -> None:
     """A part by degree, or a segment, for all λ from low to high."""
     check_shape(part, box, place)
+    if asked.max_motion:
+        check_bound(part, asked.max_motion, high, place)
     cell = Cell(part, low, high)
-    if bilateral:
+    if asked.law == "bilateral":
         region = begin(Root(box, cell.cone(cell.multiples)))
         for i, term in enumerate(box.terms):
             lows, _ = term.extremes([x for x, _ in region.cone.generators])
@@ -2922,7 +3030,7 @@ def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str,
                            for j, (wall, _) in enumerate(part.faces())], place)
 
 
-def check_parts(parts: Sequence[Part], box: Box, bilateral: bool) -> None:
+def check_parts(parts: Sequence[Part], box: Box, asked: Options) -> None:
     """`waiting` holds the boxes that are still to come, with their paths and depths."""
     waiting = [(box, "", 0)]
     for k, part in enumerate(parts):
@@ -2939,7 +3047,7 @@ def check_parts(parts: Sequence[Part], box: Box, bilateral: bool) -> None:
             check_sticking(part, here, bilateral, place)
             continue
         if isinstance(part, DegreeProof):
-            check_degree(part, here, bilateral, place)
+            check_degree(part, here, asked, place)
             continue
         try:
             low, high = here.halves(part)
@@ -2980,6 +3088,8 @@ def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> 
             if low or not at_rest(question):
                 raise Rejected("interval-whole", "a proof about all multiples, but the wrench, a "
                                                  "preload or the low end is not 0", place)
+            if question.asked.max_motion:
+                raise Rejected("interval-whole", "a proof about all multiples, but motions are bounded", place)
             low = high = Fraction(1)  # for all: the laws are homogeneous
         if isinstance(claim.part, RestProof):
             check_rest(claim.part, box, place, sorted({low, high}))
@@ -2988,7 +3098,7 @@ def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> 
             check_sticking(claim.part, box, question.asked.law == "bilateral", place, sorted({low, high}))
             continue
         if claim.part:
-            check_degree(claim.part, box, question.asked.law == "bilateral", place, low, high)
+            check_degree(claim.part, box, question.asked, place, low, high)
             continue
         forces = [check_point(question, point, f"{place}, {name} point")
                   for point, name in zip(claim.points, ("first", "second"))]
@@ -3321,6 +3431,9 @@ one of them may be - for standard input. Give the same options as to the program
                            wrench=ball:R[:length=L][:about=X:Y[:Z]][:body=NAME] adds every force f and
                            torque t at a point (of a body, if there are several) with
                            |f|^2 + |t|^2/L^2 <= R^2; L is 1 and the point 0 if left out
+  --max-motion LENGTH,ANGLE
+                           ask about motions up to these alone, in place of the file's max_motion; or
+                           B1,B2,..., a number for each coordinate (with joints always); or none
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow
@@ -3410,7 +3523,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--torque", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction", "--plane", "--inertia", "--uncertain"):
+                        "--preload-direction", "--plane", "--inertia", "--uncertain", "--max-motion"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
@@ -3442,6 +3555,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
                                        list_option(name, value))
         elif name == "--uncertain":
             options = options._replace(uncertain=tolerances_option(name, value))
+        elif name == "--max-motion":
+            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value))
         elif value in LAWS:
             options = options._replace(law=value)
         else:
@@ -3519,6 +3634,8 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     lines += [f"preload     {preload}", f"normal law  {asked.law}"]
     if asked.uncertain:
         lines.append("uncertain   " + ", ".join(f"{kind} {size}" for kind, size in tolerances(asked).items()))
+    if asked.max_motion:
+        lines.append(f"max motion  ({', '.join(map(str, asked.max_motion))})")
     lines += ["proof       " + (
         f"intervals by degree: {proofs}" + f", at rest: {rests}" * (rests > 0)
         + f", sticking: {stickings}" * (stickings > 0)
@@ -3554,7 +3671,6 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         certificate = read_certificate(arguments.files[1], question)
         check_question(question, certificate.question)
         ranges = [VERDICT]
-        bilateral = question.asked.law == "bilateral"
         if certificate.verdict == "margin" and certificate.claims is None:
             check_resisted(certificate.resisted)
             check_segments(certificate.segments, certificate.resisted, question)
@@ -3570,7 +3686,7 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
             ranges = check_ranges(question, certificate.claims,
                                   enlarged(question, certificate.bits))
         elif certificate.parts is not None:
-            check_parts(certificate.parts, enlarged(question, certificate.bits), bilateral)
+            check_parts(certificate.parts, enlarged(question, certificate.bits), question.asked)
         else:
             check_tree(certificate.tree,
                        roots(question, enlarged(question, certificate.bits), ranges))
@@ -3599,7 +3715,8 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         "preload_direction": growth if growth == "scale" else listed(growth),
         **({"plane": list(map(listed, asked.plane))} if asked.plane else {}),
         **({"inertia": listed(asked.inertia)} if asked.inertia else {}),
-        "uncertain": {kind: listed_tolerance(size) for kind, size in tolerances(asked).items()} or None})
+        "uncertain": {kind: listed_tolerance(size) for kind, size in tolerances(asked).items()} or None,
+        **({"max_motion": listed(asked.max_motion)} if asked.max_motion else {})})
     if not certificate.witness:
         report.update(nodes=len(certificate.trees()), leaves=leaves)
     if certificate.verdict == "margin":

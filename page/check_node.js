@@ -25,6 +25,8 @@ codes are those of stickslip-check; see certificate/FORMAT.md.
   --inertia X,Y,G2         ask for the class of rigid contacts: not judged
   --uncertain LIST         such as friction=10%,position=0.001: ask about every grasp in the box; or, about
                            every load in a ball, wrench=ball:R[:length=L][:about=X:Y[:Z]][:body=NAME]
+  --max-motion LENGTH,ANGLE
+                           ask about motions up to these alone; or a number for each coordinate; or none
   --json                   answer as one JSON object
   --batch                  instead of two files, questions from standard input: on each line a JSON object
                            {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, of which each character
@@ -74,6 +76,9 @@ const OPTIONS = {
       }
       o.uncertain[kind] = tolerance;
     }
+  },
+  '--max-motion': (o, text) => {
+    o.max_motion = text === 'none' ? text : numbers(text, null, 'LENGTH,ANGLE, or a number for each coordinate, at most 30, or none', 30);
   },
 };
 
@@ -160,6 +165,7 @@ function accepted_text(answer) {
   if (question.uncertain !== null) {
     rows.push(['uncertain', Object.entries(question.uncertain).map(([kind, t]) => `${kind} ${typeof t === 'string' ? t : ball_text(t)}`).join(', ')]);
   }
+  if (question.max_motion !== undefined) rows.push(['max motion', tuple(question.max_motion)]);
   rows.push(['proof', verdict === 'margin' ? (refuted === null ? `segments: ${proof.segments}; trees: ${proof.trees}, of ${trees}`
       : `intervals by degree: ${proof.degrees}${proof.rests > 0 ? `, at rest: ${proof.rests}` : ''}${
         proof.stickings > 0 ? `, sticking: ${proof.stickings}` : ''}, refuted: ${proof.trees}; trees of ${trees}`)

@@ -41,6 +41,19 @@ Vector parse_wrench(const std::string& option, const std::string& text) {
   return values;
 }
 
+/// An empty list stands for none.
+Vector parse_max_motion(const std::string& option, const std::string& text) {
+  if (text == "none") return {};
+  Vector values = parse_list(option, text);
+  if (values.size() > kMostCoordinates) {
+    throw UsageError{
+        option + ": " + quote(text) +
+        " is not LENGTH,ANGLE, such as 1/10,2, or a number for each coordinate, at "
+        "most 30, or the word none"};
+  }
+  return values;
+}
+
 std::vector<Vector> parse_plane(const std::string& option, const std::string& text) {
   const Vector values = parse_list(option, text);
   if (values.size() != 2 * kPlanar) {
@@ -178,6 +191,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       if (growth != "scale") options.preload_direction->values = parse_list(word, growth);
     } else if (word == "--uncertain") {
       options.uncertain = parse_tolerances(word, value());
+    } else if (word == "--max-motion") {
+      options.max_motion = parse_max_motion(word, value());
     } else if (!attached && word == "--json") {
       arguments.json = true;
     } else if (!attached && word == "--batch") {

@@ -74,6 +74,17 @@ Vector at_point(const Vector& p, const Vector& f) {
   return wrench;
 }
 
+Vector bound_of(const Rational& length, const Rational& angle, std::size_t dimension,
+                bool in_space) {
+  const std::size_t numbers = in_space ? kSpatial : kPlanar;
+  const std::size_t translations = in_space ? 3 : 2;
+  Vector bound;
+  for (std::size_t j = 0; j < dimension; ++j) {
+    bound.push_back(j % numbers < translations ? length : angle);
+  }
+  return bound;
+}
+
 Vector combined(const Matrix& rows, const Vector& factors) {
   Vector result(rows[0].size());
   spend(kStepsOfRational * factors.size() * result.size());

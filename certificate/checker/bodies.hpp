@@ -48,6 +48,7 @@ class Mechanism {
   Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space);
 
   std::size_t dimension() const { return dimension_; }
+  std::size_t joints() const { return joints_.size(); }
   /// J_b; nothing is the ground.
   const Matrix& motion(std::optional<std::size_t> body) const {
     return body ? motions_[*body] : ground_;
@@ -85,6 +86,11 @@ inline bool is_spring(const Sight& sight) {
 
 /// The wrench, or the twist row, of a force at a point.
 Vector at_point(const Vector& point, const Vector& force);
+
+/// B of a length for all translations and an angle for all rotations, where there is no joint
+/// (FORMAT.md §1).
+Vector bound_of(const Rational& length, const Rational& angle, std::size_t dimension,
+                bool in_space);
 
 /// The sum of the rows of a matrix, each by its factor.
 Vector combined(const Matrix& rows, const Vector& factors);

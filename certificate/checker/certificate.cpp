@@ -337,7 +337,7 @@ const Value& CertificateReader::member(const Value& value, const std::string& pl
 Claim CertificateReader::claim_of(const Value& value) const {
   expect_order(value, "question",
                {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction",
-                "plane", "inertia", "uncertain"});
+                "plane", "inertia", "uncertain", "max_motion"});
   Claim claim;
   claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
   const std::string at_wrench = "question.wrench";
@@ -386,6 +386,9 @@ Claim CertificateReader::claim_of(const Value& value) const {
   }
   if (const Value* uncertain = value.find("uncertain")) {
     asked.uncertain = tolerances(*uncertain);
+  }
+  if (const Value* bound = value.find("max_motion")) {
+    asked.max_motion = numbers(*bound, "question.max_motion", 0, dimension_);
   }
   return claim;
 }

@@ -43,6 +43,10 @@ std::string in_words(const std::map<std::string, Tolerance>& uncertain) {
   return text.empty() ? "no tolerances" : "the tolerances " + text;
 }
 
+std::string in_words_max_motion(const std::optional<Vector>& bound) {
+  return bound ? "motions up to " + show(*bound) : "motions without a bound";
+}
+
 /// The rules `question-...`.
 void check_question(const Claim& claim, const Question& question) {
   const auto compare = [](const char* rule, bool equal, const std::string& claimed,
@@ -72,6 +76,8 @@ void check_question(const Claim& claim, const Question& question) {
           in_words_inertia(asked.inertia));
   compare("question-uncertain", said.uncertain == asked.uncertain, in_words(said.uncertain),
           in_words(asked.uncertain));
+  compare("question-max-motion", said.max_motion == asked.max_motion,
+          in_words_max_motion(said.max_motion), in_words_max_motion(asked.max_motion));
 }
 
 /// A rule that fails, or the limit of work, is remembered, and the rest of the file is still
@@ -137,7 +143,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   if (rigid) {
     check_class(certificate, question, rejection, accepted);
   } else if (accepted.verdict == "stable" && certificate.has_parts()) {
-    PartWalk walk(question.asked.bilateral, question.box);
+    PartWalk walk(question.asked, question.box);
     while (const std::optional<Part> part = certificate.next_part()) {
       rejection.unless_rejected([&] { walk.visit(*part); });
     }

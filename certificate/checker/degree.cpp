@@ -93,6 +93,69 @@ void check_shape(const Part& part, const Box& box, const std::string& place) {
   }
 }
 
+/// C of the rows E, by columns: C_k is a sum of multiples of them, and E_i.C_k is 1 if i = k,
+/// else 0. Where they are independent: by elimination of (E; Z) C = (1; 0).
+std::vector<Vector> duals(std::vector<Vector> rows) {
+  const std::size_t rank = rows.size();
+  const std::size_t dimension = rows[0].size();
+  for (Vector& z : kernel(rows)) rows.push_back(std::move(z));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].resize(dimension + rank);
+    if (i < rank) rows[i][dimension + i] = -1;
+  }
+  std::vector<Vector> columns = kernel(std::move(rows));
+  for (Vector& column : columns) column.resize(dimension);
+  return columns;
+}
+
+/// Of K across the free motions: the least and the largest e_j of all its points, at s + t = 1.
+std::vector<Bounds> reach_of(const Part& part) {
+  const std::size_t dimension = part.twist.size();
+  std::vector<Bounds> reach(dimension, Bounds(0));
+  if (!part.simplex) {
+    for (const Vector& column : duals(part.walls)) {
+      for (std::size_t j = 0; j < dimension; ++j) {
+        reach[j] = {reach[j].low - abs(column[j]), reach[j].high + abs(column[j])};
+      }
+    }
+    return reach;
+  }
+  // Without wall k, at the vertex across from it E_k.e = 1 - (sum c) / c_k.
+  const Vector c = kernel(transposed(part.walls))[0];
+  const std::vector<Vector> columns = duals({part.walls.begin(), part.walls.end() - 1});
+  Rational all;
+  for (const Rational& each : c) all += each;
+  for (std::size_t k = 0; k < part.walls.size(); ++k) {
+    Vector vertex(dimension);
+    for (const Vector& column : columns) add(vertex, 1, column);
+    if (k < columns.size()) add(vertex, Rational(-all / c[k]), columns[k]);
+    for (std::size_t j = 0; j < dimension; ++j) {
+      const bool first = k == 0;
+      reach[j] = {first ? vertex[j] : std::min(reach[j].low, vertex[j]),
+                  first ? vertex[j] : std::max(reach[j].high, vertex[j])};
+    }
+  }
+  return reach;
+}
+
+/// `degree-bound`.
+void check_bound(const Part& part, const Range& range, const Vector& bound,
+                 const std::string& place) {
+  const auto refuse = [&](const std::string& found) {
+    throw Rejected{"degree-bound", std::nullopt, place, found};
+  };
+  if (!range.high) refuse("a proof about all multiples, but motions are bounded");
+  const std::vector<Bounds> reach = reach_of(part);
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    for (const Rational& middle : {part.twist[j], part.end_twist[j]}) {
+      const Bounds motion(middle + reach[j].low, middle + reach[j].high);
+      if (motion.low >= -bound[j] && motion.high <= bound[j]) continue;
+      refuse("motion " + std::to_string(j + 1) + " of K is from " + show(motion.low) + " to " +
+             show(motion.high) + ", beyond " + show(bound[j]));
+    }
+  }
+}
+
 /// A wall F.(d - c) = z of K = {F.(d - c) <= z for all F}.
 struct Wall {
   Vector outwards;  ///< F
@@ -173,9 +236,10 @@ std::optional<std::size_t> opening(const Part& part, const Box& box, const Range
 }  // namespace
 
 TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
-                      const Range& range, bool bilateral, const std::string& place) {
+                      const Range& range, const Options& asked, const std::string& place) {
   check_shape(part, *box, place);
-  const auto opens = bilateral ? opening(part, *box, range) : std::nullopt;
+  if (asked.max_motion) check_bound(part, range, *asked.max_motion, place);
+  const auto opens = asked.bilateral ? opening(part, *box, range) : std::nullopt;
   if (opens) {
     throw Rejected{
         "degree-law", std::nullopt, place,
@@ -203,8 +267,8 @@ TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
   return walk;
 }
 
-PartWalk::PartWalk(bool bilateral, const std::shared_ptr<const Box>& box)
-    : bilateral_(bilateral), awaited_{{box, "", 0}} {}
+PartWalk::PartWalk(const Options& asked, const std::shared_ptr<const Box>& box)
+    : asked_(asked), awaited_{{box, "", 0}} {}
 
 void PartWalk::visit(const Part& part) {
   std::string place = "part " + std::to_string(parts_++);
@@ -229,7 +293,7 @@ void PartWalk::visit(const Part& part) {
     return;
   }
   if (!part.cut) {
-    const TreeWalk walk = check_degree(part, here.box, {0, 0}, bilateral_, place);
+    const TreeWalk walk = check_degree(part, here.box, {0, 0}, asked_, place);
     ++proofs_;
     nodes_ += walk.nodes();
     leaves_ += walk.leaves();

@@ -37,12 +37,12 @@ struct Part {
 /// or from range.low > 0 on.
 /// Throws Rejected, or returns the walk over its trees.
 TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
-                      const Range& range, bool bilateral, const std::string& place);
+                      const Range& range, const Options& asked, const std::string& place);
 
 /// The walk over the list of parts, in their order.
 class PartWalk {
  public:
-  PartWalk(bool bilateral, const std::shared_ptr<const Box>& box);
+  PartWalk(const Options& asked, const std::shared_ptr<const Box>& box);
 
   /// The next part of the list. Throws Rejected.
   void visit(const Part& part);
@@ -63,7 +63,7 @@ class PartWalk {
     std::size_t depth;
   };
 
-  bool bilateral_;
+  Options asked_;
   std::vector<Awaited> awaited_;  ///< the next one last
   std::uint64_t parts_ = 0;
   std::uint64_t rests_ = 0;

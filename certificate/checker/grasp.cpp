@@ -103,7 +103,7 @@ class GraspReader {
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
             {"format", "name", "units", "outline", "body", "defaults", "contacts", "wrench",
-             "loads", "cases", "bodies", "joints", "tendons", "ratchets"},
+             "loads", "cases", "bodies", "joints", "tendons", "ratchets", "max_motion"},
             "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
@@ -134,7 +134,7 @@ class GraspReader {
       }
     };
     deny(version_ < 3, {"bodies", "joints", "tendons", "ratchets"}, kNeeds3);
-    deny(version_ < 2, {"units", "outline", "body", "loads", "cases"}, kNeeds2);
+    deny(version_ < 2, {"units", "outline", "body", "loads", "cases", "max_motion"}, kNeeds2);
     deny(version_ == 3, {"outline"}, "of several bodies each of \"bodies\" may have one");
     deny(version_ == 3, {"body"}, "of several bodies each of \"bodies\" may have a \"mesh\"");
     if (version_ == 3) check(has("bodies"), "the member \"bodies\" is missing");
@@ -193,6 +193,8 @@ class GraspReader {
       read_body(value, key.c_str());
     } else if (key == "units") {
       read_units(value);
+    } else if (key == "max_motion") {
+      grasp_.max_motion = read_max_motion(value, key.c_str());
     } else if (key == "defaults") {
       expect_object(value, key.c_str(), {"friction", "stiffness", "preload", "torsion"});
       defaults_ = properties(value, key.c_str());
@@ -216,6 +218,31 @@ class GraspReader {
                            unit.text.size() <= kMostBytes;
       expect(is_unit, unit, Where("units.") + key, "a string of 1 to 16 bytes");
     }
+  }
+
+  /// FORMAT.md §1, *max motion*: B.
+  Vector read_max_motion(const Value& value, const Where& place) const {
+    const auto above_zero = [this](const Value& entry, const Where& where) {
+      const Rational read = number(entry, where);
+      expect(read > 0, entry, where, "a number above 0");
+      return read;
+    };
+    const std::size_t size = load_numbers();
+    const bool has_joints = mechanism_ && mechanism_->joints() > 0;
+    if (value.kind == Value::Kind::kObject && !has_joints) {
+      expect_object(value, place, {"length", "angle"});
+      const Rational length = above_zero(member(value, place, "length"), place + ".length");
+      const Rational angle = above_zero(member(value, place, "angle"), place + ".angle");
+      return bound_of(length, angle, size, dimension_ == kSpatial);
+    }
+    expect(value.is_array(size), value, place,
+           "an array of " + std::to_string(size) + " numbers" +
+               (has_joints ? ", one for each coordinate, as there are joints"
+                           : R"(, or an object {"length": ..., "angle": ...})"));
+    Vector bound;
+    for (std::size_t j = 0; j < size; ++j)
+      bound.push_back(above_zero(value.items[j], place[j]));
+    return bound;
   }
 
   /// FORMAT.md §1: it has no meaning here.

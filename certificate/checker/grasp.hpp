@@ -74,6 +74,7 @@ struct Grasp {
   Wrench wrench;                             ///< with cases, what is common to them
   std::map<std::string, Wrench> cases = {};  ///< the wrench of each, by name
   std::optional<Bodies> several = {};        ///< of version 3
+  std::optional<Vector> max_motion = {};     ///< B, of D numbers, if it bounds motions
 
   /// D: of one body 3 in the plane, 6 in space.
   std::size_t dimension() const { return wrench.size(); }

@@ -77,6 +77,10 @@ the program that produced the certificate:
                            differs by a force f and a torque t at (X, Y) with |f|^2 + |t|^2 / L^2
                            at most R^2, where L is 1 and the point 0 unless given; of several
                            bodies it is on the one named last, after body=
+  --max-motion LENGTH,ANGLE
+                           ask about motions up to these alone, in place of the grasp file's
+                           max_motion; or B1,B2,..., a number for each coordinate, which it has
+                           to be with joints; or the word none: without a bound
 
   --json                   answer as one JSON object
   --batch                  instead of GRASP and CERTIFICATE, and without other options: questions from

@@ -120,8 +120,7 @@ void Segments::check_points(const Witness& first, const Witness& second) {
 }
 
 void Segments::check_by_degree(const Part& part, const Range& range) {
-  count(check_degree(part, question_.box, range, question_.asked.bilateral, place()),
-        accepted_);
+  count(check_degree(part, question_.box, range, question_.asked, place()), accepted_);
   ++accepted_.parts;
 }
 
@@ -166,6 +165,8 @@ void RangeProofs::check_order(const RangeProof& claim, const std::string& place)
           "begins at " + show(low) + ", and ends at " + show(high.value_or(0)));
   require(!claim.stable || high || (rests_ && low == 0), "interval-whole",
           "a proof about all multiples, but the wrench, a preload or the low end is not 0");
+  require(!claim.stable || high || !question_.asked.max_motion, "interval-whole",
+          "a proof about all multiples, but motions are bounded");
 }
 
 void RangeProofs::check_resisted(const RangeProof& claim, const std::string& place) {
@@ -180,8 +181,7 @@ void RangeProofs::check_resisted(const RangeProof& claim, const std::string& pla
                    std::nullopt, place);
     ++accepted_.stickings;
   } else if (claim.points.empty()) {
-    count(check_degree(claim.part, question_.box, range, question_.asked.bilateral, place),
-          accepted_);
+    count(check_degree(claim.part, question_.box, range, question_.asked, place), accepted_);
     ++accepted_.parts;
   } else {
     ForceSum sum;

@@ -124,7 +124,10 @@ std::string json_question(const Question& question) {
                              list((*asked.plane)[1], "[", "]", true) + "]") +
          (!asked.inertia ? "" : R"(, "inertia": )" + list(*asked.inertia, "[", "]", true)) +
          R"(, "uncertain": )" +
-         (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") + "}";
+         (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") +
+         (!asked.max_motion ? ""
+                            : R"(, "max_motion": )" + list(*asked.max_motion, "[", "]", true)) +
+         "}";
 }
 
 /// How many there are; of several bodies, which elements, and the coordinates of their motion.
@@ -181,6 +184,7 @@ std::string text_of(const Accepted& a) {
   if (growth && !growth->scale) text += " + f " + list(growth->values, "(", ")", false);
   text += "\nnormal law  " + law_name(asked.bilateral);
   if (!asked.uncertain.empty()) text += "\nuncertain   " + tolerances(asked, " ", false);
+  if (asked.max_motion) text += "\nmax motion  " + list(*asked.max_motion, "(", ")", false);
   text += "\nproof       ";
   const std::string tree =
       std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves";

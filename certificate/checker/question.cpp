@@ -100,6 +100,31 @@ void check_inertia(const Grasp& grasp, const Options& options) {
   }
 }
 
+/// FORMAT.md §1, *max motion*: B, if motions are bounded.
+std::optional<Vector> max_motion_asked(const Grasp& grasp, const Options& options) {
+  const std::optional<Vector>& given = options.max_motion;
+  const auto refuse_bound = [](const std::string& problem) { refuse("max_motion", problem); };
+  std::optional<Vector> bound = given ? given : grasp.max_motion;
+  if (!bound || bound->empty()) return std::nullopt;
+  if (options.plane || options.inertia) {
+    refuse_bound("motions are bounded, but " + kind_of(options) + " is about all motions; " +
+                 (given ? "expected one of the two"
+                        : "to leave the bound of the grasp file out, give --max-motion none"));
+  }
+  for (const Rational& b : *bound) {
+    if (b <= 0) refuse_bound("found " + show(b) + ", expected numbers above 0");
+  }
+  const std::size_t size = grasp.dimension();
+  if (bound->size() == size) return bound;
+  const bool has_joints = grasp.several && grasp.several->mechanism->joints() > 0;
+  if (bound->size() != 2 || has_joints) {
+    refuse_bound("found " + std::to_string(bound->size()) + " numbers, expected " +
+                 std::to_string(size) + ", one for each coordinate of motions" +
+                 (has_joints ? ", as there are joints" : ", or a length and an angle"));
+  }
+  return bound_of((*bound)[0], (*bound)[1], size, grasp.in_space());
+}
+
 /// The numbers of each kind, widened.
 void widen(Bounds& bounds, const Tolerance& tolerance) {
   const auto by = [&](const Rational& end) {
@@ -283,6 +308,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   check_inertia(grasp, options);
   Question question;
   question.asked = options;
+  question.asked.max_motion = max_motion_asked(grasp, options);
   question.several = grasp.several;
   question.in_space = grasp.in_space();
   if (options.preload && *options.preload < 0) {

@@ -63,6 +63,9 @@ struct Options {
   std::optional<Vector> inertia;         ///< of a class: centre of mass and squared gyration
   std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
   std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
+  /// B. Of whoever asks also a length and an angle, or for none an empty list, in place of the
+  /// file's; of a question nothing if motions are not bounded.
+  std::optional<Vector> max_motion;
 
   /// Whether the margin along a direction is asked for, and not one verdict.
   bool margin() const { return direction || preload_direction; }

@@ -12,6 +12,45 @@ namespace {
 constexpr std::size_t kMoreDepth = 256;  // FORMAT.md `node-depth`
 constexpr std::size_t kSettleEvery = 4;
 
+/// FORMAT.md §4: d_j >= -B_j h for all j, and sum d_j / B_j <= D h.
+std::vector<Condition> sides_of_simplex(const Vector& bound) {
+  const std::size_t dimension = bound.size();
+  std::vector<Condition> sides;
+  Vector last(dimension + 2);
+  last[dimension] = dimension;
+  for (std::size_t j = 0; j < dimension; ++j) {
+    Vector a(dimension + 2);
+    a[j] = 1;
+    a[dimension] = bound[j];
+    sides.push_back({std::move(a)});
+    last[j] = -1 / bound[j];
+  }
+  sides.push_back({std::move(last)});
+  return sides;
+}
+
+/// d_j - B_j h and -d_j - B_j h for all j.
+std::vector<Form> beyond(const Vector& bound) {
+  std::vector<Form> functions;
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    for (const int sign : {1, -1}) {
+      Vector a(bound.size() + 2);
+      a[j] = sign;
+      a[bound.size()] = -bound[j];
+      functions.push_back(make_form(a));
+    }
+  }
+  return functions;
+}
+
+/// FORMAT.md §4, "beyond the bound".
+bool is_beyond(const std::vector<Form>& functions, const Generators& region) {
+  return std::any_of(functions.begin(), functions.end(), [&](const Form& function) {
+    bool barred = false;
+    return side(region, {function}, &barred) > 0 && barred;
+  });
+}
+
 }  // namespace
 
 std::size_t most_depth(const Box& box) {
@@ -58,10 +97,14 @@ std::vector<Condition> conditions_of(const Range& range, std::size_t dimension) 
 }
 
 std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges) {
+  const Vector bound = question.asked.max_motion.value_or(Vector{});
   std::vector<Root> roots;
   for (const Range& range : ranges) {
     roots.push_back(
         {question.box, conditions_of(range, question.dimension()), question.asked.bilateral});
+    if (bound.empty()) continue;
+    for (Condition& side : sides_of_simplex(bound)) roots.back().conditions.push_back(side);
+    roots.back().beyond = beyond(bound);
   }
   return roots;
 }
@@ -173,7 +216,7 @@ void TreeWalk::settle(Region& region, const Generators& generators) {
 /// `leaf-bound`, `leaf-direction`.
 void TreeWalk::check_leaf(Region region, const Vector& y) {
   const Generators generators(*region.box, region.cone, region.strict);
-  if (generators.barred()) return;
+  if (generators.barred() || is_beyond(roots_[trees_ - 1].beyond, generators)) return;
   settle(region, generators);
   if (!region.settled || !region.settled->proves(generators, y)) {
     ++exact_leaves_;

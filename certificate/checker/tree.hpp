@@ -57,6 +57,8 @@ struct Root {
   std::vector<Vector> direction = {};
   /// Of a region: the pieces, which `held` leaves name.
   std::shared_ptr<const std::vector<Piece>> pieces = {};
+  /// If motions are bounded, and it is no wall: functions that are above 0 at no solution.
+  std::vector<Form> beyond = {};
 };
 /// The most nodes above one: `node-depth`.
 std::size_t most_depth(const Box& box);

@@ -43,6 +43,16 @@ std::vector<ContactForce> motion_of(const Box& box, const Form& x) {
   return forces;
 }
 
+/// `witness-bound`.
+void check_bound(const Vector& bound, const Vector& x) {
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    const Rational most = bound[j] * x[bound.size()];
+    if (abs(x[j]) <= most) continue;
+    reject("witness-bound", "motion " + std::to_string(j + 1) + " is " + show(x[j]) +
+                                ", not from " + show(Rational(-most)) + " to " + show(most));
+  }
+}
+
 /// `witness-share`: sets the shares of contacts that stick.
 void take_shares(const Box& box, const Witness& witness, std::vector<ContactForce>& forces) {
   Integer above = -1;
@@ -160,6 +170,7 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
   if (question.is_box) {
     reject("witness-box", "an equilibrium of one grasp, but the question is about a box");
   }
+  check_bound(question.asked.max_motion.value_or(Vector{}), witness.x);
   // All conditions are homogeneous, so a multiple of the point without denominators serves.
   Rational scale;
   const Form x = make_form(witness.x, &scale);

@@ -762,6 +762,22 @@ function read_head(file, version) {
   return {space, size: space ? 6 : 3, defaults, contacts};
 }
 
+/** B (§1, max motion) of a length and an angle, where there are no joints. */
+const spread = (length, angle, size, space) =>
+  Array.from({length: size}, (_, j) => (j % (space ? 6 : 3) < (space ? 3 : 2) ? length : angle));
+
+/** B of a file, or null if it has none. */
+function read_max_motion(file, size, space, has_joints) {
+  const place = 'max_motion', value = file.get(place);
+  if (value === undefined) return null;
+  const above_zero = (b, where) => (b.sign() > 0 ? b : expected('a number above 0', `${b}`, where));
+  if (!(value instanceof Map)) return grasp_numbers(value, place, size).map((b, j) => above_zero(b, `${place}[${j}]`));
+  if (has_joints) throw new Malformed(place, `must be an array of ${size} numbers, one for each coordinate, as there are joints`);
+  known_members(value, place, ['length', 'angle'], ['length', 'angle']);
+  const [length, angle] = ['length', 'angle'].map((name) => above_zero(grasp_number(value.get(name), `${place}.${name}`), `${place}.${name}`));
+  return spread(length, angle, size, space);
+}
+
 /** A contact, in version 3 without its bodies. */
 function read_contact(value, place, {space, defaults}, version, outline = null) {
   object_at(value, place);
@@ -786,7 +802,7 @@ function read_contact(value, place, {space, defaults}, version, outline = null) 
 }
 
 /**
- * {space, several, size, contacts, wrench, cases, motions}: each contact with p, mu, k, preload as intervals, n, slope, torsion, and of
+ * {space, several, size, contacts, wrench, cases, motions, joints, max_motion}: each contact with p, mu, k, preload as intervals, n, slope, torsion, and of
  * several bodies motion (G by its columns) and spring; wrench as intervals, or null where only cases have one. size is D; motions has J
  * of each of several bodies and of the ground.
  */
@@ -801,7 +817,7 @@ function read_grasp(text) {
   if (file.has('normals')) {
     throw new Malformed('normals', 'unknown; stickslip snap GRASP -o FILE writes normals of rational length');
   }
-  const more = ['units', 'outline', 'body', 'loads', 'cases'];
+  const more = ['units', 'outline', 'body', 'loads', 'cases', 'max_motion'];
   for (const key of more) {
     if (version === 1 && file.has(key)) throw new Malformed(key, 'needs "format": "stickslip-grasp/2"');
   }
@@ -815,13 +831,13 @@ function read_grasp(text) {
     check_mesh(file.get('body'), 'body');
   }
   const contacts = head.contacts.map((value, i) => read_contact(value, `contacts[${i}]`, head, version, outline));
-  const wrench = read_wrench(file, '', size, version);
+  const wrench = read_wrench(file, '', size, version), bound = {joints: 0, max_motion: read_max_motion(file, size, space, false)};
   if (!file.has('cases')) {
     if (wrench === null) throw new Malformed('', 'neither wrench nor loads nor cases');
-    return {space, several: false, size, contacts, wrench, cases: null, motions: new Map()};
+    return {space, several: false, size, contacts, wrench, cases: null, motions: new Map(), ...bound};
   }
   const cases = read_cases(file.get('cases'), wrench ?? Array(size).fill([ZERO, ZERO]), size, version);
-  return {space, several: false, size, contacts, wrench: null, cases, motions: new Map()};
+  return {space, several: false, size, contacts, wrench: null, cases, motions: new Map(), ...bound};
 }
 
 // ---------------------------------------------------------------------------- Several bodies (§14)
@@ -928,8 +944,8 @@ function read_spring({place, value}, row, force) {
 }
 
 function read_several(file) {
-  known_members(file, '', ['format', 'name', 'units', 'bodies', 'defaults', 'joints', 'tendons', 'ratchets', 'contacts', 'wrench', 'loads', 'cases'],
-      ['bodies', 'contacts']);
+  known_members(file, '', ['format', 'name', 'units', 'bodies', 'defaults', 'joints', 'tendons', 'ratchets', 'contacts', 'wrench', 'loads', 'cases',
+    'max_motion'], ['bodies', 'contacts']);
   const head = read_head(file, 3), {space, size} = head;
   const joints = read_list(file, 'joints', ['turns'], ['stiffness', 'torque']);
   const tendons = read_list(file, 'tendons', ['over'], ['stiffness', 'tension']);
@@ -957,7 +973,8 @@ function read_several(file) {
     ...tendons.map((one) => read_spring(one, row_over(one), 'tension'))];
   const wrench = read_wrench(file, '', size, 3, bodies), none = Array(dimension).fill([ZERO, ZERO]);
   const cases = file.has('cases') ? read_cases(file.get('cases'), wrench ?? none, size, 3, bodies) : null;
-  return {space, several: true, size: dimension, contacts: elements, wrench: wrench ?? (cases === null ? none : null), cases, motions: bodies.motions};
+  return {space, several: true, size: dimension, contacts: elements, wrench: wrench ?? (cases === null ? none : null), cases, motions: bodies.motions,
+    joints: joints.length, max_motion: read_max_motion(file, dimension, space, joints.length > 0)};
 }
 
 // ---------------------------------------------------------------------------- The question (§1, §6)
@@ -1103,6 +1120,18 @@ function ask(grasp, options) {
     wrench = grasp.wrench;
   }
 
+  // B, null if motions are not bounded.
+  let {max_motion} = grasp;
+  if (given('max_motion')) {
+    const where = `${asked}: max_motion`;
+    max_motion = options.max_motion === 'none' ? null : options.max_motion.map((x) => option_number(x, where));
+    if (max_motion !== null && max_motion.some((b) => b.sign() <= 0)) throw new Malformed(where, 'each number must be above 0');
+    if (max_motion !== null && max_motion.length === 2 && grasp.joints === 0) max_motion = spread(...max_motion, size, space);
+    if (max_motion !== null && max_motion.length !== size) {
+      throw new Malformed(where, `${max_motion.length} numbers, expected ${size}${grasp.joints > 0 ? '' : ', or a length and an angle'}`);
+    }
+  }
+
   const uncertain = new Map();
   for (const kind of KINDS) {
     if (given('uncertain') && options.uncertain[kind] !== undefined) {
@@ -1162,7 +1191,7 @@ function ask(grasp, options) {
   }
   const enclosed = contacts.some((c) => c.pressed && c.length === null);
   return {space, several, size, m: contacts.length, touching: contacts.filter((c) => c.n.length > 1).length, law, bilateral: law === 'bilateral', preload, direction, scale, growth, margin, uncertain,
-    wrench, loads, contacts, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
+    wrench, loads, contacts, max_motion, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
 }
 
 // ---------------------------------------------------------------------------- The certificate (§2, §5, §6)
@@ -1248,7 +1277,7 @@ class CertificateReader {
 
   question(value) {
     const found = members_in_order(value, 'question',
-        ['contacts', 'wrench', 'preload?', 'normal_law', 'direction?', 'preload_direction?', 'uncertain?']);
+        ['contacts', 'wrench', 'preload?', 'normal_law', 'direction?', 'preload_direction?', 'uncertain?', 'max_motion?']);
     const wrench = array_of(found.wrench, 'question.wrench', this.size).map((x) => {
       const ends = Array.isArray(x) ? read_numbers(x, 'question.wrench', 2) : [read_number(x, 'question.wrench')];
       return [ends[0], ends[ends.length - 1]];
@@ -1274,6 +1303,7 @@ class CertificateReader {
       direction: optional('direction', (x, place) => read_numbers(x, place, this.size)),
       preload_direction: optional('preload_direction', (x, place) => (x === 'scale' ? x : read_numbers(x, place))),
       uncertain: optional('uncertain', tolerances),
+      max_motion: optional('max_motion', (x, place) => read_numbers(x, place, this.size)),
     };
   }
 
@@ -1474,6 +1504,10 @@ function agree(asked, stated) {
   const theirs = stated.uncertain ?? new Map();
   if (!KINDS.every((kind) => same_tolerance(theirs.get(kind), asked.uncertain.get(kind)))) {
     differ('question-uncertain', tolerances_text(theirs), tolerances_text(asked.uncertain));
+  }
+  if (!both(stated.max_motion, asked.max_motion, same_list)) {
+    const bound = (b) => (b === null ? 'motions without a bound' : `motions up to ${list_text(b)}`);
+    differ('question-max-motion', bound(stated.max_motion), bound(asked.max_motion));
   }
 }
 
@@ -1694,6 +1728,9 @@ function check_witness(question, box, {twist, shares}, h, factor, place) {
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
   const {size} = question;
   if (question.box) refuse('witness-box', 'the question is a box, of which a witness proves nothing');
+  (question.max_motion ?? []).forEach((b, j) => {
+    if (twist[j].magnitude().compare(b.times(h)) > 0) refuse('witness-bound', `motion ${j + 1}, ${printable(twist[j])}, is beyond ${printable(b)} h`);
+  });
   const x = integral([...twist, h, factor]), ray = {d: x.slice(0, size), h: x[size], l: x[size + 1]};
   const states = box.contacts.map((contact) => ({v: pressures(contact.rows, ray)[0],
     slip: contact.rows.slips[0].map((row) => dot(row, ray.d))}));
@@ -2253,13 +2290,29 @@ const part_children = (node, box, refuse, m) => {
   return [[`${step} low`, () => box.cut(node, [low, node.at])], [`${step} high`, () => box.cut(node, [node.at, high])]];
 };
 
-/** Trees of regions. turned: of a tree of list 2, the function y·A(d − h d⁰) of y. Adds to tally. */
+/** "Beyond the bound" (§4): some σ d_j − B_j h is nowhere below 0, and where it is 0, the rays are barred together. */
+function is_beyond({generators, everyone}, bound) {
+  return bound.some((b, j) => [1n, -1n].some((sign) => {
+    let mask = everyone;
+    for (const {d, h, barred} of generators) {
+      const value = sign * b.d * d[j] - b.n * h;
+      if (value < 0n) return false;
+      if (value === 0n) mask &= barred;
+    }
+    return mask !== 0n;
+  }));
+}
+
+/**
+ * Trees of regions. turned: of a tree of list 2, the function y·A(d − h d⁰) of y. bound: B, null if motions are not bounded or it is a
+ * tree of a wall. Adds to tally.
+ */
 function check_trees(question, nodes, roots, tree_place, tally) {
   const {m, size} = question;
   const where = (path, number) => [path === null ? tree_place : path.toString() || 'root', number];
-  walk(nodes, roots, m, where, (node, {region, turned}, refuse) => {
+  walk(nodes, roots, m, where, (node, {region, turned, bound}, refuse) => {
     ++tally.nodes;
-    const child = (step, make) => [step, () => ({region: make(), turned})];
+    const child = (step, make) => [step, () => ({region: make(), turned, bound})];
     if (node.kind === 'slip' || node.kind === 'separation') {
       if (node.i >= m) refuse('node-contact', `there is no contact ${printable(node.i)}`);
       const contact = region.box.contacts[node.i], step = `${node.kind} ${node.i}`, space = contact.n.length === 3;
@@ -2292,6 +2345,7 @@ function check_trees(question, nodes, roots, tree_place, tally) {
           .map(([step, box]) => child(step, () => region.withBox(box())));
     }
     ++tally.leaves;
+    if (bound !== null && is_beyond(region, bound)) return [];
     const y = integral(node.a);
     const refusal = leaf_refusal(region, node.a, y);
     if (refusal !== null) refuse('leaf-bound', refusal);
@@ -2318,6 +2372,12 @@ function range_root(question, box, range) {
     };
     region = region.cut(row(range.low, 1n), {strict: !range.has_low});
     if (range.high !== null) region = region.cut(row(range.high, -1n), {strict: !range.has_high});
+  }
+  if (question.max_motion !== null) {
+    // d_j >= −B_j h, and the sum of d_j / B_j at most D h.
+    const bound = question.max_motion, padded = (row) => region.padded(integral(row));
+    bound.forEach((b, j) => { region = region.cut(padded([...bound.map((_, k) => (k === j ? ONE : ZERO)), b])); });
+    region = region.cut(padded([...bound.map((b) => ONE.negated().over(b)), Fraction.of(BigInt(size))]));
   }
   if (question.bilateral) {
     for (const contact of box.contacts) {
@@ -2542,6 +2602,33 @@ function check_shape(question, box, {walls, simplex, direction}, refuse) {
   }
 }
 
+/** For each motion the numbers that e has at vertices of K, across Z and with s + t = 1, or the two that are least and largest. */
+function reach_of({walls, simplex}) {
+  const size = walls[0].length, rows = simplex ? walls.slice(0, -1) : walls;
+  // The columns c of (E; Z)⁻¹ that are for E: of (E, −1; Z, 0) the kernel is that of all (c, u) with u = E c.
+  const columns = kernel([...rows, ...kernel(rows)].map((row, i) => [...row, ...rows.map((_, k) => (i === k ? ONE.negated() : ZERO))]));
+  const motions = Array.from({length: size}, (_, j) => columns.map((c) => c[j]));
+  const total = (list) => list.reduce((sum, x) => sum.plus(x), ZERO);
+  if (!simplex) return motions.map((list) => total(list.map((x) => x.magnitude()))).map((most) => [most.negated(), most]);
+  // All rows but one are 1 at a vertex; if that is row k, it is −(the other c) / c_k.
+  const [c] = kernel(walls[0].map((_, j) => walls.map((row) => row[j])));
+  const less = rows.map((_, k) => total(c).over(c[k]));
+  return motions.map((list) => [total(list), ...list.map((x, k) => total(list).minus(x.times(less[k])))]);
+}
+
+/** `degree-bound`. */
+function check_bound(part, bound, of, refuse) {
+  if (of !== undefined && of.high === null) refuse('degree-bound', 'it has no end, but motions are bounded');
+  const reach = reach_of(part);
+  for (const middle_of_k of [part.twist, part.end_twist ?? part.twist]) {
+    bound.forEach((b, j) => {
+      if (reach[j].some((e) => middle_of_k[j].plus(e).magnitude().compare(b) > 0)) {
+        refuse('degree-bound', `motion ${j + 1} of K goes beyond ${printable(b)}`);
+      }
+    });
+  }
+}
+
 /**
  * The multiples and the motions of K: e = d − s d' − t d" as functions of (h, ℓ). Of a part that is not about multiples s = h and
  * t = 0; of: {low, high}, high null without an end.
@@ -2561,6 +2648,7 @@ function check_degree(question, box, part, place, tally, of) {
   const {size, coordinates, m} = question;
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
   check_shape(question, box, part, refuse);
+  if (question.max_motion !== null) check_bound(part, question.max_motion, of, refuse);
   const {s, t} = frame_of(part, of);
   // Functions of (h, ℓ), and those of (e, h, ℓ), as rows of points.
   const function_of = (at, motion = Array(size).fill(ZERO)) => [...motion, ...at].slice(0, coordinates);
@@ -2603,7 +2691,7 @@ function check_degree(question, box, part, place, tally, of) {
   const list = (one, prefix, halfway, function_of_leaf) => {
     for (const [name] of walls) {
       const path = new Path(null, `${place}, ${prefix}wall ${name}`);
-      roots.push({path, make: () => ({region: region_on(one, name, halfway), turned: function_of_leaf})});
+      roots.push({path, make: () => ({region: region_on(one, name, halfway), turned: function_of_leaf, bound: null})});
     }
   };
   const single = box.isPoint() && (of === undefined || (of.high !== null && of.low.equals(of.high)));
@@ -2685,7 +2773,7 @@ function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
   }
   if (low !== null) gaps.push({low, high: null, has_low, has_high: false});
   check_trees(question, tree, gaps.map((gap) => ({path: new Path(null, ''),
-    make: () => ({region: range_root(question, box, gap), turned: null})})), null, tally);
+    make: () => ({region: range_root(question, box, gap), turned: null, bound: question.max_motion})})), null, tally);
   tally.segments = segments.length;
   tally.trees = gaps.length;
 }
@@ -2702,10 +2790,13 @@ function check_space_margin(question, box, claims, tally) {
     if (kind === 'stable' && high === null && !(low.isZero() && unloaded)) {
       throw new Rejected('interval-whole', 'without end only if LOW, w and P are 0', place);
     }
+    if (kind === 'stable' && high === null && question.max_motion !== null) {
+      throw new Rejected('interval-whole', 'without end, but motions are bounded', place);
+    }
     if (kind === 'unstable') {
       const range = {low, high, has_low: k === 0 && low.isZero() && !unloaded, has_high: false};
       check_trees(question, tree, [{path: new Path(null, place),
-        make: () => ({region: range_root(question, box, range), turned: null})}], place, tally);
+        make: () => ({region: range_root(question, box, range), turned: null, bound: question.max_motion})}], place, tally);
       refuted.push([low, high, range.has_low]);
       ++tally.trees;
       return;
@@ -2743,6 +2834,7 @@ function question_as_asked(question) {
     uncertain: question.uncertain.size === 0 ? null
       : Object.fromEntries([...question.uncertain].map(([kind, t]) => [kind, !is_ball(t) ? tolerance_text(t)
         : {ball: `${t.radius}`, length: `${t.length}`, about: texts(t.about), ...(t.body === null ? {} : {body: t.body})}])),
+    ...(question.max_motion === null ? {} : {max_motion: texts(question.max_motion)}),
   };
 }
 
@@ -2750,8 +2842,8 @@ function question_as_asked(question) {
  * Checks a certificate about a question. grasp and certificate are the files, as Uint8Array or as text. options may have
  * wrench and direction (arrays of numbers as texts, such as "-11/10"), case (a name), preload (a text), normal_law
  * ("unilateral" or "bilateral"), preload_direction ("scale" or an array of texts), uncertain (an object of
- * tolerances as texts, such as {friction: "10%"}; of wrench a ball, too, "ball:R[:length=L][:about=X:Y[:Z]][:body=NAME]")
- * and plane or inertia (which are not judged).
+ * tolerances as texts, such as {friction: "10%"}; of wrench a ball, too, "ball:R[:length=L][:about=X:Y[:Z]][:body=NAME]"),
+ * max_motion (an array of texts, or "none") and plane or inertia (which are not judged).
  *
  * answer is "accepted", "rejected", "malformed" or "not judged", which found explains. If rejected, rule, place, node
  * (the number of a node in its list) and found say why; if malformed, file ("grasp", "certificate" or "question"), place and found. If accepted, verdict is
@@ -2787,7 +2879,7 @@ function check(grasp, certificate, options = {}) {
       check_parts(question, box, proof.parts, tally);
     } else if (proof.tree !== undefined) {
       check_trees(question, proof.tree, [{path: new Path(null, ''),
-        make: () => ({region: range_root(question, box), turned: null})}], null, tally);
+        make: () => ({region: range_root(question, box), turned: null, bound: question.max_motion})}], null, tally);
     } else {
       check_witness(question, box, proof.point, ONE, ZERO, null);
     }

@@ -65,7 +65,7 @@ def prove(box, part, easy=tuple(EASY), axes=None, low=0, high=0, margin=False):
     tree = []
     with unittest.mock.patch.object(check, "check_tree", lambda _, roots, __: tree.extend(
             node for root in roots for node in search(root, easy, axes or unit(len(twist))))):
-        check.check_degree(proof, box, False, "", Fraction(low), Fraction(high))
+        check.check_degree(proof, box, check.Options(), "", Fraction(low), Fraction(high))
     if not margin:  # the last number is that of l
         tree = [node[:-1] if node[0] == "plane" else node for node in tree]
     return {**part, "tree": tree}

@@ -34,9 +34,10 @@ BY_DEGREE = ALL - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
     **dict.fromkeys(["question-contacts", "question-wrench", "question-preload", "question-law", "question-direction",
-                     "question-preload-direction", "question-uncertain"], ALL),
+                     "question-preload-direction", "question-uncertain", "question-max-motion"], ALL),
     "question-plane": PLANE - {"plane_margin"},  # there question-direction fails before
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
+    "witness-bound": WITNESSES - {"plane_region"},  # where a question with a bound cannot be asked
     "witness-root": {"space", "space_margin", "bodies_space", "bodies_soft"},
     "witness-box": BOXES,
     **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], ALL),
@@ -44,7 +45,7 @@ WHERE = {
     "node-certain": BOXES,
     **dict.fromkeys(["part-contact", "part-inside"], CUT),
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
-    **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
+    **dict.fromkeys(["degree-walls", "degree-direction", "degree-bound", "degree-law", "leaf-direction"], BY_DEGREE),
     "degree-free": PARTS,
     **dict.fromkeys(["sticking-share", "sticking-motion", "sticking-reach", "sticking-press", "sticking-energy"], PARTS),
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
@@ -90,7 +91,7 @@ def as_several(entry):
     if not judged_by_all(entry) or {"outline", "body"} & set(grasp) or any("on" in contact for contact in contacts) or not contacts or (
             cases and "--case" not in " ".join(entry.options)) or (margin and entry.kind.startswith("plane")):
         return None
-    several = {"bodies": [{"name": "it"}], **{key: grasp[key] for key in ("name", "units", "defaults") if key in grasp},
+    several = {"bodies": [{"name": "it"}], **{key: grasp[key] for key in ("name", "units", "defaults", "max_motion") if key in grasp},
                "contacts": [{"of": "it", **contact} for contact in contacts]}
     certificate, ball = entry.certificate, ball_of(entry.certificate)
     if ball is not None:
@@ -107,9 +108,30 @@ def as_several(entry):
     return entry._replace(grasp={"format": "stickslip-grasp/3", **several}, certificate=certificate, options=options)
 
 
+def by_coordinates(entry):
+    """With a length and an angle of max motion put into a number for each coordinate, as joints need it."""
+    space = len(entry.grasp["contacts"][0]["position"]) == 3
+
+    def spread(length, angle):
+        return [length] * (3 if space else 2) + [angle] * (3 if space else 1)
+
+    def spelled(word):
+        option, numbers = re.fullmatch(r"(--max-motion=|)(.*)", word, re.DOTALL).groups()
+        pair = numbers.split(",")
+        return option + ",".join(spread(*pair)) if len(pair) == 2 else word
+
+    options = [spelled(word) if word.startswith("--max-motion=") or before == "--max-motion" else word
+               for before, word in zip([""] + entry.options, entry.options)]
+    bound = entry.grasp.get("max_motion")
+    grasp = {**entry.grasp, "max_motion": spread(bound["length"], bound["angle"])} if isinstance(bound, dict) and set(bound) == {
+        "length", "angle"} else entry.grasp
+    return entry._replace(grasp=grasp, options=options)
+
+
 def on_joints(entry):
     """Of what as_several gives: the body as the last of links whose joints move it by the coordinates of one that is no link. None if
     a wrench is uncertain, which is not of a link."""
+    entry = by_coordinates(entry)
     grasp = entry.grasp
     space = len(grasp["contacts"][0]["position"]) == 3
     unit = [[int(j == k) for k in range(3)] for j in range(3)]

@@ -10,6 +10,7 @@ complete -c stickslip-check -l preload-direction -x -a 'scale' -d 'Ask for the m
 complete -c stickslip-check -l inertia -x -d 'Ask for the class of rigid contacts'
 complete -c stickslip-check -l plane -x -d 'Ask for the region of this plane'
 complete -c stickslip-check -l uncertain -x -d 'Ask about every grasp in a box'
+complete -c stickslip-check -l max-motion -x -a 'none' -d 'Ask about motions up to these alone'
 complete -c stickslip-check -l json -d 'Answer as one JSON object'
 complete -c stickslip-check -l batch -d 'Answer questions from standard input, each a line'
 complete -c stickslip-check -s h -l help -d 'Print a short help'

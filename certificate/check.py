@@ -2849,16 +2849,16 @@ def sticking_at(proof: StickingProof, c: Parameters, term: Terms, preload: Bound
     return Sticking(v, a, sigma, r, phi, mu.low * length.low * (v.low - r) - phi, gamma)
 
 
-def check_sticking(proof: StickingProof, box: Box, bilateral: bool, place: str, multiples: Sequence[Fraction] = (Fraction(0),),
-                   bound: Optional[Vector] = None) -> None:
-    """A sticking part, for all λ between two; `bound` is B, if motions are bounded."""
+def check_sticking(proof: StickingProof, box: Box, asked: Options, place: str,
+                   multiples: Sequence[Fraction] = (Fraction(0),)) -> None:
+    """A sticking part, for all λ between two."""
     size = box.dimension
     friction, presses = friction_of(proof, box, place), presses_of(proof, box, place)
     listed = sorted({*friction, *presses})
     turning = any(len(c.normal) == 3 and term.tilt for c, term in zip(box.contacts, box.terms))
     if any(proof.twist) and (len(multiples) > 1 or turning):
         raise Rejected("sticking-motion", "d0 is not 0, for more than one multiple or with uncertain normals", place)
-    if bilateral and any(not c.spring and i not in friction and i not in presses for i, c in enumerate(box.contacts)):
+    if asked.law == "bilateral" and any(not c.spring and i not in friction and i not in presses for i, c in enumerate(box.contacts)):
         raise Rejected("sticking-motion", "a contact is not listed, under the bilateral law", place)
     factors = (Fraction(1), *proof.reach)
     for multiple in multiples:
@@ -2877,9 +2877,9 @@ def check_sticking(proof: StickingProof, box: Box, bilateral: bool, place: str, 
         (energy,) = pairwise_sum([(one.gamma,) for one in found] or [(Fraction(0),)])
         if energy >= proof.energy:
             raise Rejected("sticking-energy", f"c = {show(proof.energy)}, but the sum may be {show(energy)}", place)
-        if bound is None:
+        if asked.max_motion is None:
             continue
-        within = [b - abs(d) for b, d in zip(bound, proof.twist)]
+        within = [b - abs(d) for b, d in zip(asked.max_motion, proof.twist)]
         for l in range(size):
             most = dot(left[size * (l + 1):size * (l + 2)], within)
             for i in listed:
@@ -3044,7 +3044,7 @@ def check_parts(parts: Sequence[Part], box: Box, asked: Options) -> None:
             check_rest(part, here, place)
             continue
         if isinstance(part, StickingProof):
-            check_sticking(part, here, bilateral, place)
+            check_sticking(part, here, asked, place)
             continue
         if isinstance(part, DegreeProof):
             check_degree(part, here, asked, place)
@@ -3095,7 +3095,7 @@ def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> 
             check_rest(claim.part, box, place, sorted({low, high}))
             continue
         if isinstance(claim.part, StickingProof):
-            check_sticking(claim.part, box, question.asked.law == "bilateral", place, sorted({low, high}))
+            check_sticking(claim.part, box, question.asked, place, sorted({low, high}))
             continue
         if claim.part:
             check_degree(claim.part, box, question.asked, place, low, high)

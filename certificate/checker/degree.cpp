@@ -288,7 +288,7 @@ void PartWalk::visit(const Part& part) {
     return;
   }
   if (part.sticking) {
-    check_sticking(*part.sticking, *here.box, {0, 0}, bilateral_, std::nullopt, place);
+    check_sticking(*part.sticking, *here.box, {0, 0}, asked_, place);
     ++stickings_;
     return;
   }

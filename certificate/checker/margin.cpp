@@ -177,8 +177,7 @@ void RangeProofs::check_resisted(const RangeProof& claim, const std::string& pla
     check_rest(*claim.part.at_rest, *question_.box, range, place);
     ++accepted_.rests;
   } else if (claim.part.sticking) {
-    check_sticking(*claim.part.sticking, *question_.box, range, question_.asked.bilateral,
-                   std::nullopt, place);
+    check_sticking(*claim.part.sticking, *question_.box, range, question_.asked, place);
     ++accepted_.stickings;
   } else if (claim.points.empty()) {
     count(check_degree(claim.part, question_.box, range, question_.asked, place), accepted_);

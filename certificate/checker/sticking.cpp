@@ -242,15 +242,14 @@ void Sticking::check_for(const Rational& multiple, const std::optional<Vector>& 
 }  // namespace
 
 void check_sticking(const StickingProof& proof, const Box& box, const Range& range,
-                    bool bilateral, const std::optional<Vector>& bound,
-                    const std::string& place) {
+                    const Options& asked, const std::string& place) {
   Sticking sticking(proof, box, place);
   const bool one_multiple = range.high == range.low;
   sticking.check_share();
-  sticking.check_motion(one_multiple, bilateral);
+  sticking.check_motion(one_multiple, asked.bilateral);
   // Between two multiples d0 is 0, and all is linear in them.
-  sticking.check_for(range.low, bound);
-  if (!one_multiple) sticking.check_for(*range.high, bound);
+  sticking.check_for(range.low, asked.max_motion);
+  if (!one_multiple) sticking.check_for(*range.high, asked.max_motion);
 }
 
 }  // namespace stickslip_check

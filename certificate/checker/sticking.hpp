@@ -4,13 +4,13 @@
 /// §6, "Stable: sticking").
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "answer.hpp"
 #include "box.hpp"
+#include "question.hpp"
 #include "rest.hpp"
 
 namespace stickslip_check {
@@ -27,9 +27,8 @@ struct StickingProof {
 };
 
 /// The rules `sticking-...` of what is at `place`, for all multiples from range.low to
-/// *range.high; `bound` is B, if motions are bounded. Throws Rejected.
+/// *range.high. Throws Rejected.
 void check_sticking(const StickingProof& proof, const Box& box, const Range& range,
-                    bool bilateral, const std::optional<Vector>& bound,
-                    const std::string& place);
+                    const Options& asked, const std::string& place);
 
 }  // namespace stickslip_check

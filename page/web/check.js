@@ -2513,9 +2513,9 @@ function sticking_at(contact, {twist, reach, energy}, preload, forces = [], pres
   return {v, a, sigma, r, phi, s: mu[0].times(length_of(contact, -1)).times(v[0].minus(r)).minus(phi), gamma};
 }
 
-/** A part that is sticking, for the multiples from factors[0] to factors[1], or for the only one; bound is B, or null. */
-function check_sticking(question, box, proof, place, tally, factors, bound = null) {
-  const {twist, reach, energy} = proof;
+/** A part that is sticking, for the multiples from factors[0] to factors[1], or for the only one. */
+function check_sticking(question, box, proof, place, tally, factors) {
+  const {twist, reach, energy} = proof, bound = question.max_motion;
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
   const stated = new StatedForces(question, box, (found) => refuse('sticking-share', found));
   stated.take_friction(proof.friction, 0);

@@ -53,6 +53,9 @@ def known():
     for slip in (Fraction(1, 2), Fraction(1, 1000)):
         twist = [Fraction(2, 25) - 3 * slip / 5, Fraction(3, 50) + 4 * slip / 5, 0]
         yield moved, (), proved(moved, sticking_proof(posed(moved), twist))
+    bounded = proved(moved, sticking_proof(posed(moved), twist))
+    bounded["question"]["max_motion"] = ["1/5", "1/5", "1/20"]
+    yield moved, ("--max-motion", "1/5,1/20"), bounded
     cup = sticking_proof(posed(CUP, *CUP_BOX))
     yield CUP, CUP_BOX, proved(CUP, cup, uncertain=CUP_SAID)
     question = posed(PADS)
@@ -126,7 +129,7 @@ class StickingTest(Case):
             rules.append(report["rule"])
             if report["rule"] is None:
                 self.assertTrue("sticking, parts: 1\n" in text or ", sticking: 2, refuted: 0;" in text, text)
-        self.assertEqual(rules, [None, None, "sticking-press", None, None, None, None])
+        self.assertEqual(rules, [None, None, "sticking-press", None, None, None, None, None])
 
     def test_changed(self):
         """All checkers say the same."""
@@ -140,7 +143,8 @@ class StickingTest(Case):
                     parts[key] = shaken(random_, parts[key])
                 rule = self.run_both(file, other, *options)[1]["rule"]
                 tally[rule] = tally.get(rule, 0) + 1
-        self.assertLessEqual({"sticking-share", "sticking-motion", "sticking-reach", "sticking-press", "sticking-energy", None},
+        self.assertLessEqual({"sticking-share", "sticking-motion", "sticking-reach", "sticking-press", "sticking-energy",
+                              "sticking-bound", None},
                              set(tally), tally)
 
     def test_truth(self):

@@ -98,7 +98,7 @@ def changed_in(random_, value):
     else:
         c = Fraction(one)
         inside[key] = str(random_.choice([-c, 0, 2 * c, c / 2, c * Fraction(9, 10), c * Fraction(11, 10), c / 64, 64 * c,
-                                          c + Fraction(1, 8), c - Fraction(1, 8)]))
+                                          c + Fraction(1, 8), c - Fraction(1, 8)] if c else [Fraction(1, 8), Fraction(-1, 2 ** 20)]))
     return root[""]
 
 

@@ -217,7 +217,7 @@ bool BoxProver::refute_near_first(const GraspLaw& box, LawSearch& near) {
   if (is_whole) near_tree_.emplace(tree_.begin() + first, tree_.end());
   constexpr std::size_t kLeastFar = 100;
   const std::size_t most =
-      limits_.is_default ? std::max(kLeastFar, near.nodes()) : limits_.node_limit;
+      limits_.is_default ? std::max(kLeastFar, near.nodes() / 4) : limits_.node_limit;
   LawSearch search(box, nullptr, most, work_);
   for (auto outside = far.rbegin(); outside != far.rend(); ++outside) {
     if (search.refute(std::move(*outside), tree_)) continue;

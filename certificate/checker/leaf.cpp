@@ -196,7 +196,7 @@ Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, 
 /// g. It grows with every alpha_i but those of springs, whose v may be below 0; with `rounded`
 /// each that it grows with is replaced by something shorter that is not smaller, so that
 /// nothing is as good as it stands.
-Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bool rounded) {
+Bound work_bound(const Box& box, const Generators& region, const Vector& twist, bool rounded) {
   const std::size_t dimension = box.dimension();
   Rational scale;
   const Form y = make_form(twist, &scale);
@@ -259,7 +259,7 @@ Rational value_at(const Bound& bound, const Form& x, bool rounded) {
 /// `leaf-bound`: why it does not hold, or nothing.
 std::optional<std::string> refusal(const Box& box, const Generators& region,
                                    const Vector& twist, bool rounded) {
-  const Bound bound = bound_of(box, region, twist, rounded);
+  const Bound bound = work_bound(box, region, twist, rounded);
   Barring flat(region);  // where g = 0
   for (const Generator& generator : region) {
     const Form& x = *generator.x;

@@ -34,11 +34,18 @@ void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& o
 void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& output) {
   NumberText text(output);
   std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
+  const bool has_second = std::any_of(answers.begin(), answers.end(),
+                                      [](const Answer& a) { return a.within != nullptr; });
+  if (has_second) rows.front().insert(rows.front().begin() + 2, "but for rounding");
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
   for (const Answer& answer : answers) {
     const std::string& name = answer.question.case_name;
     rows.push_back(
         {name, name_of(answer.verdict), load_text(wrench_of(answer.question.grasp), text)});
+    if (has_second) {
+      rows.back().insert(rows.back().begin() + 2,
+                         answer.within ? name_of(answer.within->verdict) : "");
+    }
     for (const ModelWarning& warning : answer.warnings.value_or(std::vector<ModelWarning>{})) {
       const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
         return other.first == warning.text;

@@ -205,16 +205,22 @@ struct Meaning {
 };
 
 /// Spells a bound as --max-motion takes it: a length and an angle where these say all.
-std::string bound_text(const GraspBox& box, NumberText& text) {
+std::string bound_text(const GraspBox& box) {
   const RationalRow& bound = box.max_motion;
   const std::size_t half = box.in_space() ? 3 : 2;
   const bool has_joints = box.mechanism && !box.mechanism->joints.empty();
+  RationalRow numbers = bound;
   if (!has_joints && bound == bound_of(box, {{bound.front(), bound[half]}})) {
-    return text(bound.front()) + "," + text(bound[half]);
+    numbers = {bound.front(), bound[half]};
   }
-  std::string all;
-  for (const Rational& number : bound) all += (all.empty() ? "" : ",") + text(number);
-  return all;
+  std::string text;
+  for (const Rational& number : numbers) {
+    char digits[32];  // of a natural bound two, which are exact
+    std::snprintf(digits, sizeof digits, "%.2g", to_double(number));
+    const bool is_short = denominator(number) != 1 && parse_rational(digits) == number;
+    text += (text.empty() ? "" : ",") + (is_short ? std::string(digits) : to_string(number));
+  }
+  return text;
 }
 
 const std::string kNatural = "within " + std::to_string(kFarMotion) +
@@ -262,12 +268,12 @@ std::string second_heading(const Answer& answer) {
 }
 
 /// How to ask for the second answer and its proof.
-std::string second_text(const Answer& answer, NumberText& text) {
+std::string second_text(const Answer& answer) {
   if (!answer.within) return "";
   const Answer& within = *answer.within;
   if (within.question.is_bounded()) {
     return "The second answer, with its proof: --max-motion " +
-           bound_text(*within.question.box(), text) + " --certificate FILE.\n";
+           bound_text(*within.question.box()) + " --certificate FILE.\n";
   }
   return "The load without that part is \"within\" in the answer with --json; it differs from "
          "the one asked\nabout as two doubles do that are next to each other.\n";
@@ -312,11 +318,11 @@ void print_text(const Answer& answer, const NumberOptions& output,
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))
             << (question.box() == nullptr ? ""
                                           : uncertain_text(*question.box(), uncertain, text))
-            << (question.is_bounded() ? "Motions up to " + bound_text(*question.box(), text) +
+            << (question.is_bounded() ? "Motions up to " + bound_text(*question.box()) +
                                             " are asked about.\n"
                                       : "")
             << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
-            << second_text(answer, text)
+            << second_text(answer)
             << enclosure_text(enclosed, answer.bits,
                               !std::holds_alternative<Undecided>(answer.verdict))
             << legend(answer) << text.note() << units_text(question)

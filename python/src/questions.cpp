@@ -242,6 +242,22 @@ py::tuple warning_fields(const std::vector<ModelWarning>& warnings) {
   });
 }
 
+/// The second answer, with the file and the certificate that prove it, if it is decided.
+py::dict within_fields(const Answer& within) {
+  const GraspBox box = box_of(within.question.grasp);
+  py::dict result("verdict"_a = name_of(within.verdict),
+                  "normal_law"_a = to_string(within.question.law),
+                  "wrench"_a = tuple_of(box.wrench, [](const Interval& w) {
+                    return fraction(w.low);
+                  }));
+  if (box.is_bounded()) result["max_motion"] = tuple_of(box.max_motion, fraction);
+  if (const auto certificate = certificate_of(within)) {
+    result["grasp"] = write_grasp(box);
+    result["certificate"] = *certificate;
+  }
+  return result;
+}
+
 py::dict decision_fields(const Answer& answer, const std::string& certificate) {
   const Question& question = answer.question;
   py::dict result("verdict"_a = name_of(answer.verdict), "engine"_a = answer.engine,
@@ -260,6 +276,7 @@ py::dict decision_fields(const Answer& answer, const std::string& certificate) {
   } else if (const auto* undecided = std::get_if<Undecided>(&answer.verdict)) {
     add_undecided(result, *undecided);
   }
+  if (answer.within) result["within"] = within_fields(*answer.within);
   return result;
 }
 
@@ -269,7 +286,7 @@ std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMan
   auto grasp = given.cast<std::shared_ptr<const GraspFile>>();
   std::optional<std::vector<Rational>> friction;
   if (asked.friction != nullptr) friction = *asked.friction;
-  const AnswerOptions how{engine_for(*grasp, engine), node_limit, false};
+  const AnswerOptions how{engine_for(*grasp, engine), node_limit, WarningsAsked::kNone};
   return [grasp = std::move(grasp), friction = std::move(friction),
           options = question_options(asked.wrench, asked.preload, bilateral, py::none(),
                                      py::none(), asked.which),

@@ -60,6 +60,7 @@ from .results import (
     Residual,
     SlipStates,
     StabilityMap,
+    Within,
 )
 from .views import Page, Picture
 
@@ -101,6 +102,7 @@ __all__ = [
     "SnapResult",
     "SnappedNormal",
     "StabilityMap",
+    "Within",
     "best_preload",
     "check",
     "class_margin",

@@ -63,6 +63,7 @@ from .results import (
     Residual,
     SlipStates,
     StabilityMap,
+    decision_of,
 )
 from .views import Picture
 
@@ -192,7 +193,7 @@ def decide(
     result = _core.decide(about._data, about._load(wrench),
                           as_number_or_none(preload, "preload"), *how, bool(warnings))
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    return Decision(grasp=about, snapped=snapped, **result)
+    return decision_of(about, snapped, result)
 
 
 def radius(
@@ -632,7 +633,7 @@ def crosscheck(
         as_count("node_limit", node_limit),
         distances,
     )
-    fields["decision"] = Decision(grasp=about, snapped=snapped, **fields["decision"])
+    fields["decision"] = decision_of(about, snapped, fields["decision"])
     for name in ("cone", "normal_law", "dissipation"):
         if fields[name] is not None:
             fields[name] = Residual(*fields[name])

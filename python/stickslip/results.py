@@ -36,6 +36,57 @@ class ModelWarning(NamedTuple):
     text: str
 
 
+class Proof(NamedTuple):
+    """A question and the proof of its answer, each as a file's text."""
+
+    grasp: str
+    """A grasp file, of a box one with intervals."""
+    certificate: str
+    """The proof (certificate/FORMAT.md)."""
+    normal_law: str
+    uncertain: str = ""
+    """What a checker needs beside the file: of a ball of loads its option ``--uncertain``."""
+    preload_direction: Union[str, Tuple[Fraction, ...], None] = None
+    """Likewise, of multiples of preloads: as of ``check``."""
+
+    def check(self) -> CheckResult:
+        """What the independent checker says of the two."""
+        along = self.preload_direction
+        return CheckResult(**_core.check(
+            self.grasp.encode(), self.certificate.encode(), None, None,
+            self.normal_law == "bilateral", None,
+            list(along) if isinstance(along, tuple) else along, None, None, self.uncertain,
+            b"<grasp>", b"<certificate>"))
+
+    def __repr__(self) -> str:
+        return f"Proof({len(self.certificate)} characters)"
+
+
+class Within(NamedTuple):
+    """The answer to a second question, where rounding of the data alone decides the first one: with
+    motions bounded by 1000 times what the load would press the softest contact, or under the
+    nearest load that contacts oppose (docs/model.md)."""
+
+    verdict: str
+    max_motion: Optional[Vector]
+    """The bound, a number for each coordinate of motions; None if the load is another."""
+    wrench: Vector
+    proof: Optional[Proof]
+    """None if undecided."""
+
+
+def decision_of(grasp: Grasp, snapped: Tuple[SnappedNormal, ...],
+                fields: Dict[str, Any]) -> Decision:
+    """A Decision, of what the library says of one question."""
+    within = fields.pop("within", None)
+    if within is not None:
+        proof = None
+        if "certificate" in within:
+            proof = Proof(within["grasp"], within["certificate"], within["normal_law"])
+        fields["within"] = Within(within["verdict"], within.get("max_motion"), within["wrench"], proof)
+    return Decision(grasp=grasp, snapped=snapped, **fields)
+
+
 @dataclass(frozen=True, repr=False)
 class Decision(Answer):
     """A verdict with its evidence. Everything about motion and forces is None unless stable."""
@@ -83,6 +134,8 @@ class Decision(Answer):
     """The same in one word, such as "nodes" or "degree" (docs/space.md, "My grasp is undecided")."""
     remedy: Optional[str] = None
     """What may help, if anything is known to."""
+    within: Optional[Within] = None
+    """The second answer, where only rounding of the data decides the first."""
     warnings: Tuple[ModelWarning, ...] = ()
     """What decide was asked to look for with ``warnings=True``."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
@@ -116,32 +169,6 @@ class Decision(Answer):
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if _is_shown(self.grasp) else None
-
-
-class Proof(NamedTuple):
-    """A question and the proof of its answer, each as a file's text."""
-
-    grasp: str
-    """A grasp file, of a box one with intervals."""
-    certificate: str
-    """The proof (certificate/FORMAT.md)."""
-    normal_law: str
-    uncertain: str = ""
-    """What a checker needs beside the file: of a ball of loads its option ``--uncertain``."""
-    preload_direction: Union[str, Tuple[Fraction, ...], None] = None
-    """Likewise, of multiples of preloads: as of ``check``."""
-
-    def check(self) -> CheckResult:
-        """What the independent checker says of the two."""
-        along = self.preload_direction
-        return CheckResult(**_core.check(
-            self.grasp.encode(), self.certificate.encode(), None, None,
-            self.normal_law == "bilateral", None,
-            list(along) if isinstance(along, tuple) else along, None, None, self.uncertain,
-            b"<grasp>", b"<certificate>"))
-
-    def __repr__(self) -> str:
-        return f"Proof({len(self.certificate)} characters)"
 
 
 @dataclass(frozen=True, repr=False)
@@ -439,7 +466,7 @@ class Decisions(Sequence[Decision]):
             raise IndexError(f"there are {len(self)} decisions")
         data, fields = self._data.at(i % len(self))
         grasp, snapped = self._asked[0 if len(self._asked) == 1 else i % len(self)]
-        return Decision(grasp=Grasp._of(data, grasp._loaded), snapped=snapped, **fields)
+        return decision_of(Grasp._of(data, grasp._loaded), snapped, fields)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Decisions):

@@ -23,8 +23,7 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
   Warnings warnings;
   if (options.warnings != WarningsAsked::kNone) {
-    warnings =
-        model_warnings(question, decision, options.warnings == WarningsAsked::kAll);
+    warnings = model_warnings(question, decision, options.warnings == WarningsAsked::kAll);
   }
   const char* engine = box_engine(question);
   return {std::move(question),

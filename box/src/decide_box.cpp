@@ -86,8 +86,12 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
   const std::size_t in_space = !is_wide ? 24 : box.ball ? 2 : 8;
   const std::size_t walls = box.is_one_planar_body() ? 8 : in_space;
   const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
-  return {nodes,   std::max<std::size_t>(nodes / walls, 1), searches * nodes, most_parts,
-          is_wide, options.node_limit == 0};
+  return {nodes,
+          std::max<std::size_t>(nodes / walls, 1),
+          searches * nodes,
+          most_parts,
+          is_wide,
+          options.node_limit == 0};
 }
 
 /// A proof or none, and where parts seem to differ.

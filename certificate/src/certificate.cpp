@@ -79,8 +79,9 @@ std::string tolerances_text(const Tolerances& tolerances) {
                                 : number(tolerance.amount));
   }
   if (const auto& ball = tolerances.ball) {
-    text += std::string(text.empty() ? "\"" : ", \"") + "wrench\": {\"ball\": " +
-            number(ball->radius) + ", \"length\": " + number(ball->length) +
+    text += std::string(text.empty() ? "\"" : ", \"") +
+            "wrench\": {\"ball\": " + number(ball->radius) +
+            ", \"length\": " + number(ball->length) +
             (ball->about.empty() ? "" : ", \"about\": [" + list(ball->about) + "]") +
             (ball->body.empty() ? "" : ", \"body\": " + nlohmann::json(ball->body).dump()) +
             "}";
@@ -232,12 +233,12 @@ std::string rest_text(const RestProof& proof) {
 std::string sticking_text(const StickingProof& proof) {
   std::string presses;
   for (const StickingProof::Press& press : proof.presses) {
-    presses += (presses.empty() ? "[" : ",\n  [") + std::to_string(press.contact.index()) + ",[" +
-               list(press.forces) + "]]";
+    presses += (presses.empty() ? "[" : ",\n  [") + std::to_string(press.contact.index()) +
+               ",[" + list(press.forces) + "]]";
   }
   return "{\"sticking\": [" + list(proof.motion) + "],\n " +
-         friction_text("friction", proof.friction) + ",\n \"presses\": [" + presses +
-         "],\n " + answers_text(proof.answers) + ",\n \"reach\": [" + list(proof.reach) +
+         friction_text("friction", proof.friction) + ",\n \"presses\": [" + presses + "],\n " +
+         answers_text(proof.answers) + ",\n \"reach\": [" + list(proof.reach) +
          "],\n \"energy\": " + number(proof.energy) + "}";
 }
 

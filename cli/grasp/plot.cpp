@@ -14,7 +14,9 @@ namespace {
 
 /// With exact forces, however long.
 std::string picture_of(const Question& question) {
-  return plot_grasp(question, answer_to(question, {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false}).verdict);
+  return plot_grasp(
+      question,
+      answer_to(question, {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false}).verdict);
 }
 
 void add_grasp_plot(CLI::App& plot, int& exit_code) {

@@ -247,8 +247,7 @@ std::string second_heading(const Answer& answer) {
   if (!answer.within) return "";
   const Answer& within = *answer.within;
   const std::string verdict =
-      std::string(name_of(within.verdict)) +
-      (is_stable(within.verdict) ? " (proved)" : "");
+      std::string(name_of(within.verdict)) + (is_stable(within.verdict) ? " (proved)" : "");
   if (!within.question.is_bounded()) {
     char size[32];
     std::snprintf(size, sizeof size, "%.2g",
@@ -318,9 +317,9 @@ void print_text(const Answer& answer, const NumberOptions& output,
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))
             << (question.box() == nullptr ? ""
                                           : uncertain_text(*question.box(), uncertain, text))
-            << (question.is_bounded() ? "Motions up to " + bound_text(*question.box()) +
-                                            " are asked about.\n"
-                                      : "")
+            << (question.is_bounded()
+                    ? "Motions up to " + bound_text(*question.box()) + " are asked about.\n"
+                    : "")
             << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
             << second_text(answer)
             << enclosure_text(enclosed, answer.bits,

@@ -332,8 +332,7 @@ void read_max_motion(const JsonNode& root, GraspBox& box) {
       numbers.push_back(read_number(number, member_path(path, key)));
     }
   } else {
-    expect(*node, Kind::kArray, path,
-           R"(a list of numbers, or {"length": ..., "angle": ...})");
+    expect(*node, Kind::kArray, path, R"(a list of numbers, or {"length": ..., "angle": ...})");
     for (std::size_t j = 0; j < node->children.size(); ++j) {
       numbers.push_back(read_number(node->children[j], element_path(path, j)));
     }
@@ -596,7 +595,7 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
 }
 
 GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals intervals) {
-  Names allowed{"format",   "name",   "units", "defaults", "contacts",
+  Names allowed{"format", "name",  "units", "defaults",  "contacts",
                 "wrench", "loads", "cases", "max_motion"};
   allowed.insert(allowed.end(), std::begin(kOfBodies), std::end(kOfBodies));
   expect_object(grasp, "", allowed);

@@ -78,15 +78,17 @@ MotionBound parse_motion_bound(std::string_view text) {
     try {
       return parse_rational(spelled);
     } catch (const NumberError& error) {
-      refuse_bound(quote(std::string(spelled)) + ": " + error.what(),
-           "give a length and an angle, as in 0.01,0.02, a number for each coordinate, a factor "
-           "of the natural motion, as in 1000x, or none");
+      refuse_bound(
+          quote(std::string(spelled)) + ": " + error.what(),
+          "give a length and an angle, as in 0.01,0.02, a number for each coordinate, a factor "
+          "of the natural motion, as in 1000x, or none");
     }
   };
   if (!text.empty() && text.back() == 'x') {
     bound.factor = number(text.substr(0, text.size() - 1));
     if (bound.factor->sign() <= 0) {
-      refuse_bound("the factor is " + to_readable_string(*bound.factor), "give a number above 0");
+      refuse_bound("the factor is " + to_readable_string(*bound.factor),
+                   "give a number above 0");
     }
     return bound;
   }
@@ -101,8 +103,10 @@ MotionBound parse_motion_bound(std::string_view text) {
 RationalRow bound_of(const GraspBox& box, const MotionBound& asked) {
   if (asked.factor) {
     if (auto natural = natural_bound(box, *asked.factor)) return *natural;
-    refuse_bound("there is neither load nor preload, or no contact, so that motions have no natural size",
-         "give a length and an angle, as in 0.01,0.02");
+    refuse_bound(
+        "there is neither load nor preload, or no contact, so that motions have no natural "
+        "size",
+        "give a length and an angle, as in 0.01,0.02");
   }
   RationalRow numbers = asked.numbers;
   if (numbers.empty()) return {};
@@ -115,13 +119,14 @@ RationalRow bound_of(const GraspBox& box, const MotionBound& asked) {
   if (numbers.size() == 2 && !has_joints) {
     const RationalRow both = std::move(numbers);
     numbers.clear();
-    for (std::size_t j = 0; j < motions; ++j) numbers.push_back(both[is_rotation(box, j) ? 1 : 0]);
+    for (std::size_t j = 0; j < motions; ++j)
+      numbers.push_back(both[is_rotation(box, j) ? 1 : 0]);
   }
   if (numbers.size() != motions) {
-    refuse_bound("there are " + std::to_string(numbers.size()) + " numbers for " +
-             std::to_string(motions) + " coordinates of motions",
-         "give one for each" +
-             std::string(has_joints ? "" : ", or two: a length and an angle"));
+    refuse_bound(
+        "there are " + std::to_string(numbers.size()) + " numbers for " +
+            std::to_string(motions) + " coordinates of motions",
+        "give one for each" + std::string(has_joints ? "" : ", or two: a length and an angle"));
   }
   return numbers;
 }
@@ -157,9 +162,9 @@ std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& fa
   const Rational pressed = factor * force / softest;
   RationalRow bound;
   for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    bound.push_back(in_two_digits(is_rotation(box, j)
-                                      ? Rational(pressed / spread.half)
-                                      : Rational(pressed * (1 + spread.farthest / spread.half))));
+    bound.push_back(in_two_digits(
+        is_rotation(box, j) ? Rational(pressed / spread.half)
+                            : Rational(pressed * (1 + spread.farthest / spread.half))));
   }
   return bound;
 }

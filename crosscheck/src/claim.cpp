@@ -50,8 +50,8 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   require_one_grasp(question);
   check_sizes(question, claim);
   ClaimReport report;
-  report.answer =
-      answer_to(question, {Engine::kBranchAndBound, options.node_limit, WarningsAsked::kNone, false});
+  report.answer = answer_to(
+      question, {Engine::kBranchAndBound, options.node_limit, WarningsAsked::kNone, false});
   const GraspBox grasp = box_of(question.grasp);
   report.residuals = residuals_of(grasp, question.law, claim);
   report.scale = residual_scale(grasp, claim);

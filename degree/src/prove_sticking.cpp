@@ -94,7 +94,8 @@ class StickingSearch {
       pressing_.push_back({i, a});
       if (rubs) rubbing_.push_back({i, spare});
       if (rubs && norm_of(middle_.friction[i]) > 0) {
-        proof_.friction.emplace_back(ContactId(i), c.force_near(middle_.friction[i], kForceBits));
+        proof_.friction.emplace_back(ContactId(i),
+                                     c.force_near(middle_.friction[i], kForceBits));
       }
     }
     if (pressing_.empty()) return false;
@@ -148,9 +149,9 @@ class StickingSearch {
   bool choose_answers() {
     double stiffest = 0;
     for (const Bearing& b : pressing_) {
-      stiffest = std::max(stiffest, box_.contacts[b.contact].stiffnesses[0] *
-                                        box_.contacts[b.contact].size *
-                                        box_.contacts[b.contact].size);
+      stiffest =
+          std::max(stiffest, box_.contacts[b.contact].stiffnesses[0] *
+                                 box_.contacts[b.contact].size * box_.contacts[b.contact].size);
     }
     Eigen::Index columns = static_cast<Eigen::Index>(pressing_.size());
     std::vector<Eigen::Index> first;  // column of each that rubs
@@ -167,8 +168,9 @@ class StickingSearch {
       const auto column = static_cast<Eigen::Index>(k);
       wrenches.col(column) = normal_of(pressing_[k].contact).transpose();
       const double part = c.stiffnesses[0] * c.size * c.size / stiffest;
-      const double size = c.is_spring ? most : std::min(most > 0 ? most : pressing_[k].spare,
-                                                        pressing_[k].spare);
+      const double size =
+          c.is_spring ? most
+                      : std::min(most > 0 ? most : pressing_[k].spare, pressing_[k].spare);
       weights[column] = part * size * size;
     }
     for (std::size_t k = 0; k < rubbing_.size(); ++k) {
@@ -198,8 +200,9 @@ class StickingSearch {
       for (std::size_t l = 0; l < box_.motions; ++l) {
         Double3 f{};
         for (std::size_t j = 0; j < box_.contacts[i].slip_dimension(); ++j) {
-          f[j] = answers(first[k] + static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)) /
-                 box_.unit(l);
+          f[j] =
+              answers(first[k] + static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)) /
+              box_.unit(l);
         }
         answer.forces.push_back(box_.contacts[i].force_near(f, kForceBits));
       }
@@ -376,8 +379,7 @@ class StickingSearch {
       for (std::size_t i = 0; i < all.size(); ++i) {
         const LawContact& c = box_.contacts[i];
         if (is_listed_[i] == 0 || c.is_spring) continue;
-        const Rational loss =
-            short_sqrt(2 * proof_.energy * c.stiffness.high, kRootBits).upper;
+        const Rational loss = short_sqrt(2 * proof_.energy * c.stiffness.high, kRootBits).upper;
         const Rational pressed = all[i].separation.low - loss;
         if (pressed < 0) return false;
         if (rubs_[i] == 0) continue;
@@ -401,8 +403,7 @@ class StickingSearch {
       RationalRow moved(box_.motions);
       for (const StickingProof::Press& press : proof_.presses) {
         const LawContact& c = box_.contacts[press.contact.index()];
-        const Rational depth =
-            short_sqrt(2 * proof_.energy / c.stiffness.low, kRootBits).upper;
+        const Rational depth = short_sqrt(2 * proof_.energy / c.stiffness.low, kRootBits).upper;
         for (std::size_t l = 0; l < moved.size(); ++l) moved[l] += abs(press.forces[l]) * depth;
       }
       for (const RestProof::Answer& answer : proof_.answers) {
@@ -423,14 +424,14 @@ class StickingSearch {
   const GraspLaw& box_;
   const NearEquilibrium& middle_;
   Eigen::Index motions_;
-  std::vector<Rational> multiples_;                     ///< of a margin its ends
-  std::vector<std::vector<PressedContact>> contacts_;   ///< by multiple
-  std::vector<Bearing> pressing_;                       ///< whose normal forces answer
-  std::vector<Bearing> rubbing_;                        ///< whose friction answers
-  std::vector<Rational> press_;                         ///< delta, by contact
-  std::vector<Rational> friction_;                      ///< phi, by contact
-  std::vector<char> is_listed_;                         ///< by contact
-  std::vector<char> rubs_;                              ///< by contact
+  std::vector<Rational> multiples_;                    ///< of a margin its ends
+  std::vector<std::vector<PressedContact>> contacts_;  ///< by multiple
+  std::vector<Bearing> pressing_;                      ///< whose normal forces answer
+  std::vector<Bearing> rubbing_;                       ///< whose friction answers
+  std::vector<Rational> press_;                        ///< delta, by contact
+  std::vector<Rational> friction_;                     ///< phi, by contact
+  std::vector<char> is_listed_;                        ///< by contact
+  std::vector<char> rubs_;                             ///< by contact
   StickingProof proof_;
 };
 

@@ -135,7 +135,8 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
   box.wrench = wrench;
   box = box.widened(uncertain);
   if (bound) box.max_motion = bound_of(box, *bound);
-  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
+  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point() &&
+      !needs_enclosure(box)) {
     return box.planar_middle();
   }
   return box;

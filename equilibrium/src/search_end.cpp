@@ -22,9 +22,10 @@ Undecided undecided_by(const SearchReport& report) {
       "smaller or larger then";
   const auto answer = [&]() -> Undecided {
     if (report.is_far) {
-      return {"what is left are motions far beyond those that a load of this size explains, and "
-              "rounding of the data decides what holds there",
-              "far", "--max-motion 1000x asks about motions of the size of the problem"};
+      return {
+          "what is left are motions far beyond those that a load of this size explains, and "
+          "rounding of the data decides what holds there",
+          "far", "--max-motion 1000x asks about motions of the size of the problem"};
     }
     if (report.is_spent) {
       return {"all trees together reached their limit, a few times " + limit + " nodes",

@@ -61,6 +61,8 @@
         ? " It is one that is near the load that was asked about."
         : " It is one grasp of the box of uncertain numbers, and others differ.";
 
+  const is_decided = ({ verdict }) => verdict === "stable" || verdict === "unstable";
+
   function casesTable(cases) {
     return html(
       "table",
@@ -135,6 +137,8 @@
               : page.nearTuple(decide.near_float || (page.answer.near || {}).twist_float || []),
             decide.proof && decide.proof.at_rest
               ? ". Proved: nothing moves, as friction answers whatever load is left. "
+              : decide.proof && decide.proof.sticking
+              ? ". Proved: contacts stick near this motion, and friction has more to spare than what is off takes away. "
               : ". Proved: the forces on the walls around motions near this one leave no way out but an equilibrium inside. ",
             "What is drawn is near it, in floating point.",
           ),
@@ -176,6 +180,19 @@
       } else if (decide.limit) {
         lines.push(html("p", {}, "Not decided: " + decide.limit + (decide.remedy ? "; " + decide.remedy : "") + "."));
       }
+      if (decide.max_motion) lines.push(html("p", {}, "Motions up to ", page.state(decide.max_motion), " are asked about."));
+      if (decide.within)
+        lines.push(
+          html(
+            "p",
+            { class: "warning" },
+            decide.within.max_motion
+              ? "Within 1000 times what the load would press the softest contact: "
+              : "Without a part of the load that rounding alone makes, and that no contact opposes: ",
+            decide.within.verdict,
+            is_decided(decide.within) ? " (proved)." : ".",
+          ),
+        );
       if (decide.ball)
         lines.push(html("p", {}, "The box: every load that differs from w by ", page.ballWords(decide.ball, decide.ball.radius), "."));
       const numbers = (decide.uncertain || []).filter(({ place }) => !decide.ball || !place.startsWith("wrench["));

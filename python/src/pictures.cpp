@@ -114,7 +114,8 @@ py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
     if (limit) return plot_grasp(question, Undecided{*limit});
     // Pictures need exact forces, however long.
     const Engine exact = engine == "auto" ? Engine::kBranchAndBound : engine_named(engine);
-    return plot_grasp(question, answer_to(question, {exact, 0, WarningsAsked::kNone, false}).verdict);
+    return plot_grasp(question,
+                      answer_to(question, {exact, 0, WarningsAsked::kNone, false}).verdict);
   }));
 }
 

@@ -245,11 +245,9 @@ py::tuple warning_fields(const std::vector<ModelWarning>& warnings) {
 /// The second answer, with the file and the certificate that prove it, if it is decided.
 py::dict within_fields(const Answer& within) {
   const GraspBox box = box_of(within.question.grasp);
-  py::dict result("verdict"_a = name_of(within.verdict),
-                  "normal_law"_a = to_string(within.question.law),
-                  "wrench"_a = tuple_of(box.wrench, [](const Interval& w) {
-                    return fraction(w.low);
-                  }));
+  py::dict result(
+      "verdict"_a = name_of(within.verdict), "normal_law"_a = to_string(within.question.law),
+      "wrench"_a = tuple_of(box.wrench, [](const Interval& w) { return fraction(w.low); }));
   if (box.is_bounded()) result["max_motion"] = tuple_of(box.max_motion, fraction);
   if (const auto certificate = certificate_of(within)) {
     result["grasp"] = write_grasp(box);

@@ -481,7 +481,7 @@ bool LawForces::is_far(const Relaxation& found) const {
 
 /// Of a margin: motions grow without end towards one multiple, and so would the tree.
 bool LawForces::escapes(const Relaxation& found) {
-  constexpr std::size_t kManyFar = 20;
+  constexpr std::size_t kManyFar = 80;
   if (keeps_near_ && is_far(found) && ++far_ > kManyFar) return true;
   constexpr double kFar = 1e6;
   const double h = height(found);

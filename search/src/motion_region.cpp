@@ -243,7 +243,8 @@ std::optional<Row> MotionRegion::bound_across(const Reals& point) const {
     farthest = j;
   }
   if (!farthest) return std::nullopt;
-  Row plane = bound_plane(bound, *farthest, point[static_cast<Eigen::Index>(*farthest)] > 0 ? 1 : -1);
+  Row plane =
+      bound_plane(bound, *farthest, point[static_cast<Eigen::Index>(*farthest)] > 0 ? 1 : -1);
   if (!signs(plane).cuts()) return std::nullopt;
   return plane;
 }

@@ -124,7 +124,8 @@ TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
   const Problem problem(file.loaded(), NormalLaw::kUnilateral);
   ASSERT_TRUE(has_long_equilibria(problem));
   EXPECT_FALSE(answer_to(ask(file, {}), kQuick).problem.has_value());
-  const Answer exact = answer_to(ask(file, {}), {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false});
+  const Answer exact =
+      answer_to(ask(file, {}), {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false});
   ASSERT_TRUE(exact.problem.has_value());
   EXPECT_STREQ(name_of(exact.verdict), "stable");
   const GraspFile few = in_doubles(ShapeInDoubles::kBowl, 30, 0, load);

@@ -176,16 +176,14 @@ std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
 
 }  // namespace
 
-std::vector<ModelWarning> model_warnings(const Question& question,
-                                         const BoxDecision& decision,
+std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision,
                                          bool vary_stiffness) {
   if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   if (!question.box()->is_point()) return {};
   const GraspBox grasp = seen_in_space(*question.box());
   const std::vector<Rational> preloads = preloads_of(grasp);
   const auto* stable = std::get_if<Stable>(&decision.verdict);
-  const RationalRow motion =
-      stable != nullptr ? seen_in_space(stable->motion) : RationalRow{};
+  const RationalRow motion = stable != nullptr ? seen_in_space(stable->motion) : RationalRow{};
   ModelWarnings warnings;
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLargeMotion,
@@ -219,7 +217,8 @@ std::vector<ModelWarning> model_warnings(const Question& question,
       if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
       return text;
     };
-    warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion_of(grasp, d, !question.assumed_stiffness.empty())));
+    warnings.add(ModelTrap::kLargeMotion,
+                 at_multiple(large_motion_of(grasp, d, !question.assumed_stiffness.empty())));
     warnings.add(ModelTrap::kLostPreload,
                  at_multiple(lost_preload_of(grasp, preloads_at(multiple), d)));
   };

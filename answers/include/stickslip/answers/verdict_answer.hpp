@@ -61,8 +61,8 @@ enum class WarningsAsked {
 
 /// How to answer.
 struct AnswerOptions {
-  Engine engine = Engine::kAuto;  ///< of one grasp in the plane
-  std::size_t node_limit = 0;     ///< as of each engine; 0: its own, or none
+  Engine engine = Engine::kAuto;                 ///< of one grasp in the plane
+  std::size_t node_limit = 0;                    ///< as of each engine; 0: its own, or none
   WarningsAsked warnings = WarningsAsked::kAll;  ///< of one grasp
   bool within = true;  ///< answer a second question where that says more
 };

@@ -27,7 +27,7 @@ struct ProverLimits {
   std::size_t most_nodes;  ///< of all together, beyond which a box is cut no more
   std::size_t most_parts;  ///< cuts
   bool is_wide;            ///< the box is more than what encloses lengths
-  bool is_default;         ///< nobody asked for more: far motions take a part of what near ones took
+  bool is_default;  ///< nobody asked for more: far motions take a part of what near ones took
 };
 
 /// Proofs about a box and its parts, until one fails or two parts seem to differ.

@@ -115,7 +115,8 @@ struct Tolerances {
   /// The same tolerances.
   friend bool operator==(const Tolerances& a, const Tolerances& b) {
     return a.friction == b.friction && a.stiffness == b.stiffness && a.preload == b.preload &&
-           a.position == b.position && a.normal == b.normal && a.wrench == b.wrench && a.ball == b.ball;
+           a.position == b.position && a.normal == b.normal && a.wrench == b.wrench &&
+           a.ball == b.ball;
   }
 };
 

@@ -27,8 +27,8 @@ struct QuestionOptions {
   NormalLaw law = NormalLaw::kUnilateral;               ///< a file does not say; this does
   std::optional<RationalRow> direction{};               ///< of the load
   std::optional<PreloadDirection> preload_direction{};  ///< of the preloads
-  std::optional<std::string> case_name{};  ///< of the file, whose wrench is applied
-  Tolerances uncertain{};                  ///< of what is left when all is replaced
+  std::optional<std::string> case_name{};   ///< of the file, whose wrench is applied
+  Tolerances uncertain{};                   ///< of what is left when all is replaced
   std::optional<MotionBound> max_motion{};  ///< in place of the file's
 };
 

@@ -27,7 +27,7 @@ struct SearchReport {
   std::size_t node_limit = 0;        ///< of a tree
   bool is_spent = false;             ///< the limit of all trees together was reached
   bool is_wide = false;              ///< the question is about many grasps
-  bool is_far = false;           ///< what is left are motions far beyond the load's size
+  bool is_far = false;               ///< what is left are motions far beyond the load's size
   std::vector<Rational> near{};  ///< an equilibrium in doubles around which there is no proof
 };
 

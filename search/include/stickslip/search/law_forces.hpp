@@ -107,7 +107,7 @@ class LawForces {
 
   bool only_contacts_ = false;
   bool keeps_near_ = false;
-  std::size_t far_ = 0;  ///< relaxed equilibria that were
+  std::size_t far_ = 0;                                       ///< relaxed equilibria that were
   bool separated_ = false;                                    ///< what was found last
   const MotionRegion* region_ = nullptr;                      ///< the one entered last
   std::unique_ptr<search_detail::AllowedWrenches> wrenches_;  ///< of the region

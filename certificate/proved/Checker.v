@@ -233,9 +233,10 @@ Definition check_region (q : question) (s : setting) (pieces : list (list load_p
   end.
 
 Definition check (q : question) (c : certificate) : answer :=
-  match setting_of (bits c) q with
-  | None => NotProvedHere "numbers of the question"
-  | Some s =>
+  match max_motion q, setting_of (bits c) q with
+  | Some _, _ => NotProvedHere "motions that are bounded"
+  | None, None => NotProvedHere "numbers of the question"
+  | None, Some s =>
       match body c, is_margin q with
       | RegionBy pieces nodes, _ => check_region q s pieces nodes
       | OfClass p, _ =>

@@ -198,6 +198,7 @@ let question asked =
      | None -> "as in the grasp file")
   ^ numbers o.asked_growth
   ^ "\nnormal law  " ^ law o
+  ^ (match o.asked_bound with Some (Bounded it) -> "\nmax motion  " ^ vector it | _ -> "")
   ^ match tolerances tolerance ball o with
     | [] -> ""
     | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them
@@ -222,7 +223,8 @@ let json_question asked =
      | Some (u, v) -> ", \"plane\": [" ^ json_vector u ^ ", " ^ json_vector v ^ "]"
      | None -> "")
   ^ (match o.asked_inertia with Some it -> ", \"inertia\": " ^ json_vector it | None -> "")
-  ^ ", \"uncertain\": " ^ uncertain ^ "}"
+  ^ ", \"uncertain\": " ^ uncertain
+  ^ (match o.asked_bound with Some (Bounded it) -> ", \"max_motion\": " ^ json_vector it | _ -> "") ^ "}"
 
 type report =
   | Judged of { asked : posed; answer : answer; certificate : certificate }

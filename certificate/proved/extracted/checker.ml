@@ -87,6 +87,15 @@ let gmin cmp x y =
 
 module Nat =
  struct
+  (** val sub : nat -> nat -> nat **)
+
+  let rec sub n0 m =
+    match n0 with
+    | O -> n0
+    | S k -> (match m with
+              | O -> n0
+              | S l -> sub k l)
+
   (** val eqb : nat -> nat -> bool **)
 
   let rec eqb n0 m =
@@ -97,6 +106,36 @@ module Nat =
     | S n' -> (match m with
                | O -> false
                | S m' -> eqb n' m')
+
+  (** val leb : nat -> nat -> bool **)
+
+  let rec leb n0 m =
+    match n0 with
+    | O -> true
+    | S n' -> (match m with
+               | O -> false
+               | S m' -> leb n' m')
+
+  (** val ltb : nat -> nat -> bool **)
+
+  let ltb n0 m =
+    leb (S n0) m
+
+  (** val divmod : nat -> nat -> nat -> nat -> nat * nat **)
+
+  let rec divmod x y q0 u =
+    match x with
+    | O -> (q0, u)
+    | S x' ->
+      (match u with
+       | O -> divmod x' y (S q0) y
+       | S u' -> divmod x' y q0 u')
+
+  (** val modulo : nat -> nat -> nat **)
+
+  let modulo x = function
+  | O -> x
+  | S y' -> sub y' (snd (divmod x y' O y'))
 
   (** val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1 **)
 
@@ -1506,7 +1545,7 @@ type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
                   load_plane : (q list * q list) option; inertia : q list;
-                  several : mechanism option }
+                  several : mechanism option; max_motion : q list option }
 
 type parameter =
 | PX
@@ -6759,36 +6798,40 @@ let check_region advisor q0 s pieces nodes =
 (** val check : oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
-  match setting_of c.bits q0 with
-  | Some s ->
-    (match c.body with
-     | StableByWitness w ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_witness q0 s w
-     | StableByParts parts ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_parts advisor q0 s parts
-     | UnstableByTree nodes ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_tree advisor q0 s nodes
-     | MarginBy (resisted, segments, nodes) ->
-       if q0.is_margin
-       then check_margin advisor q0 s resisted segments nodes
-       else NotProvedHere "a proof of something else than was asked"
-     | MarginInSpace claims ->
-       if q0.is_margin
-       then check_claims advisor q0 s claims (Some { qnum =
-              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
-       else NotProvedHere "a proof of something else than was asked"
-     | OfClass p ->
-       (match q0.inertia with
-        | [] -> NotProvedHere "a proof of something else than was asked"
-        | _ :: _ -> check_class q0 s p)
-     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
-  | None -> NotProvedHere "numbers of the question"
+  match q0.max_motion with
+  | Some _ -> NotProvedHere "motions that are bounded"
+  | None ->
+    (match setting_of c.bits q0 with
+     | Some s ->
+       (match c.body with
+        | StableByWitness w ->
+          if q0.is_margin
+          then NotProvedHere "a proof of something else than was asked"
+          else check_witness q0 s w
+        | StableByParts parts ->
+          if q0.is_margin
+          then NotProvedHere "a proof of something else than was asked"
+          else check_parts advisor q0 s parts
+        | UnstableByTree nodes ->
+          if q0.is_margin
+          then NotProvedHere "a proof of something else than was asked"
+          else check_tree advisor q0 s nodes
+        | MarginBy (resisted, segments, nodes) ->
+          if q0.is_margin
+          then check_margin advisor q0 s resisted segments nodes
+          else NotProvedHere "a proof of something else than was asked"
+        | MarginInSpace claims ->
+          if q0.is_margin
+          then check_claims advisor q0 s claims (Some { qnum =
+                 Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
+                 [] []
+          else NotProvedHere "a proof of something else than was asked"
+        | OfClass p ->
+          (match q0.inertia with
+           | [] -> NotProvedHere "a proof of something else than was asked"
+           | _ :: _ -> check_class q0 s p)
+        | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
+     | None -> NotProvedHere "numbers of the question")
 
 (** val largest_exponent : Big_int_Z.big_int **)
 
@@ -7117,7 +7160,8 @@ type grasp = { in_space : bool; coordinates_read : nat;
                names_of_bodies : string list;
                names_of_joints : string option list;
                all_contacts : contact list; common_wrench : interval list;
-               has_loads : bool; cases : (string * interval list) list }
+               has_loads : bool; bound_read : q list option;
+               cases : (string * interval list) list }
 
 (** val most_contacts : Big_int_Z.big_int **)
 
@@ -7678,6 +7722,49 @@ let read_list_of_cases read at_path value0 =
        | _ :: _ -> Fine ()) (fun _ ->
       bind (check_names at_path (map fst them)) (fun _ -> Fine them)))
 
+(** val bound_of : bool -> nat -> q -> q -> q list **)
+
+let bound_of in_space0 count0 length0 angle =
+  if in_space0
+  then let size1 = S (S (S (S (S (S O))))) in
+       let lengths = S (S (S O)) in
+       map (fun j ->
+         if Nat.ltb (Nat.modulo j size1) lengths then length0 else angle)
+         (seq O count0)
+  else let size1 = S (S (S O)) in
+       let lengths = S (S O) in
+       map (fun j ->
+         if Nat.ltb (Nat.modulo j size1) lengths then length0 else angle)
+         (seq O count0)
+
+(** val read_above_0 : path -> json -> q result **)
+
+let read_above_0 at_path value0 =
+  bind (read_decimal at_path value0) (fun x ->
+    bind
+      (check_that
+        (is_below { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } x) at_path "expected a number above 0")
+      (fun _ -> Fine x))
+
+(** val read_bound : bool -> bool -> nat -> path -> json -> q list result **)
+
+let read_bound in_space0 joints count0 at_path value0 = match value0 with
+| Object _ ->
+  bind
+    (check_that (negb joints) at_path
+      "expected an array of a number for each coordinate, as there are joints")
+    (fun _ ->
+    bind (members_of ("length" :: ("angle" :: [])) at_path value0)
+      (fun members ->
+      bind (member "length" read_above_0 at_path members) (fun length0 ->
+        bind (member "angle" read_above_0 at_path members) (fun angle -> Fine
+          (bound_of in_space0 count0 length0 angle)))))
+| _ ->
+  read_sized (Z.of_nat count0)
+    "an array of a number for each coordinate, or an object of length and angle"
+    read_above_0 at_path value0
+
 (** val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option **)
 
 let rec nth_from index = function
@@ -8013,15 +8100,17 @@ let version_of members =
       bind (only_second "outline") (fun _ ->
         bind (only_second "body") (fun _ ->
           bind (only_second "loads") (fun _ ->
-            bind (only_second "cases") (fun _ -> Fine { is_second = second;
-              is_in_space = ((&&) second (begins_in_space members)) }))))))
+            bind (only_second "cases") (fun _ ->
+              bind (only_second "max_motion") (fun _ -> Fine { is_second =
+                second; is_in_space =
+                ((&&) second (begins_in_space members)) })))))))
 
 (** val read_grasp : json -> grasp result **)
 
 let read_grasp value0 =
   bind
     (members_of
-      ("format" :: ("name" :: ("units" :: ("outline" :: ("body" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))
+      ("format" :: ("name" :: ("units" :: ("outline" :: ("body" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: ("max_motion" :: [])))))))))))
       [] value0) (fun members ->
     bind (version_of members) (fun v ->
       bind (optional_member "name" read_any_text [] members) (fun _ ->
@@ -8061,45 +8150,51 @@ let read_grasp value0 =
                         (optional_member "cases"
                           (read_list_of_cases (read_case v)) [] members)
                         (fun named ->
+                        let count0 =
+                          if v.is_in_space
+                          then S (S (S (S (S (S O)))))
+                          else S (S (S O))
+                        in
                         bind
-                          (check_that
-                            (negb
-                              ((&&) (has_member "wrench" members)
-                                (has_member "loads" members))) []
-                            "both \"wrench\" and \"loads\"; give one of them")
-                          (fun _ ->
+                          (optional_member "max_motion"
+                            (read_bound v.is_in_space false count0) []
+                            members) (fun bound ->
                           bind
                             (check_that
-                              ((||)
-                                ((||) (has_member "wrench" members)
-                                  (has_member "loads" members))
-                                (has_member "cases" members)) []
-                              "the member \"wrench\" is missing") (fun _ ->
-                            let common =
-                              match own with
-                              | Some w -> w
-                              | None ->
-                                (match loads with
-                                 | Some w -> w
-                                 | None -> no_wrench v)
-                            in
-                            let named0 =
-                              match named with
-                              | Some it -> it
-                              | None -> []
-                            in
-                            Fine { in_space = v.is_in_space;
-                            coordinates_read =
-                            (if v.is_in_space
-                             then S (S (S (S (S (S O)))))
-                             else S (S (S O))); bodies_read = None;
-                            body_names = []; names_of_bodies = [];
-                            names_of_joints = []; all_contacts = them;
-                            common_wrench = common; has_loads = false;
-                            cases =
-                            (map (fun pat ->
-                              let (name, w) = pat in
-                              (name, (add_wrench w common))) named0) })))))))))))))
+                              (negb
+                                ((&&) (has_member "wrench" members)
+                                  (has_member "loads" members))) []
+                              "both \"wrench\" and \"loads\"; give one of them")
+                            (fun _ ->
+                            bind
+                              (check_that
+                                ((||)
+                                  ((||) (has_member "wrench" members)
+                                    (has_member "loads" members))
+                                  (has_member "cases" members)) []
+                                "the member \"wrench\" is missing") (fun _ ->
+                              let common =
+                                match own with
+                                | Some w -> w
+                                | None ->
+                                  (match loads with
+                                   | Some w -> w
+                                   | None -> no_wrench v)
+                              in
+                              let named0 =
+                                match named with
+                                | Some it -> it
+                                | None -> []
+                              in
+                              Fine { in_space = v.is_in_space;
+                              coordinates_read = count0; bodies_read = None;
+                              body_names = []; names_of_bodies = [];
+                              names_of_joints = []; all_contacts = them;
+                              common_wrench = common; has_loads = false;
+                              bound_read = bound; cases =
+                              (map (fun pat ->
+                                let (name, w) = pat in
+                                (name, (add_wrench w common))) named0) }))))))))))))))
 
 type named_body = { name_of : string; link : (nat option * q list) option }
 
@@ -8660,7 +8755,7 @@ let rec read_springs levers joints =
 let read_grasp_of_bodies value0 =
   bind
     (members_of
-      ("format" :: ("bodies" :: ("contacts" :: ("name" :: ("units" :: ("defaults" :: ("joints" :: ("tendons" :: ("ratchets" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))))
+      ("format" :: ("bodies" :: ("contacts" :: ("name" :: ("units" :: ("defaults" :: ("joints" :: ("tendons" :: ("ratchets" :: ("wrench" :: ("loads" :: ("cases" :: ("max_motion" :: [])))))))))))))
       [] value0) (fun members ->
     let v = { is_second = true; is_in_space =
       (match find_member "contacts" members with
@@ -8815,23 +8910,30 @@ let read_grasp_of_bodies value0 =
                                     | Some it -> it
                                     | None -> []
                                   in
-                                  Fine { in_space = v.is_in_space;
-                                  coordinates_read = count0; bodies_read =
-                                  (Some its); body_names =
-                                  (map (fun n0 -> n0.name_of) bodies0);
-                                  names_of_bodies =
-                                  (concat (map (names_of_body v) bodies0));
-                                  names_of_joints =
-                                  (map (fun pat ->
-                                    let (y, _) = pat in
-                                    let (_, name) = y in name) joints);
-                                  all_contacts = them; common_wrench =
-                                  common; has_loads =
-                                  ((||) (has_member "wrench" members)
-                                    (has_member "loads" members)); cases =
-                                  (map (fun pat ->
-                                    let (name, w) = pat in
-                                    (name, (add_wrench w common))) named0) }))))))))))))))))
+                                  bind
+                                    (optional_member "max_motion"
+                                      (read_bound v.is_in_space
+                                        (match joints with
+                                         | [] -> false
+                                         | _ :: _ -> true) count0) [] members)
+                                    (fun bound -> Fine { in_space =
+                                    v.is_in_space; coordinates_read = count0;
+                                    bodies_read = (Some its); body_names =
+                                    (map (fun n0 -> n0.name_of) bodies0);
+                                    names_of_bodies =
+                                    (concat (map (names_of_body v) bodies0));
+                                    names_of_joints =
+                                    (map (fun pat ->
+                                      let (y, _) = pat in
+                                      let (_, name) = y in name) joints);
+                                    all_contacts = them; common_wrench =
+                                    common; has_loads =
+                                    ((||) (has_member "wrench" members)
+                                      (has_member "loads" members));
+                                    bound_read = bound; cases =
+                                    (map (fun pat ->
+                                      let (name, w) = pat in
+                                      (name, (add_wrench w common))) named0) })))))))))))))))))
 
 (** val read_file : json -> grasp result **)
 
@@ -8854,6 +8956,10 @@ type growth =
 type stated_ball = { stated_radius : q; stated_length : q;
                      stated_point : q list; stated_body : string option }
 
+type bound_option =
+| Unbounded
+| Bounded of q list
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
@@ -8861,7 +8967,8 @@ type options = { asked_wrench : q list option; asked_case : string option;
                  asked_plane : (q list * q list) option;
                  asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list;
-                 asked_ball : stated_ball option }
+                 asked_ball : stated_ball option;
+                 asked_bound : bound_option option }
 
 (** val uncertain_kinds : string list **)
 
@@ -9117,6 +9224,71 @@ let ball_asked file asked stated =
                 b.stated_length; about = point0; on_body = body0 }))))))))
   | None -> Fine None
 
+(** val bound_asked : grasp -> options -> q list option result **)
+
+let bound_asked file asked =
+  let here = of_question "max motion" in
+  bind
+    (match asked.asked_bound with
+     | Some b ->
+       (match b with
+        | Unbounded -> Fine None
+        | Bounded numbers0 ->
+          bind
+            (check_that
+              (forallb
+                (is_below { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }) numbers0) here
+              "expected numbers above 0") (fun _ ->
+            if Nat.eqb (length numbers0) file.coordinates_read
+            then Fine (Some numbers0)
+            else (match numbers0 with
+                  | [] ->
+                    (match file.names_of_joints with
+                     | [] ->
+                       refuse here
+                         "expected a number for each coordinate of motions, or a length and an angle"
+                     | _ :: _ ->
+                       refuse here
+                         "expected a number for each coordinate of the bodies and joints")
+                  | length0 :: l ->
+                    (match l with
+                     | [] ->
+                       (match file.names_of_joints with
+                        | [] ->
+                          refuse here
+                            "expected a number for each coordinate of motions, or a length and an angle"
+                        | _ :: _ ->
+                          refuse here
+                            "expected a number for each coordinate of the bodies and joints")
+                     | angle :: l0 ->
+                       (match l0 with
+                        | [] ->
+                          (match file.names_of_joints with
+                           | [] ->
+                             Fine (Some
+                               (bound_of file.in_space file.coordinates_read
+                                 length0 angle))
+                           | _ :: _ ->
+                             refuse here
+                               "expected a number for each coordinate of the bodies and joints")
+                        | _ :: _ ->
+                          (match file.names_of_joints with
+                           | [] ->
+                             refuse here
+                               "expected a number for each coordinate of motions, or a length and an angle"
+                           | _ :: _ ->
+                             refuse here
+                               "expected a number for each coordinate of the bodies and joints"))))))
+     | None -> Fine file.bound_read) (fun bound ->
+    bind
+      (check_that
+        (match bound with
+         | Some _ -> negb ((||) (asks_plane asked) (asks_class asked))
+         | None -> true) here
+        "motions are bounded, and a plane or an inertia is given as well; expected one of them")
+      (fun _ -> Fine bound))
+
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
 
@@ -9336,201 +9508,210 @@ let pose file asked =
           bind (wrench_asked file asked) (fun stated ->
             bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
               bind (ball_asked file asked stated) (fun ball0 ->
-                let them = map_all (asked_contact asked) file.all_contacts in
-                let others =
-                  match file.bodies_read with
-                  | Some its -> map_all (asked_element asked) its.elements
-                  | None -> []
-                in
-                bind
-                  (match asked.asked_growth with
-                   | Some g ->
-                     (match g with
-                      | Scale -> Fine (them, others)
-                      | By numbers0 ->
-                        let problem =
-                          "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
-                        in
-                        let wrong =
-                          refuse (of_question "preload direction") problem
-                        in
-                        (match with_growths (fun it p ->
-                                 with_growth it.preload p it) them numbers0 [] with
-                         | Some p ->
-                           let (them0, rest) = p in
-                           (match with_growths (fun it p0 ->
-                                    element_with_growth it.element_preload p0
-                                      it) others rest [] with
-                            | Some p0 ->
-                              let (others0, l) = p0 in
-                              (match l with
-                               | [] ->
-                                 bind
-                                   (check_that
-                                     ((&&)
-                                       (forallb (fun it ->
-                                         qle_bool { qnum =
-                                           Big_int_Z.zero_big_int; qden =
-                                           Big_int_Z.unit_big_int }
-                                           it.preload_growth) them0)
-                                       (forallb (fun it ->
-                                         (||) it.element_spring
-                                           (qle_bool { qnum =
+                bind (bound_asked file asked) (fun bound ->
+                  let them = map_all (asked_contact asked) file.all_contacts
+                  in
+                  let others =
+                    match file.bodies_read with
+                    | Some its -> map_all (asked_element asked) its.elements
+                    | None -> []
+                  in
+                  bind
+                    (match asked.asked_growth with
+                     | Some g ->
+                       (match g with
+                        | Scale -> Fine (them, others)
+                        | By numbers0 ->
+                          let problem =
+                            "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
+                          in
+                          let wrong =
+                            refuse (of_question "preload direction") problem
+                          in
+                          (match with_growths (fun it p ->
+                                   with_growth it.preload p it) them numbers0
+                                   [] with
+                           | Some p ->
+                             let (them0, rest) = p in
+                             (match with_growths (fun it p0 ->
+                                      element_with_growth it.element_preload
+                                        p0 it) others rest [] with
+                              | Some p0 ->
+                                let (others0, l) = p0 in
+                                (match l with
+                                 | [] ->
+                                   bind
+                                     (check_that
+                                       ((&&)
+                                         (forallb (fun it ->
+                                           qle_bool { qnum =
                                              Big_int_Z.zero_big_int; qden =
                                              Big_int_Z.unit_big_int }
-                                             it.element_growth)) others0))
-                                     (of_question "preload direction")
-                                     problem) (fun _ -> Fine (them0, others0))
-                               | _ :: _ -> wrong)
-                            | None -> wrong)
-                         | None -> wrong))
-                   | None -> Fine (them, others)) (fun pat ->
-                  let (them0, others0) = pat in
-                  bind
-                    (match asked.asked_inertia with
-                     | Some numbers0 ->
-                       let here = of_question "inertia" in
-                       bind
-                         (check_that
-                           (match file.bodies_read with
-                            | Some _ -> false
-                            | None -> true) here
-                           "the grasp is of several bodies; expected a question about a wrench or a direction")
-                         (fun _ ->
+                                             it.preload_growth) them0)
+                                         (forallb (fun it ->
+                                           (||) it.element_spring
+                                             (qle_bool { qnum =
+                                               Big_int_Z.zero_big_int; qden =
+                                               Big_int_Z.unit_big_int }
+                                               it.element_growth)) others0))
+                                       (of_question "preload direction")
+                                       problem) (fun _ -> Fine (them0,
+                                     others0))
+                                 | _ :: _ -> wrong)
+                              | None -> wrong)
+                           | None -> wrong))
+                     | None -> Fine (them, others)) (fun pat ->
+                    let (them0, others0) = pat in
+                    bind
+                      (match asked.asked_inertia with
+                       | Some numbers0 ->
+                         let here = of_question "inertia" in
                          bind
                            (check_that
-                             (negb
-                               ((||) (asks_margin asked) (asks_plane asked)))
-                             here
-                             "a direction or a plane is given as well; expected one of them")
+                             (match file.bodies_read with
+                              | Some _ -> false
+                              | None -> true) here
+                             "the grasp is of several bodies; expected a question about a wrench or a direction")
                            (fun _ ->
                            bind
                              (check_that
-                               (has_length
-                                 (if file.in_space
-                                  then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                         (Big_int_Z.mult_int_big_int 2
-                                         (Big_int_Z.mult_int_big_int 2
-                                         Big_int_Z.unit_big_int)))
-                                  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                         Big_int_Z.unit_big_int)) numbers0)
+                               (negb
+                                 ((||) (asks_margin asked) (asks_plane asked)))
                                here
-                               (if file.in_space
-                                then "expected 6 or 9 numbers"
-                                else "expected 3 numbers")) (fun _ ->
-                             check_that
-                               (match masses numbers0 with
-                                | Some _ -> true
-                                | None -> false) here
-                               (if file.in_space
-                                then "the tensor is not positive definite"
-                                else "the squared radius of gyration must be > 0"))))
-                     | None -> Fine ()) (fun _ ->
-                    let margin = asks_one asked in
-                    bind
-                      (each (check_contact margin claims) ((Member
-                        "contacts") :: []) them0) (fun boxes ->
+                               "a direction or a plane is given as well; expected one of them")
+                             (fun _ ->
+                             bind
+                               (check_that
+                                 (has_length
+                                   (if file.in_space
+                                    then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                           (Big_int_Z.mult_int_big_int 2
+                                           (Big_int_Z.mult_int_big_int 2
+                                           Big_int_Z.unit_big_int)))
+                                    else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                           Big_int_Z.unit_big_int)) numbers0)
+                                 here
+                                 (if file.in_space
+                                  then "expected 6 or 9 numbers"
+                                  else "expected 3 numbers")) (fun _ ->
+                               check_that
+                                 (match masses numbers0 with
+                                  | Some _ -> true
+                                  | None -> false) here
+                                 (if file.in_space
+                                  then "the tensor is not positive definite"
+                                  else "the squared radius of gyration must be > 0"))))
+                       | None -> Fine ()) (fun _ ->
+                      let margin = asks_one asked in
                       bind
-                        (each (check_element margin) ((Member
-                          "ratchets and springs") :: []) others0)
-                        (fun other_boxes ->
-                        let widened =
-                          map (widen (find_tolerance "wrench" asked)) stated
-                        in
-                        let certain0 = forallb is_exact widened in
+                        (each (check_contact margin claims) ((Member
+                          "contacts") :: []) them0) (fun boxes ->
                         bind
-                          (check_that ((||) (negb margin) certain0) ((Member
-                            "wrench") :: [])
-                            "found an interval, but a margin is about one grasp; expected numbers")
-                          (fun _ ->
-                          let scales =
-                            match asked.asked_growth with
-                            | Some g ->
-                              (match g with
-                               | Scale -> true
-                               | By _ -> false)
-                            | None -> false
+                          (each (check_element margin) ((Member
+                            "ratchets and springs") :: []) others0)
+                          (fun other_boxes ->
+                          let widened =
+                            map (widen (find_tolerance "wrench" asked)) stated
                           in
-                          let them1 =
-                            if scales
-                            then map_all (fun it ->
-                                   with_growth
-                                     (exactly { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int })
-                                     it.preload.low it) them0
-                            else them0
-                          in
-                          let others1 =
-                            if scales
-                            then map_all (fun it ->
-                                   element_with_growth
-                                     (exactly { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int })
-                                     it.element_preload.low it) others0
-                            else others0
-                          in
-                          let u =
-                            match asked.asked_direction with
-                            | Some u -> u
-                            | None ->
-                              map (fun _ -> { qnum = Big_int_Z.zero_big_int;
-                                qden = Big_int_Z.unit_big_int }) stated
-                          in
+                          let certain0 = forallb is_exact widened in
                           bind
-                            (check_that
-                              ((||)
+                            (check_that ((||) (negb margin) certain0)
+                              ((Member "wrench") :: [])
+                              "found an interval, but a margin is about one grasp; expected numbers")
+                            (fun _ ->
+                            let scales =
+                              match asked.asked_growth with
+                              | Some g ->
+                                (match g with
+                                 | Scale -> true
+                                 | By _ -> false)
+                              | None -> false
+                            in
+                            let them1 =
+                              if scales
+                              then map_all (fun it ->
+                                     with_growth
+                                       (exactly { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int })
+                                       it.preload.low it) them0
+                              else them0
+                            in
+                            let others1 =
+                              if scales
+                              then map_all (fun it ->
+                                     element_with_growth
+                                       (exactly { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int })
+                                       it.element_preload.low it) others0
+                              else others0
+                            in
+                            let u =
+                              match asked.asked_direction with
+                              | Some u -> u
+                              | None ->
+                                map (fun _ -> { qnum =
+                                  Big_int_Z.zero_big_int; qden =
+                                  Big_int_Z.unit_big_int }) stated
+                            in
+                            bind
+                              (check_that
                                 ((||)
-                                  ((||) (negb (asks_margin asked))
-                                    (negb (forallb is_0 u)))
+                                  ((||)
+                                    ((||) (negb (asks_margin asked))
+                                      (negb (forallb is_0 u)))
+                                    (existsb (fun it ->
+                                      negb (is_0 it.preload_growth)) them1))
                                   (existsb (fun it ->
-                                    negb (is_0 it.preload_growth)) them1))
-                                (existsb (fun it ->
-                                  negb (is_0 it.element_growth)) others1))
-                              (of_question "direction")
-                              ((^)
-                                "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                                "scale preloads some of which are not 0"))
-                            (fun _ -> Fine { the_question = { dimension =
-                            file.coordinates_read; bilateral =
-                            asked.asked_bilateral; is_margin =
-                            (asks_margin asked); contacts = them1; wrench =
-                            widened; load_ball =
-                            (match ball0 with
-                             | Some p -> let (_, b) = p in Some b
-                             | None -> None); direction = u; load_plane =
-                            asked.asked_plane; inertia =
-                            (match asked.asked_inertia with
-                             | Some numbers0 -> numbers0
-                             | None -> []); several =
-                            (match file.bodies_read with
-                             | Some its ->
-                               Some { bodies_in_space = its.bodies_in_space;
-                                 bodies = its.bodies; elements = others1 }
-                             | None -> None) }; free_coordinates =
-                            file.names_of_bodies; joint_coordinates =
-                            file.names_of_joints; stated_wrench = stated;
-                            the_options = { asked_wrench =
-                            asked.asked_wrench; asked_case =
-                            asked.asked_case; asked_preload =
-                            asked.asked_preload; asked_bilateral =
-                            asked.asked_bilateral; asked_direction =
-                            asked.asked_direction; asked_growth =
-                            asked.asked_growth; asked_plane =
-                            asked.asked_plane; asked_inertia =
-                            asked.asked_inertia; asked_uncertain =
-                            asked.asked_uncertain; asked_ball =
-                            (match ball0 with
-                             | Some p -> let (b, _) = p in Some b
-                             | None -> None) }; is_box =
-                            ((||)
-                              ((||) (negb certain0)
-                                (match ball0 with
-                                 | Some _ -> true
-                                 | None -> false))
-                              (existsb (fun box0 -> box0)
-                                (app boxes other_boxes))) })))))))))))))
+                                    negb (is_0 it.element_growth)) others1))
+                                (of_question "direction")
+                                ((^)
+                                  "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                                  "scale preloads some of which are not 0"))
+                              (fun _ -> Fine { the_question = { dimension =
+                              file.coordinates_read; bilateral =
+                              asked.asked_bilateral; is_margin =
+                              (asks_margin asked); contacts = them1; wrench =
+                              widened; load_ball =
+                              (match ball0 with
+                               | Some p -> let (_, b) = p in Some b
+                               | None -> None); direction = u; load_plane =
+                              asked.asked_plane; inertia =
+                              (match asked.asked_inertia with
+                               | Some numbers0 -> numbers0
+                               | None -> []); several =
+                              (match file.bodies_read with
+                               | Some its ->
+                                 Some { bodies_in_space =
+                                   its.bodies_in_space; bodies = its.bodies;
+                                   elements = others1 }
+                               | None -> None); max_motion = bound };
+                              free_coordinates = file.names_of_bodies;
+                              joint_coordinates = file.names_of_joints;
+                              stated_wrench = stated; the_options =
+                              { asked_wrench = asked.asked_wrench;
+                              asked_case = asked.asked_case; asked_preload =
+                              asked.asked_preload; asked_bilateral =
+                              asked.asked_bilateral; asked_direction =
+                              asked.asked_direction; asked_growth =
+                              asked.asked_growth; asked_plane =
+                              asked.asked_plane; asked_inertia =
+                              asked.asked_inertia; asked_uncertain =
+                              asked.asked_uncertain; asked_ball =
+                              (match ball0 with
+                               | Some p -> let (b, _) = p in Some b
+                               | None -> None); asked_bound =
+                              (match bound with
+                               | Some numbers0 -> Some (Bounded numbers0)
+                               | None -> None) }; is_box =
+                              ((||)
+                                ((||) (negb certain0)
+                                  (match ball0 with
+                                   | Some _ -> true
+                                   | None -> false))
+                                (existsb (fun box0 -> box0)
+                                  (app boxes other_boxes))) }))))))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
@@ -9747,7 +9928,8 @@ let read_statement s at_path value0 =
         ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
         (app (if of_claims s then [] else "plane" :: [])
           (app (if s.of_bodies then [] else "inertia" :: [])
-            ("uncertain" :: [])))) at_path value0) (fun members ->
+            ("uncertain" :: ("max_motion" :: []))))) at_path value0)
+    (fun members ->
     let count0 = s.size_of_twist in
     bind (member "contacts" read_index at_path members) (fun m ->
       bind
@@ -9770,19 +9952,25 @@ let read_statement s at_path value0 =
                       at_path members) (fun i ->
                     bind
                       (optional_member "uncertain" (read_tolerances s)
-                        at_path members) (fun uncertain -> Fine
-                      { stated_contacts = m; wrench_stated = w;
-                      options_stated = { asked_wrench = None; asked_case =
-                      None; asked_preload = p; asked_bilateral = law;
-                      asked_direction = u; asked_growth = growing;
-                      asked_plane = plane; asked_inertia = i;
-                      asked_uncertain =
-                      (match uncertain with
-                       | Some p0 -> let (it, _) = p0 in it
-                       | None -> []); asked_ball =
-                      (match uncertain with
-                       | Some p0 -> let (_, b) = p0 in b
-                       | None -> None) } }))))))))))
+                        at_path members) (fun uncertain ->
+                      bind
+                        (optional_member "max_motion" (read_numbers count0)
+                          at_path members) (fun bound -> Fine
+                        { stated_contacts = m; wrench_stated = w;
+                        options_stated = { asked_wrench = None; asked_case =
+                        None; asked_preload = p; asked_bilateral = law;
+                        asked_direction = u; asked_growth = growing;
+                        asked_plane = plane; asked_inertia = i;
+                        asked_uncertain =
+                        (match uncertain with
+                         | Some p0 -> let (it, _) = p0 in it
+                         | None -> []); asked_ball =
+                        (match uncertain with
+                         | Some p0 -> let (_, b) = p0 in b
+                         | None -> None); asked_bound =
+                        (match bound with
+                         | Some numbers0 -> Some (Bounded numbers0)
+                         | None -> None) } })))))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -10695,6 +10883,18 @@ let same_ball a b =
       (same_list qeq_bool a.stated_point b.stated_point))
     (same_option (=) a.stated_body b.stated_body)
 
+(** val same_bound : bound_option -> bound_option -> bool **)
+
+let same_bound a b =
+  match a with
+  | Unbounded -> (match b with
+                  | Unbounded -> true
+                  | Bounded _ -> false)
+  | Bounded x ->
+    (match b with
+     | Unbounded -> false
+     | Bounded y -> same_list qeq_bool x y)
+
 (** val broken_question_rule : statement -> posed -> string option **)
 
 let broken_question_rule stated asked =
@@ -10755,7 +10955,12 @@ let broken_question_rule stated asked =
                                                    said.asked_ball
                                                    options0.asked_ball))
                                           then Some "question-uncertain"
-                                          else None
+                                          else if negb
+                                                    (same_option same_bound
+                                                      said.asked_bound
+                                                      options0.asked_bound)
+                                               then Some "question-max-motion"
+                                               else None
 
 (** val ask : options -> json -> posed result **)
 

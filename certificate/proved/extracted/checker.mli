@@ -36,7 +36,17 @@ val gmin : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1
 
 module Nat :
  sig
+  val sub : nat -> nat -> nat
+
   val eqb : nat -> nat -> bool
+
+  val leb : nat -> nat -> bool
+
+  val ltb : nat -> nat -> bool
+
+  val divmod : nat -> nat -> nat -> nat -> nat * nat
+
+  val modulo : nat -> nat -> nat
 
   val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1
  end
@@ -379,7 +389,7 @@ type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
                   load_plane : (q list * q list) option; inertia : q list;
-                  several : mechanism option }
+                  several : mechanism option; max_motion : q list option }
 
 type parameter =
 | PX
@@ -1540,7 +1550,8 @@ type grasp = { in_space : bool; coordinates_read : nat;
                names_of_bodies : string list;
                names_of_joints : string option list;
                all_contacts : contact list; common_wrench : interval list;
-               has_loads : bool; cases : (string * interval list) list }
+               has_loads : bool; bound_read : q list option;
+               cases : (string * interval list) list }
 
 val most_contacts : Big_int_Z.big_int
 
@@ -1632,6 +1643,12 @@ val check_names : path -> string list -> unit result
 val read_list_of_cases :
   (path -> json -> (string * interval list) result) -> path -> json ->
   (string * interval list) list result
+
+val bound_of : bool -> nat -> q -> q -> q list
+
+val read_above_0 : path -> json -> q result
+
+val read_bound : bool -> bool -> nat -> path -> json -> q list result
 
 val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option
 
@@ -1767,6 +1784,10 @@ type growth =
 type stated_ball = { stated_radius : q; stated_length : q;
                      stated_point : q list; stated_body : string option }
 
+type bound_option =
+| Unbounded
+| Bounded of q list
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
@@ -1774,7 +1795,8 @@ type options = { asked_wrench : q list option; asked_case : string option;
                  asked_plane : (q list * q list) option;
                  asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list;
-                 asked_ball : stated_ball option }
+                 asked_ball : stated_ball option;
+                 asked_bound : bound_option option }
 
 val uncertain_kinds : string list
 
@@ -1809,6 +1831,8 @@ val asked_element : options -> element -> element
 
 val ball_asked :
   grasp -> options -> interval list -> (stated_ball * ball) option result
+
+val bound_asked : grasp -> options -> q list option result
 
 val check_tolerances : options -> (string * tolerance) list -> unit result
 
@@ -1978,6 +2002,8 @@ val same_growth : growth -> growth -> bool
 val same_tolerance : tolerance -> tolerance -> bool
 
 val same_ball : stated_ball -> stated_ball -> bool
+
+val same_bound : bound_option -> bound_option -> bool
 
 val broken_question_rule : statement -> posed -> string option
 

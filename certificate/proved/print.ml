@@ -198,10 +198,10 @@ let question asked =
      | None -> "as in the grasp file")
   ^ numbers o.asked_growth
   ^ "\nnormal law  " ^ law o
-  ^ (match o.asked_bound with Some (Bounded it) -> "\nmax motion  " ^ vector it | _ -> "")
-  ^ match tolerances tolerance ball o with
-    | [] -> ""
-    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them
+  ^ (match tolerances tolerance ball o with
+     | [] -> ""
+     | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them)
+  ^ match o.asked_bound with Some (Bounded it) -> "\nmax motion  " ^ vector it | _ -> ""
 
 let json_question asked =
   let o = asked.the_options in

@@ -41,6 +41,12 @@ type comparison =
 | Lt
 | Gt
 
+(** val pred : nat -> nat **)
+
+let pred n0 = match n0 with
+| O -> n0
+| S u -> u
+
 module Coq__1 = struct
  (** val add : nat -> nat -> nat **)
  let rec add n0 m =
@@ -2242,6 +2248,81 @@ let rec collect term_of_row rows0 linear bends =
        collect term_of_row rows' linear ((Bend (numerator0, denominator,
          forms0, mixed0)) :: bends))
 
+(** val good_bound : nat -> q list option -> bool **)
+
+let good_bound n0 = function
+| Some most ->
+  (&&) (Nat.eqb (length most) n0)
+    (forallb (fun b -> Z.ltb Big_int_Z.zero_big_int b.qnum) most)
+| None -> true
+
+(** val bound_forms :
+    Big_int_Z.big_int -> Big_int_Z.big_int list -> form -> q list -> form list **)
+
+let rec bound_forms c signs zeros1 = function
+| [] -> []
+| b :: rest ->
+  app
+    (map (fun s ->
+      (Z.mul c b.qnum) :: (Big_int_Z.zero_big_int :: (app zeros1
+                                                       ((Z.mul s b.qden) :: []))))
+      signs) (bound_forms c signs (Big_int_Z.zero_big_int :: zeros1) rest)
+
+(** val sum_form : q list -> form **)
+
+let sum_form most =
+  let a = (inject_Z (Z.of_nat (length most))) :: ({ qnum =
+    Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: (map (fun b -> qopp (qinv b)) most))
+  in
+  map (to_integer (scaling_of a)) a
+
+(** val bound_conditions : q list option -> form list **)
+
+let bound_conditions = function
+| Some most ->
+  app
+    (bound_forms Big_int_Z.unit_big_int (Big_int_Z.unit_big_int :: []) []
+      most) ((sum_form most) :: [])
+| None -> []
+
+(** val beyond_bound : q list option -> form list list -> ray list -> bool **)
+
+let beyond_bound bound strict0 rays0 =
+  match bound with
+  | Some most ->
+    existsb (fun f -> positive_at_home strict0 rays0 (dot f))
+      (bound_forms (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+        (Big_int_Z.unit_big_int :: ((Big_int_Z.minus_big_int
+        Big_int_Z.unit_big_int) :: [])) [] most)
+  | None -> false
+
+(** val all_within : Big_int_Z.big_int -> q list -> form -> bool **)
+
+let rec all_within h most d =
+  match most with
+  | [] -> (match d with
+           | [] -> true
+           | _ :: _ -> false)
+  | b :: most' ->
+    (match d with
+     | [] -> false
+     | z0 :: d' ->
+       (&&) (Z.leb (Z.mul (Z.abs z0) b.qden) (Z.mul b.qnum h))
+         (all_within h most' d'))
+
+(** val point_within : q list option -> form -> bool **)
+
+let point_within bound x =
+  match bound with
+  | Some most ->
+    (match x with
+     | [] -> false
+     | h :: l -> (match l with
+                  | [] -> false
+                  | _ :: d -> all_within h most d))
+  | None -> true
+
 (** val inner_of : form -> form -> form -> Big_int_Z.big_int **)
 
 let rec inner_of ms s t =
@@ -3807,7 +3888,8 @@ let no_push =
 
 type setting = { dimension_of : nat; rows : row list; the_load : load;
                  pushes : pushing; slipping : Big_int_Z.big_int list;
-                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
+                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int;
+                 the_bound : q list option }
 
 (** val common_multiple : row list -> Big_int_Z.big_int **)
 
@@ -3839,12 +3921,21 @@ let short_multiple rows0 multiple0 =
   then short0
   else multiple0
 
-(** val make_setting : nat -> row list -> load -> pushing -> setting **)
+(** val make_setting :
+    nat -> row list -> load -> pushing -> q list option -> setting **)
 
-let make_setting dimension0 rows0 ld pushes0 =
+let make_setting dimension0 rows0 ld pushes0 bound =
   let m = common_multiple rows0 in
   { dimension_of = dimension0; rows = rows0; the_load = ld; pushes = pushes0;
-  slipping = []; short = (short_multiple rows0 m); exact = m }
+  slipping = []; short = (short_multiple rows0 m); exact = m; the_bound =
+  bound }
+
+(** val without_bound : setting -> setting **)
+
+let without_bound s =
+  { dimension_of = s.dimension_of; rows = s.rows; the_load = s.the_load;
+    pushes = s.pushes; slipping = s.slipping; short = s.short; exact =
+    s.exact; the_bound = None }
 
 (** val leaf_fails :
     setting -> form list list -> ray list -> q list -> string option **)
@@ -3852,7 +3943,7 @@ let make_setting dimension0 rows0 ld pushes0 =
 let leaf_fails s strict0 rays0 y =
   let sc = scaling_of y in
   let y' = map (to_integer sc) y in
-  if barred strict0 rays0
+  if (||) (barred strict0 rays0) (beyond_bound s.the_bound strict0 rays0)
   then None
   else let them =
          pressers strict0 rays0 s.slipping (unit_of sc) y' s.rows
@@ -4014,13 +4105,14 @@ let set_row s index b =
   let row0 = make_row b in
   { dimension_of = s.dimension_of; rows = (replace s.rows index row0);
   the_load = s.the_load; pushes = s.pushes; slipping = s.slipping; short =
-  s.short; exact = (Z.lcm s.exact row0.over_weight) }
+  s.short; exact = (Z.lcm s.exact row0.over_weight); the_bound = s.the_bound }
 
 (** val set_load : setting -> load -> setting **)
 
 let set_load s ld =
   { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
-    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact }
+    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact;
+    the_bound = s.the_bound }
 
 (** val numbers_of0 : load -> interval list **)
 
@@ -4125,7 +4217,8 @@ let split s = function
                     (fs :: []); branch_setting = { dimension_of =
                     s.dimension_of; rows = s.rows; the_load = s.the_load;
                     pushes = s.pushes; slipping = (i :: s.slipping); short =
-                    s.short; exact = s.exact } } :: []))
+                    s.short; exact = s.exact; the_bound =
+                    s.the_bound } } :: []))
    | None -> Inr "node-contact")
 | Separation i ->
   (match numbered s.rows i with
@@ -4189,7 +4282,7 @@ let separating rows0 before =
 (** val root_branch : bool -> setting -> range -> setting branch **)
 
 let root_branch two_sided s g =
-  let fs = range_conditions g in
+  let fs = app (range_conditions g) (bound_conditions s.the_bound) in
   { conditions =
   (map_all (fun f -> (f, false))
     (if two_sided then separating s.rows fs else fs)); new_strict =
@@ -4539,10 +4632,14 @@ let integer_point p =
   map (to_integer (scaling_of (coordinates_of p))) (coordinates_of p)
 
 (** val check_at :
-    bool -> nat -> row list -> load -> point -> (state list, string) sum **)
+    bool -> nat -> row list -> load -> q list option -> point -> (state list,
+    string) sum **)
 
-let check_at two_sided dim rows0 ld p =
-  check_point two_sided dim rows0 ld (integer_point p) p.point_witness.shares
+let check_at two_sided dim rows0 ld bound p =
+  if point_within bound (integer_point p)
+  then check_point two_sided dim rows0 ld (integer_point p)
+         p.point_witness.shares
+  else Inr "witness-bound"
 
 (** val qlt_bool : q -> q -> bool **)
 
@@ -4570,12 +4667,13 @@ let reaches high0 to1 =
              | None -> true)
 
 (** val segments_fail :
-    bool -> nat -> row list -> load -> (q -> q option -> q list -> q list ->
-    q list list -> q list list -> node list -> (string * nat option) option)
-    -> bool -> segment list -> (q * q option) list -> q option ->
-    (point * state list) option -> nat -> (string * place) option **)
+    bool -> nat -> row list -> load -> q list option -> (q -> q option -> q
+    list -> q list -> q list list -> q list list -> node list ->
+    (string * nat option) option) -> bool -> segment list -> (q * q option)
+    list -> q option -> (point * state list) option -> nat ->
+    (string * place) option **)
 
-let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted from0 last number =
+let rec segments_fail two_sided dim rows0 ld bound degree unloaded0 segments resisted from0 last number =
   let out_of_chain = Some ("segment-chain", (AtSegment (number, None))) in
   (match segments with
    | [] -> (match resisted with
@@ -4590,7 +4688,8 @@ let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted 
            let (lo, hi) = p in
            let first =
              match first_point with
-             | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
+             | Some p0 ->
+               Some (p0, (check_at two_sided dim rows0 ld bound p0))
              | None ->
                (match last with
                 | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
@@ -4613,17 +4712,18 @@ let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted 
                  then out_of_chain
                  else (match checked with
                        | Inl ss1 ->
-                         (match check_at two_sided dim rows0 ld second with
+                         (match check_at two_sided dim rows0 ld bound second with
                           | Inl ss2 ->
                             if same_mode ss1 ss2
                             then if reaches hi second.multiple
                                  then segments_fail two_sided dim rows0 ld
-                                        degree unloaded0 segments' resisted'
-                                        None (Some (second, ss2)) (S number)
-                                 else segments_fail two_sided dim rows0 ld
-                                        degree unloaded0 segments' resisted
-                                        second.multiple (Some (second, ss2))
+                                        bound degree unloaded0 segments'
+                                        resisted' None (Some (second, ss2))
                                         (S number)
+                                 else segments_fail two_sided dim rows0 ld
+                                        bound degree unloaded0 segments'
+                                        resisted second.multiple (Some
+                                        (second, ss2)) (S number)
                             else Some ("segment-mode", (AtSegment (number,
                                    None)))
                           | Inr rule -> Some (rule, (AtPoint (number, true))))
@@ -4657,10 +4757,10 @@ let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted 
                    Some (rule, (AtSegment (number, node0)))
                  | None ->
                    if reaches hi to1
-                   then segments_fail two_sided dim rows0 ld degree unloaded0
-                          segments' resisted' None None (S number)
-                   else segments_fail two_sided dim rows0 ld degree unloaded0
-                          segments' resisted to1 None (S number)))))
+                   then segments_fail two_sided dim rows0 ld bound degree
+                          unloaded0 segments' resisted' None None (S number)
+                   else segments_fail two_sided dim rows0 ld bound degree
+                          unloaded0 segments' resisted to1 None (S number)))))
 
 (** val order_fails :
     q option -> bool -> (q * q option) list -> nat -> nat option **)
@@ -4755,11 +4855,16 @@ let is_simplex n0 e =
      | [] -> (||) (balances n0 e c) (balances n0 e (opposite c))
      | _ :: _ -> false)
 
+(** val frame : bool -> matrix -> matrix -> matrix **)
+
+let frame simplex e free =
+  app (if simplex then removelast e else e) free
+
 (** val free_motions : nat -> bool -> matrix -> matrix option **)
 
 let free_motions n0 simplex e =
   let free = kernel n0 e in
-  let all = app (if simplex then removelast e else e) free in
+  let all = frame simplex e free in
   if (&&)
        ((&&) ((&&) (all_of_length n0 e) (all_of_length n0 free))
          (is_inverse n0 (inverse_of n0 all) all))
@@ -4786,6 +4891,85 @@ let inverted n0 free a =
          (is_inverse n0 inverse m)) (is_inverse n0 m inverse)
   then Some (m, inverse)
   else None
+
+(** val wall_numbers : nat -> bool -> matrix -> vector -> vector **)
+
+let wall_numbers n0 simplex e y =
+  if simplex
+  then let c =
+         match kernel (length e) (transpose n0 e) with
+         | [] -> []
+         | c :: l ->
+           (match l with
+            | [] -> if all_positive c then c else opposite c
+            | _ :: _ -> [])
+       in
+       let them =
+         combine
+           (app y ({ qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: [])) c
+       in
+       let least =
+         fold_right (fun p m -> qmin (qdiv (fst p) (snd p)) m) { qnum =
+           Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } them
+       in
+       map (fun p -> reduced (qminus (fst p) (qmult least (snd p)))) them
+  else flat_map (fun q0 ->
+         if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } q0
+         then q0 :: ({ qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } :: [])
+         else { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } :: ((qopp q0) :: [])) y
+
+(** val most_in_K :
+    nat -> bool -> matrix -> matrix -> vector -> vector -> q option **)
+
+let most_in_K n0 simplex e free target y =
+  let rank = if simplex then pred (length e) else length e in
+  let m = wall_numbers n0 simplex e (firstn rank y) in
+  let walls0 = walls_of simplex e in
+  if (&&)
+       ((&&)
+         (forallb
+           (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int }) m)
+         (Nat.eqb (length m) (length walls0)))
+       (same_vectors (of_rows (app m (skipn rank y)) (app walls0 free))
+         target)
+  then Some
+         (fold_right (fun q0 s -> reduced (qplus q0 s)) { qnum =
+           Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } m)
+  else None
+
+(** val k_within :
+    nat -> bool -> matrix -> matrix -> vector -> matrix -> bool **)
+
+let k_within n0 simplex e free most ds =
+  let inverse = inverse_of n0 (frame simplex e free) in
+  forallb (fun j ->
+    let unit1 = unit_vector n0 j in
+    let y = nth j inverse [] in
+    let b =
+      nth j most { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }
+    in
+    (match most_in_K n0 simplex e free unit1 y with
+     | Some up0 ->
+       (match most_in_K n0 simplex e free (opposite unit1) (opposite y) with
+        | Some down ->
+          forallb (fun d ->
+            (&&)
+              (qle_bool
+                (qplus
+                  (nth j d { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int }) up0) b)
+              (qle_bool
+                (qminus down
+                  (nth j d { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int })) b)) ds
+        | None -> false)
+     | None -> false)) (seq O n0)
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
@@ -4875,7 +5059,7 @@ let middle_setting g s =
   make_setting s.dimension_of
     (map_all (fun r -> make_row (middle_box r.box)) s.rows)
     (middle_load s.the_load) { a_multiple =
-    (map (relative g) g.direction_rows); known_push = [] }
+    (map (relative g) g.direction_rows); known_push = [] } None
 
 (** val middle_conditions : degree_proof -> (form * bool) list **)
 
@@ -4926,6 +5110,18 @@ let all_free free s =
       (&&) (forallb (fun r -> row_free z0 r.box) s.rows)
         (load_free z0 s.the_load)) free)
 
+(** val bound_holds : degree_proof -> matrix -> setting -> bool **)
+
+let bound_holds g free s =
+  match s.the_bound with
+  | Some most ->
+    (match g.high_multiple with
+     | Some _ ->
+       k_within s.dimension_of g.is_a_simplex g.wall_rows free most
+         (g.first_twist :: (g.last_twist :: []))
+     | None -> false)
+  | None -> true
+
 (** val range_sound : degree_proof -> setting -> bool **)
 
 let range_sound g s =
@@ -4969,7 +5165,7 @@ let root_regions advisor g s =
   app
     (if (&&) (is_point s) (one_multiple g)
      then []
-     else wall_regions advisor g s [])
+     else wall_regions advisor g (without_bound s) [])
     (wall_regions advisor g (middle_setting g s) (middle_conditions g))
 
 (** val law_holds : oracle -> degree_proof -> setting -> bool **)
@@ -4992,13 +5188,15 @@ let degree_fails advisor two_sided most_depth0 s g nodes =
      then Some ("degree-free", None)
      else (match inverted n0 free g.direction_rows with
            | Some _ ->
-             if (&&) two_sided (negb (law_holds advisor g s))
-             then Some ("degree-law", None)
-             else (match walk advisor split (end_fails no_pieces) most_depth0
-                           nodes (root_regions advisor g s) O with
-                   | Some p ->
-                     let (rule, number) = p in Some (rule, (Some number))
-                   | None -> None)
+             if negb (bound_holds g free s)
+             then Some ("degree-bound", None)
+             else if (&&) two_sided (negb (law_holds advisor g s))
+                  then Some ("degree-law", None)
+                  else (match walk advisor split (end_fails no_pieces)
+                                most_depth0 nodes (root_regions advisor g s) O with
+                        | Some p ->
+                          let (rule, number) = p in Some (rule, (Some number))
+                        | None -> None)
            | None -> Some ("degree-direction", None))
    | None -> Some ("degree-walls", None))
 
@@ -6376,7 +6574,7 @@ let plane_setting n0 rows0 w u v =
       app
         (repeat { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } (add (S (S O)) n0))
-        ((fst p) :: ((snd p) :: []))) (combine u v)) }
+        ((fst p) :: ((snd p) :: []))) (combine u v)) } None
 
 (** val at_zero : range **)
 
@@ -6553,7 +6751,10 @@ let setting_of bits0 q0 =
   match rows_of bits0 q0 with
   | Some rows0 ->
     (match load_of q0 with
-     | Some ld -> Some (make_setting q0.dimension rows0 ld no_push)
+     | Some ld ->
+       if good_bound q0.dimension q0.max_motion
+       then Some (make_setting q0.dimension rows0 ld no_push q0.max_motion)
+       else None
      | None -> None)
   | None -> None
 
@@ -6580,8 +6781,9 @@ let refute advisor q0 s ranges0 nodes =
 let check_witness q0 s w =
   if is_one_grasp s
   then (match check_at q0.bilateral q0.dimension s.rows s.the_load
-                { multiple = (Some { qnum = Big_int_Z.zero_big_int; qden =
-                Big_int_Z.unit_big_int }); point_witness = w } with
+                s.the_bound { multiple = (Some { qnum =
+                Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
+                point_witness = w } with
         | Inl _ -> Stable
         | Inr rule -> Rejected (rule, Nowhere))
   else Rejected ("witness-box", Nowhere)
@@ -6612,6 +6814,7 @@ let check_margin advisor q0 s resisted segments nodes =
         | Some number -> Rejected ("resisted-order", (AtInterval number))
         | None ->
           (match segments_fail q0.bilateral q0.dimension s.rows s.the_load
+                   s.the_bound
                    (segment_by_degree_fails advisor q0.bilateral
                      (most_depth s.rows) s) (unloaded s) segments resisted
                    None None O with
@@ -6622,6 +6825,13 @@ let check_margin advisor q0 s resisted segments nodes =
                 let (rule, number) = p in Rejected (rule, (AtNode number))
               | None -> Margin resisted)))
   else NotProvedHere "a margin of a box"
+
+(** val is_bounded : setting -> bool **)
+
+let is_bounded s =
+  match s.the_bound with
+  | Some _ -> true
+  | None -> false
 
 (** val in_order : bool -> q option -> q -> q option -> bool **)
 
@@ -6640,8 +6850,8 @@ let in_order stable before lo hi =
 
 let holding_fails advisor q0 s number lo hi evidence =
   let at_ = fun l w ->
-    check_at q0.bilateral q0.dimension s.rows s.the_load { multiple = (Some
-      l); point_witness = w }
+    check_at q0.bilateral q0.dimension s.rows s.the_load s.the_bound
+      { multiple = (Some l); point_witness = w }
   in
   let low0 =
     match hi with
@@ -6716,8 +6926,10 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
                | None ->
                  negb
                    ((&&)
-                     (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
-                       Big_int_Z.unit_big_int }) (unloaded s))
+                     ((&&)
+                       (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
+                         Big_int_Z.unit_big_int }) (unloaded s))
+                     (negb (is_bounded s)))
             then Rejected ("interval-whole", (AtInterval number))
             else (match holding_fails advisor q0 s number lo hi evidence with
                   | Some failure -> failure
@@ -6779,9 +6991,10 @@ let check_region advisor q0 s pieces nodes =
     if (&&)
          ((&&)
            ((&&)
-             ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
-               (Nat.eqb (length w) n0)) (Nat.eqb (length u) n0))
-           (Nat.eqb (length v) n0))
+             ((&&)
+               ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
+                 (negb (is_bounded s))) (Nat.eqb (length w) n0))
+             (Nat.eqb (length u) n0)) (Nat.eqb (length v) n0))
          (forallb (fun r -> does_not_grow r.box) s.rows)
     then (match pieces_fail q0.bilateral n0 s.rows w u v pieces O with
           | Some p0 -> let (rule, found_at) = p0 in Rejected (rule, found_at)
@@ -6798,40 +7011,36 @@ let check_region advisor q0 s pieces nodes =
 (** val check : oracle -> question -> certificate -> answer **)
 
 let check advisor q0 c =
-  match q0.max_motion with
-  | Some _ -> NotProvedHere "motions that are bounded"
-  | None ->
-    (match setting_of c.bits q0 with
-     | Some s ->
-       (match c.body with
-        | StableByWitness w ->
-          if q0.is_margin
-          then NotProvedHere "a proof of something else than was asked"
-          else check_witness q0 s w
-        | StableByParts parts ->
-          if q0.is_margin
-          then NotProvedHere "a proof of something else than was asked"
-          else check_parts advisor q0 s parts
-        | UnstableByTree nodes ->
-          if q0.is_margin
-          then NotProvedHere "a proof of something else than was asked"
-          else check_tree advisor q0 s nodes
-        | MarginBy (resisted, segments, nodes) ->
-          if q0.is_margin
-          then check_margin advisor q0 s resisted segments nodes
-          else NotProvedHere "a proof of something else than was asked"
-        | MarginInSpace claims ->
-          if q0.is_margin
-          then check_claims advisor q0 s claims (Some { qnum =
-                 Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
-                 [] []
-          else NotProvedHere "a proof of something else than was asked"
-        | OfClass p ->
-          (match q0.inertia with
-           | [] -> NotProvedHere "a proof of something else than was asked"
-           | _ :: _ -> check_class q0 s p)
-        | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
-     | None -> NotProvedHere "numbers of the question")
+  match setting_of c.bits q0 with
+  | Some s ->
+    (match c.body with
+     | StableByWitness w ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else check_witness q0 s w
+     | StableByParts parts ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else check_parts advisor q0 s parts
+     | UnstableByTree nodes ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else check_tree advisor q0 s nodes
+     | MarginBy (resisted, segments, nodes) ->
+       if q0.is_margin
+       then check_margin advisor q0 s resisted segments nodes
+       else NotProvedHere "a proof of something else than was asked"
+     | MarginInSpace claims ->
+       if q0.is_margin
+       then check_claims advisor q0 s claims (Some { qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
+       else NotProvedHere "a proof of something else than was asked"
+     | OfClass p ->
+       (match q0.inertia with
+        | [] -> NotProvedHere "a proof of something else than was asked"
+        | _ :: _ -> check_class q0 s p)
+     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
+  | None -> NotProvedHere "numbers of the question"
 
 (** val largest_exponent : Big_int_Z.big_int **)
 

@@ -22,6 +22,8 @@ type comparison =
 | Lt
 | Gt
 
+val pred : nat -> nat
+
 val add : nat -> nat -> nat
 
 val mul : nat -> nat -> nat
@@ -659,6 +661,21 @@ val pull_tips : row -> form list
 val collect :
   ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list
 
+val good_bound : nat -> q list option -> bool
+
+val bound_forms :
+  Big_int_Z.big_int -> Big_int_Z.big_int list -> form -> q list -> form list
+
+val sum_form : q list -> form
+
+val bound_conditions : q list option -> form list
+
+val beyond_bound : q list option -> form list list -> ray list -> bool
+
+val all_within : Big_int_Z.big_int -> q list -> form -> bool
+
+val point_within : q list option -> form -> bool
+
 val inner_of : form -> form -> form -> Big_int_Z.big_int
 
 val slip_at : form list -> form -> form
@@ -970,13 +987,17 @@ val no_push : pushing
 
 type setting = { dimension_of : nat; rows : row list; the_load : load;
                  pushes : pushing; slipping : Big_int_Z.big_int list;
-                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
+                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int;
+                 the_bound : q list option }
 
 val common_multiple : row list -> Big_int_Z.big_int
 
 val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
-val make_setting : nat -> row list -> load -> pushing -> setting
+val make_setting :
+  nat -> row list -> load -> pushing -> q list option -> setting
+
+val without_bound : setting -> setting
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
@@ -1113,7 +1134,8 @@ val coordinates_of : point -> q list
 val integer_point : point -> form
 
 val check_at :
-  bool -> nat -> row list -> load -> point -> (state list, string) sum
+  bool -> nat -> row list -> load -> q list option -> point -> (state list,
+  string) sum
 
 val qlt_bool : q -> q -> bool
 
@@ -1122,10 +1144,10 @@ val beyond : q option -> q option -> bool
 val reaches : q option -> q option -> bool
 
 val segments_fail :
-  bool -> nat -> row list -> load -> (q -> q option -> q list -> q list -> q
-  list list -> q list list -> node list -> (string * nat option) option) ->
-  bool -> segment list -> (q * q option) list -> q option -> (point * state
-  list) option -> nat -> (string * place) option
+  bool -> nat -> row list -> load -> q list option -> (q -> q option -> q
+  list -> q list -> q list list -> q list list -> node list -> (string * nat
+  option) option) -> bool -> segment list -> (q * q option) list -> q option
+  -> (point * state list) option -> nat -> (string * place) option
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
@@ -1147,11 +1169,20 @@ val balances : nat -> matrix -> vector -> bool
 
 val is_simplex : nat -> matrix -> bool
 
+val frame : bool -> matrix -> matrix -> matrix
+
 val free_motions : nat -> bool -> matrix -> matrix option
 
 val plus_square : vector -> matrix -> matrix
 
 val inverted : nat -> matrix -> matrix -> (matrix * matrix) option
+
+val wall_numbers : nat -> bool -> matrix -> vector -> vector
+
+val most_in_K :
+  nat -> bool -> matrix -> matrix -> vector -> vector -> q option
+
+val k_within : nat -> bool -> matrix -> matrix -> vector -> matrix -> bool
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
@@ -1189,6 +1220,8 @@ val row_free : vector -> cbox -> bool
 val load_free : vector -> load -> bool
 
 val all_free : matrix -> setting -> bool
+
+val bound_holds : degree_proof -> matrix -> setting -> bool
 
 val range_sound : degree_proof -> setting -> bool
 
@@ -1481,6 +1514,8 @@ val check_parts : oracle -> question -> setting -> part list -> answer
 val check_margin :
   oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
+
+val is_bounded : setting -> bool
 
 val in_order : bool -> q option -> q -> q option -> bool
 

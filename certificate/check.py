@@ -1292,6 +1292,16 @@ class RestProof(NamedTuple):
     reach: Vector                            # Z
 
 
+class StickingProof(NamedTuple):
+    """§6, a PART that is sticking."""
+    twist: Vector                              # d⁰
+    friction: List[Tuple[int, List[Vector]]]   # f⁰: one friction force each
+    presses: List[Tuple[int, Vector]]          # H
+    answers: List[Tuple[int, List[Vector]]]    # G: D each
+    reach: Vector                              # Z
+    energy: Fraction                           # c
+
+
 class DegreeProof(NamedTuple):
     """§6, a PART by degree; or a segment by degree (§5)."""
     twist: Vector            # d⁰, or d'
@@ -1319,8 +1329,8 @@ class Witness(NamedTuple):
 Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
 
 
-Part = Union[Node, DegreeProof, RestProof]
-Proof = TypeVar("Proof", DegreeProof, RestProof)
+Part = Union[Node, DegreeProof, RestProof, StickingProof]
+Proof = TypeVar("Proof", DegreeProof, RestProof, StickingProof)
 
 
 Segment = Union[Tuple[Witness, Witness], DegreeProof]
@@ -1331,7 +1341,7 @@ class RangeProof(NamedTuple):
     stable: bool
     interval: Interval
     points: List[Witness] = []  # of a stable claim: two, or one, or none and then
-    part: Union[None, DegreeProof, RestProof] = None
+    part: Union[None, DegreeProof, RestProof, StickingProof] = None
     tree: List[Node] = []       # of an unstable claim
 
 
@@ -1625,10 +1635,12 @@ def read_range(source: Source, value: Any, place: str) -> RangeProof:
         for point, load in zip(proofs, loads)])
 
 
-def read_proof(source: Source, value: Any, place: str, margin: bool) -> Union[DegreeProof, RestProof]:
+def read_proof(source: Source, value: Any, place: str, margin: bool) -> Union[DegreeProof, RestProof, StickingProof]:
     """A PART that is not cut."""
     if type(value) is Members and "rest" in dict(value.pairs):
         return read_rest(source, value, place)
+    if type(value) is Members and "sticking" in dict(value.pairs):
+        return read_sticking(source, value, place)
     simplex = type(value) is Members and "simplex" in dict(value.pairs)
     walls = "simplex" if simplex else "walls"
     fields = source.members(value, place, f"twist {walls} direction tree", True)
@@ -1643,15 +1655,40 @@ def read_proof(source: Source, value: Any, place: str, margin: bool) -> Union[De
 def read_rest(source: Source, value: Any, place: str) -> RestProof:
     """A PART at rest."""
     fields = source.members(value, place, "rest answers reach", True)
-    rest = [(i, [force]) for i, force in read_shares(source, fields["rest"], f"{place}.rest")]
+    return RestProof(read_forces_at_rest(source, fields["rest"], f"{place}.rest"),
+                     read_answers(source, fields["answers"], f"{place}.answers"),
+                     source.vector(fields["reach"], f"{place}.reach", source.dimension))
+
+
+def read_sticking(source: Source, value: Any, place: str) -> StickingProof:
+    """A PART that is sticking."""
+    fields = source.members(value, place, "sticking friction presses answers reach energy", True)
+    presses = []
+    for entry in source.array(fields["presses"], f"{place}.presses"):
+        contact, numbers = source.array(entry, f"{place}.presses", 2)
+        presses.append((source.index(contact, f"{place}.presses"),
+                        source.vector(numbers, f"{place}.presses", source.dimension)))
+    return StickingProof(source.vector(fields["sticking"], f"{place}.sticking", source.dimension),
+                         read_forces_at_rest(source, fields["friction"], f"{place}.friction"), presses,
+                         read_answers(source, fields["answers"], f"{place}.answers"),
+                         source.vector(fields["reach"], f"{place}.reach", source.dimension),
+                         source.number(fields["energy"], f"{place}.energy"))
+
+
+def read_forces_at_rest(source: Source, value: Any, place: str) -> List[Tuple[int, List[Vector]]]:
+    """f⁰."""
+    return [(i, [force]) for i, force in read_shares(source, value, place)]
+
+
+def read_answers(source: Source, value: Any, place: str) -> List[Tuple[int, List[Vector]]]:
+    """G."""
     answers = []
-    for entry in source.array(fields["answers"], f"{place}.answers"):
-        contact, forces = source.array(entry, f"{place}.answers", 2)
-        i = source.index(contact, f"{place}.answers")
-        answers.append((i, [
-            read_friction(source, force, f"{place}.answers", i)
-            for force in source.array(forces, f"{place}.answers", source.dimension)]))
-    return RestProof(rest, answers, source.vector(fields["reach"], f"{place}.reach", source.dimension))
+    for entry in source.array(value, place):
+        contact, forces = source.array(entry, place, 2)
+        i = source.index(contact, place)
+        answers.append((i, [read_friction(source, force, place, i)
+                            for force in source.array(forces, place, source.dimension)]))
+    return answers
 
 
 def read_segment(source: Source, value: Any, place: str) -> DegreeProof:
@@ -2610,60 +2647,163 @@ def no_friction(term: Terms) -> List[Vector]:
     return [zeros(len(term.rows[0]))] * (1 + term.dimension)
 
 
-def friction_of(proof: RestProof, box: Box, place: str) -> Dict[int, List[Vector]]:
-    """`rest-share`: f⁰ and G_1, …, G_D of each contact that is listed; 0 where they are not stated."""
+def friction_of(proof: Union[RestProof, StickingProof], box: Box, place: str) -> Dict[int, List[Vector]]:
+    """`rest-share`, or what `sticking-share` says of them: f⁰ and G_1, …, G_D of each contact that is listed; 0 where they are
+    not stated."""
     found: Dict[int, List[Vector]] = {}
-    for entries, first in ((proof.rest, 0), (proof.answers, 1)):
+    rule, forces_at_rest = ("rest-share", proof.rest) if isinstance(proof, RestProof) else ("sticking-share", proof.friction)
+    for entries, first in ((forces_at_rest, 0), (proof.answers, 1)):
         before = -1
         for i, forces in entries:
             if not before < i < len(box.contacts) or not box.terms[i].rows[0]:
-                raise Rejected("rest-share", f"contact {show(i)} after {show(before)}", place)
+                raise Rejected(rule, f"contact {show(i)} after {show(before)}", place)
             if len(forces[0]) > 1 and any(dot(f, box.contacts[i].normal) for f in forces):
-                raise Rejected("rest-share", f"contact {i}: not across its normal", place)
+                raise Rejected(rule, f"contact {i}: not across its normal", place)
             found.setdefault(i, no_friction(box.terms[i]))[first:first + len(forces)] = forces
             before = i
     return found
 
 
-def rest_wrenches(term: Terms, push: Bounds, forces: Sequence[Vector]) -> List[Vector]:
-    """Of one contact: P' N + Sᵀ f⁰, Sᵀ G_1, …, Sᵀ G_D in one, the least and the largest entries."""
+def wrenches(term: Terms, push: Bounds, forces: Sequence[Vector], presses: Vector) -> List[Vector]:
+    """Of one contact: a N + Sᵀ f⁰, H_1 N + Sᵀ G_1, …, H_D N + Sᵀ G_D in one, the least and the largest entries."""
     found = []
     for normal, rows in zip(term.N, term.rows):
-        columns = [tuple(dot(force, entries) for _, *entries in zip(normal, *rows)) for force in forces]
-        found += [sum(columns[1:], plus(columns[0], p, normal)) for p in set(push)]
+        first, *columns = [tuple(dot(force, entries) for _, *entries in zip(normal, *rows)) for force in forces]
+        answers = sum((plus(column, h, normal) for column, h in zip(columns, presses)), ())
+        found += [plus(first, p, normal) + answers for p in set(push)]
     return [tuple(map(end, zip(*found))) for end in (min, max)]
+
+
+def largest_left(box: Box, multiple: Fraction, pushes: Sequence[Bounds], friction: Dict[int, List[Vector]],
+                 presses: Dict[int, Vector]) -> Vector:
+    """The largest |W_k|, and |M_kl − δ_kl| by columns."""
+    size = box.dimension
+    units = [unit(size, k) for k in range(size)]
+    less = tuple(-c for row in units for c in row)
+    ends = [[plus(tuple(sign_ * box.loads.most_work(times(Fraction(sign_), e)) for e in units), multiple, box.growths[0]) + less]
+            for sign_ in (-1, 1)]
+    for i, (term, push) in enumerate(zip(box.terms, pushes)):
+        if any(push) or i in friction or i in presses:
+            for terms, found in zip(ends, wrenches(term, push, friction.get(i) or no_friction(term), presses.get(i) or zeros(size))):
+                terms.append(found)
+    return tuple(max(-low, high) for low, high in zip(*map(pairwise_sum, ends)))
+
+
+def preloads(box: Box, multiple: Fraction) -> List[Bounds]:
+    """P'_i for this multiple."""
+    return [Bounds(*(p + multiple * grown for p, grown in zip(c.bounds["preload"], c.growth))) for c in box.contacts]
+
+
+def normal_length(c: Parameters) -> Bounds:
+    """L_i; 1 where friction is a number."""
+    return root_bounds(dot(c.normal, c.normal), ROOT_BITS) if len(c.normal) == 3 else exactly(Fraction(1))
+
+
+def friction_lengths(c: Parameters, forces: Sequence[Vector]) -> Vector:
+    return tuple(root_bounds(force_square(f, c.gamma), ROOT_BITS).high if len(f) > 1 else abs(f[0]) for f in forces)
 
 
 def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fraction] = (Fraction(0),)) -> None:
     """A part at rest, for all λ between two."""
-    size = box.dimension
     friction = friction_of(proof, box, place)
-    units = [unit(size, k) for k in range(size)]
-    less = tuple(-c for row in units for c in row)
-    loads = [tuple(sign_ * box.loads.most_work(times(Fraction(sign_), e)) for e in units) for sign_ in (-1, 1)]
+    factors = (Fraction(1), *proof.reach)
     for multiple in multiples:
-        pushes = [Bounds(*(p + multiple * grown for p, grown in zip(c.bounds["preload"], c.growth)))
-                  for c in box.contacts]
-        ends = [[plus(load, multiple, box.growths[0]) + less] for load in loads]
-        for i, (term, push) in enumerate(zip(box.terms, pushes)):
-            if any(push) or i in friction:
-                for terms, wrenches in zip(ends, rest_wrenches(term, push, friction.get(i) or no_friction(term))):
-                    terms.append(wrenches)
-        left = [max(-low, high) for low, high in zip(*map(pairwise_sum, ends))]
-        factors = (Fraction(1), *proof.reach)
+        pushes = preloads(box, multiple)
+        left = largest_left(box, multiple, pushes, friction, {})
         for k, reach in enumerate(proof.reach):
-            if reach < 0 or dot(left[k::size], factors) > reach:
+            if reach < 0 or dot(left[k::box.dimension], factors) > reach:
                 raise Rejected("rest-reach", f"Z_{k + 1} = {show(reach)} is too small", place)
         for i, forces in sorted(friction.items()):
-            most, lengths = box.contacts[i].bounds["friction"].low * pushes[i].low, []
-            if len(forces[0]) > 1:
-                most *= root_bounds(dot(box.contacts[i].normal, box.contacts[i].normal), ROOT_BITS).low
-                lengths = [root_bounds(force_square(f, box.contacts[i].gamma), ROOT_BITS).high for f in forces]
-            else:
-                lengths = [abs(f[0]) for f in forces]
-            if dot(lengths, factors) > most:
-                raise Rejected("rest-cone", f"contact {i}: friction may be {show(dot(lengths, factors))}, "
-                                            f"the cone allows {show(most)}", place)
+            c = box.contacts[i]
+            most = c.bounds["friction"].low * normal_length(c).low * pushes[i].low
+            needed = dot(friction_lengths(c, forces), factors)
+            if needed > most:
+                raise Rejected("rest-cone", f"contact {i}: friction may be {show(needed)}, the cone allows {show(most)}", place)
+
+
+# ---- §6 Stable: sticking ----------------------------------------------------------------------
+
+
+def presses_of(proof: StickingProof, box: Box, place: str) -> Dict[int, Vector]:
+    """What `sticking-share` says of H, Z and c."""
+    found: Dict[int, Vector] = {}
+    before = -1
+    for i, numbers in proof.presses:
+        if not before < i < len(box.contacts):
+            raise Rejected("sticking-share", f"contact {show(i)} after {show(before)}", place)
+        if not box.contacts[i].bounds["stiffness"].low:
+            raise Rejected("sticking-share", f"contact {i}: its stiffness may be 0", place)
+        found[i], before = numbers, i
+    if not min(*proof.reach, proof.energy) > 0:
+        raise Rejected("sticking-share", "Z or c is not above 0", place)
+    return found
+
+
+class Sticking(NamedTuple):
+    """Of an element, at d⁰, by the names of the text."""
+    v: Bounds
+    a: Bounds        # a⁰
+    sigma: Fraction
+    r: Fraction
+    phi: Fraction
+    spare: Fraction  # s
+    gamma: Fraction
+
+
+def sticking_at(proof: StickingProof, c: Parameters, term: Terms, preload: Bounds, forces: Sequence[Vector], presses: Vector) -> Sticking:
+    stiffness, mu, length = c.bounds["stiffness"], term.friction, normal_length(c)
+    pulls = [k * dot(n, proof.twist) for n in term.N for k in stiffness]
+    v = Bounds(preload.low - max(pulls), preload.high - min(pulls))
+    a = v if c.spring else Bounds(max(Fraction(0), v.low), max(Fraction(0), v.high))
+    slips = [tuple(dot(row, proof.twist) for row in rows) for rows in term.rows]
+    sigma = max(root_above(dot(starred(s, c.gamma), s)) if len(s) > 1 else abs(sum(s, Fraction(0))) for s in slips)
+    r = root_above(2 * proof.energy * stiffness.high)
+    phi = dot(friction_lengths(c, forces), (Fraction(1), *proof.reach))
+    delta = dot(tuple(map(abs, presses)), proof.reach)
+    rho = mu.high * length.high
+    gamma = max(((delta + rho * k * sigma) ** 2 / (2 * k) + (rho * a.high + phi) * sigma for k in stiffness if k), default=Fraction(0))
+    return Sticking(v, a, sigma, r, phi, mu.low * length.low * (v.low - r) - phi, gamma)
+
+
+def check_sticking(proof: StickingProof, box: Box, bilateral: bool, place: str, multiples: Sequence[Fraction] = (Fraction(0),),
+                   bound: Optional[Vector] = None) -> None:
+    """A sticking part, for all λ between two; `bound` is B, if motions are bounded."""
+    size = box.dimension
+    friction, presses = friction_of(proof, box, place), presses_of(proof, box, place)
+    listed = sorted({*friction, *presses})
+    if any(proof.twist) and (len(multiples) > 1 or any(len(c.normal) == 3 and term.tilt for c, term in zip(box.contacts, box.terms))):
+        raise Rejected("sticking-motion", "d0 is not 0, for more than one multiple or with uncertain normals", place)
+    if bilateral and any(not c.spring and i not in friction and i not in presses for i, c in enumerate(box.contacts)):
+        raise Rejected("sticking-motion", "a contact is not listed, under the bilateral law", place)
+    factors = (Fraction(1), *proof.reach)
+    for multiple in multiples:
+        found = [sticking_at(proof, c, term, preload, friction.get(i, ()), presses.get(i, ()))
+                 for i, (c, term, preload) in enumerate(zip(box.contacts, box.terms, preloads(box, multiple)))]
+        left = largest_left(box, multiple, [one.a for one in found], friction, presses)
+        for k, reach in enumerate(proof.reach):
+            if dot(left[k::size], factors) >= reach:
+                raise Rejected("sticking-reach", f"Z_{k + 1} = {show(reach)} is too small", place)
+        for i in listed:
+            if not box.contacts[i].spring and found[i].v.low < found[i].r:
+                raise Rejected("sticking-press", f"contact {i}: v may be {show(found[i].v.low)}, below r = {show(found[i].r)}", place)
+            if i in friction and found[i].spare <= 0:
+                raise Rejected("sticking-press", f"contact {i}: friction may be {show(found[i].phi)}, as much as the cone allows", place)
+        (energy,) = pairwise_sum([(one.gamma,) for one in found] or [(Fraction(0),)])
+        if energy >= proof.energy:
+            raise Rejected("sticking-energy", f"c = {show(proof.energy)}, but the sum may be {show(energy)}", place)
+        if bound is None:
+            continue
+        within = [b - abs(d) for b, d in zip(bound, proof.twist)]
+        for l in range(size):
+            most = dot(left[size * (l + 1):size * (l + 2)], within)
+            for i in listed:
+                if i in presses:
+                    most += abs(presses[i][l]) * root_above(2 * proof.energy / box.contacts[i].bounds["stiffness"].low)
+                if i in friction:
+                    (length,) = friction_lengths(box.contacts[i], friction[i][l + 1:l + 2])
+                    most += length * (proof.energy / found[i].spare + found[i].sigma)
+            if min(within) <= 0 or most > within[l]:
+                raise Rejected("sticking-bound", f"motion {l + 1} may differ from d0 by {show(most)}", place)
 
 
 # ---- §6 Stable: by degree ---------------------------------------------------------------------
@@ -2790,6 +2930,9 @@ def check_parts(parts: Sequence[Part], box: Box, bilateral: bool) -> None:
         if isinstance(part, RestProof):
             check_rest(part, here, place)
             continue
+        if isinstance(part, StickingProof):
+            check_sticking(part, here, bilateral, place)
+            continue
         if isinstance(part, DegreeProof):
             check_degree(part, here, bilateral, place)
             continue
@@ -2835,6 +2978,9 @@ def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> 
             low = high = Fraction(1)  # for all: the laws are homogeneous
         if isinstance(claim.part, RestProof):
             check_rest(claim.part, box, place, sorted({low, high}))
+            continue
+        if isinstance(claim.part, StickingProof):
+            check_sticking(claim.part, box, question.asked.law == "bilateral", place, sorted({low, high}))
             continue
         if claim.part:
             check_degree(claim.part, box, question.asked.law == "bilateral", place, low, high)
@@ -3332,7 +3478,7 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     if growth is not None and growth != "scale":
         preload += f" + f ({', '.join(map(str, growth))})"
     tree = f"{len(certificate.trees())} nodes: {leaves} leaves"
-    proofs, rests = (len(certificate.proofs(kind)) for kind in (DegreeProof, RestProof))
+    proofs, rests, stickings = (len(certificate.proofs(kind)) for kind in (DegreeProof, RestProof, StickingProof))
     intervals = ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
                           for low, high in resisted)
     gone = ", ".join(f"{'(['[held]}{low}, {'oo' if high is None else high})"
@@ -3370,6 +3516,7 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
         lines.append("uncertain   " + ", ".join(f"{kind} {size}" for kind, size in tolerances(asked).items()))
     lines += ["proof       " + (
         f"intervals by degree: {proofs}" + f", at rest: {rests}" * (rests > 0)
+        + f", sticking: {stickings}" * (stickings > 0)
         + f", refuted: {len(ranges)}; trees of {tree}"
         if certificate.claims is not None else
         f"segments: {len(certificate.segments)}" + f", by degree: {proofs}" * (proofs > 0)
@@ -3377,6 +3524,7 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
         f"pieces: {len(certificate.pieces)}; a tree of {tree}"
         if certificate.pieces is not None else
         "; ".join([f"at rest, parts: {rests}"] * (rests > 0)
+                  + [f"sticking, parts: {stickings}"] * (stickings > 0)
                   + [f"by degree, parts: {proofs}; trees of {tree}"] * (proofs > 0))
         if certificate.parts is not None else
         f"forces at rest, and a tree of {tree}" if certificate.verdict == "must hold" else

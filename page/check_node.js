@@ -161,8 +161,10 @@ function accepted_text(answer) {
     rows.push(['uncertain', Object.entries(question.uncertain).map(([kind, t]) => `${kind} ${typeof t === 'string' ? t : ball_text(t)}`).join(', ')]);
   }
   rows.push(['proof', verdict === 'margin' ? (refuted === null ? `segments: ${proof.segments}; trees: ${proof.trees}, of ${trees}`
-      : `intervals by degree: ${proof.degrees}${proof.rests > 0 ? `, at rest: ${proof.rests}` : ''}, refuted: ${proof.trees}; trees of ${trees}`)
-    : proof.rests + proof.degrees > 0 ? [...(proof.rests > 0 ? [`at rest, parts: ${proof.rests}`] : []),
+      : `intervals by degree: ${proof.degrees}${proof.rests > 0 ? `, at rest: ${proof.rests}` : ''}${
+        proof.stickings > 0 ? `, sticking: ${proof.stickings}` : ''}, refuted: ${proof.trees}; trees of ${trees}`)
+    : proof.rests + proof.stickings + proof.degrees > 0 ? [...(proof.rests > 0 ? [`at rest, parts: ${proof.rests}`] : []),
+      ...(proof.stickings > 0 ? [`sticking, parts: ${proof.stickings}`] : []),
       ...(proof.degrees > 0 ? [`by degree, parts: ${proof.degrees}; trees of ${trees}`] : [])].join('; ')
       : answer.nodes === null ? 'an equilibrium' : `a tree of ${trees}`]);
   return 'accepted\n' + rows.map(([name, value]) => `${name.padEnd(11)} ${value}\n`).join('');

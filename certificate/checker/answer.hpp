@@ -37,6 +37,7 @@ struct Accepted {
   std::uint64_t pieces = 0;        ///< of a region, whose union it is
   std::size_t trees = 0;           ///< of a margin, one for each range without a multiple
   std::uint64_t rests = 0;         ///< proofs at rest
+  std::uint64_t stickings = 0;     ///< proofs by sticking
   std::uint64_t parts = 0;         ///< proofs by degree
   std::uint64_t nodes = 0;         ///< of all trees; 0 for a witness
   std::uint64_t leaves = 0;

@@ -464,6 +464,10 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
     part.at_rest = at_rest(value, place);
     return part;
   }
+  if (value.find("sticking") != nullptr) {
+    part.sticking = sticking(value, place);
+    return part;
+  }
   expect_order(
       value, place,
       {"twist", value.find("simplex") != nullptr ? "simplex" : "walls", "direction", "tree"});
@@ -492,23 +496,52 @@ Part CertificateReader::shape(const Value& value, const std::string& place,
 RestProof CertificateReader::at_rest(const Value& value, const std::string& place) const {
   expect_order(value, place, {"rest", "answers", "reach"});
   RestProof proof;
-  for (auto& [contact, force] : shares(member(value, place, "rest"), place + ".rest")) {
-    proof.rest.push_back({contact, {force}});
-  }
-  const std::string at_answers = place + ".answers";
-  for (const Value& entry :
-       list(member(value, place, "answers"), at_answers, "an array [[contact, forces], ...]")) {
-    json_.expect(entry.is_array(2) && entry.items[1].is_array(dimension_), entry, at_answers,
-                 "[contact, forces], with " + std::to_string(dimension_) + " forces");
-    const Integer contact = index(entry.items[0], at_answers);
-    std::vector<Vector> forces;
-    for (const Value& force : entry.items[1].items) {
-      forces.push_back(friction(force, at_answers, friction_numbers(contact)));
-    }
-    proof.answers.emplace_back(contact, std::move(forces));
-  }
+  proof.rest = single(member(value, place, "rest"), place + ".rest");
+  proof.answers = answers(member(value, place, "answers"), place + ".answers");
   proof.reach = numbers(member(value, place, "reach"), place + ".reach", 0, dimension_);
   return proof;
+}
+
+/// A PART that is sticking.
+StickingProof CertificateReader::sticking(const Value& value, const std::string& place) const {
+  expect_order(value, place, {"sticking", "friction", "presses", "answers", "reach", "energy"});
+  StickingProof proof;
+  proof.twist = numbers(member(value, place, "sticking"), place + ".sticking", 0, dimension_);
+  proof.friction = single(member(value, place, "friction"), place + ".friction");
+  const std::string at_presses = place + ".presses";
+  for (const Value& entry : list(member(value, place, "presses"), at_presses,
+                                 "an array [[contact, numbers], ...]")) {
+    json_.expect(entry.is_array(2), entry, at_presses, "[contact, numbers]");
+    proof.presses.emplace_back(index(entry.items[0], at_presses),
+                               numbers(entry.items[1], at_presses, 0, dimension_));
+  }
+  proof.answers = answers(member(value, place, "answers"), place + ".answers");
+  proof.reach = numbers(member(value, place, "reach"), place + ".reach", 0, dimension_);
+  proof.energy = number(member(value, place, "energy"), place + ".energy");
+  return proof;
+}
+
+/// [[CONTACT, F], ...]
+ContactForces CertificateReader::single(const Value& value, const std::string& place) const {
+  ContactForces result;
+  for (auto& [contact, force] : shares(value, place)) result.push_back({contact, {force}});
+  return result;
+}
+
+/// [[CONTACT, [F x D]], ...]
+ContactForces CertificateReader::answers(const Value& value, const std::string& place) const {
+  ContactForces result;
+  for (const Value& entry : list(value, place, "an array [[contact, forces], ...]")) {
+    json_.expect(entry.is_array(2) && entry.items[1].is_array(dimension_), entry, place,
+                 "[contact, forces], with " + std::to_string(dimension_) + " forces");
+    const Integer contact = index(entry.items[0], place);
+    std::vector<Vector> forces;
+    for (const Value& force : entry.items[1].items) {
+      forces.push_back(friction(force, place, friction_numbers(contact)));
+    }
+    result.emplace_back(contact, std::move(forces));
+  }
+  return result;
 }
 
 /// Of a share, or an F: one, or in space three, and of a contact with torsion four.

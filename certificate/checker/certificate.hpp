@@ -88,6 +88,9 @@ class CertificateReader {
   Part part(const Value& value, const std::string& place) const;
   Part shape(const Value& value, const std::string& place, std::size_t least_walls) const;
   RestProof at_rest(const Value& value, const std::string& place) const;
+  StickingProof sticking(const Value& value, const std::string& place) const;
+  ContactForces single(const Value& value, const std::string& place) const;
+  ContactForces answers(const Value& value, const std::string& place) const;
   Segment segment_by_degree(const Value& value, const std::string& place) const;
   std::vector<std::pair<Integer, Vector>> shares(const Value& value,
                                                  const std::string& place) const;

@@ -143,6 +143,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
     }
     rejection.unless_rejected([&] { walk.finish(); });
     accepted.rests = walk.rests();
+    accepted.stickings = walk.stickings();
     accepted.parts = walk.proofs();
     accepted.nodes = walk.nodes();
     accepted.leaves = walk.leaves();

@@ -223,6 +223,11 @@ void PartWalk::visit(const Part& part) {
     ++rests_;
     return;
   }
+  if (part.sticking) {
+    check_sticking(*part.sticking, *here.box, {0, 0}, bilateral_, std::nullopt, place);
+    ++stickings_;
+    return;
+  }
   if (!part.cut) {
     const TreeWalk walk = check_degree(part, here.box, {0, 0}, bilateral_, place);
     ++proofs_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rest.hpp"
+#include "sticking.hpp"
 #include "tree.hpp"
 
 namespace stickslip_check {
@@ -20,7 +21,8 @@ struct Part {
   bool cut = false;
   Node by;  ///< if cut
 
-  std::optional<RestProof> at_rest;  ///< if not cut, but at rest
+  std::optional<RestProof> at_rest;       ///< if not cut, but at rest
+  std::optional<StickingProof> sticking;  ///< or sticking
 
   // If by degree:
   Vector twist;                   ///< d0, or of a segment that at its low end
@@ -47,8 +49,9 @@ class PartWalk {
   /// The list has ended. Throws Rejected (`tree-short`).
   void finish() const;
 
-  std::uint64_t rests() const { return rests_; }    ///< parts at rest
-  std::uint64_t proofs() const { return proofs_; }  ///< parts by degree
+  std::uint64_t rests() const { return rests_; }          ///< parts at rest
+  std::uint64_t stickings() const { return stickings_; }  ///< sticking parts
+  std::uint64_t proofs() const { return proofs_; }        ///< parts by degree
   std::uint64_t nodes() const { return nodes_; }
   std::uint64_t leaves() const { return leaves_; }
 
@@ -64,6 +67,7 @@ class PartWalk {
   std::vector<Awaited> awaited_;  ///< the next one last
   std::uint64_t parts_ = 0;
   std::uint64_t rests_ = 0;
+  std::uint64_t stickings_ = 0;
   std::uint64_t proofs_ = 0;
   std::uint64_t nodes_ = 0;
   std::uint64_t leaves_ = 0;

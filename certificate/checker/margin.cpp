@@ -175,6 +175,10 @@ void RangeProofs::check_resisted(const RangeProof& claim, const std::string& pla
   if (claim.part.at_rest) {
     check_rest(*claim.part.at_rest, *question_.box, range, place);
     ++accepted_.rests;
+  } else if (claim.part.sticking) {
+    check_sticking(*claim.part.sticking, *question_.box, range, question_.asked.bilateral,
+                   std::nullopt, place);
+    ++accepted_.stickings;
   } else if (claim.points.empty()) {
     count(check_degree(claim.part, question_.box, range, question_.asked.bilateral, place),
           accepted_);

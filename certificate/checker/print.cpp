@@ -187,6 +187,7 @@ std::string text_of(const Accepted& a) {
   if (in_ranges) {
     text += "intervals by degree: " + std::to_string(a.parts) +
             (a.rests > 0 ? ", at rest: " + std::to_string(a.rests) : "") +
+            (a.stickings > 0 ? ", sticking: " + std::to_string(a.stickings) : "") +
             ", refuted: " + std::to_string(a.trees) + "; trees of " + tree;
   } else if (margin) {
     text += "segments: " + std::to_string(a.segments) +
@@ -200,12 +201,13 @@ std::string text_of(const Accepted& a) {
     text += "forces at rest, and others with an acceleration";
   } else if (a.verdict == "must hold") {
     text += "forces at rest, and a tree of " + tree;
-  } else if (a.rests > 0 || a.parts > 0) {
-    if (a.rests > 0) text += "at rest, parts: " + std::to_string(a.rests);
-    if (a.rests > 0 && a.parts > 0) text += "; ";
-    if (a.parts > 0) {
-      text += "by degree, parts: " + std::to_string(a.parts) + "; trees of " + tree;
-    }
+  } else if (a.rests + a.stickings + a.parts > 0) {
+    const auto add = [](std::uint64_t parts, const std::string& kind) {
+      return parts > 0 ? kind + ", parts: " + std::to_string(parts) + "; " : "";
+    };
+    text += add(a.rests, "at rest") + add(a.stickings, "sticking") + add(a.parts, "by degree");
+    text += a.parts > 0 ? "trees of " + tree + "; " : "";
+    text.resize(text.size() - 2);
   } else {
     text += a.verdict == "stable" ? "an equilibrium" : "a tree of " + tree;
   }
@@ -236,7 +238,8 @@ std::string as_json(const Answer& answer) {
   const auto* n = std::get_if<NotJudged>(&answer);
   const bool margin = a != nullptr && a->verdict == "margin";
   const bool region = a != nullptr && a->verdict == "region";
-  const bool tree = a != nullptr && (a->verdict != "stable" || a->rests + a->parts > 0);
+  const bool tree =
+      a != nullptr && (a->verdict != "stable" || a->rests + a->stickings + a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
   const std::string result = a != nullptr   ? "accepted"
                              : r != nullptr ? "rejected"

@@ -1367,6 +1367,7 @@ class CertificateReader {
       return this.node(value, place);
     }
     if (object_at(value, place).has('rest')) return this.at_rest(value, place);
+    if (value.has('sticking')) return this.sticking(value, place);
     const shape = value.has('simplex') ? 'simplex' : 'walls';
     const found = members_in_order(value, place, ['twist', shape, 'direction', 'tree']);
     return this.degree({...found, twist: read_numbers(found.twist, `${place}.twist`, this.size)}, place);
@@ -1374,15 +1375,28 @@ class CertificateReader {
 
   at_rest(value, place) {
     const found = members_in_order(value, place, ['rest', 'answers', 'reach']);
-    const listed = (name, forces) => array_of(found[name], `${place}.${name}`).map((entry, k) => {
-      const where = `${place}.${name}[${k}]`, [i, stated] = array_of(entry, where, 2);
-      const contact = read_index(i, where);
-      return [contact, forces(stated, where).map((force) => this.friction(force, where, contact))];
-    });
-    return {kind: 'rest', rest: listed('rest', (force) => [force]),
-      answers: listed('answers', (forces, where) => array_of(forces, where, this.size)),
+    const listed = this.lists(found, place);
+    return {kind: 'rest', rest: listed('rest', this.one_force), answers: listed('answers', this.forces),
       reach: read_numbers(found.reach, `${place}.reach`, this.size)};
   }
+
+  sticking(value, place) {
+    const found = members_in_order(value, place, ['sticking', 'friction', 'presses', 'answers', 'reach', 'energy']);
+    const listed = this.lists(found, place), numbers = (name) => read_numbers(found[name], `${place}.${name}`, this.size);
+    return {kind: 'sticking', twist: numbers('sticking'), friction: listed('friction', this.one_force),
+      presses: listed('presses', (stated, where) => read_numbers(stated, where, this.size)), answers: listed('answers', this.forces),
+      reach: numbers('reach'), energy: read_number(found.energy, `${place}.energy`)};
+  }
+
+  /** Reads [[CONTACT, what read.call(this, stated, where, contact) makes], ...]. */
+  lists(found, place) {
+    return (name, read) => array_of(found[name], `${place}.${name}`).map((entry, k) => {
+      const where = `${place}.${name}[${k}]`, [i, stated] = array_of(entry, where, 2), contact = read_index(i, where);
+      return [contact, read.call(this, stated, where, contact)];
+    });
+  }
+  one_force(stated, where, contact) { return [this.friction(stated, where, contact)]; }
+  forces(stated, where, contact) { return array_of(stated, where, this.size).map((force) => this.friction(force, where, contact)); }
 
   /** Of E there are `walls`, one to D, or those of a simplex, one more. */
   degree(found, place) {
@@ -2315,42 +2329,63 @@ function range_root(question, box, range) {
 
 // ---------------------------------------------------------------------------- Stable at rest (§6)
 
-/** A part at rest, for the multiples from factors[0] to factors[1], or for the only one. */
-function check_rest(question, box, {rest, answers, reach}, place, tally, factors) {
-  const {size, space, touching} = question;
-  const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
-  // f⁰ and G_1, ..., G_D of contacts: the column l is multiplied by scales[l].
-  const columns = new Map(), scales = [ONE, ...reach];
-  const no_friction = ({rows}) => Array(1 + size).fill(zeros(rows.slips[0].length));
-  for (const [list, first] of [[rest, 0], [answers, 1]]) {
+/** What is stated of contacts: in `friction` f⁰ and G_1, ..., G_D, in `presses` H_1, ..., H_D. */
+class StatedForces {
+  constructor(question, box, refuse) {
+    Object.assign(this, {question, box, refuse, friction: new Map(), presses: new Map()});
+  }
+
+  /** Calls take(i, values) of a list; `end` is the first i that is too large. */
+  each(list, end, take) {
     let before = -1;
-    for (const [i, forces] of list) {
-      const wrong = (found) => refuse('rest-share', `contact ${printable(i)}: ${found}`);
-      if (i <= before || i >= touching) wrong(`out of order, or not one of ${touching}`);
-      if (space && !forces.every((force) => dot_fractions(box.contacts[i].n, force).isZero())) wrong('a force has a part along n');
-      if (!columns.has(i)) columns.set(i, no_friction(box.contacts[i]));
-      columns.get(i).splice(first, forces.length, ...forces);
+    for (const [i, values] of list) {
+      if (i <= before || i >= end) this.refuse(`contact ${printable(i)}: out of order, or not one of ${end}`);
+      take(i, values);
       before = i;
     }
   }
-  const scaled_sum = (values) => values.reduce((sum, x, l) => sum.plus(x.times(scales[l])), ZERO);
-  const units = zeros(size).map((_, k) => zeros(size).map((zero, j) => (j === k ? ONE : zero)));
-  const minus = (row) => row.map((x) => x.negated());
-  const loads = [minus(units.map((e) => box.loads.most(minus(e)))), units.map((e) => box.loads.most(e))];
-  for (const factor of factors) {
-    const pushes = box.contacts.map(({push}) => push.map(([p, growth]) => p.plus(growth.times(factor))));
+
+  /** A list of which the first force is number `first` of 1 + D. */
+  take_friction(list, first) {
+    const {question: {space, size, touching}, box: {contacts}, friction} = this;
+    this.each(list, touching, (i, forces) => {
+      if (space && !forces.every((force) => dot_fractions(contacts[i].n, force).isZero())) this.refuse(`contact ${i}: a force has a part along n`);
+      if (!friction.has(i)) friction.set(i, Array(1 + size).fill(zeros(contacts[i].rows.slips[0].length)));
+      friction.get(i).splice(first, forces.length, ...forces);
+    });
+  }
+
+  take_presses(list) {
+    this.each(list, this.box.contacts.length, (i, numbers) => {
+      if (this.box.contacts[i].k[0].isZero()) this.refuse(`contact ${i}: its stiffness may be 0`);
+      this.presses.set(i, numbers);
+    });
+  }
+
+  has(i) { return this.friction.has(i) || this.presses.has(i); }
+  /** Those that are, in their order. */
+  listed() { return [...new Set([...this.friction.keys(), ...this.presses.keys()])].sort((a, b) => a - b); }
+
+  /** For each k the largest |W_k|, |M_k1 − δ_k1|, ..., where contact i presses from pushes[i][0] to pushes[i][1]. */
+  largest_left(factor, pushes) {
+    const {question: {size, u}, box} = this, minus = (row) => row.map((x) => x.negated());
+    const units = zeros(size).map((_, k) => zeros(size).map((zero, j) => (j === k ? ONE : zero)));
+    const loads = [minus(units.map((e) => box.loads.most(minus(e)))), units.map((e) => box.loads.most(e))];
     // The least and the largest entries of W, and of the columns of M less the unit matrix.
     const lows = new Sum(size * (size + 1)), highs = new Sum(size * (size + 1));
     [lows, highs].forEach((sum, end) => {
-      sum.add_fractions([...loads[end].map((w, k) => w.plus(factor.times(question.u[k]))), ...units.flatMap(minus)]);
+      sum.add_fractions([...loads[end].map((w, k) => w.plus(factor.times(u[k]))), ...units.flatMap(minus)]);
     });
     box.contacts.forEach((contact, i) => {
-      if (all_zero(pushes[i]) && !columns.has(i)) return;
-      const forces = columns.get(i) ?? no_friction(contact);
+      if (pushes[i].every((push) => push.isZero()) && !this.has(i)) return;
+      const forces = this.friction.get(i), presses = this.presses.get(i);
       const corners = corners_of(contact.geometry).flatMap((corner) => {
         const [normal, slips] = contact.rowsAt(corner);
-        const [first, ...others] = forces.map((force) => normal.map((_, k) => dot_fractions(slips.map((row) => row[k]), force)));
-        return pushes[i].map((push) => [...first.map((x, k) => x.plus(push.times(normal[k]))), ...others.flat()]);
+        const columns = Array.from({length: 1 + size}, (_, l) => normal.map((n, k) => {
+          const pressed = l > 0 && presses !== undefined ? presses[l - 1].times(n) : ZERO;
+          return forces === undefined ? pressed : pressed.plus(dot_fractions(slips.map((row) => row[k]), forces[l]));
+        }));
+        return pushes[i].map((push) => [...columns[0].map((x, k) => x.plus(push.times(normal[k]))), ...columns.slice(1).flat()]);
       });
       lows.add_fractions(corners[0].map((_, k) => least(corners.map((values) => values[k]))));
       highs.add_fractions(corners[0].map((_, k) => largest(corners.map((values) => values[k]))));
@@ -2359,20 +2394,110 @@ function check_rest(question, box, {rest, answers, reach}, place, tally, factors
       const [row, d] = sum.total();
       return row.map((x) => Fraction.of(x, d));
     });
-    reach.forEach((z, k) => {
-      if (z.sign() < 0) refuse('rest-reach', `Z_${k + 1} is below 0`);
-      const left = scales.map((_, l) => largest([low[l * size + k].negated(), high[l * size + k]]));
-      if (scaled_sum(left).compare(z) > 0) refuse('rest-reach', `Z_${k + 1} = ${printable(z)} is too small`);
+    const entry = (at) => largest([low[at].negated(), high[at]]);
+    return units.map((_, k) => Array.from({length: 1 + size}, (__, l) => entry(l * size + k)));
+  }
+}
+
+const sum_of = (values) => values.reduce((sum, x) => sum.plus(x), ZERO);
+/** values[0] + Σ values[l] Z_l. */
+const reached = (values, reach) => sum_of(values.map((x, l) => (l === 0 ? x : x.times(reach[l - 1]))));
+/** Of P' for this multiple. */
+const preloads_of = ({push}, factor) => push.map(([p, growth]) => p.plus(growth.times(factor)));
+/** L_i, a bound from below or above; 1 where friction is a number. */
+const length_of = ({n, square}, sign) => (n.length < 3 ? ONE : root_above(square, sign).magnitude());
+const length_above = (force, gamma) => (force.length === 1 ? force[0].magnitude() : root_above(friction_square(force, gamma), 1));
+
+/** A part at rest, for the multiples from factors[0] to factors[1], or for the only one. */
+function check_rest(question, box, {rest, answers, reach}, place, tally, factors) {
+  const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
+  const stated = new StatedForces(question, box, (found) => refuse('rest-share', found));
+  stated.take_friction(rest, 0);
+  stated.take_friction(answers, 1);
+  for (const factor of factors) {
+    const pushes = box.contacts.map((contact) => preloads_of(contact, factor));
+    stated.largest_left(factor, pushes).forEach((left, k) => {
+      if (reach[k].sign() < 0) refuse('rest-reach', `Z_${k + 1} is below 0`);
+      if (reached(left, reach).compare(reach[k]) > 0) refuse('rest-reach', `Z_${k + 1} = ${printable(reach[k])} is too small`);
     });
-    for (const i of [...columns.keys()].sort((a, b) => a - b)) {
-      const {mu, square, gamma} = box.contacts[i];
-      let most = mu[0].times(pushes[i][0]);
-      if (space) most = most.times(root_above(square, -1).negated());
-      const lengths = columns.get(i).map((force) => (space ? root_above(friction_square(force, gamma), 1) : force[0].magnitude()));
-      if (scaled_sum(lengths).compare(most) > 0) refuse('rest-cone', `contact ${i}: friction may be more than its cone allows`);
+    for (const i of stated.listed()) {
+      const contact = box.contacts[i], most = contact.mu[0].times(pushes[i][0]).times(length_of(contact, -1));
+      const lengths = stated.friction.get(i).map((force) => length_above(force, contact.gamma));
+      if (reached(lengths, reach).compare(most) > 0) refuse('rest-cone', `contact ${i}: friction may be more than its cone allows`);
     }
   }
   ++tally.rests;
+}
+
+// ---------------------------------------------------------------------------- Stable: sticking (§6)
+
+/** What the rules say of contact i at d⁰, by the names of the text. */
+function sticking_at(contact, {twist, reach, energy}, preload, forces = [], presses = []) {
+  const {mu, k, gamma: torsion, spring} = contact, two = Fraction.of(2n);
+  const at = corners_of(contact.geometry).map((corner) => contact.rowsAt(corner));
+  const pulls = at.flatMap(([normal]) => k.map((stiffness) => stiffness.times(dot_fractions(normal, twist))));
+  const v = [preload[0].minus(largest(pulls)), preload[1].minus(least(pulls))];
+  const a = spring ? v : v.map((x) => largest([ZERO, x]));
+  const sigma = largest(at.map(([, slips]) => {
+    const s = slips.map((row) => dot_fractions(row, twist));
+    return s.length < 2 ? sum_of(s).magnitude() : root_above(sum_of(s.map((x, j) => (j < 3 ? x.times(x) : torsion.times(x).times(x)))), 1);
+  }));
+  const r = root_above(two.times(energy).times(k[1]), 1);
+  const phi = reached(forces.map((force) => length_above(force, torsion)), reach);
+  const delta = sum_of(presses.map((h, l) => h.magnitude().times(reach[l])));
+  const rho = mu[1].times(length_of(contact, 1)), most = rho.times(a[1]).plus(phi).times(sigma);
+  const gamma = largest([ZERO, ...k.filter((x) => !x.isZero()).map((x) => {
+    const both = delta.plus(rho.times(x).times(sigma));
+    return both.times(both).over(two.times(x)).plus(most);
+  })]);
+  return {v, a, sigma, r, phi, s: mu[0].times(length_of(contact, -1)).times(v[0].minus(r)).minus(phi), gamma};
+}
+
+/** A part that is sticking, for the multiples from factors[0] to factors[1], or for the only one; bound is B, or null. */
+function check_sticking(question, box, proof, place, tally, factors, bound = null) {
+  const {twist, reach, energy} = proof;
+  const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
+  const stated = new StatedForces(question, box, (found) => refuse('sticking-share', found));
+  stated.take_friction(proof.friction, 0);
+  stated.take_presses(proof.presses);
+  stated.take_friction(proof.answers, 1);
+  if (![...reach, energy].every((x) => x.sign() > 0)) refuse('sticking-share', 'Z or c is not above 0');
+  if (!twist.every((x) => x.isZero()) && (factors.length > 1 || box.contacts.some(({n, tilt}) => n.length === 3 && !tilt.isZero()))) {
+    refuse('sticking-motion', 'd0 is not 0, for more than one multiple or with uncertain normals');
+  }
+  if (question.bilateral && box.contacts.some(({spring}, i) => !spring && !stated.has(i))) {
+    refuse('sticking-motion', 'a contact is not listed, under the bilateral law');
+  }
+  const listed = stated.listed(), within = bound === null ? null : bound.map((b, l) => b.minus(twist[l].magnitude()));
+  for (const factor of factors) {
+    const at = box.contacts.map((contact, i) =>
+      sticking_at(contact, proof, preloads_of(contact, factor), stated.friction.get(i), stated.presses.get(i)));
+    const left = stated.largest_left(factor, at.map(({a}) => a));
+    left.forEach((row, k) => {
+      if (reached(row, reach).compare(reach[k]) >= 0) refuse('sticking-reach', `Z_${k + 1} = ${printable(reach[k])} is too small`);
+    });
+    for (const i of listed) {
+      const {v, r, s} = at[i];
+      if (!box.contacts[i].spring && v[0].compare(r) < 0) refuse('sticking-press', `contact ${i}: v may be below ${printable(r)}`);
+      if (stated.friction.has(i) && s.sign() <= 0) refuse('sticking-press', `contact ${i}: friction may be as large as its cone`);
+    }
+    const sum = new Sum(1);
+    for (const {gamma} of at) sum.add([gamma.n], gamma.d);
+    const [[total], d] = sum.total();
+    if (energy.compare(new Fraction(total, d)) <= 0) refuse('sticking-energy', `c = ${printable(energy)} is too small`);
+    if (within === null) continue;
+    const ways = listed.map((i) => {
+      const {k, gamma} = box.contacts[i], {s, sigma} = at[i], forces = stated.friction.get(i), presses = stated.presses.get(i);
+      const along = presses && root_above(Fraction.of(2n).times(energy).over(k[0]), 1), across = forces && energy.over(s).plus(sigma);
+      return twist.map((_, l) => (presses ? presses[l].magnitude().times(along) : ZERO)
+          .plus(forces ? length_above(forces[l + 1], gamma).times(across) : ZERO));
+    });
+    within.forEach((most, l) => {
+      const needed = sum_of([...ways.map((way) => way[l]), ...left.map((row, k) => row[l + 1].times(within[k]))]);
+      if (within.some((x) => x.sign() <= 0) || needed.compare(most) > 0) refuse('sticking-bound', `motion ${l + 1} may be beyond its bound`);
+    });
+  }
+  ++tally.stickings;
 }
 
 // ---------------------------------------------------------------------------- Stable by degree (§6)
@@ -2493,6 +2618,7 @@ function check_parts(question, box, parts, tally) {
   walk(parts, [{make: () => box, path: new Path(null, '')}], question.m, where, (part, own, refuse, place) => {
     if (part.kind === 'part') return part_children(part, own, refuse, question.m);
     if (part.kind === 'rest') check_rest(question, own, part, place(), tally, [ZERO]);
+    else if (part.kind === 'sticking') check_sticking(question, own, part, place(), tally, [ZERO]);
     else check_degree(question, own, part, place(), tally);
     return [];
   });
@@ -2584,8 +2710,9 @@ function check_space_margin(question, box, claims, tally) {
       ++tally.trees;
       return;
     }
-    if (part !== undefined && part.kind === 'rest') {
-      check_rest(question, box, part, place, tally, high === null ? [ONE] : low.equals(high) ? [low] : [low, high]);
+    if (part !== undefined && part.kind !== 'degree') {
+      (part.kind === 'rest' ? check_rest : check_sticking)(question, box, part, place, tally,
+          high === null ? [ONE] : low.equals(high) ? [low] : [low, high]);
     } else if (part !== undefined) {
       check_degree(question, box, part, place, tally, high === null ? {low: ONE, high: ONE} : {low, high});
     } else {
@@ -2648,7 +2775,7 @@ function check(grasp, certificate, options = {}) {
     const proof = new CertificateReader(question).read(text_of(certificate, CERTIFICATE_LIMITS, false));
     agree(question, proof.question);
 
-    const tally = {nodes: 0, leaves: 0, rests: 0, degrees: 0, trees: 0, segments: 0};
+    const tally = {nodes: 0, leaves: 0, rests: 0, stickings: 0, degrees: 0, trees: 0, segments: 0};
     const box = Box.of(question, proof.bits);
     let intervals = null;
     if (proof.claims !== undefined) {

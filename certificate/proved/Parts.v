@@ -23,6 +23,7 @@ Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string
       | Some rule => Some (rule, None)
       | None => None
       end
+  | PartSticking _ _ _ _ _ _ => Some ("sticking-share"%string, None)
   | PartCut _ _ _ => Some ("part-inside"%string, None)
   end.
 
@@ -75,8 +76,8 @@ Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model
 Theorem part_stable alpha beta s p lambda : part_fails advisor two_sided most_depth alpha beta s p = None ->
   in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
-  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; cbn in H;
-    [discriminate| |].
+  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|]; cbn in H;
+    [discriminate| | |discriminate].
   - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
 Qed.
@@ -156,7 +157,7 @@ Proof.
         Rows.stable_at (Rows.bounded (real_bound (the_bound (fst sd))) 1) sys 0) ((s, depth) :: todo)).
   { destruct (part_fails _ _ _ _ _ s p) as [[rule node]|] eqn:E; [discriminate|]. intros H'.
     constructor; [|now apply (IH todo (S number))]. cbn. intros I. exact (part_stable 0 0 s p 0 E I Q0). }
-  destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; try (now apply Whole).
+  destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|]; try (now apply Whole).
   clear Whole. destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate].
   pose proof (IH _ _ H) as A. pose proof (Forall_inv A) as A1. pose proof (Forall_inv (Forall_inv_tail A)) as A2.
   constructor; [|exact (Forall_inv_tail (Forall_inv_tail A))]. cbn in *. intros [Bx Di Pr Le Sl Pu Bd].

@@ -295,11 +295,33 @@ Definition read_at_rest (s : shape) (at_path : path) (value : json) : result par
   let* z := member "reach" (read_twist s) at_path members in
   Fine (PartAtRest f g z).
 
-Definition is_at_rest (value : json) : bool :=
-  match value with Object members => has_member "rest" members | _ => false end.
+(** How much more a contact presses, for each component of a wrench. *)
+Definition read_presses (s : shape) (at_path : path) (value : json) : result (Z * list Q) :=
+  match value with
+  | Array [contact; numbers] =>
+      let* i := read_index at_path contact in
+      let* them := read_twist s at_path numbers in
+      Fine (i, them)
+  | _ => expected "[contact, numbers]" at_path value
+  end.
+
+Definition read_sticking (s : shape) (at_path : path) (value : json) : result part :=
+  let* members := members_in_order ["sticking"; "friction"; "presses"; "answers"; "reach"; "energy"] at_path value in
+  let* d := member "sticking" (read_twist s) at_path members in
+  let* f := member "friction" (read_shares s) at_path members in
+  let* h := member "presses" (read_array "an array [[contact, numbers], ...]" (read_presses s)) at_path members in
+  let* g := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
+              at_path members in
+  let* z := member "reach" (read_twist s) at_path members in
+  let* c := member "energy" read_fraction at_path members in
+  Fine (PartSticking d f h g z c).
+
+Definition begins_so (name : string) (value : json) : bool :=
+  match value with Object members => has_member name members | _ => false end.
 
 Definition read_part (s : shape) (at_path : path) (value : json) : result part :=
-  if is_at_rest value then read_at_rest s at_path value else
+  if begins_so "rest" value then read_at_rest s at_path value else
+  if begins_so "sticking" value then read_sticking s at_path value else
   match value with
   | Array _ =>
       let* it := read_node s at_path value in

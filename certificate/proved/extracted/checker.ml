@@ -1586,6 +1586,9 @@ type part =
 | PartProof of q list * bool * q list list * q list list * node list
 | PartAtRest of (Big_int_Z.big_int * q list) list
    * (Big_int_Z.big_int * q list list) list * q list
+| PartSticking of q list * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list list) list * q list * q
 
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
@@ -5497,6 +5500,7 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
            answers0; rest_reach = reach } with
    | Some rule -> Some (rule, None)
    | None -> None)
+| PartSticking (_, _, _, _, _, _) -> Some ("sticking-share", None)
 
 (** val unloaded : setting -> bool **)
 
@@ -6768,6 +6772,26 @@ let is_one_grasp s =
 let straight s =
   forallb (fun r -> negb r.box.box_turns) s.rows
 
+(** val is_sticking : part -> bool **)
+
+let is_sticking = function
+| PartSticking (_, _, _, _, _, _) -> true
+| _ -> false
+
+(** val has_sticking : proof -> bool **)
+
+let has_sticking = function
+| StableByParts parts -> existsb is_sticking parts
+| MarginInSpace claims ->
+  existsb (fun c ->
+    match c with
+    | ClaimStable (_, _, evidence) ->
+      (match evidence with
+       | Inl p0 -> is_sticking p0
+       | Inr _ -> false)
+    | ClaimUnstable (_, _, _) -> false) claims
+| _ -> false
+
 (** val refute :
     oracle -> question -> setting -> range list -> node list ->
     (string * nat) option **)
@@ -7013,33 +7037,36 @@ let check_region advisor q0 s pieces nodes =
 let check advisor q0 c =
   match setting_of c.bits q0 with
   | Some s ->
-    (match c.body with
-     | StableByWitness w ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_witness q0 s w
-     | StableByParts parts ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_parts advisor q0 s parts
-     | UnstableByTree nodes ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_tree advisor q0 s nodes
-     | MarginBy (resisted, segments, nodes) ->
-       if q0.is_margin
-       then check_margin advisor q0 s resisted segments nodes
-       else NotProvedHere "a proof of something else than was asked"
-     | MarginInSpace claims ->
-       if q0.is_margin
-       then check_claims advisor q0 s claims (Some { qnum =
-              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
-       else NotProvedHere "a proof of something else than was asked"
-     | OfClass p ->
-       (match q0.inertia with
-        | [] -> NotProvedHere "a proof of something else than was asked"
-        | _ :: _ -> check_class q0 s p)
-     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
+    if has_sticking c.body
+    then NotProvedHere "a part by sticking"
+    else (match c.body with
+          | StableByWitness w ->
+            if q0.is_margin
+            then NotProvedHere "a proof of something else than was asked"
+            else check_witness q0 s w
+          | StableByParts parts ->
+            if q0.is_margin
+            then NotProvedHere "a proof of something else than was asked"
+            else check_parts advisor q0 s parts
+          | UnstableByTree nodes ->
+            if q0.is_margin
+            then NotProvedHere "a proof of something else than was asked"
+            else check_tree advisor q0 s nodes
+          | MarginBy (resisted, segments, nodes) ->
+            if q0.is_margin
+            then check_margin advisor q0 s resisted segments nodes
+            else NotProvedHere "a proof of something else than was asked"
+          | MarginInSpace claims ->
+            if q0.is_margin
+            then check_claims advisor q0 s claims (Some { qnum =
+                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
+                   [] []
+            else NotProvedHere "a proof of something else than was asked"
+          | OfClass p ->
+            (match q0.inertia with
+             | [] -> NotProvedHere "a proof of something else than was asked"
+             | _ :: _ -> check_class q0 s p)
+          | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
 
 (** val largest_exponent : Big_int_Z.big_int **)
@@ -10491,45 +10518,90 @@ let read_at_rest s at_path value0 =
         bind (member "reach" (read_twist s) at_path members) (fun z0 -> Fine
           (PartAtRest (f, g, z0))))))
 
-(** val is_at_rest : json -> bool **)
+(** val read_presses :
+    shape -> path -> json -> (Big_int_Z.big_int * q list) result **)
 
-let is_at_rest = function
-| Object members -> has_member "rest" members
+let read_presses s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, numbers]" at_path value0
+   | contact0 :: l ->
+     (match l with
+      | [] -> expected "[contact, numbers]" at_path value0
+      | numbers0 :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_index at_path contact0) (fun i ->
+             bind (read_twist s at_path numbers0) (fun them -> Fine (i, them)))
+         | _ :: _ -> expected "[contact, numbers]" at_path value0)))
+| _ -> expected "[contact, numbers]" at_path value0
+
+(** val read_sticking : shape -> path -> json -> part result **)
+
+let read_sticking s at_path value0 =
+  bind
+    (members_in_order
+      ("sticking" :: ("friction" :: ("presses" :: ("answers" :: ("reach" :: ("energy" :: []))))))
+      at_path value0) (fun members ->
+    bind (member "sticking" (read_twist s) at_path members) (fun d ->
+      bind (member "friction" (read_shares s) at_path members) (fun f ->
+        bind
+          (member "presses"
+            (read_array "an array [[contact, numbers], ...]" (read_presses s))
+            at_path members) (fun h ->
+          bind
+            (member "answers"
+              (read_array "an array [[contact, forces], ...]"
+                (read_answers s)) at_path members) (fun g ->
+            bind (member "reach" (read_twist s) at_path members) (fun z0 ->
+              bind (member "energy" read_fraction at_path members) (fun c ->
+                Fine (PartSticking (d, f, h, g, z0, c)))))))))
+
+(** val begins_so : string -> json -> bool **)
+
+let begins_so name = function
+| Object members -> has_member name members
 | _ -> false
 
 (** val read_part : shape -> path -> json -> part result **)
 
 let read_part s at_path value0 =
-  if is_at_rest value0
+  if begins_so "rest" value0
   then read_at_rest s at_path value0
-  else (match value0 with
-        | Array _ ->
-          bind (read_node s at_path value0) (fun it ->
-            match it with
-            | Cut (p, i, c) -> Fine (PartCut (p, i, c))
-            | _ -> expected "a part" at_path value0)
-        | _ ->
-          let simplex =
-            match value0 with
-            | Object members -> has_member "simplex" members
-            | _ -> false
-          in
-          let walls0 = if simplex then "simplex" else "walls" in
-          bind
-            (members_in_order
-              ("twist" :: (walls0 :: ("direction" :: ("tree" :: []))))
-              at_path value0) (fun members ->
-            bind (member "twist" (read_twist s) at_path members) (fun d ->
-              bind
-                (member walls0
-                  (read_walls s
-                    (if simplex
-                     then Big_int_Z.unit_big_int
-                     else Big_int_Z.zero_big_int)) at_path members) (fun e ->
-                bind (member "direction" (read_matrix s) at_path members)
-                  (fun a ->
-                  bind (member "tree" (read_nodes s) at_path members)
-                    (fun tree -> Fine (PartProof (d, simplex, e, a, tree))))))))
+  else if begins_so "sticking" value0
+       then read_sticking s at_path value0
+       else (match value0 with
+             | Array _ ->
+               bind (read_node s at_path value0) (fun it ->
+                 match it with
+                 | Cut (p, i, c) -> Fine (PartCut (p, i, c))
+                 | _ -> expected "a part" at_path value0)
+             | _ ->
+               let simplex =
+                 match value0 with
+                 | Object members -> has_member "simplex" members
+                 | _ -> false
+               in
+               let walls0 = if simplex then "simplex" else "walls" in
+               bind
+                 (members_in_order
+                   ("twist" :: (walls0 :: ("direction" :: ("tree" :: []))))
+                   at_path value0) (fun members ->
+                 bind (member "twist" (read_twist s) at_path members)
+                   (fun d ->
+                   bind
+                     (member walls0
+                       (read_walls s
+                         (if simplex
+                          then Big_int_Z.unit_big_int
+                          else Big_int_Z.zero_big_int)) at_path members)
+                     (fun e ->
+                     bind
+                       (member "direction" (read_matrix s) at_path members)
+                       (fun a ->
+                       bind (member "tree" (read_nodes s) at_path members)
+                         (fun tree -> Fine (PartProof (d, simplex, e, a,
+                         tree))))))))
 
 (** val read_segment_by_degree : shape -> path -> json -> segment result **)
 

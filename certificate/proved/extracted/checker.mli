@@ -426,6 +426,9 @@ type part =
 | PartProof of q list * bool * q list list * q list list * node list
 | PartAtRest of (Big_int_Z.big_int * q list) list
    * (Big_int_Z.big_int * q list list) list * q list
+| PartSticking of q list * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list list) list * q list * q
 
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
@@ -1501,6 +1504,10 @@ val is_one_grasp : setting -> bool
 
 val straight : setting -> bool
 
+val is_sticking : part -> bool
+
+val has_sticking : proof -> bool
+
 val refute :
   oracle -> question -> setting -> range list -> node list -> (string * nat)
   option
@@ -1970,7 +1977,12 @@ val read_answers :
 
 val read_at_rest : shape -> path -> json -> part result
 
-val is_at_rest : json -> bool
+val read_presses :
+  shape -> path -> json -> (Big_int_Z.big_int * q list) result
+
+val read_sticking : shape -> path -> json -> part result
+
+val begins_so : string -> json -> bool
 
 val read_part : shape -> path -> json -> part result
 

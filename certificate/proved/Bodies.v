@@ -336,12 +336,12 @@ Proof.
     apply E. lia.
 Qed.
 
-Theorem mechanism_rows_stable lambda : BodiesModel.has_all_numbers m ->
+Theorem mechanism_rows_stable (allowed : list R -> Prop) lambda : BodiesModel.has_all_numbers m ->
   Forall (fun t => is_good (BodiesModel.touching t)) (BodiesModel.touches m) ->
-  BodiesModel.stable_at m lambda <-> Rows.stable_at mechanism_rows lambda.
+  BodiesModel.stable_at allowed m lambda <-> Rows.stable_at allowed mechanism_rows lambda.
 Proof.
   intros (Lw & Lu & Le) Good. split.
-  - intros (d & forces & pulls & L & O & P & B).
+  - intros (d & forces & pulls & A & L & O & P & B).
     set (fs := map (fun tf => to_row (BodiesModel.touching (fst tf)) (snd tf)) (List.combine (BodiesModel.touches m) forces)).
     assert (Rows_obey : Forall2 (Rows.obeys (BodiesModel.normal m) d 1 lambda) (map touch_row (BodiesModel.touches m)) fs /\
       touch_forces (BodiesModel.touches m) fs = forces).
@@ -350,7 +350,7 @@ Proof.
       cbn [map List.combine fst snd]. split; [|now rewrite O2, I2].
       constructor; [|exact I1]. apply touch_obeys; [exact L|exact O1]. }
     destruct Rows_obey as [Or Back]. exists d, (fs ++ map (fun a => (a, [])) pulls).
-    split; [exact L|]. cbn [Rows.rows Rows.normal mechanism_rows]. split.
+    split; [exact A|]. split; [exact L|]. cbn [Rows.rows Rows.normal mechanism_rows]. split.
     + apply Forall2_app; [exact Or|].
       clear B Le. induction P as [|e a es pulls Oe P IH]; cbn; constructor; [|exact IH]. now apply element_obeys.
     + intros y'. set (y := firstn (BodiesModel.coordinates m) (y' ++ repeat 0 (BodiesModel.coordinates m))).
@@ -372,9 +372,9 @@ Proof.
         -- apply Forall_forall. intros t _. cbn. unfold lift. rewrite !map_length, seq_length. split; [reflexivity|].
            apply Forall_map, Forall_forall. intros f _. now rewrite !map_length, seq_length.
         -- eapply Forall_impl; [|exact Le]. intros e H. cbn. split; [exact H|constructor].
-  - intros (d & fs & L & O & B). cbn [Rows.rows Rows.normal Rows.dimension mechanism_rows] in *.
+  - intros (d & fs & A & L & O & B). cbn [Rows.rows Rows.normal Rows.dimension mechanism_rows] in *.
     apply Forall2_app_inv_l in O as (f1 & f2 & O1 & O2 & ->).
-    exists d, (touch_forces (BodiesModel.touches m) f1), (map fst f2). split; [exact L|]. split; [|split].
+    exists d, (touch_forces (BodiesModel.touches m) f1), (map fst f2). split; [exact A|]. split; [exact L|]. split; [|split].
     + clear B. revert f1 O1. induction Good as [|t ts G Gs IH]; intros f1 O1; inversion O1; subst; cbn;
         constructor; [|now apply IH]. apply obeys_of; [exact G|]. now apply touch_obeys.
     + clear B Le. revert f2 O2. induction (BodiesModel.elements m) as [|e es IH]; intros f2 O2; inversion O2 as [|? [a g]]; subst; cbn;
@@ -393,8 +393,8 @@ Definition plane_mechanism (m : BodiesModel.mechanism BodiesModel.in_plane) : Ro
 Definition space_mechanism (m : BodiesModel.mechanism BodiesModel.in_space) : Rows.system :=
   mechanism_rows BodiesModel.in_space finger_row m.
 
-Theorem plane_mechanism_stable (m : BodiesModel.mechanism BodiesModel.in_plane) lambda : BodiesModel.has_all_numbers m ->
-  BodiesModel.stable_at m lambda <-> Rows.stable_at (plane_mechanism m) lambda.
+Theorem plane_mechanism_stable (allowed : list R -> Prop) (m : BodiesModel.mechanism BodiesModel.in_plane) lambda : BodiesModel.has_all_numbers m ->
+  BodiesModel.stable_at allowed m lambda <-> Rows.stable_at allowed (plane_mechanism m) lambda.
 Proof.
   intros Nu. apply (mechanism_rows_stable BodiesModel.in_plane contact_row (fun _ => row_force)
     (fun _ f => (fst f, at_ (snd f) 0)) (fun _ => True)); try assumption;
@@ -405,9 +405,9 @@ Proof.
   - now apply Forall_forall.
 Qed.
 
-Theorem space_mechanism_stable (m : BodiesModel.mechanism BodiesModel.in_space) lambda : BodiesModel.has_all_numbers m ->
+Theorem space_mechanism_stable (allowed : list R -> Prop) (m : BodiesModel.mechanism BodiesModel.in_space) lambda : BodiesModel.has_all_numbers m ->
   Forall (fun t : BodiesModel.touch BodiesModel.in_space => is_finger (BodiesModel.touching t)) (BodiesModel.touches m) ->
-  BodiesModel.stable_at m lambda <-> Rows.stable_at (space_mechanism m) lambda.
+  BodiesModel.stable_at allowed m lambda <-> Rows.stable_at allowed (space_mechanism m) lambda.
 Proof.
   intros Nu Fi. apply (mechanism_rows_stable BodiesModel.in_space finger_row finger_to_row finger_of_row is_finger);
     try assumption; cbn [BodiesModel.obeys BodiesModel.works BodiesModel.in_space].

@@ -132,5 +132,6 @@ Definition equilibrium {k : kind} (m : mechanism k) (lambda : R) (d : list R) (f
     sum (map (fun tf => works k (touching (fst tf)) (snd tf) (relative m y (fst tf))) (combine (touches m) forces)) +
     sum (map (fun ea => snd ea * dot (lever (fst ea)) y) (combine (elements m) pulls)) = 0.
 
-Definition stable_at {k : kind} (m : mechanism k) (lambda : R) : Prop :=
-  exists d forces pulls, equilibrium m lambda d forces pulls.
+(* With a motion that is allowed. *)
+Definition stable_at {k : kind} (allowed : list R -> Prop) (m : mechanism k) (lambda : R) : Prop :=
+  exists d forces pulls, allowed d /\ equilibrium m lambda d forces pulls.

@@ -3,7 +3,7 @@
    `stable_by_degree_in_box`: where they hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Walk Tree.
-From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between Ways Load.
+From Proved Require Import Brouwer RowLimits Degree Matrix Frame Between Ways Load Bound.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -62,7 +62,7 @@ Definition strict_form : form := to_form (plus_times (fst s_and_t) 1 (snd s_and_
 Definition middle_setting (s : setting) : setting :=
   make_setting (dimension_of s) (map_all (fun r => make_row (middle_box (box r))) (rows s))
     (middle_load (the_load s))
-    (Pushing (map relative (direction_rows g)) []).
+    (Pushing (map relative (direction_rows g)) []) None.
 
 (* s = t. *)
 Definition middle_conditions : list (form * bool) :=
@@ -94,6 +94,15 @@ Definition all_free (free : matrix) (s : setting) : bool :=
   forallb (fun z =>
     forallb (fun r => row_free z (box r)) (rows s) && load_free z (the_load s)) free.
 
+(* degree-bound *)
+Definition bound_holds (free : matrix) (s : setting) : bool :=
+  match the_bound s, high_multiple g with
+  | None, _ => true
+  | Some _, None => false
+  | Some most, Some _ =>
+      K_within (dimension_of s) (is_a_simplex g) (wall_rows g) free most [first_twist g; last_twist g]
+  end.
+
 (* Beginnings and ends that are there. *)
 Definition range_sound (s : setting) : bool :=
   let n := dimension_of s in
@@ -121,7 +130,7 @@ Definition wall_regions (g : degree_proof) (s : setting) (more : list (form * bo
 
 (* List 1 and list 2. *)
 Definition root_regions (g : degree_proof) (s : setting) : list (region setting) :=
-  (if is_point s && one_multiple g then [] else wall_regions g s []) ++
+  (if is_point s && one_multiple g then [] else wall_regions g (without_bound s) []) ++
   wall_regions g (middle_setting g s) (middle_conditions g).
 
 (* Under the bilateral law: no contact but a spring pulls in K. *)
@@ -142,7 +151,8 @@ Definition degree_fails (two_sided : bool) (most_depth : Z) (s : setting) (g : d
         match inverted n free (direction_rows g) with
         | None => Some ("degree-direction"%string, None)
         | Some _ =>
-            if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
+            if negb (bound_holds g free s) then Some ("degree-bound"%string, None)
+            else if two_sided && negb (law_holds g s) then Some ("degree-law"%string, None)
             else
               match walk advisor setting split (end_fails no_pieces) most_depth nodes
                       (root_regions g s) 0 with
@@ -528,12 +538,13 @@ Proof.
 Qed.
 
 (* What balances at h > 0 does so at 1. *)
-Lemma stable_by_multiple sys d h l fs : 0 < h -> Forall (fun r => Rows.positive (Rows.weights r)) (Rows.rows sys) ->
-  Rows.equilibrium sys d h l fs -> Rows.stable_at sys (l / h).
+Lemma stable_by_multiple bound sys d h l fs : 0 < h -> Forall (fun r => Rows.positive (Rows.weights r)) (Rows.rows sys) ->
+  Rows.equilibrium sys d h l fs -> Rows.bounded bound h d -> Rows.stable_at (Rows.bounded bound 1) sys (l / h).
 Proof.
-  intros H P (L & O & Bal). exists (Rows.scaled (/ h) d), (map (fun f => (/ h * fst f, Rows.scaled (/ h) (snd
+  intros H P (L & O & Bal) Bd. exists (Rows.scaled (/ h) d), (map (fun f => (/ h * fst f, Rows.scaled (/ h) (snd
     f))) fs).
   assert (C : 0 < / h) by now apply Rinv_0_lt_compat.
+  split; [replace 1 with (/ h * h) by (field; lra); apply bounded_multiple; [lra|exact Bd]|].
   split; [unfold Rows.scaled; now rewrite map_length|]. split.
   - replace 1 with (/ h * h) by (field; lra). replace (l / h) with (/ h * l) by (unfold Rdiv; ring).
     clear Bal. revert P. induction O as [|r f rs fs Of O IH]; intros P; cbn; constructor; [|exact (IH
@@ -585,7 +596,8 @@ Record in_setting : Prop := InSetting {
   its_proper : Forall (proper D) (Rows.rows sys);
   its_lengths : List.length (Rows.wrench sys) = D /\ List.length (Rows.direction sys) = D;
   nothing_slips : slipping s = [];
-  nothing_pushes : pushes s = no_push
+  nothing_pushes : pushes s = no_push;
+  its_bound : good_bound D (the_bound s) = true
 }.
 Hypothesis fit : in_setting.
 
@@ -653,20 +665,21 @@ Theorem stable_by_degree_in_box (two_sided : bool) (lambda : R) :
   degree_fails advisor two_sided most s g nodes = None ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Q2R (low_multiple g) <= lambda -> match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
-  Rows.stable_at sys lambda.
+  Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
   intros H Law Lo Hi. unfold degree_fails in H. fold D in H.
   destruct (free_motions D (is_a_simplex g) (wall_rows g)) as [free|] eqn:FM; [|discriminate].
   destruct (range_sound g s && all_free free s) eqn:RA; [|discriminate]. cbn [negb] in H.
   apply andb_true_iff in RA as [RS AF].
   destruct (inverted D free (direction_rows g)) as [[m inv]|] eqn:INV; [|discriminate].
+  destruct (bound_holds g free s) eqn:BH; [cbn [negb] in H|discriminate].
   destruct (two_sided && negb (law_holds advisor g s)) eqn:LH; [discriminate|].
   destruct (walk _ _ _ _ _ _ _ _) as [[? ?]|] eqn:W in H; [discriminate|]. clear H.
   destruct (range_sound_is RS) as (Range & L1 & L2).
   destruct (walls_bound _ _ _ _ FM) as (B & HB). destruct (free_lengths _ _ _ _ FM) as [FL EL].
   destruct (direction_inverse _ _ _ _ _ INV FL) as (LA & AL & Lm & HM & I1 & I2 & HA).
   unfold all_free in AF. apply andb_true_iff in AF as [FS AF]. rewrite forallb_forall in AF.
-  destruct fit as [(Fr & Fw & Fg) Fd Fp [Fl1 Fl2] Fs Fn].
+  destruct fit as [(Fr & Fw & Fg) Fd Fp [Fl1 Fl2] Fs Fn Fb].
   destruct (ways_to D _ _ Fr Fp FS) as (ways & WE & WW).
   destruct (part_of lambda Range Lo Hi) as (t1 & T1 & H1 & E1).
   destruct (middle_load_is _ _ Fw) as (w0 & Mw & W0 & Lw).
@@ -689,11 +702,11 @@ Proof.
      |unfold root_regions; apply Forall_app; split; [destruct (is_point s && one_multiple g); [constructor|]|];
        apply walls_good].
   rewrite Forall_forall in W.
-  assert (Point : forall q e, solves s (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i
+  assert (Point : forall q e, solves (without_bound s) (h_at g (part q) :: l_at g (part q) :: listed D (fun i => nth i
     (twist_at g (part q)) 0 + e i)) ->
     is_point s && one_multiple g = false -> on_wall D (map real (walls g)) e -> False).
   { intros q e S NP OW. destruct (K_real e OW) as [K X].
-    destruct (wall_home g D L1 L2 Range advisor solves [] s (part q) e) as (r & Hr & Home); try assumption.
+    destruct (wall_home g D L1 L2 Range advisor solves [] (without_bound s) (part q) e) as (r & Hr & Home); try assumption.
     - apply Part.
     - reflexivity.
     - constructor.
@@ -731,7 +744,7 @@ Proof.
   { intros q e fs c Q C F Bal. destruct (Nonneg _ (Part q)) as [H0 L0].
     exists (system_at q), (listed D (fun i => nth i (twist_at g (part q)) 0 + e i)), (h_at g (part q)),
       (l_at g (part q)), fs, c.
-    split; [reflexivity|]. split; [exact C|]. split; [|intros k r Hk; discriminate].
+    split; [reflexivity|]. split; [exact C|]. split; [|split; [intros k r Hk; discriminate|exact Logic.I]].
     constructor; cbn [middle_setting make_setting rows the_load middle_load load_growth]; try assumption.
     - rewrite map_all_is. destruct Q as [Q|Q].
       + cbn [system_at Rows.rows]. rewrite Q. now apply rows_in_middle with D.
@@ -746,7 +759,7 @@ Proof.
   assert (P1 : part 1 = t1) by (unfold part; rewrite C1; unfold mix; ring).
   destruct (stable_by_degree D system_at (fun q => h_at g (part q)) (fun q => l_at g (part q))
     (fun q => twist_at g (part q))) with (walls := map real (walls g)) (free := map real free) (B := B)
-    (A := map real (direction_rows g)) (M := map real m) (inverse := map real inv) as (e & fs & K & F & Bal).
+    (A := map real (direction_rows g)) (M := map real m) (inverse := map real inv) as (e & fs & K & Zf & F & Bal).
   - intros q. apply rows_proper with (rows s); [exact WW|apply clamp_range].
   - intros q. cbn. rewrite mixed_length, Lw by exact Lw. now split.
   - intros q q' Q C. apply cv_clamp in C. repeat split; cbn.
@@ -783,17 +796,28 @@ Proof.
     + apply (Point q e); [|reflexivity|exact OW]. destruct (Nonneg _ (Part q)) as [H0 L0].
       exists (system_at q), (listed D (fun i => nth i (twist_at g (part q)) 0 + e i)), (h_at g (part q)),
         (l_at g (part q)), fs, 0.
-      split; [reflexivity|]. split; [lra|]. split; [|intros k r Hk; rewrite Fs in Hk; discriminate].
-      constructor; try assumption.
+      split; [reflexivity|]. split; [lra|].
+      split; [|split; [intros k r Hk; cbn [without_bound slipping] in Hk; rewrite Fs in Hk; discriminate|exact Logic.I]].
+      constructor; cbn [without_bound rows the_load]; try assumption.
       * apply rows_fit_box with D; [exact WW|apply clamp_range|exact Made].
       * apply Ww.
-      * intros y. rewrite Fn, not_pushed. apply Bal.
+      * intros y. cbn [without_bound pushes]. rewrite Fn, not_pushed. apply Bal.
   - (* an equilibrium *)
     set (d := motion D (fun q => twist_at g (part q)) 1 e) in *.
     unfold forces_obey in F. fold d in F. cbn [system_at Rows.rows] in F. rewrite C1, P1 in F.
     unfold rows_at in F. rewrite WE in F.
     replace lambda with (l_at g t1 / h_at g t1) by (rewrite E1; field; lra).
-    apply (stable_by_multiple sys d (h_at g t1) (l_at g t1) fs H1).
+    assert (Bd : Rows.bounded (real_bound (the_bound s)) (h_at g t1) d).
+    { apply bounded_real. unfold bound_holds in BH. unfold good_bound in Fb. unfold h_at.
+      destruct (the_bound s) as [bs|]; [|exact Logic.I]. destruct (high_multiple g); [|discriminate].
+      apply andb_true_iff in Fb as [Lb _]. apply Nat.eqb_eq in Lb. rewrite Forall_map in Zf, K.
+      unfold d, motion. rewrite P1. eapply Forall2_weaker; [apply (K_within_is _ _ _ _ _ _ _ t1 e BH Lb)| ].
+      - congruence.
+      - apply T1.
+      - eapply Forall_impl; [|exact K]. intros f Hf; cbv beta in *; left; exact Hf.
+      - exact Zf.
+      - cbn. intros b z Hz. lra. }
+    refine (stable_by_multiple _ sys d (h_at g t1) (l_at g t1) fs H1 _ _ Bd).
     { eapply Forall_impl; [|exact Fp]. intros r P. apply (RowLimits.weights_positive _ _ P). }
     split; [unfold d, motion; now rewrite length_listed, Fd|]. split.
     + rewrite Law. destruct two_sided; [|exact F]. cbn in LH. apply negb_false_iff in LH.

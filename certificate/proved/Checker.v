@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Box Contacts Bodies Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
+From Proved Require Import Lists Question Cone Numbers Bound Box Contacts Bodies Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -63,7 +63,9 @@ Definition load_of (q : question) : option load :=
 (* The box that the question is about. *)
 Definition setting_of (bits : Z) (q : question) : option setting :=
   match rows_of bits q, load_of q with
-  | Some rows, Some ld => Some (make_setting (dimension q) rows ld no_push)
+  | Some rows, Some ld =>
+      if good_bound (dimension q) (max_motion q) then Some (make_setting (dimension q) rows ld no_push (max_motion q))
+      else None
   | _, _ => None
   end.
 
@@ -74,6 +76,17 @@ Definition is_one_grasp (s : setting) : bool :=
 (* No normal in space is uncertain. *)
 Definition straight (s : setting) : bool := forallb (fun r => negb (box_turns (box r))) (rows s).
 
+(* What is read, but not judged. *)
+Definition is_sticking (p : part) : bool := match p with PartSticking _ _ _ _ _ _ => true | _ => false end.
+
+Definition has_sticking (p : proof) : bool :=
+  match p with
+  | StableByParts parts => existsb is_sticking parts
+  | MarginInSpace claims =>
+      existsb (fun c => match c with ClaimStable _ _ (inl p) => is_sticking p | _ => false end) claims
+  | _ => false
+  end.
+
 Section Check.
 Variable advisor : oracle.
 
@@ -83,7 +96,7 @@ Definition refute (q : question) (s : setting) (ranges : list range) (nodes : li
 
 Definition check_witness (q : question) (s : setting) (w : witness) : answer :=
   if is_one_grasp s then
-    match check_at (bilateral q) (dimension q) (rows s) (the_load s) (Point (Some 0%Q) w) with
+    match check_at (bilateral q) (dimension q) (rows s) (the_load s) (the_bound s) (Point (Some 0%Q) w) with
     | inl _ => Stable
     | inr rule => Rejected rule Nowhere
     end
@@ -107,7 +120,7 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
     match order_fails (Some 0%Q) true resisted 0 with
     | Some number => Rejected "resisted-order" (AtInterval number)
     | None =>
-        match segments_fail (bilateral q) (dimension q) (rows s) (the_load s)
+        match segments_fail (bilateral q) (dimension q) (rows s) (the_load s) (the_bound s)
                 (segment_by_degree_fails advisor (bilateral q) (most_depth (rows s)) s) (unloaded s)
                 segments resisted None None 0 with
         | Some (rule, found_at) => Rejected rule found_at
@@ -122,6 +135,8 @@ Definition check_margin (q : question) (s : setting) (resisted : list (Q * optio
 
 (* ---- Claims ---- *)
 
+Definition is_bounded (s : setting) : bool := match the_bound s with Some _ => true | None => false end.
+
 (* Of the interval after one that ended with `before`. *)
 Definition in_order (stable : bool) (before : option Q) (lo : Q) (hi : option Q) : bool :=
   match before with
@@ -134,7 +149,7 @@ Definition in_order (stable : bool) (before : option Q) (lo : Q) (hi : option Q)
 (* Nothing, if a part or points hold all from lo to hi; without end, what holds 1 does. *)
 Definition holding_fails (q : question) (s : setting) (number : nat) (lo : Q) (hi : option Q)
     (evidence : part + list witness) : option answer :=
-  let at_ l w := check_at (bilateral q) (dimension q) (rows s) (the_load s) (Point (Some l) w) in
+  let at_ l w := check_at (bilateral q) (dimension q) (rows s) (the_load s) (the_bound s) (Point (Some l) w) in
   let low := match hi with None => 1%Q | Some _ => lo end in
   let high := match hi with None => 1%Q | Some h => h end in
   let failing rule second := Some (Rejected rule (AtPointOf number second)) in
@@ -180,7 +195,7 @@ Fixpoint check_claims (q : question) (s : setting) (claims : list claim) (before
   | [] => Claims (rev_append resisted []) (rev_append refuted [])
   | ClaimStable lo hi evidence :: rest =>
       if negb (in_order true before lo hi) then Rejected "interval-order" (AtInterval number)
-      else if match hi with None => negb (Qeq_bool lo 0 && unloaded s) | Some _ => false end
+      else if match hi with None => negb (Qeq_bool lo 0 && unloaded s && negb (is_bounded s)) | Some _ => false end
       then Rejected "interval-whole" (AtInterval number)
       else
         match holding_fails q s number lo hi evidence with
@@ -217,7 +232,7 @@ Definition check_region (q : question) (s : setting) (pieces : list (list load_p
   | Some (u, v) =>
       let n := dimension q in
       let w := load_box (the_load s) in
-      if Nat.eqb n 3 && is_one_grasp s && Nat.eqb (List.length w) n && Nat.eqb (List.length u) n &&
+      if Nat.eqb n 3 && is_one_grasp s && negb (is_bounded s) && Nat.eqb (List.length w) n && Nat.eqb (List.length u) n &&
          Nat.eqb (List.length v) n && forallb (fun r => does_not_grow (box r)) (rows s) then
         match pieces_fail (bilateral q) n (rows s) w u v pieces 0 with
         | Some (rule, found_at) => Rejected rule found_at
@@ -236,6 +251,8 @@ Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "numbers of the question"
   | Some s =>
+      if has_sticking (body c) then NotProvedHere "a part by sticking"
+      else
       match body c, is_margin q with
       | RegionBy pieces nodes, _ => check_region q s pieces nodes
       | OfClass p, _ =>

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (* The theorem: whatever the oracle says, the answers of the checker are true. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box RowsOfModels Contacts Fingers Bodies Load Leaf Tree Witness Margin
+From Proved Require Import Lists Question Cone Meaning Numbers Bound Root Box RowsOfModels Contacts Fingers Bodies Load Leaf Tree Witness Margin
   RowLimits Ways ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
   RigidClass RigidTrue Plane.
 From Proved Require Rows Model SpaceModel BodiesModel.
@@ -47,7 +47,8 @@ Record poses (q : question) (st : setting) (s : Rows.system) : Prop := Poses {
   posed_direction : map Q2R (load_growth (the_load st)) = Rows.direction s;
   posed_lengths : List.length (Rows.direction s) = List.length (Rows.wrench s);
   posed_shapes : List.length (Rows.wrench s) = Rows.dimension s /\ Forall (shaped_row (Rows.dimension s)) (Rows.rows s);
-  posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral
+  posed_law : Rows.normal s = if bilateral q then Model.bilateral else Model.unilateral;
+  posed_bound : the_bound st = max_motion q /\ good_bound (dimension_of st) (the_bound st) = true
 }.
 
 (* ---- Loads ---- *)
@@ -241,8 +242,8 @@ Lemma bodies_pose k (row_of : BodiesModel.contact k -> Rows.row)
 Proof.
   intros En Seen Lr H Ch. unfold setting_of, rows_of in H. pose proof Ch as (Sv & D & Nu & Eb & _ & _ & W & U & Law).
   rewrite Sv in H. destruct (mechanism_boxes _ _ _ _) as [boxes|] eqn:B; [|discriminate].
-  destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]. pose proof (load_grows _ _ Ld) as Grows. injection H as <-.
-  pose proof Nu as (Lw & Lu & _).
+  destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]. pose proof (load_grows _ _ Ld) as Grows.
+  destruct (good_bound _ _) eqn:Gb; [|discriminate]. injection H as <-. pose proof Nu as (Lw & Lu & _).
   constructor; cbn [rows the_load slipping dimension_of Rows.dimension Rows.wrench Rows.direction Rows.normal mechanism_rows
     pushes make_setting]; rewrite ?Grows; try assumption; try reflexivity; try (now split); try congruence.
   - apply seen_suits. eapply mechanism_seen; eassumption.
@@ -255,7 +256,8 @@ Proof.
   intros H C. destruct C as [(g & (Sv & D & F & W & U & N) & ->)|[(g & (Sv & D & F & W & U & N) & ->)|[C|C]]].
   1, 2: unfold setting_of, rows_of in H; rewrite Sv in H;
     destruct (enlarge_all bits (contacts q)) as [rws|] eqn:E; [|discriminate];
-    destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]; pose proof (load_grows _ _ Ld) as Grows; injection H as <-;
+    destruct (load_of q) as [ld|] eqn:Ld; [|discriminate]; pose proof (load_grows _ _ Ld) as Grows;
+    destruct (good_bound _ _) eqn:Gb; [|discriminate]; injection H as <-;
     (constructor; cbn [make_setting rows the_load slipping dimension_of Rows.dimension Rows.rows Rows.wrench Rows.direction
        Rows.normal grasp_rows space_grasp_rows]; rewrite ?Grows; try assumption; try reflexivity; try (now split);
      try (now apply (plane_load q)); try (now apply (space_load q));
@@ -278,38 +280,55 @@ Proof.
     + intros t. unfold finger_row. destruct (Req_EM_T _ _); reflexivity.
 Qed.
 
+(* Rows are stable with a motion within the bound of the question. *)
+Notation stable_in q s := (Rows.stable_at (within_bound q) s).
+
+Lemma within_bounded q d : within_bound q d <-> Rows.bounded (real_bound (max_motion q)) 1 d.
+Proof.
+  rewrite bounded_real. unfold within_bound. destruct (max_motion q) as [most|]; [|tauto].
+  split; intros F; induction F; constructor; try assumption; lra.
+Qed.
+
+Lemma stable_bounded q st s l : poses q st s -> Rows.stable_at (Rows.bounded (real_bound (the_bound st)) 1) s l <-> stable_in q s l.
+Proof.
+  intros []. destruct posed_bound0 as [-> _]. split; intros (d & fs & B & E); exists d, fs; (split; [|exact E]);
+    now apply within_bounded.
+Qed.
+
 (* What an answer says, of rows. *)
 Definition true_of_rows (q : question) (a : answer) : Prop :=
   match a with
-  | Stable => forall s, choice_of q s -> Rows.stable_at s 0
-  | Unstable => forall s, choice_of q s -> ~ Rows.stable_at s 0
+  | Stable => forall s, choice_of q s -> stable_in q s 0
+  | Unstable => forall s, choice_of q s -> ~ stable_in q s 0
   | Margin intervals => forall s, choice_of q s -> forall l, 0 <= l ->
-      (Rows.stable_at s l <-> Exists (among l) intervals)
+      (stable_in q s l <-> Exists (among l) intervals)
   | Claims resisted refuted => forall s, choice_of q s -> forall l, 0 <= l ->
-      (Exists (among l) resisted -> Rows.stable_at s l) /\
-      (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)
+      (Exists (among l) resisted -> stable_in q s l) /\
+      (Exists (refuted_by l) refuted -> ~ stable_in q s l)
   | Class c => forall s, choice_of q s -> exists mass, masses (inertia q) = Some mass /\
       List.length mass = Rows.dimension s /\
       (good_mass (Rows.dimension s) (map real mass) -> is_of_class c (repeat 0 (Rows.dimension s)) (can_rows mass s))
   | Region pieces => forall s, choice_of q s -> forall u v, load_plane q = Some (u, v) -> Rows.dimension s = 3%nat ->
       forall a b w, (forall y, Rows.dot w y = Rows.dot (Rows.wrench s) y + a * Rows.dot (real u) y + b * Rows.dot (real v) y) ->
-      (Rows.stable_at (loaded s w) 0 <-> Exists (in_piece a b) pieces)
+      (stable_in q (loaded s w) 0 <-> Exists (in_piece a b) pieces)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
 
 (* What is said of all multiples is said of rows. *)
 Lemma of_all_rows q (P : (R -> Prop) -> Prop) : (forall A B, (forall l, A l <-> B l) -> P B -> P A) ->
-  (forall s, choice_of q s -> P (Rows.stable_at s)) -> of_all q P.
+  (forall s, choice_of q s -> P (Rows.stable_at (within_bound q) s)) -> of_all q P.
 Proof.
   intros Same H. unfold of_all. repeat split.
-  - intros g C. apply Same with (2 := H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl)))). intros l. apply stable_as_rows.
-  - intros g C. apply Same with (Rows.stable_at (space_grasp_rows g)); [apply space_stable_as_rows|].
+  - intros g C. apply Same with (2 := H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl)))). intros l.
+    apply (stable_as_rows (within_bound q)).
+  - intros g C. apply Same with (Rows.stable_at (within_bound q) (space_grasp_rows g));
+      [intros l; apply (space_stable_as_rows (within_bound q))|].
     apply H. right; left. now exists g.
-  - intros m C. apply Same with (Rows.stable_at (plane_mechanism m)).
+  - intros m C. apply Same with (Rows.stable_at (within_bound q) (plane_mechanism m)).
     + intros l. destruct C as (its & _ & Ch). apply plane_mechanism_stable. apply Ch.
     + apply H. right; right; left. now exists m.
-  - intros m C. apply Same with (Rows.stable_at (space_mechanism m)).
+  - intros m C. apply Same with (Rows.stable_at (within_bound q) (space_mechanism m)).
     + intros l. destruct C as (its & _ & Ch). apply space_mechanism_stable; [apply Ch|].
       destruct Ch as (_ & _ & _ & _ & T & _). clear - T.
       induction T as [|c t cs ts ((_ & _ & N) & _) T IH]; constructor; [exact N|exact IH].
@@ -331,7 +350,7 @@ Proof.
     + destruct (H (space_grasp_rows g)) as (m & M & Lm & Cl); [right; left; now exists g|].
       destruct (space_mass _ _ M Lm) as (i & In_q & E & G). exists i. split; [exact In_q|].
       apply (space_class _ g i m E). apply Cl. rewrite E. now apply space_mass_good.
-  - intros g C a b g' (u & v & Pl & u' & v' & Eu & Ev & ->). unfold Model.stable. rewrite stable_as_rows.
+  - intros g C a b g' (u & v & Pl & u' & v' & Eu & Ev & ->). rewrite (stable_as_rows (within_bound q)).
     apply (H (grasp_rows g) (or_introl (ex_intro _ g (conj C eq_refl))) u v Pl eq_refl a b
       (motion_list (Model.add (Model.wrench g) (Model.add (Model.scale a u') (Model.scale b v'))))).
     intros y. unfold real. rewrite Eu, Ev. change (three_numbers u') with (motion_list u').
@@ -345,10 +364,11 @@ Variable advisor : oracle.
 (* Where trees about ranges are accepted, no multiple in these ranges has an equilibrium. *)
 Theorem refute_correct q st s ranges nodes lambda : poses q st s ->
   refute advisor q st ranges nodes = None -> 0 <= lambda ->
-  Exists (fun r => in_range r lambda) ranges -> ~ Rows.stable_at s lambda.
+  Exists (fun r => in_range r lambda) ranges -> ~ stable_in q s lambda.
 Proof.
-  intros P R L X (d & fs & Ld & O & B). destruct P. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D _].
-  apply (refuted_multiple advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP);
+  intros P R L X St. apply (stable_bounded q st s lambda P) in St as (d & fs & Bd & Ld & O & B).
+  destruct P. destruct posed_slipping0 as [NS NP], posed_dimension0 as [D _], posed_bound0 as [_ Gb].
+  apply (refuted_multiple advisor (most_depth (rows st)) (bilateral q) st ranges nodes s lambda d fs NS NP Gb);
     try assumption.
   - congruence.
   - constructor; try assumption; lra.
@@ -356,7 +376,7 @@ Qed.
 
 Lemma posed_fits q st s : poses q st s -> straight st = true -> Forall2 fits (rows st) (Rows.rows s).
 Proof.
-  intros [Su _ _ _ _ _ _ _] St. unfold straight in St. revert St.
+  intros [Su _ _ _ _ _ _ _ _] St. unfold straight in St. revert St.
   induction Su as [|row r rows rs H Su IH]; intros St; constructor; cbn in St; apply andb_true_iff in St as [Sr St].
   - apply suits_fits; [exact H|]. now apply negb_true_iff.
   - now apply IH.
@@ -373,6 +393,7 @@ Proof.
     + destruct (Forall_inv Sh) as (A & B & C). now apply (seen_proper _ (box row)).
     + apply IH. exact (Forall_inv_tail Sh).
   - split; congruence.
+  - apply posed_bound0.
 Qed.
 
 Lemma one_grasp q st s : poses q st s -> is_one_grasp st = true ->
@@ -406,17 +427,19 @@ Qed.
 
 Lemma evidence_holds q st number lo hi evidence s l : poses q st s ->
   holding_fails advisor q st number lo hi evidence = None ->
-  (hi = None -> Qeq_bool lo 0 && unloaded st = true) -> 0 <= l -> among l (lo, hi) -> Rows.stable_at s l.
+  (hi = None -> Qeq_bool lo 0 && unloaded st && negb (is_bounded st) = true) -> 0 <= l -> among l (lo, hi) -> stable_in q s l.
 Proof.
-  intros P H Whole L [A B]. cbn [fst snd] in A, B. unfold holding_fails in H.
+  intros P H Whole L [A B]. apply (stable_bounded q st s l P). cbn [fst snd] in A, B. unfold holding_fails in H.
   set (low := match hi with None => 1%Q | Some _ => lo end) in *.
   set (high := match hi with None => 1%Q | Some h => h end) in *.
   pose proof (posed_in_setting _ _ _ P) as In_s.
   (* From low to high, or 1 alone. *)
-  assert (Here : (forall l, Q2R low <= l <= Q2R high -> Rows.stable_at s l) -> Rows.stable_at s l).
+  assert (Here : (forall l, Q2R low <= l <= Q2R high -> Rows.stable_at (Rows.bounded (real_bound (the_bound st)) 1) s l) ->
+    Rows.stable_at (Rows.bounded (real_bound (the_bound st)) 1) s l).
   { intros St. destruct hi as [h|]; [apply St; unfold low, high; lra|].
-    specialize (Whole eq_refl). apply andb_true_iff in Whole as [_ U].
-    apply (unloaded_stable s st l In_s U L). apply St. unfold low, high. rewrite Q2R_1. lra. }
+    specialize (Whole eq_refl). rewrite !andb_true_iff in Whole. destruct Whole as [[_ U] NB].
+    assert (None_ : the_bound st = None) by (unfold is_bounded in NB; destruct (the_bound st); [discriminate|reflexivity]).
+    apply (unloaded_stable s st l In_s U L None_). apply St. unfold low, high. rewrite Q2R_1. lra. }
   destruct evidence as [p|points].
   - destruct (part_fails _ _ _ _ _ _ _) as [[rule node]|] eqn:K; [discriminate|]. apply Here. intros l' L'.
     exact (part_stable _ _ _ s (posed_law _ _ _ P) _ _ _ _ l' K In_s L').
@@ -424,13 +447,13 @@ Proof.
     destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi.
     destruct P. destruct posed_dimension0 as [_ D]. rewrite D in H.
     apply Here. intros l' [L1 L2]. destruct points as [|w more]; [discriminate|].
-    destruct (check_at _ _ _ _ (Point (Some low) w)) as [ss|] eqn:K; [|discriminate].
+    destruct (check_at _ _ _ _ _ (Point (Some low) w)) as [ss|] eqn:K; [|discriminate].
     destruct more as [|w' more].
     + destruct (Qeq_bool low high) eqn:T; [|discriminate]. apply Qeq_bool_R in T.
       replace l' with (Q2R low) by lra. eapply point_resists; try eassumption. reflexivity.
-    + destruct (check_at _ _ _ _ (Point (Some high) w')) as [ss'|] eqn:K'; [|discriminate].
+    + destruct (check_at _ _ _ _ _ (Point (Some high) w')) as [ss'|] eqn:K'; [|discriminate].
       destruct (same_mode ss ss') eqn:M; [|discriminate].
-      exact (segment_resists _ _ _ _ Fi E Lo posed_law0 _ _ _ _ low l' K K' M eq_refl L1 L2).
+      exact (segment_resists _ _ _ _ _ Fi E Lo posed_law0 _ _ _ _ low l' K K' M eq_refl L1 L2).
 Qed.
 
 Theorem claims_true q st : (forall s, choice_of q s -> poses q st s) ->
@@ -442,12 +465,12 @@ Proof.
   intros P. induction claims as [|cl claims IH]; intros before number resisted refuted B0 T; cbn [check_claims];
     [exact T|].
   assert (T' : forall s, choice_of q s -> forall l, 0 <= l ->
-    (Exists (among l) resisted -> Rows.stable_at s l) /\ (Exists (refuted_by l) refuted -> ~ Rows.stable_at s l)).
+    (Exists (among l) resisted -> stable_in q s l) /\ (Exists (refuted_by l) refuted -> ~ stable_in q s l)).
   { intros s C l L. destruct (T s C l L) as [A B]. rewrite !rev_append_rev, !app_nil_r in *.
     split; intros E; [apply A|apply B]; now apply Exists_rev. }
   assert (Back : forall resisted' refuted',
     (forall s, choice_of q s -> forall l, 0 <= l ->
-      (Exists (among l) resisted' -> Rows.stable_at s l) /\ (Exists (refuted_by l) refuted' -> ~ Rows.stable_at s l)) ->
+      (Exists (among l) resisted' -> stable_in q s l) /\ (Exists (refuted_by l) refuted' -> ~ stable_in q s l)) ->
     true_of_rows q (Claims (rev_append resisted' []) (rev_append refuted' []))).
   { intros r1 r2 H s C l L. rewrite !rev_append_rev, !app_nil_r. destruct (H s C l L) as [A B].
     split; intros E; apply Exists_rev in E; rewrite rev_involutive in E; [now apply A|now apply B]. }
@@ -478,6 +501,7 @@ Qed.
 Theorem check_of_rows q c : true_of_rows q (check advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
+  destruct (has_sticking (body c)); [exact I|].
   assert (P := fun s => choice_poses _ _ _ s S).
   assert (Rigid_ : forall p, true_of_rows q (match inertia q with
       | [] => NotProvedHere "a proof of something else than was asked"
@@ -496,11 +520,15 @@ Proof.
     - congruence. }
   assert (Region_ : forall pieces nodes, true_of_rows q (check_region advisor q st pieces nodes)).
   { intros pieces nodes. unfold check_region. destruct (load_plane q) as [[u v]|] eqn:Pl; [|exact I].
-    destruct (_ && _) eqn:Ch; [|exact I]. rewrite !andb_true_iff in Ch. destruct Ch as [[[[[D3 X] Lw] Lu] Lv] G].
+    destruct (_ && _) eqn:Ch; [|exact I]. rewrite !andb_true_iff in Ch. destruct Ch as [[[[[[D3 X] NB] Lw] Lu] Lv] G].
     destruct (pieces_fail _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Pf; [exact I|].
     destruct (plane_fails _ _ _ _ _ _ _ _ _ _) as [[? ?]|] eqn:Tf; [exact I|].
     apply Nat.eqb_eq in D3, Lw, Lu, Lv.
     intros s C u' v' Pl' _ a b w Ew. rewrite Pl in Pl'. injection Pl' as <- <-. specialize (P s C).
+    assert (St : stable_in q (loaded s w) 0 <-> Rows.stable_at (Rows.bounded None 1) (loaded s w) 0).
+    { pose proof (proj1 (posed_bound _ _ _ P)) as Eb. unfold is_bounded in NB. rewrite Eb in NB.
+      unfold within_bound. now destruct (max_motion q). }
+    rewrite St. clear St.
     destruct (one_grasp _ _ _ P X) as (E & Lo & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P.
     destruct posed_dimension0 as [_ D]. rewrite D in *. destruct Lo as [L1 L2 _ _].
     pose proof (one_load_is _ _ L1 L2) as W. pose proof (one_load_box _ _ L1 L2) as Wb.
@@ -515,7 +543,7 @@ Proof.
     [| | | | |now apply Rigid_|now apply Region_]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
-    destruct (check_at _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C).
+    destruct (check_at _ _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C). apply (stable_bounded q st s 0 P).
     destruct (one_grasp _ _ _ P X) as (E & L & Sg). pose proof (posed_fits _ _ _ P Sg) as Fi.
     destruct P. destruct posed_dimension0 as [_ D]. rewrite D in W.
     replace 0 with (Q2R 0) by apply Q2R_0.
@@ -523,7 +551,7 @@ Proof.
   - (* parts *)
     unfold check_parts. destruct (parts_fail _ _ _ _ _ _) as [[rule at_]|] eqn:Pf; [exact I|].
     intros s C. specialize (P s C).
-    pose proof (parts_stable advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A.
+    pose proof (parts_stable advisor _ _ s (posed_law _ _ _ P) _ _ _ Pf) as A. apply (stable_bounded q st s 0 P).
     apply (Forall_inv A). cbn. now apply posed_in_setting with q.
   - (* a tree *)
     unfold check_tree. destruct (refute _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
@@ -533,12 +561,12 @@ Proof.
   - (* a margin *)
     unfold check_margin. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (order_fails _ _ resisted 0); [exact I|].
-    destruct (segments_fail _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
+    destruct (segments_fail _ _ _ _ _ _ _ segments resisted None None 0) as [[rule at_]|] eqn:SF; [exact I|].
     destruct (refute _ _ _ _ _) as [[rule number]|] eqn:R; [exact I|].
     intros s C lambda L0. specialize (P s C). destruct (one_grasp _ _ _ P X) as (E & L & Sg). split.
     + intros St. destruct (gaps_cover resisted lambda L0) as [A|G]; [exact A|].
       exfalso. exact (refute_correct q st s _ nodes lambda P R L0 G St).
-    + intros A. pose proof (posed_in_setting q st s P) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
+    + intros A. apply (stable_bounded q st s lambda P). pose proof (posed_in_setting q st s P) as In_s. pose proof (posed_fits _ _ _ P Sg) as Fi. destruct P. destruct posed_dimension0 as [_ D].
       rewrite D in SF. eapply segments_resist; try eassumption; [|discriminate|].
       { intros a b d1 d2 walls direction tree l Hd Z La Lb.
         eapply (segment_by_degree_resists advisor); eassumption. }

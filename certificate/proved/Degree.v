@@ -491,7 +491,7 @@ Qed.
 
 (* The system in question has an equilibrium inside of K. *)
 Theorem stable_by_degree : exists e fs, Forall (fun f => dot f (listed D e) < 1) walls /\
-  forces_obey 1 e fs /\ forall y, total_work 1 fs y = 0.
+  Forall (fun z => dot z (listed D e) = 0) free /\ forces_obey 1 e fs /\ forall y, total_work 1 fs y = 0.
 Proof.
   assert (Unit : forall e j, (j < D)%nat -> dot (basis_vector D j) (times A (listed D e)) + spread free
     (basis_vector D j) (listed D e) =
@@ -520,10 +520,10 @@ Proof.
   - intros k e j J. unfold net, portion. rewrite Rmin_right by lra. rewrite <- Unit by exact J. ring.
   - intros phi s s' e e' P S E Rg Z. now apply (balance_closed phi s s' e e').
   - apply no_balance_on_walls.
-  - destruct (no_free_part _ _ _ _ _ F H) as [_ Sp].
+  - destruct (no_free_part _ _ _ _ _ F H) as [Z Sp].
     assert (L : later 2 = 1) by (unfold later; rewrite Rmax_right; lra).
     assert (P : portion 2 = 1) by (unfold portion; rewrite Rmin_left; lra). rewrite L in *.
-    exists e, fs. split; [|split; [exact F|]].
+    exists e, fs. split; [|split; [exact Z|split; [exact F|]]].
     + destruct (proj1 (gap_least e (gap e)) (Rle_refl _)) as [_ X]. unfold all_walls in X.
       rewrite Forall_app in X. eapply Forall_impl; [|apply X]. cbn. intros; lra.
     + intros y. specialize (H y). rewrite Sp, P in H. lra.

@@ -1,9 +1,10 @@
 (* SPDX-License-Identifier: MIT *)
-(* Proofs by degree (FORMAT.md section 6): the rules degree-walls and degree-direction, which are about the rows
-   of E and A alone.  `walls_bound`: with the free motions that it finds, K is bounded.  `direction_inverse`: A
-   has an inverse, once z z^T is added for each free motion. *)
-From Coq Require Import List Arith ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Question Root Box Brouwer RowLimits Degree Matrix.
+(* Proofs by degree (FORMAT.md section 6): the rules degree-walls, degree-direction and degree-bound, which are about
+   the rows of E and A alone, and d' and d''.  `walls_bound`: with the free motions that it finds, K is bounded.
+   `direction_inverse`: A has an inverse, once z z^T is added for each free motion.  `K_within`: K is within the bound
+   of motions. *)
+From Coq Require Import List Arith ZArith QArith Qreals Qminmax Reals Lra Lia Bool.
+From Proved Require Import Question Root Box Brouwer RowLimits Degree Matrix Between.
 From Proved Require Rows.
 Import ListNotations.
 
@@ -34,10 +35,13 @@ Definition is_simplex (n : nat) (e : matrix) : bool :=
   | _ => false
   end.
 
+(* D rows that are independent, if degree-walls holds. *)
+Definition frame (simplex : bool) (e free : matrix) : matrix := (if simplex then removelast e else e) ++ free.
+
 (* The free motions, or None if degree-walls does not hold. *)
 Definition free_motions (n : nat) (simplex : bool) (e : matrix) : option matrix :=
   let free := kernel n e in
-  let all := (if simplex then removelast e else e) ++ free in
+  let all := frame simplex e free in
   if all_of_length n e && all_of_length n free && is_inverse n (inverse_of n all) all &&
      (negb simplex || is_simplex n e)
   then Some free else None.
@@ -54,6 +58,39 @@ Definition inverted (n : nat) (free a : matrix) : option (matrix * matrix) :=
      forallb (fun z => forallb (fun r => is_zero (inner r z)) a && same_vectors (of_rows z a) (zeros n)) free &&
      is_inverse n inverse m && is_inverse n m inverse
   then Some (m, inverse) else None.
+
+(* Numbers of walls, all of 0 or more, with which these are a sum that rows of E are with y; as small as can be. *)
+Definition wall_numbers (n : nat) (simplex : bool) (e : matrix) (y : vector) : vector :=
+  if simplex then
+    let c := match kernel (List.length e) (transpose n e) with
+             | [c] => if all_positive c then c else opposite c
+             | _ => []
+             end in
+    let them := combine (y ++ [0]) c in
+    let least := fold_right (fun p m => Qmin (fst p / snd p) m) 0 them in
+    map (fun p => reduced (fst p - least * snd p)) them
+  else flat_map (fun q => if Qle_bool 0 q then [q; 0] else [0; - q]) y.
+
+(* The most that target.e is on K where no z.e is other than 0; y says what the target is a sum of. *)
+Definition most_in_K (n : nat) (simplex : bool) (e free : matrix) (target y : vector) : option Q :=
+  let rank := if simplex then pred (List.length e) else List.length e in
+  let m := wall_numbers n simplex e (firstn rank y) in
+  let walls := walls_of simplex e in
+  if forallb (Qle_bool 0) m && Nat.eqb (List.length m) (List.length walls) &&
+     same_vectors (of_rows (m ++ skipn rank y) (walls ++ free)) target
+  then Some (fold_right (fun q s => reduced (q + s)) 0 m) else None.
+
+(* Whether d + e is within the bound for these d, and all these e. *)
+Definition K_within (n : nat) (simplex : bool) (e free : matrix) (most : vector) (ds : matrix) : bool :=
+  let inverse := inverse_of n (frame simplex e free) in
+  forallb (fun j =>
+    let unit := unit_vector n j in
+    let y := nth j inverse [] in
+    let b := nth j most 0 in
+    match most_in_K n simplex e free unit y, most_in_K n simplex e free (opposite unit) (opposite y) with
+    | Some up, Some down => forallb (fun d => Qle_bool (nth j d 0 + up) b && Qle_bool (down - nth j d 0) b) ds
+    | _, _ => false
+    end) (seq 0 n).
 
 End Rules.
 
@@ -143,7 +180,7 @@ Theorem walls_bound n simplex e free : free_motions n simplex e = Some free ->
     Forall (fun z => -1 <= Rows.dot (real z) d <= 1) free ->
     forall i, (i < n)%nat -> - B i <= nth i d 0 <= B i.
 Proof.
-  unfold free_motions. set (all := _ ++ _). destruct (_ && _) eqn:H; [|discriminate]. intros E. injection E as <-.
+  unfold free_motions. set (all := frame _ _ _). destruct (_ && _) eqn:H; [|discriminate]. intros E. injection E as <-.
   rewrite !andb_true_iff in H. destruct H as [[[_ _] I] S].
   assert (W : exists C, forall d, Forall (fun a => Rows.dot (real a) d <= 1) (walls_of simplex e) ->
     Forall (fun a => Rabs (Rows.dot (real a) d) <= C) e).
@@ -157,7 +194,7 @@ Proof.
   exists (fun i => Rmax C 1 * fold_right (fun q s => Rabs (Q2R q) + s) 0 (nth i (inverse_of n all) [])).
   intros d L F Z i Hi. specialize (HC d F).
   assert (All : Forall (fun a => Rabs (Rows.dot (real a) d) <= Rmax C 1) all).
-  { pose proof (Rmax_l C 1). pose proof (Rmax_r C 1). unfold all. apply Forall_app. split.
+  { pose proof (Rmax_l C 1). pose proof (Rmax_r C 1). unfold all, frame. apply Forall_app. split.
     - assert (G : Forall (fun a => Rabs (Rows.dot (real a) d) <= Rmax C 1) e)
         by (eapply Forall_impl; [|exact HC]; cbn; intros; lra).
       destruct simplex; [|exact G]. rewrite Forall_forall in *. intros a Ha. apply G.
@@ -223,6 +260,63 @@ Proof.
   - intros e L. now apply (is_inverse_times n).
   - intros z e Hz. rewrite forallb_forall in Z. specialize (Z z Hz). apply andb_true_iff in Z as [_ Z].
     apply same_vectors_real in Z. rewrite zeros_real in Z. rewrite <- dot_of_rows, Z, dot_sym. apply dot_zeros.
+Qed.
+
+Lemma most_in_K_is n simplex e free target y b d : most_in_K n simplex e free target y = Some b ->
+  Forall (fun f => Rows.dot (real f) d <= 1) (walls_of simplex e) -> Forall (fun z => Rows.dot (real z) d = 0) free ->
+  Rows.dot (real target) d <= Q2R b.
+Proof.
+  unfold most_in_K. set (rank := if simplex then _ else _). set (m := wall_numbers _ _ _ _). set (walls := walls_of _ _).
+  destruct (_ && _) eqn:H; [|discriminate]. rewrite !andb_true_iff in H. destruct H as [[P L] S]. intros E F Z. injection E as <-.
+  apply Nat.eqb_eq in L. apply same_vectors_real in S. rewrite <- S, dot_of_rows.
+  clearbody m walls. generalize (skipn rank y). clear S rank y target. intros w.
+  revert walls L F. induction m as [|q m IH]; intros [|f walls] L F; try discriminate; cbn [app map times real Rows.dot fold_right].
+  - rewrite Q2R_0. right. revert w. clear F. induction Z as [|z free Hz Z IH]; intros [|q w]; cbn; try reflexivity.
+    rewrite Hz. unfold times, real in *. rewrite IH. ring.
+  - cbn [forallb] in P. apply andb_true_iff in P as [Pq P]. apply Qle_bool_R in Pq. rewrite Q2R_0 in Pq.
+    rewrite reduced_same, Q2R_plus. inversion F as [|? ? F1 F2]; subst. specialize (IH P walls ltac:(now injection L) F2).
+    unfold times, real in *. rewrite map_app, map_map in *. assert (Q2R q * Rows.dot (map Q2R f) d <= Q2R q) by nra. lra.
+Qed.
+
+Lemma Forall2_listed (P : Q -> R -> Prop) n most (f : vec) : List.length most = n ->
+  (forall j, (j < n)%nat -> P (nth j most 0%Q) (f j)) -> Forall2 P most (listed n f).
+Proof.
+  revert n f. induction most as [|b most IH]; intros [|n] f L H; try discriminate; cbn; constructor.
+  - exact (H O ltac:(lia)).
+  - apply IH; [now injection L|]. intros j J. exact (H (S j) ltac:(lia)).
+Qed.
+
+Lemma nth_mixed t a b j : List.length a = List.length b -> nth j (mixed t a b) 0 = mix t (nth j a 0) (nth j b 0).
+Proof.
+  revert b j. induction a as [|x a IH]; intros [|y b] j L; try discriminate.
+  - unfold mix. destruct j; cbn; ring.
+  - destruct j as [|j]; cbn; [reflexivity|]. apply IH. now injection L.
+Qed.
+
+Lemma nth_real j d : nth j (real d) 0 = Q2R (nth j d 0%Q).
+Proof. rewrite <- Q2R_0 at 1. unfold real. apply map_nth. Qed.
+
+(* What degree-bound says. *)
+Theorem K_within_is n simplex e free most d1 d2 t (x : vec) : K_within n simplex e free most [d1; d2] = true ->
+  List.length most = n -> List.length d1 = List.length d2 -> 0 <= t <= 1 ->
+  Forall (fun f => Rows.dot (real f) (listed n x) <= 1) (walls_of simplex e) ->
+  Forall (fun z => Rows.dot (real z) (listed n x) = 0) free ->
+  Forall2 (fun b x => Rabs x <= Q2R b) most (listed n (fun i => nth i (mixed t (real d1) (real d2)) 0 + x i)).
+Proof.
+  intros H Lm Ld T F Z. apply Forall2_listed; [exact Lm|]. intros j J. unfold K_within in H. rewrite forallb_forall in H.
+  specialize (H j ltac:(apply in_seq; lia)). cbv zeta in H. set (y := nth j (inverse_of n (frame simplex e free)) []) in *.
+  destruct (most_in_K n simplex e free (unit_vector n j) y) as [up|] eqn:U; [|discriminate].
+  destruct (most_in_K n simplex e free (opposite (unit_vector n j)) (opposite y)) as [down|] eqn:Dn; [|discriminate].
+  apply (most_in_K_is _ _ _ _ _ _ _ _ U F) in Z as Up. apply (most_in_K_is _ _ _ _ _ _ _ _ Dn F) in Z as Down.
+  rewrite dot_opposite in Down. rewrite (unit_vector_is n j J), dot_sym, dot_unit, nth_listed in Up, Down by exact J.
+  cbn [forallb] in H. rewrite !andb_true_iff in H. destruct H as [[A1 A2] [[B1 B2] _]]. apply Qle_bool_R in A1, A2, B1, B2.
+  rewrite Q2R_plus in A1, B1. rewrite Q2R_minus in A2, B2.
+  rewrite nth_mixed by (unfold real; rewrite !map_length; exact Ld). rewrite !nth_real. unfold mix.
+  set (p := Q2R (nth j d1 0%Q)) in *. set (q := Q2R (nth j d2 0%Q)) in *. apply Rabs_le.
+  assert (0 <= (1 - t) * (Q2R (nth j most 0%Q) - (p + Q2R up))) by (apply Rmult_le_pos; lra).
+  assert (0 <= t * (Q2R (nth j most 0%Q) - (q + Q2R up))) by (apply Rmult_le_pos; lra).
+  assert (0 <= (1 - t) * (Q2R (nth j most 0%Q) - (Q2R down - p))) by (apply Rmult_le_pos; lra).
+  assert (0 <= t * (Q2R (nth j most 0%Q) - (Q2R down - q))) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
 End Proofs.

@@ -54,6 +54,13 @@ Definition is_case (common : list interval) (value : json) (named : string * lis
     forall w, find_member "wrench" own = Some w ->
       exists v, is_box w v /\ snd named = add_wrench v common.
 
+(** A number for each coordinate, or one for all lengths and one for all angles. *)
+Definition is_bound (in_space : bool) (count : nat) (value : json) (bound : list Q) : Prop :=
+  is_vector value bound \/
+  (exists them l a length angle, value = Object them /\ find_member "length" them = Some l /\
+     find_member "angle" them = Some a /\ is_number l length /\ is_number a angle /\
+     bound = bound_of in_space count length angle).
+
 Definition is_grasp (value : json) (g : grasp) : Prop :=
   exists file, value = Object file /\
     (exists items, find_member "contacts" file = Some (Array items) /\
@@ -63,7 +70,11 @@ Definition is_grasp (value : json) (g : grasp) : Prop :=
        common_wrench g = repeat (exactly 0) (if in_space g then 6 else 3)) /\
     (forall them, find_member "cases" file = Some them ->
        exists items, them = Array items /\ Forall2 (is_case (common_wrench g)) items (cases g)) /\
-    (find_member "cases" file = None -> cases g = []).
+    (find_member "cases" file = None -> cases g = []) /\
+    match find_member "max_motion" file with
+    | Some it => exists bound, bound_read g = Some bound /\ is_bound (in_space g) (if in_space g then 6 else 3) it bound
+    | None => bound_read g = None
+    end.
 
 (** ---- Proofs ---- *)
 
@@ -229,13 +240,29 @@ Proof.
   - split; [exact Fn|]. intros u U. rewrite U in W. destruct W as (a & E & _). discriminate.
 Qed.
 
+Lemma above_0_says at_path value x : read_above_0 at_path value = Fine x -> is_number value x.
+Proof. unfold read_above_0. intros H. step H y Y. step H u U. injection H as <-. eapply read_decimal_is, Y. Qed.
+
+Lemma bound_says in_space joints count at_path value bound : read_bound in_space joints count at_path value = Fine bound ->
+  is_bound in_space count value bound.
+Proof.
+  unfold read_bound. intros H.
+  assert (G : forall what, read_sized (Z.of_nat count) what read_above_0 at_path value = Fine bound ->
+    is_bound in_space count value bound).
+  { intros what E. left. eapply sized_says; [|exact E]. intros. eapply above_0_says; eassumption. }
+  destruct value as [| | | | |them]; try (exact (G _ H)). clear G. step H u U. step H ms M. apply members_say in M.
+  step H l L. step H a A. injection H as <-.
+  apply member_says in L as (vl & Fl & L), A as (va & Fa & A). right. exists ms, vl, va, l, a.
+  repeat split; try assumption; [eapply above_0_says, L|eapply above_0_says, A].
+Qed.
+
 Theorem read_grasp_says value g : read_grasp value = Fine g -> is_grasp value g.
 Proof.
   unfold read_grasp. intros H. step H file M. apply members_say in M. step H v V. step H u1 U1. step H u2 U2.
   step H outline Oo. step H u3 U3. step H given D. step H them C. step H own W. step H loads L. step H named Nm.
-  step H u4 U4. step H u5 U5. injection H as <-.
-  apply member_says in C as (vc & Fc & C). apply optional_says in D, W, L, Nm.
-  exists file. split; [exact M|]. cbn. split; [|split; [|split; [|split]]].
+  step H bound Bo. step H u4 U4. step H u5 U5. injection H as <-.
+  apply member_says in C as (vc & Fc & C). apply optional_says in D, W, L, Nm, Bo.
+  exists file. split; [exact M|]. cbn. split; [|split; [|split; [|split; [|split]]]].
   - destruct vc as [| | | |items|]; try discriminate. step C u6 U6. exists items. split; [exact Fc|].
     eapply each_says; [|exact C]. intros at_path item it. cbv beta.
     set (props := match given with Some it => it | None => _ end).
@@ -257,13 +284,16 @@ Proof.
     destruct it as [name w]. destruct I as (them & -> & Fn & Ss). exists them. split; [reflexivity|]. split; [exact Fn|].
     intros u U. exists w. split; [exact (Ss u U)|reflexivity].
   - intros Fs. rewrite Fs in Nm. now subst named.
+  - destruct (find_member "max_motion" file); [|exact Bo]. destruct Bo as (b & -> & B). exists b. split; [reflexivity|].
+    eapply bound_says, B.
 Qed.
 
 Lemma bodies_are_read value g : read_grasp_of_bodies value = Fine g -> bodies_read g <> None.
 Proof.
   unfold read_grasp_of_bodies. intros H. step H ms M. step H u1 U1. step H u2 U2. step H bs B. step H js J. step H u3 U3.
   step H u4 U4. step H rs R. step H ss Sp. step H ts T. step H ds D. destruct (match ds with Some it => it | None => _ end).
-  step H cs C. step H w W. step H l L. step H u5 U5. step H ns Ns. injection H as <-. discriminate.
+  step H cs C. step H w W. step H l L. step H u5 U5. step H ns Ns. step H bound Bo. injection H as <-.
+  discriminate.
 Qed.
 
 (** Of a file of several bodies nothing is said. *)

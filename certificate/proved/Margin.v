@@ -3,7 +3,7 @@
    In the plane points are segments, and the trees are about the gaps between them (`segments_resist`,
    `gaps_cover`); else they are claims (Correct.v, `claims_true`). *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Matrix Load Lists Question Cone Meaning Numbers Root Box Leaf Tree Witness.
+From Proved Require Import Matrix Load Bound Lists Question Cone Meaning Numbers Root Box Leaf Tree Witness.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -21,6 +21,7 @@ Variable two_sided : bool.
 Variable dim : nat.
 Variable rows : list row.
 Variable ld : load.
+Variable bound : option (list Q).
 (* The rules of a segment by degree, from a multiple to another or without end: the one that fails, and the node. *)
 Variable degree : Q -> option Q -> list Q -> list Q -> list (list Q) -> list (list Q) -> list node ->
   option (string * option nat).
@@ -28,7 +29,9 @@ Variable degree : Q -> option Q -> list Q -> list Q -> list (list Q) -> list (li
 Variable unloaded : bool.
 
 Definition check_at (p : point) : list state + string :=
-  check_point two_sided dim rows ld (integer_point p) (shares (point_witness p)).
+  if point_within bound (integer_point p) then
+    check_point two_sided dim rows ld (integer_point p) (shares (point_witness p))
+  else inr "witness-bound"%string.
 
 Definition Qlt_bool (a b : Q) : bool := negb (Qle_bool b a).
 
@@ -193,6 +196,7 @@ Proof. intros H. apply gaps_from_cover; rewrite Q2R_0; [exact H|discriminate]. Q
 Variable two_sided : bool.
 Variable rows : list row.
 Variable ld : load.
+Variable bound : option (list Q).
 Variable s : Rows.system.
 Hypothesis F : Forall2 fits rows (Rows.rows s).
 Hypothesis E : exact_rows rows = true.
@@ -202,50 +206,54 @@ Let dim := Rows.dimension s.
 Notation real := (map IZR).
 
 (* A point that is accepted, as it is in integers. *)
-Lemma accepted_point p ss : check_at two_sided dim rows ld p = inl ss ->
+Lemma accepted_point p ss : check_at two_sided dim rows ld bound p = inl ss ->
   exists h l ds ss' u, 0 < u /\ ss = rev ss' /\
     all_states (h :: l :: ds) rows (Rows.rows s) ss' /\
     Rows.equilibrium s (real ds) (IZR h) (IZR l) (forces rows ss') /\
+    Rows.bounded (real_bound bound) (IZR h) (real ds) /\
     match multiple p with
     | Some lambda => u * IZR h = 1 /\ u * IZR l = Q2R lambda
     | None => u * IZR h = 0 /\ u * IZR l = 1
     end.
 Proof.
-  unfold check_at, integer_point. intros C. set (qs := coordinates_of p) in *. set (sc := scaling_of qs) in *.
+  unfold check_at. destruct (point_within bound (integer_point p)) eqn:Within; [|discriminate].
+  unfold integer_point in *. intros C. set (qs := coordinates_of p) in *. set (sc := scaling_of qs) in *.
   assert (X : forall q, In q qs -> unit sc * IZR (to_integer sc q) = Q2R q)
     by (intros; symmetry; now apply to_integer_exact).
   assert (P : exists h l, qs = h :: l :: twist (point_witness p) /\
     match multiple p with Some lambda => h = 1%Q /\ l = lambda | None => h = 0%Q /\ l = 1%Q end).
   { unfold qs, coordinates_of. destruct (multiple p) as [lambda|]; [exists 1%Q, lambda|exists 0%Q, 1%Q]; auto. }
-  destruct P as (h & l & Eq & HL). rewrite Eq in C. cbn [map] in C.
+  destruct P as (h & l & Eq & HL). rewrite Eq in C, Within. cbn [map] in C, Within.
   set (ds := map (to_integer sc) (twist (point_witness p))) in *.
   destruct (point_is_equilibrium two_sided rows ld s _ _ ds _ ss F E L Law C) as (ss' & Er & A & B).
   exists (to_integer sc h), (to_integer sc l), ds, ss', (unit sc).
   split; [apply unit_positive|]. split; [exact Er|]. split; [exact A|]. split; [exact B|].
+  split; [now apply (point_within_is bound _ (to_integer sc l))|].
   assert (Xh := X h ltac:(rewrite Eq; cbn; auto)). assert (Xl := X l ltac:(rewrite Eq; cbn; auto)).
   destruct (multiple p); destruct HL as [-> ->]; rewrite Xh, Xl; rewrite ?Q2R_1, ?Q2R_0; now split.
 Qed.
 
-Lemma at_multiple d h l fs lambda : Rows.equilibrium s d h l fs -> h = 1 -> l = lambda ->
-  Rows.stable_at s lambda.
-Proof. intros H -> ->. now exists d, fs. Qed.
+Lemma at_multiple d h l fs lambda : Rows.equilibrium s d h l fs -> Rows.bounded (real_bound bound) h d ->
+  h = 1 -> l = lambda ->
+  Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda.
+Proof. intros H B -> ->. now exists d, fs. Qed.
 
 (* FORMAT.md section 3, "Modes", and section 5, "Why" of segments. *)
 Lemma segment_resists p ss p' ss' l1 lambda :
-  check_at two_sided dim rows ld p = inl ss -> check_at two_sided dim rows ld p' = inl ss' ->
+  check_at two_sided dim rows ld bound p = inl ss -> check_at two_sided dim rows ld bound p' = inl ss' ->
   same_mode ss ss' = true -> multiple p = Some l1 -> Q2R l1 <= lambda ->
   match multiple p' with Some l2 => lambda <= Q2R l2 | None => True end ->
-  Rows.stable_at s lambda.
+  Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda.
 Proof.
   intros C C' M M1 L1 L2.
-  destruct (accepted_point p ss C) as (h & l & ds & st & u & U & -> & A & B & H).
-  destruct (accepted_point p' ss' C') as (h' & l' & ds' & st' & u' & U' & -> & A' & B' & H').
+  destruct (accepted_point p ss C) as (h & l & ds & st & u & U & -> & A & B & Bd & H).
+  destruct (accepted_point p' ss' C') as (h' & l' & ds' & st' & u' & U' & -> & A' & B' & Bd' & H').
   pose proof (same_mode_shares _ _ _ _ _ _ _ _ _ _ A A' M) as SM.
   rewrite M1 in H. destruct H as [H1 H2].
   assert (Mix : forall P Q, 0 <= P -> 0 <= Q ->
-    P * IZR h + Q * IZR h' = 1 -> P * IZR l + Q * IZR l' = lambda -> Rows.stable_at s lambda).
+    P * IZR h + Q * IZR h' = 1 -> P * IZR l + Q * IZR l' = lambda -> Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda).
   { intros P Q P0 Q0 Eh El. destruct (mixture s _ _ _ _ _ _ _ _ _ _ P0 Q0 B B' SM) as (gs & Eg).
-    eapply at_multiple; eassumption. }
+    eapply at_multiple; [exact Eg|exact (bounded_mix _ P _ _ Q _ _ P0 Q0 Bd Bd')| |]; assumption. }
   destruct (multiple p') as [l2|]; destruct H' as [H1' H2'].
   - assert (T : exists t, 0 <= t <= 1 /\ (1 - t) * Q2R l1 + t * Q2R l2 = lambda).
     { destruct (Req_dec (Q2R l1) (Q2R l2)) as [Q|Q].
@@ -275,15 +283,16 @@ Proof.
 Qed.
 
 (* A point alone. *)
-Lemma point_resists p ss lambda : check_at two_sided dim rows ld p = inl ss -> multiple p = Some lambda ->
-  Rows.stable_at s (Q2R lambda).
+Lemma point_resists p ss lambda : check_at two_sided dim rows ld bound p = inl ss -> multiple p = Some lambda ->
+  Rows.stable_at (Rows.bounded (real_bound bound) 1) s (Q2R lambda).
 Proof.
-  intros C M. destruct (accepted_point p ss C) as (h & l & ds & st & u & U & _ & _ & B & H).
+  intros C M. destruct (accepted_point p ss C) as (h & l & ds & st & u & U & _ & _ & B & Bd & H).
   rewrite M in H. destruct H as [H1 H2].
   pose proof rows_positive as P.
   pose proof (self_modes s _ _ _ _ B P) as SM.
   destruct (mixture s _ _ _ _ _ _ _ _ u 0 (Rlt_le _ _ U) (Rle_refl 0) B B SM) as (gs & Eg).
-  eapply at_multiple; [exact Eg| |]; [rewrite H1; ring|rewrite H2; ring].
+  eapply at_multiple; [exact Eg|exact (bounded_mix _ u _ _ 0 _ _ (Rlt_le _ _ U) (Rle_refl 0) Bd Bd)| |];
+    [rewrite H1; ring|rewrite H2; ring].
 Qed.
 
 (* Of segments by degree this is known. *)
@@ -293,18 +302,18 @@ Variable unloaded : bool.
 Hypothesis degree_resists : forall a b d1 d2 walls direction tree lambda,
   degree a b d1 d2 walls direction tree = None ->
   match b with Some _ => True | None => Q2R a <> 0 \/ unloaded = true end ->
-  Q2R a <= lambda -> match b with Some t => lambda <= Q2R t | None => True end -> Rows.stable_at s lambda.
+  Q2R a <= lambda -> match b with Some t => lambda <= Q2R t | None => True end -> Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda.
 
 Theorem segments_resist segments resisted from last number lambda :
-  segments_fail two_sided dim rows ld degree unloaded segments resisted from last number = None ->
-  (forall p ss, last = Some (p, ss) -> check_at two_sided dim rows ld p = inl ss) ->
+  segments_fail two_sided dim rows ld bound degree unloaded segments resisted from last number = None ->
+  (forall p ss, last = Some (p, ss) -> check_at two_sided dim rows ld bound p = inl ss) ->
   match resisted with
   | [] => False
   | (lo, hi) :: resisted' =>
       among lambda (match from with Some e => e | None => lo end, hi) \/
       Exists (among lambda) resisted'
   end ->
-  Rows.stable_at s lambda.
+  Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda.
 Proof.
   revert resisted from last number.
   induction segments as [|seg segments IH]; intros resisted from last number H K A.
@@ -313,10 +322,10 @@ Proof.
     set (start := match from with Some e => e | None => lo end) in *.
     (* What is left of the interval after a segment. *)
     assert (Rest : forall to next, (Q2R start <= lambda -> match to with Some t => lambda <= Q2R t | None => True end ->
-        Rows.stable_at s lambda) -> beyond hi to = false ->
-      (if reaches hi to then segments_fail two_sided dim rows ld degree unloaded segments resisted None next (S number)
-       else segments_fail two_sided dim rows ld degree unloaded segments ((lo, hi) :: resisted) to next (S number)) = None ->
-      (forall p ss, next = Some (p, ss) -> check_at two_sided dim rows ld p = inl ss) -> Rows.stable_at s lambda).
+        Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda) -> beyond hi to = false ->
+      (if reaches hi to then segments_fail two_sided dim rows ld bound degree unloaded segments resisted None next (S number)
+       else segments_fail two_sided dim rows ld bound degree unloaded segments ((lo, hi) :: resisted) to next (S number)) = None ->
+      (forall p ss, next = Some (p, ss) -> check_at two_sided dim rows ld bound p = inl ss) -> Rows.stable_at (Rows.bounded (real_bound bound) 1) s lambda).
     { intros to next Seg Beyond H' K'. destruct (reaches hi to) eqn:R.
       - destruct A as [[A1 A2]|A].
         + apply Seg; [exact A1|]. cbn in A2. unfold reaches in R.
@@ -337,10 +346,10 @@ Proof.
         - left. apply Qlt_bool_R in Up. rewrite Q2R_0 in Up. lra.
         - right. now apply andb_true_iff in Up. }
     destruct (match first_point with
-              | Some p => Some (p, check_at two_sided dim rows ld p)
+              | Some p => Some (p, check_at two_sided dim rows ld bound p)
               | None => match last with Some (p, ss) => Some (p, inl ss) | None => None end
               end) as [[p checked]|] eqn:First; [|discriminate].
-    assert (Checked : check_at two_sided dim rows ld p = checked).
+    assert (Checked : check_at two_sided dim rows ld bound p = checked).
     { destruct first_point as [p0|].
       - injection First as <- <-. reflexivity.
       - destruct last as [[p0 ss0]|]; [|discriminate]. injection First as <- <-. now apply K. }
@@ -349,7 +358,7 @@ Proof.
     apply orb_false_iff in Chain as [Chain Down]. apply orb_false_iff in Chain as [Start Beyond].
     apply negb_false_iff, Qeq_bool_R in Start.
     destruct checked as [ss1|]; [|discriminate].
-    destruct (check_at two_sided dim rows ld second) as [ss2|] eqn:C2; [|discriminate].
+    destruct (check_at two_sided dim rows ld bound second) as [ss2|] eqn:C2; [|discriminate].
     destruct (same_mode ss1 ss2) eqn:SM; [|discriminate].
     apply (Rest (multiple second) (Some (second, ss2))); [|exact Beyond|exact H|].
     + intros S1 S2. apply (segment_resists p ss1 second ss2 l1 lambda Checked C2 SM M1); [lra|exact S2].

@@ -145,12 +145,16 @@ Definition chosen_finger (q : contact) (t : BodiesModel.finger) :=
 Definition chosen_bodies_in_space (q : question) (m : BodiesModel.mechanism BodiesModel.in_space) :=
   exists its, bodies_in_space its = true /\ chosen_bodies (k := BodiesModel.in_space) chosen_finger q its m.
 
+(* Motions of equilibria are within the bound of the question, if it has one. *)
+Definition within_bound (q : question) (d : list R) : Prop :=
+  match max_motion q with None => True | Some most => Forall2 (fun b x => Rabs x <= Q2R b) most d end.
+
 (* What is true of all that a question is about, of the multiples at which each is stable. *)
 Definition of_all (q : question) (P : (R -> Prop) -> Prop) : Prop :=
-  (forall g, chosen q g -> P (Model.stable_at g)) /\
-  (forall g, chosen_in_space q g -> P (SpaceModel.stable_at g)) /\
-  (forall m, chosen_bodies_in_plane q m -> P (BodiesModel.stable_at m)) /\
-  (forall m, chosen_bodies_in_space q m -> P (BodiesModel.stable_at m)).
+  (forall g, chosen q g -> P (Model.stable_at (fun d => within_bound q (three_numbers d)) g)) /\
+  (forall g, chosen_in_space q g -> P (SpaceModel.stable_at (fun d => within_bound q (six_numbers d)) g)) /\
+  (forall m, chosen_bodies_in_plane q m -> P (BodiesModel.stable_at (within_bound q) m)) /\
+  (forall m, chosen_bodies_in_space q m -> P (BodiesModel.stable_at (within_bound q) m)).
 
 Definition among (l : R) (i : Q * option Q) :=
   Q2R (fst i) <= l /\ match snd i with Some h => l <= Q2R h | None => True end.
@@ -203,7 +207,7 @@ Definition true_answer (q : question) (a : answer) : Prop :=
          is_of_class c SpaceModel.no_screw (can_in_space g m))
   | Region pieces =>
       forall g, chosen q g -> forall s t g', in_plane q g s t g' ->
-        (Model.stable g' <-> Exists (in_piece s t) pieces)
+        (Model.stable_at (fun d => within_bound q (three_numbers d)) g' 0 <-> Exists (in_piece s t) pieces)
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

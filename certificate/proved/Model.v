@@ -81,6 +81,6 @@ Definition equilibrium (g : grasp) (lambda : R) (d : vector) (forces : list (R *
   add (add (wrench g) (scale lambda (direction g)))
       (sum (contact_wrenches (contacts g) forces)) = zero.
 
-Definition stable_at (g : grasp) (lambda : R) := exists d forces, equilibrium g lambda d forces.
-
-Definition stable (g : grasp) := stable_at g 0.
+(* With a motion that is allowed. *)
+Definition stable_at (allowed : vector -> Prop) (g : grasp) (lambda : R) :=
+  exists d forces, allowed d /\ equilibrium g lambda d forces.

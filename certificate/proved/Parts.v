@@ -3,7 +3,7 @@
    by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits
-  Load ByDegree Rest.
+  Load Bound Frame ByDegree Rest.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -23,6 +23,7 @@ Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string
       | Some rule => Some (rule, None)
       | None => None
       end
+  | PartSticking _ _ _ _ _ _ => Some ("sticking-share"%string, None)
   | PartCut _ _ _ => Some ("part-inside"%string, None)
   end.
 
@@ -73,19 +74,20 @@ Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model
 
 (* A part that is not cut makes every system in its box stable. *)
 Theorem part_stable alpha beta s p lambda : part_fails advisor two_sided most_depth alpha beta s p = None ->
-  in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at sys lambda.
+  in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
-  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; cbn in H;
-    [discriminate| |].
+  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|]; cbn in H;
+    [discriminate| | |discriminate].
   - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
 Qed.
 
-(* Without load and preload but what grows, solutions can be multiplied. *)
-Lemma unloaded_stable s lambda : in_setting s sys -> unloaded s = true -> 0 <= lambda ->
-  Rows.stable_at sys 1 -> Rows.stable_at sys lambda.
+(* Without load and preload but what grows, solutions can be multiplied, if motions are not bounded. *)
+Lemma unloaded_stable s lambda : in_setting s sys -> unloaded s = true -> 0 <= lambda -> the_bound s = None ->
+  Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys 1 ->
+  Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
-  intros I U L (d & fs & Ld & O & B). unfold unloaded in U. rewrite !andb_true_iff in U. destruct U as [[Uo Uw] Up].
+  intros I U L -> (d & fs & _ & Ld & O & B). unfold unloaded in U. rewrite !andb_true_iff in U. destruct U as [[Uo Uw] Up].
   destruct (its_box _ _ I) as (Fr & Fw & _). apply (one_load_is _ _ Uo) in Fw.
   assert (W : forall y, Rows.dot (Rows.wrench sys) y = 0).
   { rewrite Fw. clear - Uw. induction (map low _) as [|q w IH]; intros [|t y]; cbn in *; try reflexivity.
@@ -97,7 +99,7 @@ Proof.
     rewrite <- (Leaf.same_preload _ _ _ St), (in_preload _ _ _ _ _ _ I), U1, U2. ring. }
   pose proof (its_proper _ _ I) as Pr.
   exists (Rows.scaled lambda d), (map (fun f => (lambda * fst f, Rows.scaled lambda (snd f))) fs).
-  split; [unfold Rows.scaled; now rewrite map_length|]. split.
+  split; [exact Logic.I|]. split; [unfold Rows.scaled; now rewrite map_length|]. split.
   - clear - O P Pr L. revert P Pr. induction O as [|r f rs fs Of O IH]; intros P Pr; cbn; constructor;
       [|exact (IH (Forall_inv_tail P) (Forall_inv_tail Pr))].
     pose proof (obeys_multiple (Rows.normal sys) d 1 1 r f lambda L
@@ -113,17 +115,27 @@ Proof.
     rewrite B. ring.
 Qed.
 
+(* What goes on without end has no bound. *)
+Lemma without_end s g tree : degree_fails advisor two_sided most_depth s g tree = None -> high_multiple g = None ->
+  the_bound s = None.
+Proof.
+  unfold degree_fails. intros H E. destruct (free_motions _ _ _) as [free|]; [|discriminate].
+  destruct (negb _); [discriminate|]. destruct (inverted _ _ _); [|discriminate].
+  unfold bound_holds in H. rewrite E in H. destruct (the_bound s); [discriminate|reflexivity].
+Qed.
+
 (* A segment by degree proves what it spans. *)
 Theorem segment_by_degree_resists s alpha beta d1 d2 walls direction tree lambda :
   segment_by_degree_fails advisor two_sided most_depth s alpha beta d1 d2 walls direction tree = None ->
   in_setting s sys -> match beta with Some _ => True | None => Q2R alpha <> 0 \/ unloaded s = true end ->
-  Q2R alpha <= lambda -> match beta with Some b => lambda <= Q2R b | None => True end -> Rows.stable_at sys lambda.
+  Q2R alpha <= lambda -> match beta with Some b => lambda <= Q2R b | None => True end ->
+  Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
   unfold segment_by_degree_fails. intros H I Z L B. destruct beta as [b|].
   - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law|exact L|exact B].
   - destruct (is_zero alpha) eqn:A.
     + apply is_zero_real in A. destruct Z as [Z|Z]; [contradiction|].
-      apply (unloaded_stable s lambda I Z); [lra|].
+      apply (unloaded_stable s lambda I Z); [lra|now apply (without_end s _ _ H)|].
       eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |exact Logic.I].
       cbn. rewrite Q2R_1. lra.
     + eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law|exact L|exact Logic.I].
@@ -131,7 +143,8 @@ Qed.
 
 (* Of boxes that are cut, one half or the other has the system. *)
 Theorem parts_stable parts todo number : parts_fail advisor two_sided most_depth parts todo number = None ->
-  Forall (fun sd => in_setting (fst sd) sys -> Rows.stable_at sys 0) todo.
+  Forall (fun sd => in_setting (fst sd) sys ->
+    Rows.stable_at (Rows.bounded (real_bound (the_bound (fst sd))) 1) sys 0) todo.
 Proof.
   revert todo number. induction parts as [|p parts IH]; intros [|[s depth] todo] number H; cbn [parts_fail] in H;
     try discriminate; [constructor|].
@@ -140,16 +153,17 @@ Proof.
   assert (Whole : match part_fails advisor two_sided most_depth 0 0 s p with
       | Some (rule, node) => Some (rule, AtPart number node)
       | None => parts_fail advisor two_sided most_depth parts todo (S number)
-      end = None -> Forall (fun sd => in_setting (fst sd) sys -> Rows.stable_at sys 0) ((s, depth) :: todo)).
+      end = None -> Forall (fun sd => in_setting (fst sd) sys ->
+        Rows.stable_at (Rows.bounded (real_bound (the_bound (fst sd))) 1) sys 0) ((s, depth) :: todo)).
   { destruct (part_fails _ _ _ _ _ s p) as [[rule node]|] eqn:E; [discriminate|]. intros H'.
     constructor; [|now apply (IH todo (S number))]. cbn. intros I. exact (part_stable 0 0 s p 0 E I Q0). }
-  destruct p as [name i c|d0 simplex walls direction tree|forces answers reach]; try (now apply Whole).
+  destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|]; try (now apply Whole).
   clear Whole. destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate].
   pose proof (IH _ _ H) as A. pose proof (Forall_inv A) as A1. pose proof (Forall_inv (Forall_inv_tail A)) as A2.
-  constructor; [|exact (Forall_inv_tail (Forall_inv_tail A))]. cbn in *. intros [Bx Di Pr Le Sl Pu].
+  constructor; [|exact (Forall_inv_tail (Forall_inv_tail A))]. cbn in *. intros [Bx Di Pr Le Sl Pu Bd].
   destruct (halves_contain s name i c lo hi sys E Bx) as [Same C].
-  destruct (Same lo (or_introl eq_refl)) as (D1 & S1 & P1), (Same hi (or_intror eq_refl)) as (D2 & S2 & P2).
-  destruct C as [C|C]; [apply A1|apply A2]; constructor; congruence.
+  destruct (Same lo (or_introl eq_refl)) as (D1 & S1 & P1 & B1), (Same hi (or_intror eq_refl)) as (D2 & S2 & P2 & B2).
+  rewrite B1 in A1. rewrite B2 in A2. destruct C as [C|C]; [apply A1|apply A2]; constructor; congruence.
 Qed.
 
 End Proofs.

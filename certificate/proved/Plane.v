@@ -165,7 +165,7 @@ Definition plane_node (a : node) : node :=
 
 Definition plane_setting : setting :=
   make_setting (2 + n) rows (Load w (map (fun _ => 0%Q) u) nothing_added)
-    (Pushing [] (map (fun p => repeat 0%Q (2 + n) ++ [fst p; snd p]) (List.combine u v))).
+    (Pushing [] (map (fun p => repeat 0%Q (2 + n) ++ [fst p; snd p]) (List.combine u v))) None.
 
 End Checker.
 
@@ -349,9 +349,9 @@ Qed.
 
 Lemma balances_resisted s t w : Forall (fun r => Rows.growth r = 0) (Rows.rows sys) ->
   (forall y, Rows.dot w y = Rows.dot (Rows.wrench sys) y + s * Rows.dot u y + t * Rows.dot v y) ->
-  balances 1 s t -> Rows.stable_at (loaded w) 0.
+  balances 1 s t -> Rows.stable_at (Rows.bounded None 1) (loaded w) 0.
 Proof.
-  intros G E (d & l & fs & L & O & _ & B). exists d, fs. split; [exact L|]. split.
+  intros G E (d & l & fs & L & O & _ & B). exists d, fs. split; [exact Logic.I|]. split; [exact L|]. split.
   - cbn [loaded Rows.normal Rows.rows]. clear - G O. induction O as [|r f rs fs Of O IH]; constructor.
     + apply obeys_without_growth with l; [exact (Forall_inv G)|exact Of].
     + exact (IH (Forall_inv_tail G)).
@@ -466,7 +466,7 @@ Qed.
 Theorem piece_resisted pieces number s t wst : pieces_fail two_sided n rows w u v pieces number = None ->
   Forall (fun r => Rows.growth r = 0) (Rows.rows sys) ->
   (forall y, Rows.dot wst y = Rows.dot (Rows.wrench sys) y + s * Rows.dot (real u) y + t * Rows.dot (real v) y) ->
-  Exists (in_piece s t) (map (map load_part) pieces) -> Rows.stable_at (loaded sys wst) 0.
+  Exists (in_piece s t) (map (map load_part) pieces) -> Rows.stable_at (Rows.bounded None 1) (loaded sys wst) 0.
 Proof.
   intros H G Ew X. revert number H. induction pieces as [|points pieces IH]; intros number H; [inversion X|].
   cbn [pieces_fail] in H. destruct (point_states _ _ _ _ _ _ points 0) as [states|[rule k]] eqn:St; [|discriminate].
@@ -559,13 +559,13 @@ Theorem plane_covered most (two_sided : bool) rows w (u v : vector) sys pieces n
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   plane_fails most two_sided n rows w u v pieces nodes = None ->
   (forall y, Rows.dot wst y = Rows.dot (Rows.wrench sys) y + s * Rows.dot (real u) y + t * Rows.dot (real v) y) ->
-  Rows.stable_at (loaded sys wst) 0 -> Exists (in_piece s t) pieces.
+  Rows.stable_at (Rows.bounded None 1) (loaded sys wst) 0 -> Exists (in_piece s t) pieces.
 Proof.
-  intros n F W Sh L Law H Ew (d & fs & Ld & O & B). cbn [loaded Rows.dimension Rows.rows Rows.normal] in *.
+  intros n F W Sh L Law H Ew (d & fs & _ & Ld & O & B). cbn [loaded Rows.dimension Rows.rows Rows.normal] in *.
   set (its := Rows.System n (Rows.rows sys) (Rows.wrench sys) (real (map (fun _ => 0%Q) u)) (Rows.normal sys)).
   refine (ranges_shown advisor (held_by n (map (map ray_of_part) pieces))
     (fun x => forall l (d : list R) s t, List.length d = n -> x = 1 :: l :: d ++ [s; t] -> Exists (in_piece s t) pieces)
-    most two_sided (plane_setting n rows w u v) [at_zero] _ its 0 (d ++ [s; t]) fs _ eq_refl _ H _ Law
+    most two_sided (plane_setting n rows w u v) [at_zero] _ its 0 (d ++ [s; t]) fs _ eq_refl eq_refl _ H _ Law Logic.I
     (Exists_cons_hd (fun r => in_range r 0) at_zero [] at_zero_in) 0 d s t Ld eq_refl).
   - intros k rays x He Sp l d' s' t' Ld' ->. exact (held_is n pieces k rays 1 l d' s' t' Ld' He Sp).
   - rewrite app_length, Ld. cbn. fold n. lia.

@@ -19,6 +19,9 @@ Record stated_ball : Set := {
   stated_point : list Q;
   stated_body : option string }.
 
+(** The bound of motions: none, or D numbers, or a length and an angle. *)
+Inductive bound_option : Set := Unbounded | Bounded (numbers : list Q).
+
 (** What is not given is that of the grasp file, or none. *)
 Record options : Set := {
   asked_wrench : option (list Q);
@@ -30,7 +33,8 @@ Record options : Set := {
   asked_plane : option (list Q * list Q);
   asked_inertia : option (list Q);  (** in full *)
   asked_uncertain : list (string * tolerance);  (** by kind *)
-  asked_ball : option stated_ball }.
+  asked_ball : option stated_ball;
+  asked_bound : option bound_option }.
 
 Definition uncertain_kinds : list string :=
   ["friction"; "stiffness"; "preload"; "position"; "normal"; "wrench"].
@@ -57,7 +61,7 @@ Record posed : Set := {
   free_coordinates : list string;  (** of several bodies, to be printed *)
   joint_coordinates : list (option string);
   stated_wrench : list interval;  (** before it was widened *)
-  the_options : options;  (** a ball with its point *)
+  the_options : options;  (** a ball with its point, and the bound in full, also that of the file *)
   is_box : bool }.
 
 (** Places that are about the question and not about the file begin so. *)
@@ -162,6 +166,27 @@ Definition ball_asked (file : grasp) (asked : options) (stated : list interval) 
                      stated_body := stated_body b |},
                   Ball (stated_radius b) (stated_length b) point body))
   end.
+
+(** The bound of motions, which no question has about a plane of loads or rigid contacts. *)
+Definition bound_asked (file : grasp) (asked : options) : result (option (list Q)) :=
+  let here := of_question "max motion" in
+  let* bound :=
+    match asked_bound asked with
+    | None => Fine (bound_read file)
+    | Some Unbounded => Fine None
+    | Some (Bounded numbers) =>
+        let* _ := check_that (forallb (is_below 0) numbers) here "expected numbers above 0" in
+        if Nat.eqb (List.length numbers) (coordinates_read file) then Fine (Some numbers)
+        else
+          match numbers, names_of_joints file with
+          | [length; angle], [] => Fine (Some (bound_of (in_space file) (coordinates_read file) length angle))
+          | _, [] => refuse here "expected a number for each coordinate of motions, or a length and an angle"
+          | _, _ :: _ => refuse here "expected a number for each coordinate of the bodies and joints"
+          end
+    end in
+  let* _ := check_that (match bound with Some _ => negb (asks_plane asked || asks_class asked) | None => true end) here
+              "motions are bounded, and a plane or an inertia is given as well; expected one of them" in
+  Fine bound.
 
 Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) : result unit :=
   match them with
@@ -268,6 +293,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
   let* stated := wrench_asked file asked in
   let* _ := check_tolerances asked (asked_uncertain asked) in
   let* ball := ball_asked file asked stated in
+  let* bound := bound_asked file asked in
   let them := map_all (asked_contact asked) (all_contacts file) in
   let others := match bodies_read file with Some its => map_all (asked_element asked) (elements its) | None => [] end in
   let* '(them, others) :=
@@ -336,7 +362,8 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                           | Some its => Some {| bodies_in_space := bodies_in_space its; bodies := bodies its;
                                                 elements := others |}
                           | None => None
-                          end |};
+                          end;
+               max_motion := bound |};
           free_coordinates := names_of_bodies file;
           joint_coordinates := names_of_joints file;
           stated_wrench := stated;
@@ -345,6 +372,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                asked_preload := asked_preload asked; asked_bilateral := asked_bilateral asked;
                asked_direction := asked_direction asked; asked_growth := asked_growth asked;
                asked_plane := asked_plane asked; asked_inertia := asked_inertia asked; asked_uncertain := asked_uncertain asked;
-               asked_ball := match ball with Some (b, _) => Some b | None => None end |};
+               asked_ball := match ball with Some (b, _) => Some b | None => None end;
+               asked_bound := match bound with Some numbers => Some (Bounded numbers) | None => None end |};
           is_box := negb certain || (match ball with Some _ => true | None => false end)
                     || existsb (fun box => box) (boxes ++ other_boxes)%list |}.

@@ -65,7 +65,8 @@ Record question := Question {
   direction : list Q;        (* u; as many zeros without a direction of wrenches *)
   load_plane : option (list Q * list Q);   (* u and v, if it is about w + s u + t v *)
   inertia : list Q;          (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
-  several : option mechanism (* of several bodies *)
+  several : option mechanism; (* of several bodies *)
+  max_motion : option (list Q)  (* B, above 0 for each coordinate of motions, if these are bounded *)
 }.
 
 (* The certificate, in the order of its text.  INDEX and CONTACT are whole numbers >= 0 of any
@@ -98,7 +99,9 @@ Inductive part :=
   | PartCut (name : parameter) (index : Z) (at_number : Q)
   | PartProof (d0 : list Q) (simplex : bool) (walls : list (list Q)) (direction : list (list Q))
       (tree : list node)
-  | PartAtRest (forces : list (Z * list Q)) (answers : list (Z * list (list Q))) (reach : list Q).
+  | PartAtRest (forces : list (Z * list Q)) (answers : list (Z * list (list Q))) (reach : list Q)
+  | PartSticking (d0 : list Q) (friction : list (Z * list Q)) (presses : list (Z * list Q))
+      (answers : list (Z * list (list Q))) (reach : list Q) (energy : Q).
 
 (* CLAIM of a margin in space: a part, or points. *)
 Inductive claim :=

@@ -291,7 +291,7 @@ Fixpoint read_springs (levers : list (list Q)) (joints : list (option (list Q ->
 Definition read_grasp_of_bodies (value : json) : result grasp :=
   let* members :=
     members_of ["format"; "bodies"; "contacts"; "name"; "units"; "defaults"; "joints"; "tendons"; "ratchets"; "wrench";
-                "loads"; "cases"] [] value in
+                "loads"; "cases"; "max_motion"] [] value in
   let v := {| is_second := true;
               is_in_space := match find_member "contacts" members with
                              | Some (Array (Object first :: _)) => is_array 3 (find_member "position" first)
@@ -342,6 +342,8 @@ Definition read_grasp_of_bodies (value : json) : result grasp :=
   let common := match own_wrench, loads with Some w, _ | None, Some w => w | None, None => no_load count end in
   let* named := optional_member "cases" (read_list_of_cases (read_case_of_bodies read_w read_l)) [] members in
   let named := match named with Some it => it | None => [] end in
+  let* bound := optional_member "max_motion"
+                  (read_bound (is_in_space v) (match joints with [] => false | _ => true end) count) [] members in
   Fine {| in_space := is_in_space v;
           coordinates_read := count;
           bodies_read := Some its;
@@ -351,6 +353,7 @@ Definition read_grasp_of_bodies (value : json) : result grasp :=
           all_contacts := them;
           common_wrench := common;
           has_loads := has_member "wrench" members || has_member "loads" members;
+          bound_read := bound;
           cases := map (fun '(name, w) => (name, add_wrench w common)) named |}.
 
 (** The grasp file of any version. *)

@@ -127,7 +127,7 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
   let* members :=
     members_in_order (["contacts"; "wrench"; "preload"; "normal_law"; "direction"; "preload_direction"]
                       ++ (if of_claims s then [] else ["plane"]) ++ (if of_bodies s then [] else ["inertia"])
-                      ++ ["uncertain"])%list at_path value in
+                      ++ ["uncertain"; "max_motion"])%list at_path value in
   let count := size_of_twist s in
   let* m := member "contacts" read_index at_path members in
   let* w := member "wrench" (read_sized count "an array of the components" read_stated_component)
@@ -139,6 +139,7 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
   let* plane := optional_member "plane" read_plane at_path members in
   let* i := optional_member "inertia" (read_inertia (spatial s)) at_path members in
   let* uncertain := optional_member "uncertain" (read_tolerances s) at_path members in
+  let* bound := optional_member "max_motion" (read_numbers count) at_path members in
   Fine {| stated_contacts := m;
           wrench_stated := w;
           options_stated :=
@@ -146,7 +147,8 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
                asked_direction := u; asked_growth := growing; asked_plane := plane;
                asked_inertia := i;
                asked_uncertain := match uncertain with Some (it, _) => it | None => [] end;
-               asked_ball := match uncertain with Some (_, b) => b | None => None end |} |}.
+               asked_ball := match uncertain with Some (_, b) => b | None => None end;
+               asked_bound := match bound with Some numbers => Some (Bounded numbers) | None => None end |} |}.
 
 (** Nodes. *)
 Definition read_parameter (s : shape) (at_path : path) (value : json) : result parameter :=
@@ -293,11 +295,33 @@ Definition read_at_rest (s : shape) (at_path : path) (value : json) : result par
   let* z := member "reach" (read_twist s) at_path members in
   Fine (PartAtRest f g z).
 
-Definition is_at_rest (value : json) : bool :=
-  match value with Object members => has_member "rest" members | _ => false end.
+(** How much more a contact presses, for each component of a wrench. *)
+Definition read_presses (s : shape) (at_path : path) (value : json) : result (Z * list Q) :=
+  match value with
+  | Array [contact; numbers] =>
+      let* i := read_index at_path contact in
+      let* them := read_twist s at_path numbers in
+      Fine (i, them)
+  | _ => expected "[contact, numbers]" at_path value
+  end.
+
+Definition read_sticking (s : shape) (at_path : path) (value : json) : result part :=
+  let* members := members_in_order ["sticking"; "friction"; "presses"; "answers"; "reach"; "energy"] at_path value in
+  let* d := member "sticking" (read_twist s) at_path members in
+  let* f := member "friction" (read_shares s) at_path members in
+  let* h := member "presses" (read_array "an array [[contact, numbers], ...]" (read_presses s)) at_path members in
+  let* g := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
+              at_path members in
+  let* z := member "reach" (read_twist s) at_path members in
+  let* c := member "energy" read_fraction at_path members in
+  Fine (PartSticking d f h g z c).
+
+Definition begins_so (name : string) (value : json) : bool :=
+  match value with Object members => has_member name members | _ => false end.
 
 Definition read_part (s : shape) (at_path : path) (value : json) : result part :=
-  if is_at_rest value then read_at_rest s at_path value else
+  if begins_so "rest" value then read_at_rest s at_path value else
+  if begins_so "sticking" value then read_sticking s at_path value else
   match value with
   | Array _ =>
       let* it := read_node s at_path value in
@@ -626,6 +650,13 @@ Definition same_ball (a b : stated_ball) : bool :=
   && same_list Qeq_bool (stated_point a) (stated_point b)
   && same_option String.eqb (stated_body a) (stated_body b).
 
+Definition same_bound (a b : bound_option) : bool :=
+  match a, b with
+  | Unbounded, Unbounded => true
+  | Bounded x, Bounded y => same_list Qeq_bool x y
+  | _, _ => false
+  end.
+
 Definition broken_question_rule (stated : statement) (asked : posed) : option string :=
   let said := options_stated stated in
   let options := the_options asked in
@@ -651,4 +682,5 @@ Definition broken_question_rule (stated : statement) (asked : posed) : option st
                                        (find_tolerance kind options)) uncertain_kinds
                   && same_option same_ball (asked_ball said) (asked_ball options))
   then Some "question-uncertain"
+  else if negb (same_option same_bound (asked_bound said) (asked_bound options)) then Some "question-max-motion"
   else None.

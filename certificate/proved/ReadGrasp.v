@@ -22,6 +22,7 @@ Record grasp : Set := {
   all_contacts : list contact;
   common_wrench : list interval;  (** with cases, what is added to each *)
   has_loads : bool;  (** so that no case has to be chosen *)
+  bound_read : option (list Q);  (** of motions, D numbers *)
   cases : list (string * list interval) }.
 
 Definition most_contacts : Z := 1000000.
@@ -296,6 +297,28 @@ Definition read_list_of_cases (read : path -> json -> result (string * list inte
   let* _ := check_names at_path (map fst them) in
   Fine them.
 
+(** The bound of motions: of each coordinate, or where there are no joints of all lengths and of all angles. *)
+Definition bound_of (in_space : bool) (count : nat) (length angle : Q) : list Q :=
+  let '(size, lengths) := if in_space then (6, 3)%nat else (3, 2)%nat in
+  map (fun j => if Nat.ltb (Nat.modulo j size) lengths then length else angle) (seq 0 count).
+
+Definition read_above_0 (at_path : path) (value : json) : result Q :=
+  let* x := read_decimal at_path value in
+  let* _ := check_that (is_below 0 x) at_path "expected a number above 0" in
+  Fine x.
+
+Definition read_bound (in_space joints : bool) (count : nat) (at_path : path) (value : json) : result (list Q) :=
+  match value with
+  | Object _ =>
+      let* _ := check_that (negb joints) at_path "expected an array of a number for each coordinate, as there are joints" in
+      let* members := members_of ["length"; "angle"] at_path value in
+      let* length := member "length" read_above_0 at_path members in
+      let* angle := member "angle" read_above_0 at_path members in
+      Fine (bound_of in_space count length angle)
+  | _ => read_sized (Z.of_nat count) "an array of a number for each coordinate, or an object of length and angle"
+           read_above_0 at_path value
+  end.
+
 (** Contacts. *)
 Fixpoint nth_from {A : Type} (index : Z) (items : list A) : option A :=
   match items with
@@ -440,12 +463,13 @@ Definition version_of (members : list (string * json)) : result version :=
   let* _ := only_second "body"%string in
   let* _ := only_second "loads"%string in
   let* _ := only_second "cases"%string in
+  let* _ := only_second "max_motion"%string in
   Fine {| is_second := second; is_in_space := second && begins_in_space members |}.
 
 Definition read_grasp (value : json) : result grasp :=
   let* members :=
     members_of ["format"; "name"; "units"; "outline"; "body"; "defaults"; "contacts"; "wrench";
-                "loads"; "cases"] [] value in
+                "loads"; "cases"; "max_motion"] [] value in
   let* v := version_of members in
   let* _ := optional_member "name" read_any_text [] members in
   let* _ := optional_member "units" read_units [] members in
@@ -469,6 +493,8 @@ Definition read_grasp (value : json) : result grasp :=
   let* own := optional_member "wrench" (read_wrench v) [] members in
   let* loads := optional_member "loads" (read_loads v) [] members in
   let* named := optional_member "cases" (read_list_of_cases (read_case v)) [] members in
+  let count := if is_in_space v then 6%nat else 3%nat in
+  let* bound := optional_member "max_motion" (read_bound (is_in_space v) false count) [] members in
   let* _ := check_that (negb (has_member "wrench" members && has_member "loads" members)) []
               "both ""wrench"" and ""loads""; give one of them" in
   let* _ := check_that (has_member "wrench" members || has_member "loads" members
@@ -478,7 +504,7 @@ Definition read_grasp (value : json) : result grasp :=
     match own, loads with Some w, _ | None, Some w => w | None, None => no_wrench v end in
   let named := match named with Some it => it | None => [] end in
   Fine {| in_space := is_in_space v;
-          coordinates_read := if is_in_space v then 6 else 3;
+          coordinates_read := count;
           bodies_read := None;
           body_names := [];
           names_of_bodies := [];
@@ -486,4 +512,5 @@ Definition read_grasp (value : json) : result grasp :=
           all_contacts := them;
           common_wrench := common;
           has_loads := false;
+          bound_read := bound;
           cases := map (fun '(name, w) => (name, add_wrench w common)) named |}.

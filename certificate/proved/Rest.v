@@ -3,7 +3,7 @@
    the load.  `stable_at_rest`: where the rules hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Qminmax Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree.
-From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between Ways Load ByDegree.
+From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between Ways Load Bound ByDegree.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -545,7 +545,7 @@ Hypothesis all_sound : Forall (fun r => friction_sound (resting_box r) = true /\
 Theorem stable_where_it_rests lambda : rests lambda ->
   exists fs, Rows.equilibrium sys (listed n (fun _ => 0)) 1 lambda fs.
 Proof.
-  intros [Re He]. destruct fit as [_ Fd Fp [Fl1 Fl2] _ _]. rewrite n_is in *.
+  intros [Re He]. destruct fit as [_ Fd Fp [Fl1 Fl2] _ _ _]. rewrite n_is in *.
   set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys)
     (basis_vector n k))).
   destruct (fixed_point n (fun k => Q2R (nth k reach 0%Q)) (fun z k => z k - total z k)) as [z In_box Fix].
@@ -854,15 +854,16 @@ Qed.
 End Standing.
 
 Theorem stable_at_rest s sys alpha beta p lambda : in_setting s sys -> rest_fails s alpha beta p = None ->
-  (Q2R alpha <= lambda <= Q2R beta)%R -> Rows.stable_at sys lambda.
+  (Q2R alpha <= lambda <= Q2R beta)%R -> Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
-  intros [(Su & LW & LU) D P Le Sl Pu] H L.
+  intros [(Su & LW & LU) D P Le Sl Pu Bd] H L.
   destruct (standing_rows _ _ _ Su P) as (rs' & Fi & St & P').
   set (sys' := Rows.System (Rows.dimension sys) rs' (Rows.wrench sys) (Rows.direction sys) (Rows.normal sys)).
   assert (Fit : in_setting s sys').
   { constructor; try assumption. split; [now apply all_suit|now repeat split]. }
   destruct (rests_in_box s sys' alpha beta p lambda Fit Fi H L) as (fs' & Ld & O & B).
   destruct (holds_at_rest _ _ _ _ _ _ St O) as (fs & Of & Wf).
-  exists (listed (dimension_of s) (fun _ => 0%R)), fs. split; [exact Ld|]. split; [exact Of|].
+  exists (listed (dimension_of s) (fun _ => 0%R)), fs. split; [now apply bounded_at_rest|].
+  split; [exact Ld|]. split; [exact Of|].
   intros y. rewrite Wf. apply B.
 Qed.

@@ -81,7 +81,13 @@ Definition equilibrium (s : system) (d : list R) (h l : R) (fs : list force) : P
   Forall2 (obeys (normal s) d h l) (rows s) fs /\
   forall y, load s h l y + works (rows s) fs y = 0.
 
-Definition stable_at (s : system) (lambda : R) : Prop := exists d fs, equilibrium s d 1 lambda fs.
+(* With a motion that is allowed. *)
+Definition stable_at (allowed : list R -> Prop) (s : system) (lambda : R) : Prop :=
+  exists d fs, allowed d /\ equilibrium s d 1 lambda fs.
+
+(* |d_j| <= B_j h for all j, where motions are bounded. *)
+Definition bounded (bound : option (list R)) (h : R) (d : list R) : Prop :=
+  match bound with None => True | Some most => Forall2 (fun b x => Rabs x <= b * h) most d end.
 
 (* ---- Products ---- *)
 

@@ -132,9 +132,13 @@ Proof.
     destruct (add _ _) as [a b c]. unfold work, motion_of, at_ in *; cbn in *. unfold zero. f_equal; lra.
 Qed.
 
-Theorem stable_as_rows g lambda : stable_at g lambda <-> Rows.stable_at (grasp_rows g) lambda.
+Theorem stable_as_rows (allowed : list R -> Prop) g lambda :
+  stable_at (fun d => allowed (motion_list d)) g lambda <-> Rows.stable_at allowed (grasp_rows g) lambda.
 Proof.
-  split; intros (d & fs & E); eexists _, _; [apply rows_of_equilibrium|apply equilibrium_of_rows]; exact E.
+  split; intros (d & fs & A & E).
+  - exists (motion_list d). eexists. split; [exact A|]. apply rows_of_equilibrium, E.
+  - exists (motion_of d). eexists. split; [|apply equilibrium_of_rows, E]. destruct E as (L & _).
+    destruct d as [|x [|y [|z [|? ?]]]]; try discriminate L. exact A.
 Qed.
 
 End Plane.
@@ -366,11 +370,13 @@ Proof.
     unfold no_screw, zero. f_equal; f_equal; lra.
 Qed.
 
-Theorem space_stable_as_rows g lambda : stable_at g lambda <-> Rows.stable_at (space_grasp_rows g) lambda.
+Theorem space_stable_as_rows (allowed : list R -> Prop) g lambda :
+  stable_at (fun d => allowed (screw_list d)) g lambda <-> Rows.stable_at allowed (space_grasp_rows g) lambda.
 Proof.
-  split; intros (d & fs & E).
-  - eexists _, _. apply rows_of_space_equilibrium. exact E.
-  - destruct (space_equilibrium_of_rows _ _ _ _ E) as (fs' & E'). now exists (screw_of d), fs'.
+  split; intros (d & fs & A & E).
+  - exists (screw_list d). eexists. split; [exact A|]. apply rows_of_space_equilibrium. exact E.
+  - destruct (space_equilibrium_of_rows _ _ _ _ E) as (fs' & E'). exists (screw_of d), fs'. split; [|exact E'].
+    destruct E as (L & _). destruct d as [|x [|y [|z [|p [|q [|r [|? ?]]]]]]]; try discriminate L. exact A.
 Qed.
 
 End Space.

@@ -76,6 +76,6 @@ Definition equilibrium (g : grasp) (lambda : R) (d : screw) (forces : list (R * 
   add_screw (add_screw (wrench g) (scale_screw lambda (direction g)))
     (sum (contact_wrenches (contacts g) forces)) = no_screw.
 
-Definition stable_at (g : grasp) (lambda : R) := exists d forces, equilibrium g lambda d forces.
-
-Definition stable (g : grasp) := stable_at g 0.
+(* With a motion that is allowed. *)
+Definition stable_at (allowed : screw -> Prop) (g : grasp) (lambda : R) :=
+  exists d forces, allowed d /\ equilibrium g lambda d forces.

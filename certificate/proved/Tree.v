@@ -3,7 +3,7 @@
    `refuted_multiple`: where trees about ranges are accepted, no multiple in a range has an
    equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
-From Proved Require Import Matrix Load.
+From Proved Require Import Matrix Load Bound.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk.
 From Proved Require Rows Model.
 Import ListNotations.
@@ -36,9 +36,10 @@ Definition no_push : pushing := Pushing [] [].
 
 (* The box that a tree is about: the dimension of motions, rows, load, the contacts whose slip is strict; and
    two numbers M for leaves, a short one and one that makes them exact but for what with_all adds.  Solutions
-   may be pushed. *)
+   may be pushed, and their motions may be bounded. *)
 Record setting := Setting {
-  dimension_of : nat; rows : list row; the_load : load; pushes : pushing; slipping : list Z; short : Z; exact : Z
+  dimension_of : nat; rows : list row; the_load : load; pushes : pushing; slipping : list Z; short : Z; exact : Z;
+  the_bound : option (list Q)
 }.
 
 Section Numbers.
@@ -57,9 +58,13 @@ Definition short_multiple (rows : list row) (multiple : Z) : Z :=
 
 End Numbers.
 
-Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : pushing) : setting :=
+Definition make_setting (dimension : nat) (rows : list row) (ld : load) (pushes : pushing)
+    (bound : option (list Q)) : setting :=
   let m := common_multiple rows in
-  Setting dimension rows ld pushes [] (short_multiple rows m) m.
+  Setting dimension rows ld pushes [] (short_multiple rows m) m bound.
+
+Definition without_bound (s : setting) : setting :=
+  Setting (dimension_of s) (rows s) (the_load s) (pushes s) (slipping s) (short s) (exact s) None.
 
 (* ---- Nodes ---- *)
 
@@ -67,7 +72,7 @@ Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray
     : option string :=
   let sc := scaling_of y in
   let y' := map (to_integer sc) y in
-  if barred strict rays then None
+  if barred strict rays || beyond_bound (the_bound s) strict rays then None
   else
     let them := pressers strict rays (slipping s) (unit_of sc) y' (rows s) 0 [] in
     let works := load_works (the_load s) (unit_of sc) y' in
@@ -143,10 +148,10 @@ Definition set (b : cbox) (name : parameter) (i : interval) : cbox :=
 Definition set_row (s : setting) (index : Z) (b : cbox) : setting :=
   let row := make_row b in
   Setting (dimension_of s) (replace (rows s) index row) (the_load s) (pushes s) (slipping s) (short s)
-    (Z.lcm (exact s) (over_weight row)).
+    (Z.lcm (exact s) (over_weight row)) (the_bound s).
 
 Definition set_load (s : setting) (ld : load) : setting :=
-  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (exact s).
+  Setting (dimension_of s) (rows s) ld (pushes s) (slipping s) (short s) (exact s) (the_bound s).
 
 (* What is uncertain of the load: numbers of a ball if there are any, else components. *)
 Definition numbers_of (ld : load) : list interval :=
@@ -222,7 +227,7 @@ Definition split (s : setting) (n : node) : list (branch setting) + string :=
             let fs := slip_forms row in
             inl [Branch (map (fun f => (f, true)) fs) [] [] s;
                  Branch [] [] [fs] (Setting (dimension_of s) (rows s) (the_load s) (pushes s) (i :: slipping s)
-                                      (short s) (exact s))]
+                                      (short s) (exact s) (the_bound s))]
       end
   | Separation i =>
       match numbered (rows s) i with
@@ -271,7 +276,7 @@ Definition separating (rows : list row) (before : list form) : list form :=
                             end) rows (rev_append before [])) [].
 
 Definition root_branch (two_sided : bool) (s : setting) (g : range) : branch setting :=
-  let fs := range_conditions g in
+  let fs := range_conditions g ++ bound_conditions (the_bound s) in
   Branch
     (map_all (fun f => (f, false)) (if two_sided then separating (rows s) fs else fs))
     (range_strict g) [] s.
@@ -413,7 +418,7 @@ Definition contains (rows : list row) (ld : load) (sys : Rows.system) : Prop :=
 Lemma halves_contain s name i c lo hi sys : halves s name i c = inl (lo, hi) ->
   contains (rows s) (the_load s) sys ->
   (forall t, t = lo \/ t = hi ->
-     dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+     dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s /\ the_bound t = the_bound s) /\
   (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys).
 Proof.
   intros H (F & LW & LU).
@@ -429,7 +434,7 @@ Proof.
           end
       end = inl (lo, hi) ->
     (forall t, t = lo \/ t = hi ->
-       dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s) /\
+       dimension_of t = dimension_of s /\ slipping t = slipping s /\ pushes t = pushes s /\ the_bound t = the_bound s) /\
     (contains (rows lo) (the_load lo) sys \/ contains (rows hi) (the_load hi) sys)).
   { intros R. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (get (box row) name) as [iv|] eqn:Ge; [|discriminate].
@@ -448,13 +453,14 @@ Qed.
 
 Lemma halves_cover s name i c lo hi push sys d h l fs : halves s name i c = inl (lo, hi) ->
   solution (rows s) (the_load s) push sys d h l fs ->
-  (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s) /\
+  (slipping lo = slipping s /\ slipping hi = slipping s /\ pushes lo = pushes s /\ pushes hi = pushes s /\
+   the_bound lo = the_bound s /\ the_bound hi = the_bound s) /\
   (solution (rows lo) (the_load lo) push sys d h l fs \/ solution (rows hi) (the_load hi) push sys d h l fs).
 Proof.
   intros H [F LW LU H0 L0 E Bal].
   destruct (halves_contain s name i c lo hi sys H) as [S C]; [now repeat split|].
-  destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2), (S hi (or_intror eq_refl)) as (_ & S3 & S4).
-  split; [auto|]. destruct C as [(F' & LW' & LU')|(F' & LW' & LU')]; [left|right]; constructor; assumption.
+  destruct (S lo (or_introl eq_refl)) as (_ & S1 & S2 & S3), (S hi (or_intror eq_refl)) as (_ & S4 & S5 & S6).
+  split; [auto 7|]. destruct C as [(F' & LW' & LU')|(F' & LW' & LU')]; [left|right]; constructor; assumption.
 Qed.
 
 Definition in_range (g : range) (lambda : R) :=
@@ -500,7 +506,8 @@ Proof. unfold pushed. cbn. rewrite Degree.dot_nil. ring. Qed.
 
 Definition solves (s : setting) (x : list R) :=
   exists sys d h l fs c, x = h :: l :: d /\ 0 <= c /\
-    solution (rows s) (the_load s) (pushed (pushes s) c x) sys d h l fs /\ slips_at (slipping s) (Rows.rows sys) d.
+    solution (rows s) (the_load s) (pushed (pushes s) c x) sys d h l fs /\ slips_at (slipping s) (Rows.rows sys) d /\
+    Rows.bounded (real_bound (the_bound s)) h d.
 
 (* Where the geometry is certain, the slip is zero where its forms are. *)
 Lemma slip_forms_zero row r d h l : suits row r -> slip_certain row = true -> box_signed (box row) = false ->
@@ -560,7 +567,7 @@ Proof.
       * exists (on_plane s f). split; [cbn; auto|]. constructor; cbn; [exact S| |constructor|constructor].
         constructor; [exact P|constructor].
       * exists (above s f). split; [cbn; auto|]. now apply takes_above.
-    + destruct S as (sys & d & h & l & fs & t & -> & T0 & S & SL).
+    + destruct S as (sys & d & h & l & fs & t & -> & T0 & S & SL & Bd).
       destruct (numbered_is _ _ _ N) as (k & -> & NR).
       destruct (fits_at _ _ _ _ _ (rows_suit _ _ _ _ _ _ _ _ S) NR) as (r & Nr & Fr).
       destruct (slip_forms_zero row r d h l Fr SC Sg) as [Z|[NZ Z]].
@@ -570,7 +577,7 @@ Proof.
       * eexists. split; [right; now left|].
         constructor; cbn [branch_setting conditions new_strict new_moving];
           [|constructor|constructor|constructor; [exact Z|constructor]].
-        exists sys, d, h, l, fs, t. split; [reflexivity|]. split; [exact T0|]. split; [exact S|].
+        exists sys, d, h, l, fs, t. split; [reflexivity|]. split; [exact T0|]. split; [exact S|]. split; [|exact Bd].
         intros k' r' H Nr'. cbn in H. apply orb_true_iff in H as [H|H]; [|now apply (SL k' r')].
         apply Z.eqb_eq, Nat2Z.inj in H. subst k'. rewrite Nr in Nr'. injection Nr' as <-. exact NZ.
   - destruct (numbered (rows s) i) as [row|]; [|discriminate].
@@ -578,12 +585,12 @@ Proof.
     destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (takes_side f).
   - injection H as <-. now apply takes_side.
   - destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate]. injection H as <-.
-    destruct S as (sys & d & h & l & fs & t & X & T0 & S & SL).
-    destruct (halves_cover _ _ _ _ _ _ _ sys d h l fs E S) as [(El & Eh & Pl & Ph) [S'|S']].
+    destruct S as (sys & d & h & l & fs & t & X & T0 & S & SL & Bd).
+    destruct (halves_cover _ _ _ _ _ _ _ sys d h l fs E S) as [(El & Eh & Pl & Ph & Bl & Bh) [S'|S']].
     + exists (Branch [] [] [] lo). split; [cbn; auto|]. constructor; cbn; try constructor.
-      exists sys, d, h, l, fs, t. rewrite El, Pl. auto.
+      exists sys, d, h, l, fs, t. rewrite El, Pl, Bl. auto 6.
     + exists (Branch [] [] [] hi). split; [cbn; auto|]. constructor; cbn; try constructor.
-      exists sys, d, h, l, fs, t. rewrite Eh, Ph. auto.
+      exists sys, d, h, l, fs, t. rewrite Eh, Ph, Bh. auto 6.
 Qed.
 
 Lemma leaf_refuted s strict rays y x :
@@ -591,8 +598,10 @@ Lemma leaf_refuted s strict rays y x :
   spans (map coordinates rays) (fun a => rdot a x) -> Forall (not_zero x) strict ->
   solves s x -> False.
 Proof.
-  unfold leaf_fails. intros H G (ws & W & Sp) T (sys & d & h & l & fs & c & -> & C0 & S & SL).
-  destruct (barred strict rays) eqn:B.
+  unfold leaf_fails. intros H G (ws & W & Sp) T (sys & d & h & l & fs & c & -> & C0 & S & SL & Bd).
+  destruct (beyond_bound (the_bound s) strict rays) eqn:Be.
+  { exact (nothing_beyond strict rays h l d ws (the_bound s) G T W Sp Bd Be). }
+  rewrite orb_false_r in H. destruct (barred strict rays) eqn:B.
   { apply (not_barred strict rays (h :: l :: d) G T ws Sp rays); auto.
     eapply Forall_impl; [|exact W]. intros p [_ Hp]. right.
     apply in_map_iff in Hp as (q & Hq & Hin). exists q. auto. }
@@ -643,13 +652,17 @@ Qed.
 Lemma root_takes (two_sided : bool) s rng sys d lambda fs :
   solution (rows s) (the_load s) (pushed (pushes s) 0 (1 :: lambda :: d)) sys d 1 lambda fs ->
   slips_at (slipping s) (Rows.rows sys) d -> Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  good_bound (dimension_of s) (the_bound s) = true -> Rows.bounded (real_bound (the_bound s)) 1 d ->
   in_range rng lambda -> takes solves (root_branch two_sided s rng) (1 :: lambda :: d).
 Proof.
-  intros S SL Law R. set (x := 1 :: lambda :: d).
+  intros S SL Law Gb Bd R. set (x := 1 :: lambda :: d).
   destruct (range_conditions_met d rng lambda R) as [C T].
+  assert (C' : Forall (fun f => meets x (f, false)) (range_conditions rng ++ bound_conditions (the_bound s))).
+  { apply Forall_app. split; [exact C|]. apply (bound_conditions_met _ _ _ _ _ Gb Rle_0_1 Bd). }
+  clear C. rename C' into C.
   constructor; cbn [branch_setting conditions new_strict new_moving root_branch];
     [| |exact T|constructor].
-  { exists sys, d, 1, lambda, fs, 0. split; [reflexivity|]. split; [lra|]. now split. }
+  { exists sys, d, 1, lambda, fs, 0. split; [reflexivity|]. split; [lra|]. split; [exact S|now split]. }
   rewrite map_all_is. apply Forall_map.
   destruct two_sided; [|exact C].
   apply (Forall_separating (fun f => meets x (f, false))); [exact C|].
@@ -693,13 +706,14 @@ Definition walk_ranges (held : Z -> list ray -> option string) (most_depth : Z) 
 
 Theorem ranges_shown held (shown : list R -> Prop) most (two_sided : bool) s ranges nodes sys lambda d fs :
   (forall k rays x, held k rays = None -> spans (map coordinates rays) (fun a => rdot a x) -> shown x) ->
-  slipping s = [] -> List.length d = dimension_of s ->
+  slipping s = [] -> good_bound (dimension_of s) (the_bound s) = true -> List.length d = dimension_of s ->
   walk_ranges held most two_sided s ranges nodes = None ->
   solution (rows s) (the_load s) (pushed (pushes s) 0 (1 :: lambda :: d)) sys d 1 lambda fs ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  Rows.bounded (real_bound (the_bound s)) 1 d ->
   Exists (fun r => in_range r lambda) ranges -> shown (1 :: lambda :: d).
 Proof.
-  intros He SE D W S Law X. apply Exists_exists in X as (rng & Hr & In_r).
+  intros He SE G D W S Law Bd X. apply Exists_exists in X as (rng & Hr & In_r).
   unfold walk_ranges in W. rewrite map_all_is in W.
   apply (walk_refutes advisor setting split (end_fails held) solves shown) in W.
   - rewrite Forall_forall in W. eapply W.
@@ -713,13 +727,15 @@ Proof.
 Qed.
 
 Theorem refuted_multiple most (two_sided : bool) s ranges nodes sys lambda d fs :
-  slipping s = [] -> pushes s = no_push -> List.length d = dimension_of s ->
+  slipping s = [] -> pushes s = no_push -> good_bound (dimension_of s) (the_bound s) = true ->
+  List.length d = dimension_of s ->
   walk_ranges no_pieces most two_sided s ranges nodes = None ->
   solution (rows s) (the_load s) (fun _ => 0) sys d 1 lambda fs ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  Rows.bounded (real_bound (the_bound s)) 1 d ->
   Exists (fun r => in_range r lambda) ranges -> False.
 Proof.
-  intros SE PE D W S Law X. apply (ranges_shown no_pieces (fun _ => False) most two_sided s ranges nodes sys lambda d fs);
+  intros SE PE G D W S Law Bd X. apply (ranges_shown no_pieces (fun _ => False) most two_sided s ranges nodes sys lambda d fs);
     try assumption; [discriminate|].
   destruct S as [S1 S2 S3 S4 S5 S6 S7]. constructor; try assumption. intros y. rewrite PE, not_pushed. apply S7.
 Qed.

@@ -16,7 +16,8 @@ type arguments = {
 
 let nothing_asked =
   { asked_wrench = None; asked_case = None; asked_preload = None; asked_bilateral = false;
-    asked_direction = None; asked_growth = None; asked_plane = None; asked_inertia = None; asked_uncertain = []; asked_ball = None }
+    asked_direction = None; asked_growth = None; asked_plane = None; asked_inertia = None; asked_uncertain = []; asked_ball = None;
+    asked_bound = None }
 
 let starts_with prefix word =
   String.length word >= String.length prefix
@@ -134,6 +135,9 @@ let parse words =
               if v <> "unilateral" && v <> "bilateral" then
                 usage name v " is not unilateral or bilateral";
               { o with asked_bilateral = v = "bilateral" })
+        | "--max-motion", _ ->
+          valued (fun v ->
+              { o with asked_bound = Some (if v = "none" then Unbounded else Bounded (list name v)) })
         | "--direction", _ -> valued (fun v -> { o with asked_direction = Some (wrench name v) })
         | "--preload-direction", _ ->
           valued (fun v ->

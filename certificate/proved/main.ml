@@ -28,6 +28,10 @@ the program that produced the certificate:
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold
+  --max-motion LENGTH,ANGLE
+                           ask for equilibria with motions up to this: no translation beyond LENGTH,
+                           no rotation beyond ANGLE; or one number for each coordinate; or the word
+                           none, which takes away that of the grasp file
   --plane UX,UY,UT,VX,VY,VT
                            ask for the region: which wrenches wrench + s U + t V of this
                            plane it resists; wrench is 0 unless given by --wrench or --case

@@ -99,7 +99,7 @@ let json_resisted intervals =
 
 (* How long the proof is. *)
 type size =
-  { nodes : int; leaves : int; parts : int; rests : int; segments : int; trees : int; pieces : int }
+  { nodes : int; leaves : int; parts : int; rests : int; stickings : int; segments : int; trees : int; pieces : int }
 
 let size_of_tree size tree =
   let leaves = List.length (List.filter (function Leaf _ | Held _ -> true | _ -> false) tree) in
@@ -114,10 +114,11 @@ let gaps = function
     count + 1 - ends - if Integer.sign low.qnum = 0 then 1 else 0
 
 let size_of certificate =
-  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; segments = 0; trees = 0; pieces = 0 } in
+  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; stickings = 0; segments = 0; trees = 0; pieces = 0 } in
   let add_part size = function
     | PartProof (_, _, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
     | PartAtRest _ -> { size with rests = size.rests + 1 }
+    | PartSticking _ -> { size with stickings = size.stickings + 1 }
     | PartCut _ -> size in
   match certificate.body with
   | StableByWitness _ -> none
@@ -198,9 +199,10 @@ let question asked =
      | None -> "as in the grasp file")
   ^ numbers o.asked_growth
   ^ "\nnormal law  " ^ law o
-  ^ match tolerances tolerance ball o with
-    | [] -> ""
-    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them
+  ^ (match tolerances tolerance ball o with
+     | [] -> ""
+     | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ t) them)
+  ^ match o.asked_bound with Some (Bounded it) -> "\nmax motion  " ^ vector it | _ -> ""
 
 let json_question asked =
   let o = asked.the_options in
@@ -222,7 +224,8 @@ let json_question asked =
      | Some (u, v) -> ", \"plane\": [" ^ json_vector u ^ ", " ^ json_vector v ^ "]"
      | None -> "")
   ^ (match o.asked_inertia with Some it -> ", \"inertia\": " ^ json_vector it | None -> "")
-  ^ ", \"uncertain\": " ^ uncertain ^ "}"
+  ^ ", \"uncertain\": " ^ uncertain
+  ^ (match o.asked_bound with Some (Bounded it) -> ", \"max_motion\": " ^ json_vector it | _ -> "") ^ "}"
 
 type report =
   | Judged of { asked : posed; answer : answer; certificate : certificate }
@@ -233,15 +236,17 @@ let proof answer size =
   let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
   match answer with
   | Claims _ ->
+    let few text number = if number > 0 then Printf.sprintf text number else "" in
     Printf.sprintf "intervals by degree: %d%s, refuted: %d; trees of %s" size.parts
-      (if size.rests > 0 then Printf.sprintf ", at rest: %d" size.rests else "") size.trees tree
+      (few ", at rest: %d" size.rests ^ few ", sticking: %d" size.stickings) size.trees tree
   | Margin _ ->
     let by_degree = if size.parts > 0 then Printf.sprintf ", by degree: %d" size.parts else "" in
     Printf.sprintf "segments: %d%s; trees: %d, of %s" size.segments by_degree size.trees tree
-  | Stable when size.parts + size.rests > 0 ->
+  | Stable when size.parts + size.rests + size.stickings > 0 ->
     let some number text = if number > 0 then [text] else [] in
     String.concat "; "
       (some size.rests (Printf.sprintf "at rest, parts: %d" size.rests)
+       @ some size.stickings (Printf.sprintf "sticking, parts: %d" size.stickings)
        @ some size.parts (Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree))
   | Stable -> "an equilibrium"
   | Region _ -> Printf.sprintf "pieces: %d; a tree of %s" size.pieces tree

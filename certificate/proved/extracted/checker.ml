@@ -41,6 +41,12 @@ type comparison =
 | Lt
 | Gt
 
+(** val pred : nat -> nat **)
+
+let pred n0 = match n0 with
+| O -> n0
+| S u -> u
+
 module Coq__1 = struct
  (** val add : nat -> nat -> nat **)
  let rec add n0 m =
@@ -87,6 +93,15 @@ let gmin cmp x y =
 
 module Nat =
  struct
+  (** val sub : nat -> nat -> nat **)
+
+  let rec sub n0 m =
+    match n0 with
+    | O -> n0
+    | S k -> (match m with
+              | O -> n0
+              | S l -> sub k l)
+
   (** val eqb : nat -> nat -> bool **)
 
   let rec eqb n0 m =
@@ -97,6 +112,36 @@ module Nat =
     | S n' -> (match m with
                | O -> false
                | S m' -> eqb n' m')
+
+  (** val leb : nat -> nat -> bool **)
+
+  let rec leb n0 m =
+    match n0 with
+    | O -> true
+    | S n' -> (match m with
+               | O -> false
+               | S m' -> leb n' m')
+
+  (** val ltb : nat -> nat -> bool **)
+
+  let ltb n0 m =
+    leb (S n0) m
+
+  (** val divmod : nat -> nat -> nat -> nat -> nat * nat **)
+
+  let rec divmod x y q0 u =
+    match x with
+    | O -> (q0, u)
+    | S x' ->
+      (match u with
+       | O -> divmod x' y (S q0) y
+       | S u' -> divmod x' y q0 u')
+
+  (** val modulo : nat -> nat -> nat **)
+
+  let modulo x = function
+  | O -> x
+  | S y' -> sub y' (snd (divmod x y' O y'))
 
   (** val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1 **)
 
@@ -1506,7 +1551,7 @@ type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
                   load_plane : (q list * q list) option; inertia : q list;
-                  several : mechanism option }
+                  several : mechanism option; max_motion : q list option }
 
 type parameter =
 | PX
@@ -1541,6 +1586,9 @@ type part =
 | PartProof of q list * bool * q list list * q list list * node list
 | PartAtRest of (Big_int_Z.big_int * q list) list
    * (Big_int_Z.big_int * q list list) list * q list
+| PartSticking of q list * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list list) list * q list * q
 
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
@@ -2202,6 +2250,81 @@ let rec collect term_of_row rows0 linear bends =
      | Bend (numerator0, denominator, forms0, mixed0) ->
        collect term_of_row rows' linear ((Bend (numerator0, denominator,
          forms0, mixed0)) :: bends))
+
+(** val good_bound : nat -> q list option -> bool **)
+
+let good_bound n0 = function
+| Some most ->
+  (&&) (Nat.eqb (length most) n0)
+    (forallb (fun b -> Z.ltb Big_int_Z.zero_big_int b.qnum) most)
+| None -> true
+
+(** val bound_forms :
+    Big_int_Z.big_int -> Big_int_Z.big_int list -> form -> q list -> form list **)
+
+let rec bound_forms c signs zeros1 = function
+| [] -> []
+| b :: rest ->
+  app
+    (map (fun s ->
+      (Z.mul c b.qnum) :: (Big_int_Z.zero_big_int :: (app zeros1
+                                                       ((Z.mul s b.qden) :: []))))
+      signs) (bound_forms c signs (Big_int_Z.zero_big_int :: zeros1) rest)
+
+(** val sum_form : q list -> form **)
+
+let sum_form most =
+  let a = (inject_Z (Z.of_nat (length most))) :: ({ qnum =
+    Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int } :: (map (fun b -> qopp (qinv b)) most))
+  in
+  map (to_integer (scaling_of a)) a
+
+(** val bound_conditions : q list option -> form list **)
+
+let bound_conditions = function
+| Some most ->
+  app
+    (bound_forms Big_int_Z.unit_big_int (Big_int_Z.unit_big_int :: []) []
+      most) ((sum_form most) :: [])
+| None -> []
+
+(** val beyond_bound : q list option -> form list list -> ray list -> bool **)
+
+let beyond_bound bound strict0 rays0 =
+  match bound with
+  | Some most ->
+    existsb (fun f -> positive_at_home strict0 rays0 (dot f))
+      (bound_forms (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+        (Big_int_Z.unit_big_int :: ((Big_int_Z.minus_big_int
+        Big_int_Z.unit_big_int) :: [])) [] most)
+  | None -> false
+
+(** val all_within : Big_int_Z.big_int -> q list -> form -> bool **)
+
+let rec all_within h most d =
+  match most with
+  | [] -> (match d with
+           | [] -> true
+           | _ :: _ -> false)
+  | b :: most' ->
+    (match d with
+     | [] -> false
+     | z0 :: d' ->
+       (&&) (Z.leb (Z.mul (Z.abs z0) b.qden) (Z.mul b.qnum h))
+         (all_within h most' d'))
+
+(** val point_within : q list option -> form -> bool **)
+
+let point_within bound x =
+  match bound with
+  | Some most ->
+    (match x with
+     | [] -> false
+     | h :: l -> (match l with
+                  | [] -> false
+                  | _ :: d -> all_within h most d))
+  | None -> true
 
 (** val inner_of : form -> form -> form -> Big_int_Z.big_int **)
 
@@ -3768,7 +3891,8 @@ let no_push =
 
 type setting = { dimension_of : nat; rows : row list; the_load : load;
                  pushes : pushing; slipping : Big_int_Z.big_int list;
-                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
+                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int;
+                 the_bound : q list option }
 
 (** val common_multiple : row list -> Big_int_Z.big_int **)
 
@@ -3800,12 +3924,21 @@ let short_multiple rows0 multiple0 =
   then short0
   else multiple0
 
-(** val make_setting : nat -> row list -> load -> pushing -> setting **)
+(** val make_setting :
+    nat -> row list -> load -> pushing -> q list option -> setting **)
 
-let make_setting dimension0 rows0 ld pushes0 =
+let make_setting dimension0 rows0 ld pushes0 bound =
   let m = common_multiple rows0 in
   { dimension_of = dimension0; rows = rows0; the_load = ld; pushes = pushes0;
-  slipping = []; short = (short_multiple rows0 m); exact = m }
+  slipping = []; short = (short_multiple rows0 m); exact = m; the_bound =
+  bound }
+
+(** val without_bound : setting -> setting **)
+
+let without_bound s =
+  { dimension_of = s.dimension_of; rows = s.rows; the_load = s.the_load;
+    pushes = s.pushes; slipping = s.slipping; short = s.short; exact =
+    s.exact; the_bound = None }
 
 (** val leaf_fails :
     setting -> form list list -> ray list -> q list -> string option **)
@@ -3813,7 +3946,7 @@ let make_setting dimension0 rows0 ld pushes0 =
 let leaf_fails s strict0 rays0 y =
   let sc = scaling_of y in
   let y' = map (to_integer sc) y in
-  if barred strict0 rays0
+  if (||) (barred strict0 rays0) (beyond_bound s.the_bound strict0 rays0)
   then None
   else let them =
          pressers strict0 rays0 s.slipping (unit_of sc) y' s.rows
@@ -3975,13 +4108,14 @@ let set_row s index b =
   let row0 = make_row b in
   { dimension_of = s.dimension_of; rows = (replace s.rows index row0);
   the_load = s.the_load; pushes = s.pushes; slipping = s.slipping; short =
-  s.short; exact = (Z.lcm s.exact row0.over_weight) }
+  s.short; exact = (Z.lcm s.exact row0.over_weight); the_bound = s.the_bound }
 
 (** val set_load : setting -> load -> setting **)
 
 let set_load s ld =
   { dimension_of = s.dimension_of; rows = s.rows; the_load = ld; pushes =
-    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact }
+    s.pushes; slipping = s.slipping; short = s.short; exact = s.exact;
+    the_bound = s.the_bound }
 
 (** val numbers_of0 : load -> interval list **)
 
@@ -4086,7 +4220,8 @@ let split s = function
                     (fs :: []); branch_setting = { dimension_of =
                     s.dimension_of; rows = s.rows; the_load = s.the_load;
                     pushes = s.pushes; slipping = (i :: s.slipping); short =
-                    s.short; exact = s.exact } } :: []))
+                    s.short; exact = s.exact; the_bound =
+                    s.the_bound } } :: []))
    | None -> Inr "node-contact")
 | Separation i ->
   (match numbered s.rows i with
@@ -4150,7 +4285,7 @@ let separating rows0 before =
 (** val root_branch : bool -> setting -> range -> setting branch **)
 
 let root_branch two_sided s g =
-  let fs = range_conditions g in
+  let fs = app (range_conditions g) (bound_conditions s.the_bound) in
   { conditions =
   (map_all (fun f -> (f, false))
     (if two_sided then separating s.rows fs else fs)); new_strict =
@@ -4500,10 +4635,14 @@ let integer_point p =
   map (to_integer (scaling_of (coordinates_of p))) (coordinates_of p)
 
 (** val check_at :
-    bool -> nat -> row list -> load -> point -> (state list, string) sum **)
+    bool -> nat -> row list -> load -> q list option -> point -> (state list,
+    string) sum **)
 
-let check_at two_sided dim rows0 ld p =
-  check_point two_sided dim rows0 ld (integer_point p) p.point_witness.shares
+let check_at two_sided dim rows0 ld bound p =
+  if point_within bound (integer_point p)
+  then check_point two_sided dim rows0 ld (integer_point p)
+         p.point_witness.shares
+  else Inr "witness-bound"
 
 (** val qlt_bool : q -> q -> bool **)
 
@@ -4531,12 +4670,13 @@ let reaches high0 to1 =
              | None -> true)
 
 (** val segments_fail :
-    bool -> nat -> row list -> load -> (q -> q option -> q list -> q list ->
-    q list list -> q list list -> node list -> (string * nat option) option)
-    -> bool -> segment list -> (q * q option) list -> q option ->
-    (point * state list) option -> nat -> (string * place) option **)
+    bool -> nat -> row list -> load -> q list option -> (q -> q option -> q
+    list -> q list -> q list list -> q list list -> node list ->
+    (string * nat option) option) -> bool -> segment list -> (q * q option)
+    list -> q option -> (point * state list) option -> nat ->
+    (string * place) option **)
 
-let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted from0 last number =
+let rec segments_fail two_sided dim rows0 ld bound degree unloaded0 segments resisted from0 last number =
   let out_of_chain = Some ("segment-chain", (AtSegment (number, None))) in
   (match segments with
    | [] -> (match resisted with
@@ -4551,7 +4691,8 @@ let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted 
            let (lo, hi) = p in
            let first =
              match first_point with
-             | Some p0 -> Some (p0, (check_at two_sided dim rows0 ld p0))
+             | Some p0 ->
+               Some (p0, (check_at two_sided dim rows0 ld bound p0))
              | None ->
                (match last with
                 | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
@@ -4574,17 +4715,18 @@ let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted 
                  then out_of_chain
                  else (match checked with
                        | Inl ss1 ->
-                         (match check_at two_sided dim rows0 ld second with
+                         (match check_at two_sided dim rows0 ld bound second with
                           | Inl ss2 ->
                             if same_mode ss1 ss2
                             then if reaches hi second.multiple
                                  then segments_fail two_sided dim rows0 ld
-                                        degree unloaded0 segments' resisted'
-                                        None (Some (second, ss2)) (S number)
-                                 else segments_fail two_sided dim rows0 ld
-                                        degree unloaded0 segments' resisted
-                                        second.multiple (Some (second, ss2))
+                                        bound degree unloaded0 segments'
+                                        resisted' None (Some (second, ss2))
                                         (S number)
+                                 else segments_fail two_sided dim rows0 ld
+                                        bound degree unloaded0 segments'
+                                        resisted second.multiple (Some
+                                        (second, ss2)) (S number)
                             else Some ("segment-mode", (AtSegment (number,
                                    None)))
                           | Inr rule -> Some (rule, (AtPoint (number, true))))
@@ -4618,10 +4760,10 @@ let rec segments_fail two_sided dim rows0 ld degree unloaded0 segments resisted 
                    Some (rule, (AtSegment (number, node0)))
                  | None ->
                    if reaches hi to1
-                   then segments_fail two_sided dim rows0 ld degree unloaded0
-                          segments' resisted' None None (S number)
-                   else segments_fail two_sided dim rows0 ld degree unloaded0
-                          segments' resisted to1 None (S number)))))
+                   then segments_fail two_sided dim rows0 ld bound degree
+                          unloaded0 segments' resisted' None None (S number)
+                   else segments_fail two_sided dim rows0 ld bound degree
+                          unloaded0 segments' resisted to1 None (S number)))))
 
 (** val order_fails :
     q option -> bool -> (q * q option) list -> nat -> nat option **)
@@ -4716,11 +4858,16 @@ let is_simplex n0 e =
      | [] -> (||) (balances n0 e c) (balances n0 e (opposite c))
      | _ :: _ -> false)
 
+(** val frame : bool -> matrix -> matrix -> matrix **)
+
+let frame simplex e free =
+  app (if simplex then removelast e else e) free
+
 (** val free_motions : nat -> bool -> matrix -> matrix option **)
 
 let free_motions n0 simplex e =
   let free = kernel n0 e in
-  let all = app (if simplex then removelast e else e) free in
+  let all = frame simplex e free in
   if (&&)
        ((&&) ((&&) (all_of_length n0 e) (all_of_length n0 free))
          (is_inverse n0 (inverse_of n0 all) all))
@@ -4747,6 +4894,85 @@ let inverted n0 free a =
          (is_inverse n0 inverse m)) (is_inverse n0 m inverse)
   then Some (m, inverse)
   else None
+
+(** val wall_numbers : nat -> bool -> matrix -> vector -> vector **)
+
+let wall_numbers n0 simplex e y =
+  if simplex
+  then let c =
+         match kernel (length e) (transpose n0 e) with
+         | [] -> []
+         | c :: l ->
+           (match l with
+            | [] -> if all_positive c then c else opposite c
+            | _ :: _ -> [])
+       in
+       let them =
+         combine
+           (app y ({ qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } :: [])) c
+       in
+       let least =
+         fold_right (fun p m -> qmin (qdiv (fst p) (snd p)) m) { qnum =
+           Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } them
+       in
+       map (fun p -> reduced (qminus (fst p) (qmult least (snd p)))) them
+  else flat_map (fun q0 ->
+         if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } q0
+         then q0 :: ({ qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } :: [])
+         else { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int } :: ((qopp q0) :: [])) y
+
+(** val most_in_K :
+    nat -> bool -> matrix -> matrix -> vector -> vector -> q option **)
+
+let most_in_K n0 simplex e free target y =
+  let rank = if simplex then pred (length e) else length e in
+  let m = wall_numbers n0 simplex e (firstn rank y) in
+  let walls0 = walls_of simplex e in
+  if (&&)
+       ((&&)
+         (forallb
+           (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int }) m)
+         (Nat.eqb (length m) (length walls0)))
+       (same_vectors (of_rows (app m (skipn rank y)) (app walls0 free))
+         target)
+  then Some
+         (fold_right (fun q0 s -> reduced (qplus q0 s)) { qnum =
+           Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } m)
+  else None
+
+(** val k_within :
+    nat -> bool -> matrix -> matrix -> vector -> matrix -> bool **)
+
+let k_within n0 simplex e free most ds =
+  let inverse = inverse_of n0 (frame simplex e free) in
+  forallb (fun j ->
+    let unit1 = unit_vector n0 j in
+    let y = nth j inverse [] in
+    let b =
+      nth j most { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }
+    in
+    (match most_in_K n0 simplex e free unit1 y with
+     | Some up0 ->
+       (match most_in_K n0 simplex e free (opposite unit1) (opposite y) with
+        | Some down ->
+          forallb (fun d ->
+            (&&)
+              (qle_bool
+                (qplus
+                  (nth j d { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int }) up0) b)
+              (qle_bool
+                (qminus down
+                  (nth j d { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int })) b)) ds
+        | None -> false)
+     | None -> false)) (seq O n0)
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
@@ -4836,7 +5062,7 @@ let middle_setting g s =
   make_setting s.dimension_of
     (map_all (fun r -> make_row (middle_box r.box)) s.rows)
     (middle_load s.the_load) { a_multiple =
-    (map (relative g) g.direction_rows); known_push = [] }
+    (map (relative g) g.direction_rows); known_push = [] } None
 
 (** val middle_conditions : degree_proof -> (form * bool) list **)
 
@@ -4887,6 +5113,18 @@ let all_free free s =
       (&&) (forallb (fun r -> row_free z0 r.box) s.rows)
         (load_free z0 s.the_load)) free)
 
+(** val bound_holds : degree_proof -> matrix -> setting -> bool **)
+
+let bound_holds g free s =
+  match s.the_bound with
+  | Some most ->
+    (match g.high_multiple with
+     | Some _ ->
+       k_within s.dimension_of g.is_a_simplex g.wall_rows free most
+         (g.first_twist :: (g.last_twist :: []))
+     | None -> false)
+  | None -> true
+
 (** val range_sound : degree_proof -> setting -> bool **)
 
 let range_sound g s =
@@ -4930,7 +5168,7 @@ let root_regions advisor g s =
   app
     (if (&&) (is_point s) (one_multiple g)
      then []
-     else wall_regions advisor g s [])
+     else wall_regions advisor g (without_bound s) [])
     (wall_regions advisor g (middle_setting g s) (middle_conditions g))
 
 (** val law_holds : oracle -> degree_proof -> setting -> bool **)
@@ -4953,13 +5191,15 @@ let degree_fails advisor two_sided most_depth0 s g nodes =
      then Some ("degree-free", None)
      else (match inverted n0 free g.direction_rows with
            | Some _ ->
-             if (&&) two_sided (negb (law_holds advisor g s))
-             then Some ("degree-law", None)
-             else (match walk advisor split (end_fails no_pieces) most_depth0
-                           nodes (root_regions advisor g s) O with
-                   | Some p ->
-                     let (rule, number) = p in Some (rule, (Some number))
-                   | None -> None)
+             if negb (bound_holds g free s)
+             then Some ("degree-bound", None)
+             else if (&&) two_sided (negb (law_holds advisor g s))
+                  then Some ("degree-law", None)
+                  else (match walk advisor split (end_fails no_pieces)
+                                most_depth0 nodes (root_regions advisor g s) O with
+                        | Some p ->
+                          let (rule, number) = p in Some (rule, (Some number))
+                        | None -> None)
            | None -> Some ("degree-direction", None))
    | None -> Some ("degree-walls", None))
 
@@ -5260,6 +5500,7 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
            answers0; rest_reach = reach } with
    | Some rule -> Some (rule, None)
    | None -> None)
+| PartSticking (_, _, _, _, _, _) -> Some ("sticking-share", None)
 
 (** val unloaded : setting -> bool **)
 
@@ -6337,7 +6578,7 @@ let plane_setting n0 rows0 w u v =
       app
         (repeat { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int } (add (S (S O)) n0))
-        ((fst p) :: ((snd p) :: []))) (combine u v)) }
+        ((fst p) :: ((snd p) :: []))) (combine u v)) } None
 
 (** val at_zero : range **)
 
@@ -6514,7 +6755,10 @@ let setting_of bits0 q0 =
   match rows_of bits0 q0 with
   | Some rows0 ->
     (match load_of q0 with
-     | Some ld -> Some (make_setting q0.dimension rows0 ld no_push)
+     | Some ld ->
+       if good_bound q0.dimension q0.max_motion
+       then Some (make_setting q0.dimension rows0 ld no_push q0.max_motion)
+       else None
      | None -> None)
   | None -> None
 
@@ -6527,6 +6771,26 @@ let is_one_grasp s =
 
 let straight s =
   forallb (fun r -> negb r.box.box_turns) s.rows
+
+(** val is_sticking : part -> bool **)
+
+let is_sticking = function
+| PartSticking (_, _, _, _, _, _) -> true
+| _ -> false
+
+(** val has_sticking : proof -> bool **)
+
+let has_sticking = function
+| StableByParts parts -> existsb is_sticking parts
+| MarginInSpace claims ->
+  existsb (fun c ->
+    match c with
+    | ClaimStable (_, _, evidence) ->
+      (match evidence with
+       | Inl p0 -> is_sticking p0
+       | Inr _ -> false)
+    | ClaimUnstable (_, _, _) -> false) claims
+| _ -> false
 
 (** val refute :
     oracle -> question -> setting -> range list -> node list ->
@@ -6541,8 +6805,9 @@ let refute advisor q0 s ranges0 nodes =
 let check_witness q0 s w =
   if is_one_grasp s
   then (match check_at q0.bilateral q0.dimension s.rows s.the_load
-                { multiple = (Some { qnum = Big_int_Z.zero_big_int; qden =
-                Big_int_Z.unit_big_int }); point_witness = w } with
+                s.the_bound { multiple = (Some { qnum =
+                Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
+                point_witness = w } with
         | Inl _ -> Stable
         | Inr rule -> Rejected (rule, Nowhere))
   else Rejected ("witness-box", Nowhere)
@@ -6573,6 +6838,7 @@ let check_margin advisor q0 s resisted segments nodes =
         | Some number -> Rejected ("resisted-order", (AtInterval number))
         | None ->
           (match segments_fail q0.bilateral q0.dimension s.rows s.the_load
+                   s.the_bound
                    (segment_by_degree_fails advisor q0.bilateral
                      (most_depth s.rows) s) (unloaded s) segments resisted
                    None None O with
@@ -6583,6 +6849,13 @@ let check_margin advisor q0 s resisted segments nodes =
                 let (rule, number) = p in Rejected (rule, (AtNode number))
               | None -> Margin resisted)))
   else NotProvedHere "a margin of a box"
+
+(** val is_bounded : setting -> bool **)
+
+let is_bounded s =
+  match s.the_bound with
+  | Some _ -> true
+  | None -> false
 
 (** val in_order : bool -> q option -> q -> q option -> bool **)
 
@@ -6601,8 +6874,8 @@ let in_order stable before lo hi =
 
 let holding_fails advisor q0 s number lo hi evidence =
   let at_ = fun l w ->
-    check_at q0.bilateral q0.dimension s.rows s.the_load { multiple = (Some
-      l); point_witness = w }
+    check_at q0.bilateral q0.dimension s.rows s.the_load s.the_bound
+      { multiple = (Some l); point_witness = w }
   in
   let low0 =
     match hi with
@@ -6677,8 +6950,10 @@ let rec check_claims advisor q0 s claims before number resisted refuted =
                | None ->
                  negb
                    ((&&)
-                     (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
-                       Big_int_Z.unit_big_int }) (unloaded s))
+                     ((&&)
+                       (qeq_bool lo { qnum = Big_int_Z.zero_big_int; qden =
+                         Big_int_Z.unit_big_int }) (unloaded s))
+                     (negb (is_bounded s)))
             then Rejected ("interval-whole", (AtInterval number))
             else (match holding_fails advisor q0 s number lo hi evidence with
                   | Some failure -> failure
@@ -6740,9 +7015,10 @@ let check_region advisor q0 s pieces nodes =
     if (&&)
          ((&&)
            ((&&)
-             ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
-               (Nat.eqb (length w) n0)) (Nat.eqb (length u) n0))
-           (Nat.eqb (length v) n0))
+             ((&&)
+               ((&&) ((&&) (Nat.eqb n0 (S (S (S O)))) (is_one_grasp s))
+                 (negb (is_bounded s))) (Nat.eqb (length w) n0))
+             (Nat.eqb (length u) n0)) (Nat.eqb (length v) n0))
          (forallb (fun r -> does_not_grow r.box) s.rows)
     then (match pieces_fail q0.bilateral n0 s.rows w u v pieces O with
           | Some p0 -> let (rule, found_at) = p0 in Rejected (rule, found_at)
@@ -6761,33 +7037,36 @@ let check_region advisor q0 s pieces nodes =
 let check advisor q0 c =
   match setting_of c.bits q0 with
   | Some s ->
-    (match c.body with
-     | StableByWitness w ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_witness q0 s w
-     | StableByParts parts ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_parts advisor q0 s parts
-     | UnstableByTree nodes ->
-       if q0.is_margin
-       then NotProvedHere "a proof of something else than was asked"
-       else check_tree advisor q0 s nodes
-     | MarginBy (resisted, segments, nodes) ->
-       if q0.is_margin
-       then check_margin advisor q0 s resisted segments nodes
-       else NotProvedHere "a proof of something else than was asked"
-     | MarginInSpace claims ->
-       if q0.is_margin
-       then check_claims advisor q0 s claims (Some { qnum =
-              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
-       else NotProvedHere "a proof of something else than was asked"
-     | OfClass p ->
-       (match q0.inertia with
-        | [] -> NotProvedHere "a proof of something else than was asked"
-        | _ :: _ -> check_class q0 s p)
-     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
+    if has_sticking c.body
+    then NotProvedHere "a part by sticking"
+    else (match c.body with
+          | StableByWitness w ->
+            if q0.is_margin
+            then NotProvedHere "a proof of something else than was asked"
+            else check_witness q0 s w
+          | StableByParts parts ->
+            if q0.is_margin
+            then NotProvedHere "a proof of something else than was asked"
+            else check_parts advisor q0 s parts
+          | UnstableByTree nodes ->
+            if q0.is_margin
+            then NotProvedHere "a proof of something else than was asked"
+            else check_tree advisor q0 s nodes
+          | MarginBy (resisted, segments, nodes) ->
+            if q0.is_margin
+            then check_margin advisor q0 s resisted segments nodes
+            else NotProvedHere "a proof of something else than was asked"
+          | MarginInSpace claims ->
+            if q0.is_margin
+            then check_claims advisor q0 s claims (Some { qnum =
+                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
+                   [] []
+            else NotProvedHere "a proof of something else than was asked"
+          | OfClass p ->
+            (match q0.inertia with
+             | [] -> NotProvedHere "a proof of something else than was asked"
+             | _ :: _ -> check_class q0 s p)
+          | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
 
 (** val largest_exponent : Big_int_Z.big_int **)
@@ -7117,7 +7396,8 @@ type grasp = { in_space : bool; coordinates_read : nat;
                names_of_bodies : string list;
                names_of_joints : string option list;
                all_contacts : contact list; common_wrench : interval list;
-               has_loads : bool; cases : (string * interval list) list }
+               has_loads : bool; bound_read : q list option;
+               cases : (string * interval list) list }
 
 (** val most_contacts : Big_int_Z.big_int **)
 
@@ -7678,6 +7958,49 @@ let read_list_of_cases read at_path value0 =
        | _ :: _ -> Fine ()) (fun _ ->
       bind (check_names at_path (map fst them)) (fun _ -> Fine them)))
 
+(** val bound_of : bool -> nat -> q -> q -> q list **)
+
+let bound_of in_space0 count0 length0 angle =
+  if in_space0
+  then let size1 = S (S (S (S (S (S O))))) in
+       let lengths = S (S (S O)) in
+       map (fun j ->
+         if Nat.ltb (Nat.modulo j size1) lengths then length0 else angle)
+         (seq O count0)
+  else let size1 = S (S (S O)) in
+       let lengths = S (S O) in
+       map (fun j ->
+         if Nat.ltb (Nat.modulo j size1) lengths then length0 else angle)
+         (seq O count0)
+
+(** val read_above_0 : path -> json -> q result **)
+
+let read_above_0 at_path value0 =
+  bind (read_decimal at_path value0) (fun x ->
+    bind
+      (check_that
+        (is_below { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } x) at_path "expected a number above 0")
+      (fun _ -> Fine x))
+
+(** val read_bound : bool -> bool -> nat -> path -> json -> q list result **)
+
+let read_bound in_space0 joints count0 at_path value0 = match value0 with
+| Object _ ->
+  bind
+    (check_that (negb joints) at_path
+      "expected an array of a number for each coordinate, as there are joints")
+    (fun _ ->
+    bind (members_of ("length" :: ("angle" :: [])) at_path value0)
+      (fun members ->
+      bind (member "length" read_above_0 at_path members) (fun length0 ->
+        bind (member "angle" read_above_0 at_path members) (fun angle -> Fine
+          (bound_of in_space0 count0 length0 angle)))))
+| _ ->
+  read_sized (Z.of_nat count0)
+    "an array of a number for each coordinate, or an object of length and angle"
+    read_above_0 at_path value0
+
 (** val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option **)
 
 let rec nth_from index = function
@@ -8013,15 +8336,17 @@ let version_of members =
       bind (only_second "outline") (fun _ ->
         bind (only_second "body") (fun _ ->
           bind (only_second "loads") (fun _ ->
-            bind (only_second "cases") (fun _ -> Fine { is_second = second;
-              is_in_space = ((&&) second (begins_in_space members)) }))))))
+            bind (only_second "cases") (fun _ ->
+              bind (only_second "max_motion") (fun _ -> Fine { is_second =
+                second; is_in_space =
+                ((&&) second (begins_in_space members)) })))))))
 
 (** val read_grasp : json -> grasp result **)
 
 let read_grasp value0 =
   bind
     (members_of
-      ("format" :: ("name" :: ("units" :: ("outline" :: ("body" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))
+      ("format" :: ("name" :: ("units" :: ("outline" :: ("body" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: ("max_motion" :: [])))))))))))
       [] value0) (fun members ->
     bind (version_of members) (fun v ->
       bind (optional_member "name" read_any_text [] members) (fun _ ->
@@ -8061,45 +8386,51 @@ let read_grasp value0 =
                         (optional_member "cases"
                           (read_list_of_cases (read_case v)) [] members)
                         (fun named ->
+                        let count0 =
+                          if v.is_in_space
+                          then S (S (S (S (S (S O)))))
+                          else S (S (S O))
+                        in
                         bind
-                          (check_that
-                            (negb
-                              ((&&) (has_member "wrench" members)
-                                (has_member "loads" members))) []
-                            "both \"wrench\" and \"loads\"; give one of them")
-                          (fun _ ->
+                          (optional_member "max_motion"
+                            (read_bound v.is_in_space false count0) []
+                            members) (fun bound ->
                           bind
                             (check_that
-                              ((||)
-                                ((||) (has_member "wrench" members)
-                                  (has_member "loads" members))
-                                (has_member "cases" members)) []
-                              "the member \"wrench\" is missing") (fun _ ->
-                            let common =
-                              match own with
-                              | Some w -> w
-                              | None ->
-                                (match loads with
-                                 | Some w -> w
-                                 | None -> no_wrench v)
-                            in
-                            let named0 =
-                              match named with
-                              | Some it -> it
-                              | None -> []
-                            in
-                            Fine { in_space = v.is_in_space;
-                            coordinates_read =
-                            (if v.is_in_space
-                             then S (S (S (S (S (S O)))))
-                             else S (S (S O))); bodies_read = None;
-                            body_names = []; names_of_bodies = [];
-                            names_of_joints = []; all_contacts = them;
-                            common_wrench = common; has_loads = false;
-                            cases =
-                            (map (fun pat ->
-                              let (name, w) = pat in
-                              (name, (add_wrench w common))) named0) })))))))))))))
+                              (negb
+                                ((&&) (has_member "wrench" members)
+                                  (has_member "loads" members))) []
+                              "both \"wrench\" and \"loads\"; give one of them")
+                            (fun _ ->
+                            bind
+                              (check_that
+                                ((||)
+                                  ((||) (has_member "wrench" members)
+                                    (has_member "loads" members))
+                                  (has_member "cases" members)) []
+                                "the member \"wrench\" is missing") (fun _ ->
+                              let common =
+                                match own with
+                                | Some w -> w
+                                | None ->
+                                  (match loads with
+                                   | Some w -> w
+                                   | None -> no_wrench v)
+                              in
+                              let named0 =
+                                match named with
+                                | Some it -> it
+                                | None -> []
+                              in
+                              Fine { in_space = v.is_in_space;
+                              coordinates_read = count0; bodies_read = None;
+                              body_names = []; names_of_bodies = [];
+                              names_of_joints = []; all_contacts = them;
+                              common_wrench = common; has_loads = false;
+                              bound_read = bound; cases =
+                              (map (fun pat ->
+                                let (name, w) = pat in
+                                (name, (add_wrench w common))) named0) }))))))))))))))
 
 type named_body = { name_of : string; link : (nat option * q list) option }
 
@@ -8660,7 +8991,7 @@ let rec read_springs levers joints =
 let read_grasp_of_bodies value0 =
   bind
     (members_of
-      ("format" :: ("bodies" :: ("contacts" :: ("name" :: ("units" :: ("defaults" :: ("joints" :: ("tendons" :: ("ratchets" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))))
+      ("format" :: ("bodies" :: ("contacts" :: ("name" :: ("units" :: ("defaults" :: ("joints" :: ("tendons" :: ("ratchets" :: ("wrench" :: ("loads" :: ("cases" :: ("max_motion" :: [])))))))))))))
       [] value0) (fun members ->
     let v = { is_second = true; is_in_space =
       (match find_member "contacts" members with
@@ -8815,23 +9146,30 @@ let read_grasp_of_bodies value0 =
                                     | Some it -> it
                                     | None -> []
                                   in
-                                  Fine { in_space = v.is_in_space;
-                                  coordinates_read = count0; bodies_read =
-                                  (Some its); body_names =
-                                  (map (fun n0 -> n0.name_of) bodies0);
-                                  names_of_bodies =
-                                  (concat (map (names_of_body v) bodies0));
-                                  names_of_joints =
-                                  (map (fun pat ->
-                                    let (y, _) = pat in
-                                    let (_, name) = y in name) joints);
-                                  all_contacts = them; common_wrench =
-                                  common; has_loads =
-                                  ((||) (has_member "wrench" members)
-                                    (has_member "loads" members)); cases =
-                                  (map (fun pat ->
-                                    let (name, w) = pat in
-                                    (name, (add_wrench w common))) named0) }))))))))))))))))
+                                  bind
+                                    (optional_member "max_motion"
+                                      (read_bound v.is_in_space
+                                        (match joints with
+                                         | [] -> false
+                                         | _ :: _ -> true) count0) [] members)
+                                    (fun bound -> Fine { in_space =
+                                    v.is_in_space; coordinates_read = count0;
+                                    bodies_read = (Some its); body_names =
+                                    (map (fun n0 -> n0.name_of) bodies0);
+                                    names_of_bodies =
+                                    (concat (map (names_of_body v) bodies0));
+                                    names_of_joints =
+                                    (map (fun pat ->
+                                      let (y, _) = pat in
+                                      let (_, name) = y in name) joints);
+                                    all_contacts = them; common_wrench =
+                                    common; has_loads =
+                                    ((||) (has_member "wrench" members)
+                                      (has_member "loads" members));
+                                    bound_read = bound; cases =
+                                    (map (fun pat ->
+                                      let (name, w) = pat in
+                                      (name, (add_wrench w common))) named0) })))))))))))))))))
 
 (** val read_file : json -> grasp result **)
 
@@ -8854,6 +9192,10 @@ type growth =
 type stated_ball = { stated_radius : q; stated_length : q;
                      stated_point : q list; stated_body : string option }
 
+type bound_option =
+| Unbounded
+| Bounded of q list
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
@@ -8861,7 +9203,8 @@ type options = { asked_wrench : q list option; asked_case : string option;
                  asked_plane : (q list * q list) option;
                  asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list;
-                 asked_ball : stated_ball option }
+                 asked_ball : stated_ball option;
+                 asked_bound : bound_option option }
 
 (** val uncertain_kinds : string list **)
 
@@ -9117,6 +9460,71 @@ let ball_asked file asked stated =
                 b.stated_length; about = point0; on_body = body0 }))))))))
   | None -> Fine None
 
+(** val bound_asked : grasp -> options -> q list option result **)
+
+let bound_asked file asked =
+  let here = of_question "max motion" in
+  bind
+    (match asked.asked_bound with
+     | Some b ->
+       (match b with
+        | Unbounded -> Fine None
+        | Bounded numbers0 ->
+          bind
+            (check_that
+              (forallb
+                (is_below { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }) numbers0) here
+              "expected numbers above 0") (fun _ ->
+            if Nat.eqb (length numbers0) file.coordinates_read
+            then Fine (Some numbers0)
+            else (match numbers0 with
+                  | [] ->
+                    (match file.names_of_joints with
+                     | [] ->
+                       refuse here
+                         "expected a number for each coordinate of motions, or a length and an angle"
+                     | _ :: _ ->
+                       refuse here
+                         "expected a number for each coordinate of the bodies and joints")
+                  | length0 :: l ->
+                    (match l with
+                     | [] ->
+                       (match file.names_of_joints with
+                        | [] ->
+                          refuse here
+                            "expected a number for each coordinate of motions, or a length and an angle"
+                        | _ :: _ ->
+                          refuse here
+                            "expected a number for each coordinate of the bodies and joints")
+                     | angle :: l0 ->
+                       (match l0 with
+                        | [] ->
+                          (match file.names_of_joints with
+                           | [] ->
+                             Fine (Some
+                               (bound_of file.in_space file.coordinates_read
+                                 length0 angle))
+                           | _ :: _ ->
+                             refuse here
+                               "expected a number for each coordinate of the bodies and joints")
+                        | _ :: _ ->
+                          (match file.names_of_joints with
+                           | [] ->
+                             refuse here
+                               "expected a number for each coordinate of motions, or a length and an angle"
+                           | _ :: _ ->
+                             refuse here
+                               "expected a number for each coordinate of the bodies and joints"))))))
+     | None -> Fine file.bound_read) (fun bound ->
+    bind
+      (check_that
+        (match bound with
+         | Some _ -> negb ((||) (asks_plane asked) (asks_class asked))
+         | None -> true) here
+        "motions are bounded, and a plane or an inertia is given as well; expected one of them")
+      (fun _ -> Fine bound))
+
 (** val check_tolerances :
     options -> (string * tolerance) list -> unit result **)
 
@@ -9336,201 +9744,210 @@ let pose file asked =
           bind (wrench_asked file asked) (fun stated ->
             bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
               bind (ball_asked file asked stated) (fun ball0 ->
-                let them = map_all (asked_contact asked) file.all_contacts in
-                let others =
-                  match file.bodies_read with
-                  | Some its -> map_all (asked_element asked) its.elements
-                  | None -> []
-                in
-                bind
-                  (match asked.asked_growth with
-                   | Some g ->
-                     (match g with
-                      | Scale -> Fine (them, others)
-                      | By numbers0 ->
-                        let problem =
-                          "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
-                        in
-                        let wrong =
-                          refuse (of_question "preload direction") problem
-                        in
-                        (match with_growths (fun it p ->
-                                 with_growth it.preload p it) them numbers0 [] with
-                         | Some p ->
-                           let (them0, rest) = p in
-                           (match with_growths (fun it p0 ->
-                                    element_with_growth it.element_preload p0
-                                      it) others rest [] with
-                            | Some p0 ->
-                              let (others0, l) = p0 in
-                              (match l with
-                               | [] ->
-                                 bind
-                                   (check_that
-                                     ((&&)
-                                       (forallb (fun it ->
-                                         qle_bool { qnum =
-                                           Big_int_Z.zero_big_int; qden =
-                                           Big_int_Z.unit_big_int }
-                                           it.preload_growth) them0)
-                                       (forallb (fun it ->
-                                         (||) it.element_spring
-                                           (qle_bool { qnum =
+                bind (bound_asked file asked) (fun bound ->
+                  let them = map_all (asked_contact asked) file.all_contacts
+                  in
+                  let others =
+                    match file.bodies_read with
+                    | Some its -> map_all (asked_element asked) its.elements
+                    | None -> []
+                  in
+                  bind
+                    (match asked.asked_growth with
+                     | Some g ->
+                       (match g with
+                        | Scale -> Fine (them, others)
+                        | By numbers0 ->
+                          let problem =
+                            "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
+                          in
+                          let wrong =
+                            refuse (of_question "preload direction") problem
+                          in
+                          (match with_growths (fun it p ->
+                                   with_growth it.preload p it) them numbers0
+                                   [] with
+                           | Some p ->
+                             let (them0, rest) = p in
+                             (match with_growths (fun it p0 ->
+                                      element_with_growth it.element_preload
+                                        p0 it) others rest [] with
+                              | Some p0 ->
+                                let (others0, l) = p0 in
+                                (match l with
+                                 | [] ->
+                                   bind
+                                     (check_that
+                                       ((&&)
+                                         (forallb (fun it ->
+                                           qle_bool { qnum =
                                              Big_int_Z.zero_big_int; qden =
                                              Big_int_Z.unit_big_int }
-                                             it.element_growth)) others0))
-                                     (of_question "preload direction")
-                                     problem) (fun _ -> Fine (them0, others0))
-                               | _ :: _ -> wrong)
-                            | None -> wrong)
-                         | None -> wrong))
-                   | None -> Fine (them, others)) (fun pat ->
-                  let (them0, others0) = pat in
-                  bind
-                    (match asked.asked_inertia with
-                     | Some numbers0 ->
-                       let here = of_question "inertia" in
-                       bind
-                         (check_that
-                           (match file.bodies_read with
-                            | Some _ -> false
-                            | None -> true) here
-                           "the grasp is of several bodies; expected a question about a wrench or a direction")
-                         (fun _ ->
+                                             it.preload_growth) them0)
+                                         (forallb (fun it ->
+                                           (||) it.element_spring
+                                             (qle_bool { qnum =
+                                               Big_int_Z.zero_big_int; qden =
+                                               Big_int_Z.unit_big_int }
+                                               it.element_growth)) others0))
+                                       (of_question "preload direction")
+                                       problem) (fun _ -> Fine (them0,
+                                     others0))
+                                 | _ :: _ -> wrong)
+                              | None -> wrong)
+                           | None -> wrong))
+                     | None -> Fine (them, others)) (fun pat ->
+                    let (them0, others0) = pat in
+                    bind
+                      (match asked.asked_inertia with
+                       | Some numbers0 ->
+                         let here = of_question "inertia" in
                          bind
                            (check_that
-                             (negb
-                               ((||) (asks_margin asked) (asks_plane asked)))
-                             here
-                             "a direction or a plane is given as well; expected one of them")
+                             (match file.bodies_read with
+                              | Some _ -> false
+                              | None -> true) here
+                             "the grasp is of several bodies; expected a question about a wrench or a direction")
                            (fun _ ->
                            bind
                              (check_that
-                               (has_length
-                                 (if file.in_space
-                                  then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                         (Big_int_Z.mult_int_big_int 2
-                                         (Big_int_Z.mult_int_big_int 2
-                                         Big_int_Z.unit_big_int)))
-                                  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                         Big_int_Z.unit_big_int)) numbers0)
+                               (negb
+                                 ((||) (asks_margin asked) (asks_plane asked)))
                                here
-                               (if file.in_space
-                                then "expected 6 or 9 numbers"
-                                else "expected 3 numbers")) (fun _ ->
-                             check_that
-                               (match masses numbers0 with
-                                | Some _ -> true
-                                | None -> false) here
-                               (if file.in_space
-                                then "the tensor is not positive definite"
-                                else "the squared radius of gyration must be > 0"))))
-                     | None -> Fine ()) (fun _ ->
-                    let margin = asks_one asked in
-                    bind
-                      (each (check_contact margin claims) ((Member
-                        "contacts") :: []) them0) (fun boxes ->
+                               "a direction or a plane is given as well; expected one of them")
+                             (fun _ ->
+                             bind
+                               (check_that
+                                 (has_length
+                                   (if file.in_space
+                                    then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                           (Big_int_Z.mult_int_big_int 2
+                                           (Big_int_Z.mult_int_big_int 2
+                                           Big_int_Z.unit_big_int)))
+                                    else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                           Big_int_Z.unit_big_int)) numbers0)
+                                 here
+                                 (if file.in_space
+                                  then "expected 6 or 9 numbers"
+                                  else "expected 3 numbers")) (fun _ ->
+                               check_that
+                                 (match masses numbers0 with
+                                  | Some _ -> true
+                                  | None -> false) here
+                                 (if file.in_space
+                                  then "the tensor is not positive definite"
+                                  else "the squared radius of gyration must be > 0"))))
+                       | None -> Fine ()) (fun _ ->
+                      let margin = asks_one asked in
                       bind
-                        (each (check_element margin) ((Member
-                          "ratchets and springs") :: []) others0)
-                        (fun other_boxes ->
-                        let widened =
-                          map (widen (find_tolerance "wrench" asked)) stated
-                        in
-                        let certain0 = forallb is_exact widened in
+                        (each (check_contact margin claims) ((Member
+                          "contacts") :: []) them0) (fun boxes ->
                         bind
-                          (check_that ((||) (negb margin) certain0) ((Member
-                            "wrench") :: [])
-                            "found an interval, but a margin is about one grasp; expected numbers")
-                          (fun _ ->
-                          let scales =
-                            match asked.asked_growth with
-                            | Some g ->
-                              (match g with
-                               | Scale -> true
-                               | By _ -> false)
-                            | None -> false
+                          (each (check_element margin) ((Member
+                            "ratchets and springs") :: []) others0)
+                          (fun other_boxes ->
+                          let widened =
+                            map (widen (find_tolerance "wrench" asked)) stated
                           in
-                          let them1 =
-                            if scales
-                            then map_all (fun it ->
-                                   with_growth
-                                     (exactly { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int })
-                                     it.preload.low it) them0
-                            else them0
-                          in
-                          let others1 =
-                            if scales
-                            then map_all (fun it ->
-                                   element_with_growth
-                                     (exactly { qnum =
-                                       Big_int_Z.zero_big_int; qden =
-                                       Big_int_Z.unit_big_int })
-                                     it.element_preload.low it) others0
-                            else others0
-                          in
-                          let u =
-                            match asked.asked_direction with
-                            | Some u -> u
-                            | None ->
-                              map (fun _ -> { qnum = Big_int_Z.zero_big_int;
-                                qden = Big_int_Z.unit_big_int }) stated
-                          in
+                          let certain0 = forallb is_exact widened in
                           bind
-                            (check_that
-                              ((||)
+                            (check_that ((||) (negb margin) certain0)
+                              ((Member "wrench") :: [])
+                              "found an interval, but a margin is about one grasp; expected numbers")
+                            (fun _ ->
+                            let scales =
+                              match asked.asked_growth with
+                              | Some g ->
+                                (match g with
+                                 | Scale -> true
+                                 | By _ -> false)
+                              | None -> false
+                            in
+                            let them1 =
+                              if scales
+                              then map_all (fun it ->
+                                     with_growth
+                                       (exactly { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int })
+                                       it.preload.low it) them0
+                              else them0
+                            in
+                            let others1 =
+                              if scales
+                              then map_all (fun it ->
+                                     element_with_growth
+                                       (exactly { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int })
+                                       it.element_preload.low it) others0
+                              else others0
+                            in
+                            let u =
+                              match asked.asked_direction with
+                              | Some u -> u
+                              | None ->
+                                map (fun _ -> { qnum =
+                                  Big_int_Z.zero_big_int; qden =
+                                  Big_int_Z.unit_big_int }) stated
+                            in
+                            bind
+                              (check_that
                                 ((||)
-                                  ((||) (negb (asks_margin asked))
-                                    (negb (forallb is_0 u)))
+                                  ((||)
+                                    ((||) (negb (asks_margin asked))
+                                      (negb (forallb is_0 u)))
+                                    (existsb (fun it ->
+                                      negb (is_0 it.preload_growth)) them1))
                                   (existsb (fun it ->
-                                    negb (is_0 it.preload_growth)) them1))
-                                (existsb (fun it ->
-                                  negb (is_0 it.element_growth)) others1))
-                              (of_question "direction")
-                              ((^)
-                                "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                                "scale preloads some of which are not 0"))
-                            (fun _ -> Fine { the_question = { dimension =
-                            file.coordinates_read; bilateral =
-                            asked.asked_bilateral; is_margin =
-                            (asks_margin asked); contacts = them1; wrench =
-                            widened; load_ball =
-                            (match ball0 with
-                             | Some p -> let (_, b) = p in Some b
-                             | None -> None); direction = u; load_plane =
-                            asked.asked_plane; inertia =
-                            (match asked.asked_inertia with
-                             | Some numbers0 -> numbers0
-                             | None -> []); several =
-                            (match file.bodies_read with
-                             | Some its ->
-                               Some { bodies_in_space = its.bodies_in_space;
-                                 bodies = its.bodies; elements = others1 }
-                             | None -> None) }; free_coordinates =
-                            file.names_of_bodies; joint_coordinates =
-                            file.names_of_joints; stated_wrench = stated;
-                            the_options = { asked_wrench =
-                            asked.asked_wrench; asked_case =
-                            asked.asked_case; asked_preload =
-                            asked.asked_preload; asked_bilateral =
-                            asked.asked_bilateral; asked_direction =
-                            asked.asked_direction; asked_growth =
-                            asked.asked_growth; asked_plane =
-                            asked.asked_plane; asked_inertia =
-                            asked.asked_inertia; asked_uncertain =
-                            asked.asked_uncertain; asked_ball =
-                            (match ball0 with
-                             | Some p -> let (b, _) = p in Some b
-                             | None -> None) }; is_box =
-                            ((||)
-                              ((||) (negb certain0)
-                                (match ball0 with
-                                 | Some _ -> true
-                                 | None -> false))
-                              (existsb (fun box0 -> box0)
-                                (app boxes other_boxes))) })))))))))))))
+                                    negb (is_0 it.element_growth)) others1))
+                                (of_question "direction")
+                                ((^)
+                                  "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                                  "scale preloads some of which are not 0"))
+                              (fun _ -> Fine { the_question = { dimension =
+                              file.coordinates_read; bilateral =
+                              asked.asked_bilateral; is_margin =
+                              (asks_margin asked); contacts = them1; wrench =
+                              widened; load_ball =
+                              (match ball0 with
+                               | Some p -> let (_, b) = p in Some b
+                               | None -> None); direction = u; load_plane =
+                              asked.asked_plane; inertia =
+                              (match asked.asked_inertia with
+                               | Some numbers0 -> numbers0
+                               | None -> []); several =
+                              (match file.bodies_read with
+                               | Some its ->
+                                 Some { bodies_in_space =
+                                   its.bodies_in_space; bodies = its.bodies;
+                                   elements = others1 }
+                               | None -> None); max_motion = bound };
+                              free_coordinates = file.names_of_bodies;
+                              joint_coordinates = file.names_of_joints;
+                              stated_wrench = stated; the_options =
+                              { asked_wrench = asked.asked_wrench;
+                              asked_case = asked.asked_case; asked_preload =
+                              asked.asked_preload; asked_bilateral =
+                              asked.asked_bilateral; asked_direction =
+                              asked.asked_direction; asked_growth =
+                              asked.asked_growth; asked_plane =
+                              asked.asked_plane; asked_inertia =
+                              asked.asked_inertia; asked_uncertain =
+                              asked.asked_uncertain; asked_ball =
+                              (match ball0 with
+                               | Some p -> let (b, _) = p in Some b
+                               | None -> None); asked_bound =
+                              (match bound with
+                               | Some numbers0 -> Some (Bounded numbers0)
+                               | None -> None) }; is_box =
+                              ((||)
+                                ((||) (negb certain0)
+                                  (match ball0 with
+                                   | Some _ -> true
+                                   | None -> false))
+                                (existsb (fun box0 -> box0)
+                                  (app boxes other_boxes))) }))))))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
@@ -9747,7 +10164,8 @@ let read_statement s at_path value0 =
         ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
         (app (if of_claims s then [] else "plane" :: [])
           (app (if s.of_bodies then [] else "inertia" :: [])
-            ("uncertain" :: [])))) at_path value0) (fun members ->
+            ("uncertain" :: ("max_motion" :: []))))) at_path value0)
+    (fun members ->
     let count0 = s.size_of_twist in
     bind (member "contacts" read_index at_path members) (fun m ->
       bind
@@ -9770,19 +10188,25 @@ let read_statement s at_path value0 =
                       at_path members) (fun i ->
                     bind
                       (optional_member "uncertain" (read_tolerances s)
-                        at_path members) (fun uncertain -> Fine
-                      { stated_contacts = m; wrench_stated = w;
-                      options_stated = { asked_wrench = None; asked_case =
-                      None; asked_preload = p; asked_bilateral = law;
-                      asked_direction = u; asked_growth = growing;
-                      asked_plane = plane; asked_inertia = i;
-                      asked_uncertain =
-                      (match uncertain with
-                       | Some p0 -> let (it, _) = p0 in it
-                       | None -> []); asked_ball =
-                      (match uncertain with
-                       | Some p0 -> let (_, b) = p0 in b
-                       | None -> None) } }))))))))))
+                        at_path members) (fun uncertain ->
+                      bind
+                        (optional_member "max_motion" (read_numbers count0)
+                          at_path members) (fun bound -> Fine
+                        { stated_contacts = m; wrench_stated = w;
+                        options_stated = { asked_wrench = None; asked_case =
+                        None; asked_preload = p; asked_bilateral = law;
+                        asked_direction = u; asked_growth = growing;
+                        asked_plane = plane; asked_inertia = i;
+                        asked_uncertain =
+                        (match uncertain with
+                         | Some p0 -> let (it, _) = p0 in it
+                         | None -> []); asked_ball =
+                        (match uncertain with
+                         | Some p0 -> let (_, b) = p0 in b
+                         | None -> None); asked_bound =
+                        (match bound with
+                         | Some numbers0 -> Some (Bounded numbers0)
+                         | None -> None) } })))))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -10094,45 +10518,90 @@ let read_at_rest s at_path value0 =
         bind (member "reach" (read_twist s) at_path members) (fun z0 -> Fine
           (PartAtRest (f, g, z0))))))
 
-(** val is_at_rest : json -> bool **)
+(** val read_presses :
+    shape -> path -> json -> (Big_int_Z.big_int * q list) result **)
 
-let is_at_rest = function
-| Object members -> has_member "rest" members
+let read_presses s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, numbers]" at_path value0
+   | contact0 :: l ->
+     (match l with
+      | [] -> expected "[contact, numbers]" at_path value0
+      | numbers0 :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_index at_path contact0) (fun i ->
+             bind (read_twist s at_path numbers0) (fun them -> Fine (i, them)))
+         | _ :: _ -> expected "[contact, numbers]" at_path value0)))
+| _ -> expected "[contact, numbers]" at_path value0
+
+(** val read_sticking : shape -> path -> json -> part result **)
+
+let read_sticking s at_path value0 =
+  bind
+    (members_in_order
+      ("sticking" :: ("friction" :: ("presses" :: ("answers" :: ("reach" :: ("energy" :: []))))))
+      at_path value0) (fun members ->
+    bind (member "sticking" (read_twist s) at_path members) (fun d ->
+      bind (member "friction" (read_shares s) at_path members) (fun f ->
+        bind
+          (member "presses"
+            (read_array "an array [[contact, numbers], ...]" (read_presses s))
+            at_path members) (fun h ->
+          bind
+            (member "answers"
+              (read_array "an array [[contact, forces], ...]"
+                (read_answers s)) at_path members) (fun g ->
+            bind (member "reach" (read_twist s) at_path members) (fun z0 ->
+              bind (member "energy" read_fraction at_path members) (fun c ->
+                Fine (PartSticking (d, f, h, g, z0, c)))))))))
+
+(** val begins_so : string -> json -> bool **)
+
+let begins_so name = function
+| Object members -> has_member name members
 | _ -> false
 
 (** val read_part : shape -> path -> json -> part result **)
 
 let read_part s at_path value0 =
-  if is_at_rest value0
+  if begins_so "rest" value0
   then read_at_rest s at_path value0
-  else (match value0 with
-        | Array _ ->
-          bind (read_node s at_path value0) (fun it ->
-            match it with
-            | Cut (p, i, c) -> Fine (PartCut (p, i, c))
-            | _ -> expected "a part" at_path value0)
-        | _ ->
-          let simplex =
-            match value0 with
-            | Object members -> has_member "simplex" members
-            | _ -> false
-          in
-          let walls0 = if simplex then "simplex" else "walls" in
-          bind
-            (members_in_order
-              ("twist" :: (walls0 :: ("direction" :: ("tree" :: []))))
-              at_path value0) (fun members ->
-            bind (member "twist" (read_twist s) at_path members) (fun d ->
-              bind
-                (member walls0
-                  (read_walls s
-                    (if simplex
-                     then Big_int_Z.unit_big_int
-                     else Big_int_Z.zero_big_int)) at_path members) (fun e ->
-                bind (member "direction" (read_matrix s) at_path members)
-                  (fun a ->
-                  bind (member "tree" (read_nodes s) at_path members)
-                    (fun tree -> Fine (PartProof (d, simplex, e, a, tree))))))))
+  else if begins_so "sticking" value0
+       then read_sticking s at_path value0
+       else (match value0 with
+             | Array _ ->
+               bind (read_node s at_path value0) (fun it ->
+                 match it with
+                 | Cut (p, i, c) -> Fine (PartCut (p, i, c))
+                 | _ -> expected "a part" at_path value0)
+             | _ ->
+               let simplex =
+                 match value0 with
+                 | Object members -> has_member "simplex" members
+                 | _ -> false
+               in
+               let walls0 = if simplex then "simplex" else "walls" in
+               bind
+                 (members_in_order
+                   ("twist" :: (walls0 :: ("direction" :: ("tree" :: []))))
+                   at_path value0) (fun members ->
+                 bind (member "twist" (read_twist s) at_path members)
+                   (fun d ->
+                   bind
+                     (member walls0
+                       (read_walls s
+                         (if simplex
+                          then Big_int_Z.unit_big_int
+                          else Big_int_Z.zero_big_int)) at_path members)
+                     (fun e ->
+                     bind
+                       (member "direction" (read_matrix s) at_path members)
+                       (fun a ->
+                       bind (member "tree" (read_nodes s) at_path members)
+                         (fun tree -> Fine (PartProof (d, simplex, e, a,
+                         tree))))))))
 
 (** val read_segment_by_degree : shape -> path -> json -> segment result **)
 
@@ -10695,6 +11164,18 @@ let same_ball a b =
       (same_list qeq_bool a.stated_point b.stated_point))
     (same_option (=) a.stated_body b.stated_body)
 
+(** val same_bound : bound_option -> bound_option -> bool **)
+
+let same_bound a b =
+  match a with
+  | Unbounded -> (match b with
+                  | Unbounded -> true
+                  | Bounded _ -> false)
+  | Bounded x ->
+    (match b with
+     | Unbounded -> false
+     | Bounded y -> same_list qeq_bool x y)
+
 (** val broken_question_rule : statement -> posed -> string option **)
 
 let broken_question_rule stated asked =
@@ -10755,7 +11236,12 @@ let broken_question_rule stated asked =
                                                    said.asked_ball
                                                    options0.asked_ball))
                                           then Some "question-uncertain"
-                                          else None
+                                          else if negb
+                                                    (same_option same_bound
+                                                      said.asked_bound
+                                                      options0.asked_bound)
+                                               then Some "question-max-motion"
+                                               else None
 
 (** val ask : options -> json -> posed result **)
 

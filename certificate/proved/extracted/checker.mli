@@ -22,6 +22,8 @@ type comparison =
 | Lt
 | Gt
 
+val pred : nat -> nat
+
 val add : nat -> nat -> nat
 
 val mul : nat -> nat -> nat
@@ -36,7 +38,17 @@ val gmin : ('a1 -> 'a1 -> comparison) -> 'a1 -> 'a1 -> 'a1
 
 module Nat :
  sig
+  val sub : nat -> nat -> nat
+
   val eqb : nat -> nat -> bool
+
+  val leb : nat -> nat -> bool
+
+  val ltb : nat -> nat -> bool
+
+  val divmod : nat -> nat -> nat -> nat -> nat * nat
+
+  val modulo : nat -> nat -> nat
 
   val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1
  end
@@ -379,7 +391,7 @@ type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
                   load_plane : (q list * q list) option; inertia : q list;
-                  several : mechanism option }
+                  several : mechanism option; max_motion : q list option }
 
 type parameter =
 | PX
@@ -414,6 +426,9 @@ type part =
 | PartProof of q list * bool * q list list * q list list * node list
 | PartAtRest of (Big_int_Z.big_int * q list) list
    * (Big_int_Z.big_int * q list list) list * q list
+| PartSticking of q list * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list) list
+   * (Big_int_Z.big_int * q list list) list * q list * q
 
 type claim =
 | ClaimStable of q * q option * (part, witness list) sum
@@ -648,6 +663,21 @@ val pull_tips : row -> form list
 
 val collect :
   ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list
+
+val good_bound : nat -> q list option -> bool
+
+val bound_forms :
+  Big_int_Z.big_int -> Big_int_Z.big_int list -> form -> q list -> form list
+
+val sum_form : q list -> form
+
+val bound_conditions : q list option -> form list
+
+val beyond_bound : q list option -> form list list -> ray list -> bool
+
+val all_within : Big_int_Z.big_int -> q list -> form -> bool
+
+val point_within : q list option -> form -> bool
 
 val inner_of : form -> form -> form -> Big_int_Z.big_int
 
@@ -960,13 +990,17 @@ val no_push : pushing
 
 type setting = { dimension_of : nat; rows : row list; the_load : load;
                  pushes : pushing; slipping : Big_int_Z.big_int list;
-                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int }
+                 short : Big_int_Z.big_int; exact : Big_int_Z.big_int;
+                 the_bound : q list option }
 
 val common_multiple : row list -> Big_int_Z.big_int
 
 val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
 
-val make_setting : nat -> row list -> load -> pushing -> setting
+val make_setting :
+  nat -> row list -> load -> pushing -> q list option -> setting
+
+val without_bound : setting -> setting
 
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
@@ -1103,7 +1137,8 @@ val coordinates_of : point -> q list
 val integer_point : point -> form
 
 val check_at :
-  bool -> nat -> row list -> load -> point -> (state list, string) sum
+  bool -> nat -> row list -> load -> q list option -> point -> (state list,
+  string) sum
 
 val qlt_bool : q -> q -> bool
 
@@ -1112,10 +1147,10 @@ val beyond : q option -> q option -> bool
 val reaches : q option -> q option -> bool
 
 val segments_fail :
-  bool -> nat -> row list -> load -> (q -> q option -> q list -> q list -> q
-  list list -> q list list -> node list -> (string * nat option) option) ->
-  bool -> segment list -> (q * q option) list -> q option -> (point * state
-  list) option -> nat -> (string * place) option
+  bool -> nat -> row list -> load -> q list option -> (q -> q option -> q
+  list -> q list -> q list list -> q list list -> node list -> (string * nat
+  option) option) -> bool -> segment list -> (q * q option) list -> q option
+  -> (point * state list) option -> nat -> (string * place) option
 
 val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
 
@@ -1137,11 +1172,20 @@ val balances : nat -> matrix -> vector -> bool
 
 val is_simplex : nat -> matrix -> bool
 
+val frame : bool -> matrix -> matrix -> matrix
+
 val free_motions : nat -> bool -> matrix -> matrix option
 
 val plus_square : vector -> matrix -> matrix
 
 val inverted : nat -> matrix -> matrix -> (matrix * matrix) option
+
+val wall_numbers : nat -> bool -> matrix -> vector -> vector
+
+val most_in_K :
+  nat -> bool -> matrix -> matrix -> vector -> vector -> q option
+
+val k_within : nat -> bool -> matrix -> matrix -> vector -> matrix -> bool
 
 type degree_proof = { low_multiple : q; high_multiple : q option;
                       first_twist : vector; last_twist : vector;
@@ -1179,6 +1223,8 @@ val row_free : vector -> cbox -> bool
 val load_free : vector -> load -> bool
 
 val all_free : matrix -> setting -> bool
+
+val bound_holds : degree_proof -> matrix -> setting -> bool
 
 val range_sound : degree_proof -> setting -> bool
 
@@ -1458,6 +1504,10 @@ val is_one_grasp : setting -> bool
 
 val straight : setting -> bool
 
+val is_sticking : part -> bool
+
+val has_sticking : proof -> bool
+
 val refute :
   oracle -> question -> setting -> range list -> node list -> (string * nat)
   option
@@ -1471,6 +1521,8 @@ val check_parts : oracle -> question -> setting -> part list -> answer
 val check_margin :
   oracle -> question -> setting -> (q * q option) list -> segment list ->
   node list -> answer
+
+val is_bounded : setting -> bool
 
 val in_order : bool -> q option -> q -> q option -> bool
 
@@ -1540,7 +1592,8 @@ type grasp = { in_space : bool; coordinates_read : nat;
                names_of_bodies : string list;
                names_of_joints : string option list;
                all_contacts : contact list; common_wrench : interval list;
-               has_loads : bool; cases : (string * interval list) list }
+               has_loads : bool; bound_read : q list option;
+               cases : (string * interval list) list }
 
 val most_contacts : Big_int_Z.big_int
 
@@ -1632,6 +1685,12 @@ val check_names : path -> string list -> unit result
 val read_list_of_cases :
   (path -> json -> (string * interval list) result) -> path -> json ->
   (string * interval list) list result
+
+val bound_of : bool -> nat -> q -> q -> q list
+
+val read_above_0 : path -> json -> q result
+
+val read_bound : bool -> bool -> nat -> path -> json -> q list result
 
 val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option
 
@@ -1767,6 +1826,10 @@ type growth =
 type stated_ball = { stated_radius : q; stated_length : q;
                      stated_point : q list; stated_body : string option }
 
+type bound_option =
+| Unbounded
+| Bounded of q list
+
 type options = { asked_wrench : q list option; asked_case : string option;
                  asked_preload : q option; asked_bilateral : bool;
                  asked_direction : q list option;
@@ -1774,7 +1837,8 @@ type options = { asked_wrench : q list option; asked_case : string option;
                  asked_plane : (q list * q list) option;
                  asked_inertia : q list option;
                  asked_uncertain : (string * tolerance) list;
-                 asked_ball : stated_ball option }
+                 asked_ball : stated_ball option;
+                 asked_bound : bound_option option }
 
 val uncertain_kinds : string list
 
@@ -1809,6 +1873,8 @@ val asked_element : options -> element -> element
 
 val ball_asked :
   grasp -> options -> interval list -> (stated_ball * ball) option result
+
+val bound_asked : grasp -> options -> q list option result
 
 val check_tolerances : options -> (string * tolerance) list -> unit result
 
@@ -1911,7 +1977,12 @@ val read_answers :
 
 val read_at_rest : shape -> path -> json -> part result
 
-val is_at_rest : json -> bool
+val read_presses :
+  shape -> path -> json -> (Big_int_Z.big_int * q list) result
+
+val read_sticking : shape -> path -> json -> part result
+
+val begins_so : string -> json -> bool
 
 val read_part : shape -> path -> json -> part result
 
@@ -1978,6 +2049,8 @@ val same_growth : growth -> growth -> bool
 val same_tolerance : tolerance -> tolerance -> bool
 
 val same_ball : stated_ball -> stated_ball -> bool
+
+val same_bound : bound_option -> bound_option -> bool
 
 val broken_question_rule : statement -> posed -> string option
 

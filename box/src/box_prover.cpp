@@ -23,6 +23,21 @@ bool is_within(const Law& law, const RationalRow& motion) {
   return true;
 }
 
+/// Whether contacts have numbers as long as those of doubles, the last digits of which are
+/// rounding: only then do far motions turn on these.
+bool may_be_rounded(const Law& law) {
+  constexpr unsigned kLong = 40;
+  const auto is_long = [](const Integer& value) {
+    return !value.is_zero() && msb(abs(value)) >= kLong;
+  };
+  return std::any_of(law.contacts.begin(), law.contacts.end(), [&](const LawContact& c) {
+    const RationalRow& normal = c.corners.front().normal;
+    return std::any_of(normal.begin(), normal.end(), [&](const Rational& entry) {
+      return is_long(numerator(entry)) || is_long(denominator(entry));
+    });
+  });
+}
+
 /// The same of a motion in doubles, of which the last digits are wrong.
 bool may_be_within(const Law& law, const NearEquilibrium& near) {
   for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
@@ -171,7 +186,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
         return std::nullopt;
       });
     }
-    const bool may_be_far = box.max_motion.empty() && !box.far_motion.empty() && !exactly;
+    const bool may_be_far =
+        box.max_motion.empty() && !box.far_motion.empty() && !exactly && may_be_rounded(box);
     if (may_be_far) search.forces().keep_near();
     refuted = search.refute(MotionRegion::root(box), tree_);
     end_ = search.end();

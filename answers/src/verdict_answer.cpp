@@ -23,7 +23,7 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
   Warnings warnings;
   if (options.warnings != WarningsAsked::kNone) {
-    warnings = model_warnings(question, decision, options.warnings == WarningsAsked::kAll);
+    warnings = model_warnings(question, decision, options.warnings == WarningsAsked::kOfMotion);
   }
   const char* engine = box_engine(question);
   return {std::move(question),
@@ -147,7 +147,7 @@ Answer answer_without_second(Question question, const AnswerOptions& options,
   Warnings warnings;
   if (options.warnings != WarningsAsked::kNone) {
     warnings = model_warnings(question, problem, decision.verdict,
-                              options.warnings == WarningsAsked::kAll);
+                              options.warnings == WarningsAsked::kOfMotion);
   }
   const char* engine = decision.engine();
   return {std::move(question),

@@ -166,18 +166,18 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const Question& question, const Problem& problem,
-                                         const Verdict& verdict, bool vary_stiffness) {
+                                         const Verdict& verdict, bool only_of_motion) {
   const auto* stable = std::get_if<Stable>(&verdict);
   const auto* unstable = std::get_if<Unstable>(&verdict);
   ModelWarnings warnings;
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, stable->witness().twist));
   }
-  add_unbalanced_preload(problem, warnings);
+  if (!only_of_motion) add_unbalanced_preload(problem, warnings);
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload_of(problem, stable->witness().twist));
   }
-  if (vary_stiffness && !std::holds_alternative<Undecided>(verdict)) {
+  if (!only_of_motion && !std::holds_alternative<Undecided>(verdict)) {
     const std::size_t nodes = unstable != nullptr ? unstable->tree.size() : 0;
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, problem, stable != nullptr, nodes));

@@ -177,7 +177,7 @@ std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision,
-                                         bool vary_stiffness) {
+                                         bool only_of_motion) {
   if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   if (!question.box()->is_point()) return {};
   const GraspBox grasp = seen_in_space(*question.box());
@@ -189,11 +189,11 @@ std::vector<ModelWarning> model_warnings(const Question& question, const BoxDeci
     warnings.add(ModelTrap::kLargeMotion,
                  large_motion_of(grasp, motion, !question.assumed_stiffness.empty()));
   }
-  add_unbalanced_preload(grasp, preloads, warnings);
+  if (!only_of_motion) add_unbalanced_preload(grasp, preloads, warnings);
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion));
   }
-  if (vary_stiffness && is_stable(decision.verdict)) {
+  if (!only_of_motion && is_stable(decision.verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, stable != nullptr, decision));
   }

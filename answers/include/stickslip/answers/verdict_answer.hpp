@@ -55,8 +55,8 @@ struct Answer {
 /// Which traps of the model to look for.
 enum class WarningsAsked {
   kNone,
-  kOfMotion,  ///< those that the motion and the preloads show: quick
-  kAll        ///< also with other stiffnesses, which takes as long as the verdict
+  kOfMotion,  ///< those that the motion shows: quick
+  kAll        ///< all, which take as long as the verdict
 };
 
 /// How to answer.

@@ -32,10 +32,11 @@
 
 namespace stickslip {
 
-/// The warnings about a question, its problem and the verdict on it. They take about as long as
-/// a verdict: O(m) rational operations, and the decisions named above.
+/// Returns the warnings about a question, its problem and the verdict on it. They take about as
+/// long as a verdict: O(m) rational operations, and the decisions named above, which are left
+/// out with `only_of_motion`: then only large motions and lost preloads are looked for.
 std::vector<ModelWarning> model_warnings(const Question& question, const Problem& problem,
-                                         const Verdict& verdict, bool vary_stiffness = true);
+                                         const Verdict& verdict, bool only_of_motion = false);
 
 /// The same of a margin, about the equilibria at the ends of its segments, the first that each
 /// sort is true of; and about the preloads that a family begins with or, if these are 0, with

@@ -21,7 +21,7 @@ namespace stickslip {
 /// are uncertain. O(m) rational operations, and in grasps of at most kMostContactsToVary
 /// contacts verdicts that take as many nodes as the answer took, and kNodesToVary.
 std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision,
-                                         bool vary_stiffness = true);
+                                         bool only_of_motion = false);
 
 /// The same of a margin, about the exact equilibria at the ends of what is resisted, the first
 /// that each sort is true of; and about the preloads that it begins with or, if these are 0,

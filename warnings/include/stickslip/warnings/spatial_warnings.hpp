@@ -19,7 +19,8 @@ namespace stickslip {
 
 /// Returns the warnings about a question and the answer to it; about one body none if numbers
 /// are uncertain. O(m) rational operations, and in grasps of at most kMostContactsToVary
-/// contacts verdicts that take as many nodes as the answer took, and kNodesToVary.
+/// contacts verdicts that take as many nodes as the answer took, and kNodesToVary. With
+/// `only_of_motion` only large motions and lost preloads are looked for.
 std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision,
                                          bool only_of_motion = false);
 

@@ -89,6 +89,12 @@ std::optional<Question> second_question(const Question& question, const Verdict&
   if (std::holds_alternative<Fragile>(verdict)) return std::nullopt;
   if (std::holds_alternative<Unstable>(verdict)) return without_rounding(question);
   if (question.is_bounded()) return std::nullopt;
+  // A box that is undecided for other reasons takes as long once more.
+  const auto* undecided = std::get_if<Undecided>(&verdict);
+  const GraspBox* box = question.box();
+  if (undecided != nullptr && box != nullptr && !box->is_point() && undecided->reason != "far") {
+    return std::nullopt;
+  }
   return bounded(question, verdict);
 }
 

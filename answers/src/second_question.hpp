@@ -13,8 +13,8 @@ namespace stickslip {
 /// Returns the second question to a question with this verdict, or nothing if the verdict says
 /// all that matters. It has
 ///
-/// - motions bounded by natural_bound(), if the verdict is undecided, or stable by motions
-///   beyond that; or
+/// - motions bounded by natural_bound(), if the verdict is undecided (about a box, for far
+///   motions), or stable by motions beyond that; or
 /// - the nearest load that no free motion sees, if the grasp is unstable and that load differs
 ///   from the one asked about by a part of less than 1e-12 of it, such as a torque of 1e-17
 ///   about the line through two fingers.

@@ -162,6 +162,11 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
     std::array<std::optional<RationalRow>, 2> suspects;
     decision = prove(box, law, options, most_parts, suspects);
     work += decision.work;
+    // Where only far motions are left, neither examples nor parts say more.
+    if (decision.within) {
+      decision.work = work;
+      break;
+    }
     if (std::holds_alternative<Undecided>(decision.verdict)) {
       if (most_parts == 0) examples.try_suspects();
       for (const auto& parts : suspects) {

@@ -30,6 +30,7 @@ measure space_grasps /usr/bin/python3 "$root/bench/space/grasps.py" "$build/spac
 measure space_targets /usr/bin/python3 "$root/bench/space/targets.py" --programs "$build/bin" "$build"/space_grasps/*.json
 measure space_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --program "$build/bin/stickslip" "$build"/space_grasps/*.json
 measure bodies /usr/bin/python3 "$root/bench/bodies/bodies_bench.py"
+measure everyday /usr/bin/python3 "$root/bench/everyday/everyday_bench.py"
 small_bodies=(stack2 stack3 stack4 row2 row4 arch3 grip2 grip4 box2 box3)
 measure bodies_saved /usr/bin/python3 "$root/bench/bodies/bodies_bench.py" --save "$build/bodies" "${small_bodies[@]}"
 measure bodies_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --program "$build/bin/stickslip" --bound 400 "$build"/bodies/*_0.01?.json

@@ -2684,8 +2684,9 @@ def largest_left(box: Box, multiple: Fraction, pushes: Sequence[Bounds], frictio
             for sign_ in (-1, 1)]
     for i, (term, push) in enumerate(zip(box.terms, pushes)):
         if any(push) or i in friction or i in presses:
-            for terms, found in zip(ends, wrenches(term, push, friction.get(i) or no_friction(term), presses.get(i) or zeros(size))):
-                terms.append(found)
+            found = wrenches(term, push, friction.get(i) or no_friction(term), presses.get(i) or zeros(size))
+            for terms, end in zip(ends, found):
+                terms.append(end)
     return tuple(max(-low, high) for low, high in zip(*map(pairwise_sum, ends)))
 
 
@@ -2750,7 +2751,8 @@ class Sticking(NamedTuple):
     gamma: Fraction
 
 
-def sticking_at(proof: StickingProof, c: Parameters, term: Terms, preload: Bounds, forces: Sequence[Vector], presses: Vector) -> Sticking:
+def sticking_at(proof: StickingProof, c: Parameters, term: Terms, preload: Bounds, forces: Sequence[Vector],
+                presses: Vector) -> Sticking:
     stiffness, mu, length = c.bounds["stiffness"], term.friction, normal_length(c)
     pulls = [k * dot(n, proof.twist) for n in term.N for k in stiffness]
     v = Bounds(preload.low - max(pulls), preload.high - min(pulls))
@@ -2761,7 +2763,8 @@ def sticking_at(proof: StickingProof, c: Parameters, term: Terms, preload: Bound
     phi = dot(friction_lengths(c, forces), (Fraction(1), *proof.reach))
     delta = dot(tuple(map(abs, presses)), proof.reach)
     rho = mu.high * length.high
-    gamma = max(((delta + rho * k * sigma) ** 2 / (2 * k) + (rho * a.high + phi) * sigma for k in stiffness if k), default=Fraction(0))
+    gamma = max(((delta + rho * k * sigma) ** 2 / (2 * k) + (rho * a.high + phi) * sigma for k in stiffness if k),
+                default=Fraction(0))
     return Sticking(v, a, sigma, r, phi, mu.low * length.low * (v.low - r) - phi, gamma)
 
 
@@ -2771,7 +2774,8 @@ def check_sticking(proof: StickingProof, box: Box, bilateral: bool, place: str, 
     size = box.dimension
     friction, presses = friction_of(proof, box, place), presses_of(proof, box, place)
     listed = sorted({*friction, *presses})
-    if any(proof.twist) and (len(multiples) > 1 or any(len(c.normal) == 3 and term.tilt for c, term in zip(box.contacts, box.terms))):
+    turning = any(len(c.normal) == 3 and term.tilt for c, term in zip(box.contacts, box.terms))
+    if any(proof.twist) and (len(multiples) > 1 or turning):
         raise Rejected("sticking-motion", "d0 is not 0, for more than one multiple or with uncertain normals", place)
     if bilateral and any(not c.spring and i not in friction and i not in presses for i, c in enumerate(box.contacts)):
         raise Rejected("sticking-motion", "a contact is not listed, under the bilateral law", place)
@@ -2784,10 +2788,11 @@ def check_sticking(proof: StickingProof, box: Box, bilateral: bool, place: str, 
             if dot(left[k::size], factors) >= reach:
                 raise Rejected("sticking-reach", f"Z_{k + 1} = {show(reach)} is too small", place)
         for i in listed:
-            if not box.contacts[i].spring and found[i].v.low < found[i].r:
-                raise Rejected("sticking-press", f"contact {i}: v may be {show(found[i].v.low)}, below r = {show(found[i].r)}", place)
+            v, r, phi = found[i].v.low, found[i].r, found[i].phi
+            if not box.contacts[i].spring and v < r:
+                raise Rejected("sticking-press", f"contact {i}: v may be {show(v)}, below r = {show(r)}", place)
             if i in friction and found[i].spare <= 0:
-                raise Rejected("sticking-press", f"contact {i}: friction may be {show(found[i].phi)}, as much as the cone allows", place)
+                raise Rejected("sticking-press", f"contact {i}: friction may be {show(phi)}, as much as the cone allows", place)
         (energy,) = pairwise_sum([(one.gamma,) for one in found] or [(Fraction(0),)])
         if energy >= proof.energy:
             raise Rejected("sticking-energy", f"c = {show(proof.energy)}, but the sum may be {show(energy)}", place)

@@ -62,21 +62,28 @@ def known():
                                [1, 1, sticking_proof(question, ["0.001", "-0.0005", 0, 0, 0, 0], multiples=(1,))])
 
 
-def shaken(random_, value):
-    """One of its numbers, indices or lists is changed."""
+def shaken(random_, part):
+    """One of its numbers, indices or lists is changed, of each member as often."""
+    member = random_.choice(sorted(part))
+    return {**part, member: changed_in(random_, part[member])}
+
+
+def changed_in(random_, value):
     places = []
 
     def visit(inside, key):
         one = inside[key]
         if isinstance(one, list):
             places.append((inside, key))
-        for k in range(len(one)) if isinstance(one, list) else one if isinstance(one, dict) else ():
+        for k in range(len(one)) if isinstance(one, list) else ():
             visit(one, k)
         if isinstance(one, str):
             places.extend([(inside, key)] * 3)
 
     root = {"": copy.deepcopy(value)}
     visit(root, "")
+    if not places:
+        return root[""]
     inside, key = random_.choice(places)
     one = inside[key]
     if isinstance(one, list):
@@ -88,7 +95,7 @@ def shaken(random_, value):
     else:
         c = Fraction(one)
         inside[key] = str(random_.choice([-c, 0, 2 * c, c / 2, c * Fraction(9, 10), c * Fraction(11, 10), c / 64, 64 * c,
-                                          c + Fraction(1, 8), c - Fraction(1, 8)]))
+                                          c + Fraction(1, 8), c - Fraction(1, 8)] if c else [Fraction(1, 8), Fraction(-1, 2 ** 20)]))
     return root[""]
 
 

@@ -46,6 +46,7 @@ WHERE = {
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
     **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
     "degree-free": PARTS,
+    **dict.fromkeys(["sticking-share", "sticking-motion", "sticking-reach", "sticking-press", "sticking-energy"], PARTS),
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
     "segment-mode": {"plane_margin", "space_margin", "bodies_margin", "bodies_soft"},
     **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin", "bodies_margin", "bodies_soft"}),

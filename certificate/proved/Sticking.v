@@ -494,14 +494,6 @@ Proof.
   induction 1 as [|a them [b H] F [bs IH]]; [now exists []|]. exists (b :: bs). now constructor.
 Qed.
 
-Lemma within_reach n reach z : List.length reach = n -> in_box n (fun k => Q2R (nth k reach 0%Q)) z ->
-  Forall2 (fun x m => Rabs x <= Q2R m) (listed n z) reach.
-Proof.
-  revert z reach. induction n as [|m IHm]; intros z [|q reach] Le In_box; try discriminate; cbn; constructor.
-  - apply Rabs_le. apply (In_box O). lia.
-  - apply IHm; [now injection Le|]. intros k K. apply (In_box (S k)). lia.
-Qed.
-
 Section AtSticking.
 Variable n : nat.
 Variable sys : Rows.system.
@@ -545,7 +537,7 @@ Definition delta_of (x : linked) : R := Q2R (more_bound n reach (sticks x)).
 Definition sigma_of (x : linked) : R := Q2R (slip_bound (link_box x) d).
 Definition spare_at (lambda : R) (x : linked) : R := Rows.rho (box_row x) * (v_at lambda x - swing_of x) - phi_of x.
 
-(* What has to hold of a contact at a multiple, and of its share of the energy. *)
+(* What has to hold of a contact at a multiple, and of its gamma. *)
 Definition fine (lambda : R) (x : linked) : Prop :=
   (on_list (sticks x) = true -> Rows.spring (box_row x) = false -> swing_of x <= v_at lambda x) /\
   (does_rub (sticks x) = true -> Rows.spring (box_row x) = false /\ 0 < spare_at lambda x).
@@ -588,7 +580,8 @@ Proof.
   rewrite product_answered; [|exact P|rewrite Lw; apply S|rewrite Lw; apply S].
   rewrite product_star; [|exact P|unfold real; rewrite map_length, Lw; apply S].
   assert (E : Rows.dot (listed n z) (map (fun a => Rows.dot (real a) (Rows.slip (box_row x) y)) (answers (as_resting (sticks x)))) =
-    sum_to n (fun l => z l * Rows.product (Rows.weights (box_row x)) (star (Rows.weights (box_row x)) (real (G_of l x))) (Rows.slip (box_row x) y))).
+    sum_to n (fun l => z l * Rows.product (Rows.weights (box_row x)) (star (Rows.weights (box_row x)) (real (G_of l x)))
+      (Rows.slip (box_row x) y))).
   { rewrite (sum_same n _ (fun l => z l * Rows.dot (real (G_of l x)) (Rows.slip (box_row x) y))).
     - destruct (shaped_answers _ _ _ S) as [E|Le]; [|now apply (dot_listed_map n z (fun a => Rows.dot (real a) (Rows.slip (box_row x) y)))].
       unfold G_of. rewrite E. cbn. rewrite dot_nil, sum_zero; [reflexivity|]. intros [|l] _; cbn; ring.
@@ -848,7 +841,8 @@ Proof.
   { rewrite Ga. exact Li. }
   { intros e En. apply (far_at_most n stuck_answer (fun l _ => answer_is_known l) Z Room). intros l Hl. now apply Far. }
   exists (moved n d0 e), fs. split; [|split; [|split]].
-  - unfold stays in Fa. apply bounded_real. destruct bound as [most|]; [|exact Logic.I]. cbn in bound_good. apply andb_true_iff in bound_good as [Bl _].
+  - unfold stays in Fa. apply bounded_real. destruct bound as [most|]; [|exact Logic.I]. cbn in bound_good.
+    apply andb_true_iff in bound_good as [Bl _].
     apply Nat.eqb_eq in Bl. apply Forall2_listed; [exact Bl|]. intros j J.
     pose proof (far_within n stuck_answer (fun l _ => answer_is_known l) Z Room (fun l => over (far lambda l) xs)
       (fun k => Q2R (room d most k)) e (Far e En) Fa j J) as W.
@@ -865,11 +859,11 @@ Proof.
       * exfalso. destruct (link_stands n x (Forall_inv Ll)) as [k St].
         destruct (shaped_inside _ _ _ (link_shaped n x (Forall_inv Ll))) as (p & F & mu & tt & I).
         rewrite G2, <- (Leaf.same_spring _ _ _ St), (is_spring _ _ _ _ _ _ I) in Sp. unfold link_box, sticker_box in X. congruence.
-      * rewrite <- G3 in X. pose proof (still_presses n lambda d0 (Q2R c) ltac:(unfold d0, real; now rewrite map_length) t e G1 (Forall_inv En) X Sp) as Sps.
-        assert (P : 0 <= Rows.v (own t) (moved n d0 e) 1 lambda).
-        { lra. }
+      * rewrite <- G3 in X. assert (Ld : List.length d0 = n) by (unfold d0, real; now rewrite map_length).
+        pose proof (still_presses n lambda d0 (Q2R c) Ld t e G1 (Forall_inv En) X Sp) as Sps.
+        assert (P : 0 <= Rows.v (own t) (moved n d0 e) 1 lambda) by lra.
         cbn in *. rewrite Rmax_right in L by exact P. now split.
-    + apply IH; try assumption; [exact (Forall_inv_tail Gr)|exact (Forall_inv_tail En)|exact (Forall_inv_tail Al)|exact (Forall_inv_tail Ll)].
+    + apply IH; try assumption; eapply Forall_inv_tail; eassumption.
   - intros y. apply Ba.
 Qed.
 
@@ -1051,7 +1045,8 @@ Proof.
   { clear own_rows all_sound all_pressing still. induction all_linked as [|x xs' L _ IH]; intros acc f A; cbn [map fold_left over].
     - eapply all_within_same; [|exact A]. intros; cbn; ring.
     - destruct (on_list (sticks x)) eqn:On.
-      + eapply all_within_same; [|apply (IH (Forall_inv_tail all_linked)), plus_intervals_within; [exact A|exact (column_of_contact l x L)]].
+      + eapply all_within_same;
+          [|apply (IH (Forall_inv_tail all_linked)), plus_intervals_within; [exact A|exact (column_of_contact l x L)]].
         intros k _. cbn beta. ring.
       + eapply all_within_same; [|apply (IH (Forall_inv_tail all_linked)); exact A]. intros k _. cbn beta.
         unfold on_list, does_rub in On. apply orb_false_iff in On as [O1 O2].
@@ -1169,10 +1164,11 @@ Proof.
 Qed.
 
 (* gamma is convex in k'. *)
-Lemma convex_share t a b p m : 0 <= t <= 1 -> (p + m * a) * (p + m * a) <= 2 * a * b -> forall a', (p + m * a') * (p + m * a') <= 2 * a' * b ->
+Lemma convex_share t a a' b p m : 0 <= t <= 1 ->
+  (p + m * a) * (p + m * a) <= 2 * a * b -> (p + m * a') * (p + m * a') <= 2 * a' * b ->
   (p + m * mix t a a') * (p + m * mix t a a') <= 2 * mix t a a' * b.
 Proof.
-  intros T A a' B. set (x := p + m * a) in *. set (y := p + m * a') in *.
+  intros T A B. set (x := p + m * a) in *. set (y := p + m * a') in *.
   replace (p + m * mix t a a') with ((1 - t) * x + t * y) by (unfold x, y, mix; ring).
   assert (E : ((1 - t) * x + t * y) * ((1 - t) * x + t * y) = (1 - t) * (x * x) + t * (y * y) - t * (1 - t) * ((x - y) * (x - y))) by ring.
   assert (0 <= t * (1 - t) * ((x - y) * (x - y))) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply Rle_0_sqr]).
@@ -1228,7 +1224,7 @@ Proof.
     exact Y. }
   assert (Kl : 0 < Q2R (low k)) by lra. assert (Kh : 0 < Q2R (high k)) by (destruct Kw; lra).
   pose proof (End _ Kl Gl) as E1. pose proof (End _ Kh Gh) as E2. destruct (in_between _ _ Kw) as (t & T & Et).
-  pose proof (convex_share t _ _ _ _ T E1 _ E2) as Cv. rewrite <- Et in Cv. fold kr in Cv.
+  pose proof (convex_share t _ _ _ _ _ T E1 E2) as Cv. rewrite <- Et in Cv. fold kr in Cv.
   set (R_ := Q2R (most_rho (link_box x))) in *.
   assert (Small : delta_of x + Rows.rho (box_row x) * kr * sigma_of x <= delta_of x + R_ * sigma_of x * kr).
   { replace (R_ * sigma_of x * kr) with (R_ * (kr * sigma_of x)) by ring. rewrite Rmult_assoc. apply Rplus_le_compat_l.
@@ -1391,7 +1387,8 @@ Proof.
   { intros g. exact (stable_where_it_sticks n sys d reach c xs C1 C2 C4 Li (eq_sym Own) Le So (the_bound s) Bd two_sided Law All
       Still Di lambda g). }
   destruct (Qeq_bool alpha beta) eqn:Q.
-  - apply Qeq_bool_eq, Qeq_eqR in Q. assert (lambda = Q2R alpha) as -> by lra. now apply (End (fun x => Q2R (share_most n d reach alpha (sticks x)))).
+  - apply Qeq_bool_eq, Qeq_eqR in Q. assert (lambda = Q2R alpha) as -> by lra.
+    now apply (End (fun x => Q2R (share_most n d reach alpha (sticks x)))).
   - assert (N : no_motion d = true) by (rewrite orb_false_r in Mo1; exact Mo1).
     destruct (Rules beta H) as (_ & Re' & Fi' & _ & _ & Sy' & Ca'). specialize (Ca N). specialize (Ca' N).
     set (a := Q2R alpha) in *. set (b := Q2R beta) in *.

@@ -76,17 +76,6 @@ Definition is_one_grasp (s : setting) : bool :=
 (* No normal in space is uncertain. *)
 Definition straight (s : setting) : bool := forallb (fun r => negb (box_turns (box r))) (rows s).
 
-(* What is read, but not judged. *)
-Definition is_sticking (p : part) : bool := match p with PartSticking _ _ _ _ _ _ => true | _ => false end.
-
-Definition has_sticking (p : proof) : bool :=
-  match p with
-  | StableByParts parts => existsb is_sticking parts
-  | MarginInSpace claims =>
-      existsb (fun c => match c with ClaimStable _ _ (inl p) => is_sticking p | _ => false end) claims
-  | _ => false
-  end.
-
 Section Check.
 Variable advisor : oracle.
 
@@ -251,8 +240,6 @@ Definition check (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "numbers of the question"
   | Some s =>
-      if has_sticking (body c) then NotProvedHere "a part by sticking"
-      else
       match body c, is_margin q with
       | RegionBy pieces nodes, _ => check_region q s pieces nodes
       | OfClass p, _ =>

@@ -501,7 +501,6 @@ Qed.
 Theorem check_of_rows q c : true_of_rows q (check advisor q c).
 Proof.
   unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
-  destruct (has_sticking (body c)); [exact I|].
   assert (P := fun s => choice_poses _ _ _ s S).
   assert (Rigid_ : forall p, true_of_rows q (match inertia q with
       | [] => NotProvedHere "a proof of something else than was asked"

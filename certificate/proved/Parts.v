@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: MIT *)
-(* The parts of a stable verdict (FORMAT.md section 6): a tree of boxes, each of which is proved stable at rest or
-   by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
+(* The parts of a stable verdict (FORMAT.md section 6): a tree of boxes, each of which is proved stable at rest, by
+   sticking or by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits
-  Load Bound Frame ByDegree Rest.
+  Load Bound Frame ByDegree Rest Sticking.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -23,7 +23,11 @@ Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string
       | Some rule => Some (rule, None)
       | None => None
       end
-  | PartSticking _ _ _ _ _ _ => Some ("sticking-share"%string, None)
+  | PartSticking d0 friction presses answers reach energy =>
+      match sticking_fails two_sided s alpha beta (StickingProof d0 friction presses answers reach energy) with
+      | Some rule => Some (rule, None)
+      | None => None
+      end
   | PartCut _ _ _ => Some ("part-inside"%string, None)
   end.
 
@@ -76,10 +80,11 @@ Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model
 Theorem part_stable alpha beta s p lambda : part_fails advisor two_sided most_depth alpha beta s p = None ->
   in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
-  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|]; cbn in H;
-    [discriminate| | |discriminate].
+  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|d0 friction presses answers reach energy]; cbn in H;
+    [discriminate| | |].
   - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
+  - destruct (sticking_fails _ _ _ _ _) eqn:E; [discriminate|]. eapply stable_by_sticking; eassumption.
 Qed.
 
 (* Without load and preload but what grows, solutions can be multiplied, if motions are not bounded. *)

@@ -3,7 +3,7 @@
    the load.  `stable_at_rest`: where the rules hold, every system in the box is stable at every multiple. *)
 From Coq Require Import List Arith String ZArith QArith Qreals Qminmax Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Leaf Tree.
-From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between Ways Load Bound ByDegree.
+From Proved Require Import Brouwer Homotopy RowLimits Degree Matrix Frame Between Ways Load Bound ByDegree Energy.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -373,6 +373,14 @@ End Forces.
 
 (* ---- The theorem ---- *)
 
+Lemma within_reach n reach z : List.length reach = n -> in_box n (fun k => Q2R (nth k reach 0%Q)) z ->
+  Forall2 (fun x m => (Rabs x <= Q2R m)%R) (listed n z) reach.
+Proof.
+  revert z reach. induction n as [|m IHm]; intros z [|q reach] Le In_box; try discriminate; cbn; constructor.
+  - apply Rabs_le. apply (In_box O). lia.
+  - apply IHm; [now injection Le|]. intros k K. apply (In_box (S k)). lia.
+Qed.
+
 Section AtRest.
 Open Scope R_scope.
 
@@ -546,73 +554,25 @@ Theorem stable_where_it_rests lambda : rests lambda ->
   exists fs, Rows.equilibrium sys (listed n (fun _ => 0)) 1 lambda fs.
 Proof.
   intros [Re He]. destruct fit as [_ Fd Fp [Fl1 Fl2] _ _ _]. rewrite n_is in *.
-  set (total := fun (z : vec) k => Wr lambda k + sum_to n (fun l => z l * answer l them (Rows.rows sys)
-    (basis_vector n k))).
-  destruct (fixed_point n (fun k => Q2R (nth k reach 0%Q)) (fun z k => z k - total z k)) as [z In_box Fix].
-  - intros k K. now apply Re.
-  - intros k K u x U. unfold total. apply CV_minus; [now apply U|]. apply (CV_plus (fun _ => Wr lambda k));
-      [apply cv_constant|].
-    assert (G : forall m (c : nat -> R) off, (off + m <= n)%nat ->
-      Un_cv (fun i => sum_to m (fun l => u i (off + l)%nat * c l)) (sum_to m (fun l => x (off + l)%nat * c l))).
-    { induction m as [|m IHm]; intros c o Le; cbn; [apply cv_constant|].
-      apply (CV_plus (fun i => u i (o + 0)%nat * c O)).
-      - apply CV_mult; [apply U; lia|apply cv_constant].
-      - specialize (IHm (fun l => c (S l)) (S o) ltac:(lia)).
-        eapply cv_same; [|replace (sum_to m (fun i => x (o + S i)%nat * c (S i)))
-          with (sum_to m (fun l => x (S o + l)%nat * c (S l))); [exact IHm|]].
-        + intros i. apply sum_same. intros l _. now rewrite Nat.add_succ_r.
-        + apply sum_same. intros l _. now rewrite Nat.add_succ_r. }
-    exact (G n _ O (le_n n)).
-  - intros z In_box k K. destruct (Re k K) as [_ B].
-    assert (E : z k - total z k = - Wr lambda k - sum_to n (fun l => off k l * z l)).
-    { unfold total, off.
-      assert (D : sum_to n (fun l => (if Nat.eqb k l then 1 else 0) * z l) = z k).
-      { clear - K. revert k K z. induction n as [|m IHm]; intros [|k] K z; cbn; try lia.
-        - rewrite sum_zero; [ring|]. intros; cbn; ring.
-        - rewrite (IHm k ltac:(lia) (fun i => z (S i))). ring. }
-      rewrite <- D at 1.
-      rewrite (sum_same n (fun l => (answer l them (Rows.rows sys) (basis_vector n k) - (if Nat.eqb k l then 1
-        else 0)) * z l)
-        (fun l => z l * answer l them (Rows.rows sys) (basis_vector n k) + -1 * ((if Nat.eqb k l then 1 else 0)
-          * z l)))
-        by (intros; ring). rewrite sum_plus, sum_multiple. ring. }
-    rewrite E.
-    assert (Ab : Rabs (sum_to n (fun l => off k l * z l)) <= sum_to n (fun l => Rabs (off k l) * Q2R (nth l
-      reach 0%Q))).
-    { clear - In_box. assert (G : forall m a b, (forall i, (i < m)%nat -> Rabs (a i) <= b i) -> Rabs (sum_to m
-        a) <= sum_to m b).
-      { induction m as [|m IHm]; intros a b H; cbn; [rewrite Rabs_R0; lra|].
-        eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat; [apply H; lia|]. apply IHm. intros;
-          apply H; lia. }
-      apply G. intros l Hl. rewrite Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rabs_le. now
-        apply In_box. }
-    set (o := sum_to n (fun l => off k l * z l)) in *. clear - B Ab.
-    unfold Rabs in B, Ab. destruct (Rcase_abs (Wr lambda k)), (Rcase_abs o); lra.
-  - assert (Zero : forall k, (k < n)%nat -> total z k = 0) by (intros k K; specialize (Fix k K); cbn in Fix; lra).
-    exists (forces_at lambda z them (Rows.rows sys)). split; [now rewrite
-      length_listed|]. split.
-    + assert (Zr : Forall2 (fun x m => Rabs x <= Q2R m) (listed n z) reach).
-      { clear - In_box reach_length. revert z reach reach_length In_box. induction n as [|m IHm]; intros z [|q
-          reach] L In_box;
-          try discriminate; cbn; constructor.
-        - apply Rabs_le. apply (In_box O). lia.
-        - apply IHm; [now injection L|]. intros k K. apply (In_box (S k)). lia. }
-      unfold forces_at. clear - them_shaped all_sound He Zr reach_length.
-      revert all_sound He. induction them_shaped as [|r rr ts rs S F IH]; intros A He; cbn; constructor.
-      * destruct (Forall_inv A) as [A1 A2]. inversion He; subst. apply held_obeys; try assumption.
-        destruct (shaped_answers _ _ S) as [E|E]; [rewrite E; cbn; lia|]. rewrite E, reach_length. lia.
-      * inversion He; subst. apply IH; [exact F|exact (Forall_inv_tail A)|assumption].
-    + assert (Known : known_by_units n (fun y => Rows.load sys 1 lambda y + Rows.works (Rows.rows sys)
+  destruct (answered_exactly n (Wr lambda) (fun k l => answer l them (Rows.rows sys) (basis_vector n k))
+    (fun k => Q2R (nth k reach 0%Q))) as (z & In_box & Zero); [exact Re|].
+  exists (forces_at lambda z them (Rows.rows sys)). split; [now rewrite length_listed|]. split.
+  - pose proof (within_reach n reach z reach_length In_box) as Zr.
+    unfold forces_at. clear - them_shaped all_sound He Zr reach_length.
+    revert all_sound He. induction them_shaped as [|r rr ts rs S F IH]; intros A He; cbn; constructor.
+    + destruct (Forall_inv A) as [A1 A2]. inversion He; subst. apply held_obeys; try assumption.
+      destruct (shaped_answers _ _ S) as [E|E]; [rewrite E; cbn; lia|]. rewrite E, reach_length. lia.
+    + inversion He; subst. apply IH; [exact F|exact (Forall_inv_tail A)|assumption].
+  - assert (Known : known_by_units n (fun y => Rows.load sys 1 lambda y + Rows.works (Rows.rows sys)
         (forces_at lambda z them (Rows.rows sys)) y)).
-      { apply known_plus; [unfold Rows.load; apply known_plus; now apply known_multiple, dot_known|].
-        clear - Fp. generalize (forces_at lambda z them (Rows.rows sys)). induction Fp as [|r rs Pr Fp IH];
-          intros fs; [apply known_zero|].
-        destruct fs as [|f fs]; [apply known_zero|]. cbn. apply (known_plus n (Rows.work r f)); [now apply
-          work_known|apply IH]. }
-      intros y. rewrite (Known y). apply sum_zero. intros k K. rewrite works_at by exact them_shaped.
-      specialize (Zero k K). unfold total, Wr in Zero. rewrite <- Rplus_assoc, Zero. ring.
+    { apply known_plus; [unfold Rows.load; apply known_plus; now apply known_multiple, dot_known|].
+      clear - Fp. generalize (forces_at lambda z them (Rows.rows sys)). induction Fp as [|r rs Pr Fp IH];
+        intros fs; [apply known_zero|].
+      destruct fs as [|f fs]; [apply known_zero|]. cbn. apply (known_plus n (Rows.work r f)); [now apply
+        work_known|apply IH]. }
+    intros y. rewrite (Known y). apply sum_zero. intros k K. rewrite works_at by exact them_shaped.
+    specialize (Zero k K). unfold Wr in Zero. rewrite <- Rplus_assoc, Zero. ring.
 Qed.
-
 
 (* ---- What the rules say of W, M and the cones ---- *)
 

@@ -5484,6 +5484,403 @@ let rest_fails s alpha0 beta p =
       | None -> if qeq_bool alpha0 beta then None else holds beta)
    | None -> Some "rest-share")
 
+type sticking_proof = { stuck_twist : vector;
+                        stuck_friction : (Big_int_Z.big_int * vector) list;
+                        stuck_presses : (Big_int_Z.big_int * vector) list;
+                        stuck_answers : (Big_int_Z.big_int * matrix) list;
+                        stuck_reach : vector; stuck_energy : q }
+
+type sticker = { as_resting : resting; presses0 : vector }
+
+(** val sticker_box : sticker -> cbox **)
+
+let sticker_box t =
+  t.as_resting.resting_box
+
+(** val is_nothing : 'a1 list -> bool **)
+
+let is_nothing = function
+| [] -> true
+| _ :: _ -> false
+
+(** val does_rub : sticker -> bool **)
+
+let does_rub t =
+  negb
+    ((&&) (is_nothing t.as_resting.force_at_rest)
+      (is_nothing t.as_resting.answers))
+
+(** val on_list : sticker -> bool **)
+
+let on_list t =
+  (||) (does_rub t) (negb (is_nothing t.presses0))
+
+(** val with_presses :
+    resting list -> Big_int_Z.big_int -> (Big_int_Z.big_int * vector) list ->
+    sticker list -> sticker list option **)
+
+let rec with_presses them i all_presses before =
+  match them with
+  | [] ->
+    (match all_presses with
+     | [] -> Some (rev_append before [])
+     | _ :: _ -> None)
+  | r :: them' ->
+    let (h, others) = taken [] i all_presses in
+    if (||) (is_nothing h)
+         (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } r.resting_box.box_stiffness.low)
+    then with_presses them' (Z.add i Big_int_Z.unit_big_int) others
+           ({ as_resting = r; presses0 = h } :: before)
+    else None
+
+(** val stickers :
+    nat -> row list -> sticking_proof -> sticker list option **)
+
+let stickers n0 rows0 p =
+  if (&&)
+       ((&&)
+         ((&&) (Nat.eqb (length p.stuck_twist) n0)
+           (Nat.eqb (length p.stuck_reach) n0))
+         (forallb
+           (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int }) p.stuck_reach))
+       (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } p.stuck_energy)
+  then (match resting_contacts n0 rows0 Big_int_Z.zero_big_int
+                p.stuck_friction p.stuck_answers [] with
+        | Some them ->
+          with_presses them Big_int_Z.zero_big_int p.stuck_presses []
+        | None -> None)
+  else None
+
+(** val no_motion : vector -> bool **)
+
+let no_motion d =
+  forallb is_zero d
+
+(** val motion_holds : bool -> bool -> vector -> sticker list -> bool **)
+
+let motion_holds two_sided one_multiple0 d them =
+  (&&)
+    ((||) (no_motion d)
+      ((&&) one_multiple0
+        (forallb (fun t -> negb (sticker_box t).box_turns) them)))
+    ((||) (negb two_sided)
+      (forallb (fun t -> (||) (sticker_box t).box_spring (on_list t)) them))
+
+(** val n_range : cbox -> vector -> interval **)
+
+let n_range b d =
+  range_of (map (fun c -> inner (n_of c) d) (tips (geometry_tree b)))
+
+(** val minus_products : interval -> interval -> interval **)
+
+let minus_products a b =
+  range_of
+    ((qopp (qmult a.low b.low)) :: ((qopp (qmult a.low b.high)) :: ((qopp
+                                                                    (qmult
+                                                                    a.high
+                                                                    b.low)) :: (
+    (qopp (qmult a.high b.high)) :: []))))
+
+(** val pull_range : cbox -> vector -> q -> interval **)
+
+let pull_range b d lambda =
+  plus_interval (range_of (pressures b lambda))
+    (if no_motion d
+     then exactly { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int }
+     else minus_products b.box_stiffness (n_range b d))
+
+(** val push_range : cbox -> vector -> q -> interval **)
+
+let push_range b d lambda =
+  let v = pull_range b d lambda in
+  if b.box_spring
+  then v
+  else { low =
+         (qmax { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } v.low); high =
+         (qmax { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } v.high) }
+
+(** val slip_bound : cbox -> vector -> q **)
+
+let slip_bound b d =
+  if no_motion d
+  then { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  else fold_left qmax
+         (map (fun c ->
+           root_above
+             (sum_of_squares b.box_weights (map (fun f -> inner f d) (tl c))))
+           (tips (geometry_tree b))) { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int }
+
+(** val absolute : q -> q **)
+
+let absolute q0 =
+  most_of (exactly q0)
+
+(** val stuck_left :
+    nat -> setting -> vector -> sticker list -> q -> interval list **)
+
+let stuck_left n0 s d them lambda =
+  fold_left (fun sum0 t ->
+    let a = push_range (sticker_box t) d lambda in
+    plus_intervals sum0
+      (ranges n0 (sticker_box t)
+        ((a.low :: t.as_resting.force_at_rest) :: ((a.high :: t.as_resting.force_at_rest) :: []))))
+    them (loads_at s lambda)
+
+(** val off_most : interval list list -> nat -> nat -> q **)
+
+let off_most columns0 k l =
+  most_of
+    (shifted
+      (nth k (nth l columns0 [])
+        (exactly { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int }))
+      (if Nat.eqb k l
+       then qopp { qnum = Big_int_Z.unit_big_int; qden =
+              Big_int_Z.unit_big_int }
+       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+
+(** val stuck_reach_holds :
+    nat -> vector -> interval list list -> interval list -> bool **)
+
+let stuck_reach_holds n0 reach columns0 left =
+  forallb (fun k ->
+    qlt_bool
+      (fold_left (fun sum0 l ->
+        reduced
+          (qplus sum0
+            (qmult (off_most columns0 k l)
+              (nth l reach { qnum = Big_int_Z.zero_big_int; qden =
+                Big_int_Z.unit_big_int })))) (seq O n0)
+        (most_of
+          (nth k left
+            (exactly { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int }))))
+      (nth k reach { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int })) (seq O n0)
+
+(** val more_bound : nat -> vector -> sticker -> q **)
+
+let more_bound n0 reach t =
+  fold_left (fun sum0 l ->
+    reduced
+      (qplus sum0
+        (qmult
+          (absolute
+            (nth l t.presses0 { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int }))
+          (nth l reach { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int })))) (seq O n0) { qnum =
+    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val friction_bound : vector -> sticker -> q **)
+
+let friction_bound reach t =
+  reduced
+    (qplus (length_bound (sticker_box t) t.as_resting.force_at_rest)
+      (answers_bound (sticker_box t) t.as_resting.answers reach))
+
+(** val swing_bound : q -> sticker -> q **)
+
+let swing_bound c t =
+  root_above
+    (qmult
+      (qmult { qnum = (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int);
+        qden = Big_int_Z.unit_big_int } c) (sticker_box t).box_stiffness.high)
+
+(** val least_rho : cbox -> q **)
+
+let least_rho b =
+  qmult b.box_friction.low (root_below b.box_square)
+
+(** val most_rho : cbox -> q **)
+
+let most_rho b =
+  qmult b.box_friction.high (root_above b.box_square)
+
+(** val spare_least : vector -> vector -> q -> q -> sticker -> q **)
+
+let spare_least d reach c lambda t =
+  reduced
+    (qminus
+      (qmult (least_rho (sticker_box t))
+        (qminus (pull_range (sticker_box t) d lambda).low (swing_bound c t)))
+      (friction_bound reach t))
+
+(** val sticker_sound : q -> sticker -> bool **)
+
+let sticker_sound lambda t =
+  let b = sticker_box t in
+  (&&)
+    ((&&) (resting_sound lambda t.as_resting)
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } b.box_stiffness.low))
+    ((||) b.box_spring
+      (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } b.box_stiffness.low))
+
+(** val press_holds : vector -> vector -> q -> q -> sticker -> bool **)
+
+let press_holds d reach c lambda t =
+  (&&)
+    ((&&) (sticker_sound lambda t)
+      ((||) ((||) (negb (on_list t)) (sticker_box t).box_spring)
+        (qle_bool (swing_bound c t) (pull_range (sticker_box t) d lambda).low)))
+    ((||) (negb (does_rub t))
+      ((&&) (negb (sticker_box t).box_spring)
+        (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } (spare_least d reach c lambda t))))
+
+(** val share_at : nat -> vector -> vector -> q -> sticker -> q -> q **)
+
+let share_at n0 d reach lambda t k =
+  if qle_bool k { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int }
+  then { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  else let b = sticker_box t in
+       let sigma = slip_bound b d in
+       let both0 =
+         reduced
+           (qplus (more_bound n0 reach t)
+             (qmult (qmult (most_rho b) k) sigma))
+       in
+       reduced
+         (qplus
+           (qdiv (qmult both0 both0)
+             (qmult { qnum = (Big_int_Z.mult_int_big_int 2
+               Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int } k))
+           (qmult
+             (qplus (qmult (most_rho b) (push_range b d lambda).high)
+               (friction_bound reach t)) sigma))
+
+(** val share_most : nat -> vector -> vector -> q -> sticker -> q **)
+
+let share_most n0 d reach lambda t =
+  if (&&) (is_nothing t.presses0) (no_motion d)
+  then { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  else let k = (sticker_box t).box_stiffness in
+       qmax { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+         (qmax (share_at n0 d reach lambda t k.low)
+           (share_at n0 d reach lambda t k.high))
+
+(** val energy_holds :
+    nat -> vector -> vector -> q -> sticker list -> q -> bool **)
+
+let energy_holds n0 d reach c them lambda =
+  qlt_bool
+    (fold_left (fun sum0 t ->
+      reduced (qplus sum0 (share_most n0 d reach lambda t))) them { qnum =
+      Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) c
+
+(** val far_most : vector -> vector -> q -> q -> sticker -> nat -> q **)
+
+let far_most d reach c lambda t l =
+  reduced
+    (qplus
+      (qmult
+        (absolute
+          (nth l t.presses0 { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int }))
+        (root_above
+          (qdiv
+            (qmult { qnum = (Big_int_Z.mult_int_big_int 2
+              Big_int_Z.unit_big_int); qden = Big_int_Z.unit_big_int } c)
+            (sticker_box t).box_stiffness.low)))
+      (if does_rub t
+       then qmult
+              (length_bound (sticker_box t) (nth l t.as_resting.answers []))
+              (qplus (qdiv c (spare_least d reach c lambda t))
+                (slip_bound (sticker_box t) d))
+       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+
+(** val room0 : vector -> vector -> nat -> q **)
+
+let room0 d most l =
+  qminus
+    (nth l most { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+    (absolute
+      (nth l d { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+(** val stuck_bound_holds :
+    nat -> vector -> vector -> q -> sticker list -> interval list list -> q
+    -> q list option -> bool **)
+
+let stuck_bound_holds n0 d reach c them columns0 lambda = function
+| Some most ->
+  forallb (fun l ->
+    (&&)
+      (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } (room0 d most l))
+      (qle_bool
+        (fold_left (fun sum0 k ->
+          reduced
+            (qplus sum0 (qmult (off_most columns0 k l) (room0 d most k))))
+          (seq O n0)
+          (fold_left (fun sum0 t ->
+            reduced (qplus sum0 (far_most d reach c lambda t l))) them
+            { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+        (room0 d most l))) (seq O n0)
+| None -> true
+
+(** val sticking_fails_at :
+    nat -> setting -> vector -> vector -> q -> sticker list -> interval list
+    list -> q -> string option **)
+
+let sticking_fails_at n0 s d reach c them columns0 lambda =
+  if negb
+       (stuck_reach_holds n0 reach columns0 (stuck_left n0 s d them lambda))
+  then Some "sticking-reach"
+  else if negb (forallb (press_holds d reach c lambda) them)
+       then Some "sticking-press"
+       else if negb (energy_holds n0 d reach c them lambda)
+            then Some "sticking-energy"
+            else if negb
+                      (stuck_bound_holds n0 d reach c them columns0 lambda
+                        s.the_bound)
+                 then Some "sticking-bound"
+                 else None
+
+(** val stuck_column : nat -> sticker list -> nat -> interval list **)
+
+let stuck_column n0 them l =
+  fold_left (fun sum0 t ->
+    if on_list t
+    then plus_intervals sum0
+           (ranges n0 (sticker_box t)
+             (((nth l t.presses0 { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int }) :: (nth l t.as_resting.answers [])) :: []))
+    else sum0) them
+    (repeat
+      (exactly { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }) n0)
+
+(** val sticking_fails :
+    bool -> setting -> q -> q -> sticking_proof -> string option **)
+
+let sticking_fails two_sided s alpha0 beta p =
+  let n0 = s.dimension_of in
+  (match stickers n0 s.rows p with
+   | Some them ->
+     if negb
+          (motion_holds two_sided (qeq_bool alpha0 beta) p.stuck_twist them)
+     then Some "sticking-motion"
+     else let holds =
+            sticking_fails_at n0 s p.stuck_twist p.stuck_reach p.stuck_energy
+              them (map (stuck_column n0 them) (seq O n0))
+          in
+          (match holds alpha0 with
+           | Some rule -> Some rule
+           | None -> if qeq_bool alpha0 beta then None else holds beta)
+   | None -> Some "sticking-share")
+
 (** val part_fails :
     oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
     (string * nat option) option **)
@@ -5500,7 +5897,13 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
            answers0; rest_reach = reach } with
    | Some rule -> Some (rule, None)
    | None -> None)
-| PartSticking (_, _, _, _, _, _) -> Some ("sticking-share", None)
+| PartSticking (d0, friction0, presses1, answers0, reach, energy) ->
+  (match sticking_fails two_sided s alpha0 beta { stuck_twist = d0;
+           stuck_friction = friction0; stuck_presses = presses1;
+           stuck_answers = answers0; stuck_reach = reach; stuck_energy =
+           energy } with
+   | Some rule -> Some (rule, None)
+   | None -> None)
 
 (** val unloaded : setting -> bool **)
 
@@ -6772,26 +7175,6 @@ let is_one_grasp s =
 let straight s =
   forallb (fun r -> negb r.box.box_turns) s.rows
 
-(** val is_sticking : part -> bool **)
-
-let is_sticking = function
-| PartSticking (_, _, _, _, _, _) -> true
-| _ -> false
-
-(** val has_sticking : proof -> bool **)
-
-let has_sticking = function
-| StableByParts parts -> existsb is_sticking parts
-| MarginInSpace claims ->
-  existsb (fun c ->
-    match c with
-    | ClaimStable (_, _, evidence) ->
-      (match evidence with
-       | Inl p0 -> is_sticking p0
-       | Inr _ -> false)
-    | ClaimUnstable (_, _, _) -> false) claims
-| _ -> false
-
 (** val refute :
     oracle -> question -> setting -> range list -> node list ->
     (string * nat) option **)
@@ -7037,36 +7420,33 @@ let check_region advisor q0 s pieces nodes =
 let check advisor q0 c =
   match setting_of c.bits q0 with
   | Some s ->
-    if has_sticking c.body
-    then NotProvedHere "a part by sticking"
-    else (match c.body with
-          | StableByWitness w ->
-            if q0.is_margin
-            then NotProvedHere "a proof of something else than was asked"
-            else check_witness q0 s w
-          | StableByParts parts ->
-            if q0.is_margin
-            then NotProvedHere "a proof of something else than was asked"
-            else check_parts advisor q0 s parts
-          | UnstableByTree nodes ->
-            if q0.is_margin
-            then NotProvedHere "a proof of something else than was asked"
-            else check_tree advisor q0 s nodes
-          | MarginBy (resisted, segments, nodes) ->
-            if q0.is_margin
-            then check_margin advisor q0 s resisted segments nodes
-            else NotProvedHere "a proof of something else than was asked"
-          | MarginInSpace claims ->
-            if q0.is_margin
-            then check_claims advisor q0 s claims (Some { qnum =
-                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O
-                   [] []
-            else NotProvedHere "a proof of something else than was asked"
-          | OfClass p ->
-            (match q0.inertia with
-             | [] -> NotProvedHere "a proof of something else than was asked"
-             | _ :: _ -> check_class q0 s p)
-          | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
+    (match c.body with
+     | StableByWitness w ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else check_witness q0 s w
+     | StableByParts parts ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else check_parts advisor q0 s parts
+     | UnstableByTree nodes ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else check_tree advisor q0 s nodes
+     | MarginBy (resisted, segments, nodes) ->
+       if q0.is_margin
+       then check_margin advisor q0 s resisted segments nodes
+       else NotProvedHere "a proof of something else than was asked"
+     | MarginInSpace claims ->
+       if q0.is_margin
+       then check_claims advisor q0 s claims (Some { qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) O [] []
+       else NotProvedHere "a proof of something else than was asked"
+     | OfClass p ->
+       (match q0.inertia with
+        | [] -> NotProvedHere "a proof of something else than was asked"
+        | _ :: _ -> check_class q0 s p)
+     | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
 
 (** val largest_exponent : Big_int_Z.big_int **)

@@ -1299,6 +1299,91 @@ val rest_fails_at :
 
 val rest_fails : setting -> q -> q -> rest_proof -> string option
 
+type sticking_proof = { stuck_twist : vector;
+                        stuck_friction : (Big_int_Z.big_int * vector) list;
+                        stuck_presses : (Big_int_Z.big_int * vector) list;
+                        stuck_answers : (Big_int_Z.big_int * matrix) list;
+                        stuck_reach : vector; stuck_energy : q }
+
+type sticker = { as_resting : resting; presses0 : vector }
+
+val sticker_box : sticker -> cbox
+
+val is_nothing : 'a1 list -> bool
+
+val does_rub : sticker -> bool
+
+val on_list : sticker -> bool
+
+val with_presses :
+  resting list -> Big_int_Z.big_int -> (Big_int_Z.big_int * vector) list ->
+  sticker list -> sticker list option
+
+val stickers : nat -> row list -> sticking_proof -> sticker list option
+
+val no_motion : vector -> bool
+
+val motion_holds : bool -> bool -> vector -> sticker list -> bool
+
+val n_range : cbox -> vector -> interval
+
+val minus_products : interval -> interval -> interval
+
+val pull_range : cbox -> vector -> q -> interval
+
+val push_range : cbox -> vector -> q -> interval
+
+val slip_bound : cbox -> vector -> q
+
+val absolute : q -> q
+
+val stuck_left :
+  nat -> setting -> vector -> sticker list -> q -> interval list
+
+val off_most : interval list list -> nat -> nat -> q
+
+val stuck_reach_holds :
+  nat -> vector -> interval list list -> interval list -> bool
+
+val more_bound : nat -> vector -> sticker -> q
+
+val friction_bound : vector -> sticker -> q
+
+val swing_bound : q -> sticker -> q
+
+val least_rho : cbox -> q
+
+val most_rho : cbox -> q
+
+val spare_least : vector -> vector -> q -> q -> sticker -> q
+
+val sticker_sound : q -> sticker -> bool
+
+val press_holds : vector -> vector -> q -> q -> sticker -> bool
+
+val share_at : nat -> vector -> vector -> q -> sticker -> q -> q
+
+val share_most : nat -> vector -> vector -> q -> sticker -> q
+
+val energy_holds : nat -> vector -> vector -> q -> sticker list -> q -> bool
+
+val far_most : vector -> vector -> q -> q -> sticker -> nat -> q
+
+val room0 : vector -> vector -> nat -> q
+
+val stuck_bound_holds :
+  nat -> vector -> vector -> q -> sticker list -> interval list list -> q ->
+  q list option -> bool
+
+val sticking_fails_at :
+  nat -> setting -> vector -> vector -> q -> sticker list -> interval list
+  list -> q -> string option
+
+val stuck_column : nat -> sticker list -> nat -> interval list
+
+val sticking_fails :
+  bool -> setting -> q -> q -> sticking_proof -> string option
+
 val part_fails :
   oracle -> bool -> Big_int_Z.big_int -> q -> q -> setting -> part ->
   (string * nat option) option
@@ -1503,10 +1588,6 @@ val setting_of : Big_int_Z.big_int -> question -> setting option
 val is_one_grasp : setting -> bool
 
 val straight : setting -> bool
-
-val is_sticking : part -> bool
-
-val has_sticking : proof -> bool
 
 val refute :
   oracle -> question -> setting -> range list -> node list -> (string * nat)

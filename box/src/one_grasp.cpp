@@ -43,6 +43,28 @@ Problem problem_of(const GraspLaw& point) {
   return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law);
 }
 
+namespace {
+
+/// Equilibria at which all that presses and rubs sticks, which are proved at once, whatever the
+/// unit: the engine of the plane does not say of its own that they do.
+std::vector<NearEquilibrium> sticking_equilibria(const GraspLaw& point,
+                                                 const RoundedGrasp& grasp) {
+  constexpr std::size_t kFewContacts = 64;
+  if (point.contacts.size() > kFewContacts) return {};
+  std::vector<NearEquilibrium> result;
+  for (NearEquilibrium& found : Newton(grasp).solve_from(1)) {
+    bool sticks = true;
+    for (std::size_t i = 0; i < point.contacts.size(); ++i) {
+      const bool rubs = found.normal[i] > 0 && point.contacts[i].slopes[1] > 0;
+      sticks = sticks && (!rubs || found.sticks[i] != 0);
+    }
+    if (sticks) result.push_back(std::move(found));
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
   const RoundedGrasp grasp = rounded_middle(point);
   if (!point.is_one_planar_body()) {
@@ -51,15 +73,16 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
   }
   const Problem problem = problem_of(point);
   constexpr std::size_t kMost = 4;  // of each kind
-  std::vector<NearEquilibrium> result;
+  std::vector<NearEquilibrium> result = sticking_equilibria(point, grasp);
   if (!has_enclosures && !has_long_equilibria(problem)) {
     const Verdict verdict = decide_by_cones(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
-    if (stable == nullptr) return result;
+    if (stable == nullptr) return {};
     result.push_back(near_equilibrium(problem, stable->witness(), grasp.length));
     constexpr std::size_t kStarts = 40;
+    const std::size_t most = result.size() + kMost - 1;
     for (const Witness& witness : find_equilibria(problem, kStarts)) {
-      if (result.size() == kMost) break;
+      if (result.size() == most) break;
       result.push_back(near_equilibrium(problem, witness, grasp.length));
     }
   }

@@ -40,8 +40,6 @@ class Everyday(Case):
             return answer
         for checker in self.judges(proof):
             code, out, err = run(*checker, file, proof, *words)
-            if checker == [PROVED] and out == "not judged\nwhy    a part by sticking\n":
-                continue
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
             self.assertRegex(out, rf"\nverdict +{answer['verdict']}\b")
         return answer

@@ -71,7 +71,7 @@ BriefAnswer outcome_of(const GraspFile& file, const AnswerOptions& options = {})
   return outcome;
 }
 
-const AnswerOptions kQuick{Engine::kAuto, 0, false};
+const AnswerOptions kQuick{Engine::kAuto, 0, WarningsAsked::kNone};
 
 void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
                   std::size_t contacts) {

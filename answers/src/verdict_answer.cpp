@@ -180,10 +180,8 @@ Answer answer_to(Question question, const AnswerOptions& options) {
   Answer found = answer_to(std::move(*second), how);
   if (found.within) found = *found.within;
   // What says the same says nothing more.
-  if (std::holds_alternative<Unstable>(answer.verdict) &&
-      std::holds_alternative<Unstable>(found.verdict)) {
-    return answer;
-  }
+  const bool is_same = answer.verdict.index() == found.verdict.index();
+  if (is_same && !std::holds_alternative<Stable>(answer.verdict)) return answer;
   answer.within = std::make_shared<const Answer>(std::move(found));
   return answer;
 }

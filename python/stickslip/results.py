@@ -78,6 +78,7 @@ class Within(NamedTuple):
 def decision_of(grasp: Grasp, snapped: Tuple[SnappedNormal, ...],
                 fields: Dict[str, Any]) -> Decision:
     """A Decision, of what the library says of one question."""
+    fields = dict(fields)  # what is given may be asked for again
     within = fields.pop("within", None)
     if within is not None:
         proof = None

@@ -206,19 +206,34 @@ void GraspLaw::add_corners(LawContact& contact) const {
   place.centre = row_at(middle, normal_at(middle));
 }
 
-/// The largest coordinate of a position is a typical distance. (The moment arms of normals are
-/// none: those of fingers around the origin vanish, and friction turns the body all the same.)
+/// A typical distance is the largest coordinate of a position; of one body in space the largest
+/// moment arm |p x n| / |n| of a normal, unless that is much smaller than the distance from the
+/// origin, as that of fingers around it: friction turns these all the same.
 void GraspLaw::complete() {
+  const bool has_arms = in_space_ && one_body_;
   double farthest = 0;
+  double longest = 0;  // arm
   for (const LawContact& c : contacts) {
     if (!c.place) continue;
+    double square = 0;
     for (std::size_t j = 0; j < c.place->normal.size(); ++j) {
+      double most = 0;
       for (const Rational& end : ends_of(c.place->geometry[j])) {
-        farthest = std::max(farthest, std::fabs(to_double(end)));
+        most = std::max(most, std::fabs(to_double(end)));
       }
+      square += most * most;
+      if (!has_arms) farthest = std::max(farthest, most);
+    }
+    if (!has_arms) continue;
+    farthest = std::max(farthest, std::sqrt(square));
+    for (const CornerRow& row : c.corners) {  // (of a turned n hardly another)
+      double arm = 0;
+      for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
+      longest = std::max(longest, arm / std::sqrt(to_double(c.squared_length)));
     }
   }
-  Law::complete(farthest);
+  constexpr double kMuchSmaller = 0.1;
+  Law::complete(longest > kMuchSmaller * farthest ? longest : farthest);
 }
 
 GraspLaw GraspLaw::within(const MultipleRange& range) const {

@@ -474,7 +474,8 @@ std::optional<LawForces::Branch> LawForces::split_anywhere(const Relaxation& fou
 bool LawForces::is_far(const Relaxation& found) const {
   for (std::size_t j = 0; j < law_.far_motion.size(); ++j) {
     const double d = std::fabs(found.motion[static_cast<Eigen::Index>(j)]);
-    if (d > height(found) * to_double(law_.far_motion[j]) * law_.unit(j)) return true;
+    constexpr double kSurely = 1e3;  // what is only a little beyond may come near again
+    if (d > kSurely * height(found) * to_double(law_.far_motion[j]) * law_.unit(j)) return true;
   }
   return false;
 }

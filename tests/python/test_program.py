@@ -174,6 +174,9 @@ def test_members_and_proofs(tmp_path, name, grasp, options):
     warned = {"warnings": True} if name in ("decide", "margin") and "box" not in said else {}
     answer = ASK[name](grasp, **options, **warned)
     members = {field.name: getattr(answer, field.name) for field in dataclasses.fields(answer)}
+    if answer_within := getattr(answer, "within", None):
+        members["within"] = answer_within[:3]
+        said["within"] = [said["within"].get(key) for key in ("verdict", "max_motion", "wrench")]
     if "preload" in members:
         said["preload"] = options.get("preload")
     if name == "map":

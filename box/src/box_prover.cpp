@@ -139,6 +139,15 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     }
   }
   if (stable_ != false) {
+    // At rest first: it takes least, and what sticks needs no other equilibrium.
+    if (!box.is_one_planar_body()) {
+      for (const NearEquilibrium& near : newton.solve_from(0)) {
+        if (try_near(near)) {
+          stable_ = true;
+          return true;
+        }
+      }
+    }
     for (const NearEquilibrium& near : box_detail::near_equilibria(middle, !limits_.is_wide)) {
       if (try_near(newton.polish(near).value_or(near))) {
         stable_ = true;
@@ -173,7 +182,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     const auto found = newton.polish(relaxed);
     return found && (try_near(*found) || limits_.is_wide);
   };
-  const auto search_all = [&](bool exactly) {
+  const auto search_all = [&](bool exactly, bool keeps_near) {
     LawSearch search(box, nullptr, limits_.node_limit, work_);
     search.on_candidate(take);
     if (exactly) {
@@ -186,26 +195,32 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
         return std::nullopt;
       });
     }
-    const bool may_be_far =
-        box.max_motion.empty() && !box.far_motion.empty() && !exactly && may_be_rounded(box);
-    if (may_be_far) search.forces().keep_near();
+    if (keeps_near) search.forces().keep_near();
     refuted = search.refute(MotionRegion::root(box), tree_);
     end_ = search.end();
-    const bool is_in_doubt = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
-                             end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
-    if (!refuted && !holds && may_be_far && is_in_doubt) {
-      tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
-      LawSearch near_search(box, nullptr, limits_.node_limit, work_);
-      near_search.on_candidate(take);
-      refuted = refute_near_first(box, near_search);
-    }
     if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
   };
-  search_all(false);
+  const bool may_be_far =
+      box.max_motion.empty() && !box.far_motion.empty() && may_be_rounded(box);
+  search_all(false, may_be_far);
+  const bool is_lost = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
+                       end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
+  if (!refuted && !holds && may_be_far && is_lost) {
+    // Where near motions take long as well, all are searched together again.
+    constexpr std::size_t kNearNodes = 400;
+    LawSearch near(
+        box, nullptr,
+        limits_.is_default ? std::min(kNearNodes, limits_.node_limit) : limits_.node_limit,
+        work_);
+    near.on_candidate(take);
+    refuted = refute_near_first(box, near);
+    if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
+    if (!refuted && !holds && near.end() == SearchEnd::kNodes) search_all(false, false);
+  }
   const bool in_doubt = end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
   if (!refuted && !holds && in_doubt && is_exact_ && box_detail::is_linear(box) &&
       box.max_motion.empty()) {
-    search_all(true);
+    search_all(true, false);
   }
   if (!refuted && !holds) return false;
   // (Of another part it may have been proved that it is unstable.)

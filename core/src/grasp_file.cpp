@@ -323,23 +323,37 @@ void read_max_motion(const JsonNode& root, GraspBox& box) {
   const JsonNode* node = root.find("max_motion");
   if (node == nullptr) return;
   const std::string path = "max_motion";
+  const std::string all =
+      "an array of " + std::to_string(box.wrench.size()) + " numbers, one for each coordinate";
+  const auto read_above_0 = [](const JsonNode& number, const std::string& place) {
+    Rational value = read_number(number, place);
+    if (value.sign() <= 0) {
+      fail_at(place, "the value is " + to_readable_string(value),
+              "a bound of motions is above 0");
+    }
+    return value;
+  };
   RationalRow numbers;
   if (node->kind == Kind::kObject) {
     expect_object(*node, path, {"length", "angle"});
     for (const char* key : {"length", "angle"}) {
       const JsonNode& number =
           member(*node, path, key, "give both \"length\" and \"angle\", numbers above 0");
-      numbers.push_back(read_number(number, member_path(path, key)));
+      numbers.push_back(read_above_0(number, member_path(path, key)));
+    }
+    if (box.mechanism && !box.mechanism->joints.empty()) {
+      fail_at(path, "a length and an angle, but there are joints", "give " + all);
     }
   } else {
-    expect(*node, Kind::kArray, path, R"(a list of numbers, or {"length": ..., "angle": ...})");
-    for (std::size_t j = 0; j < node->children.size(); ++j) {
-      numbers.push_back(read_number(node->children[j], element_path(path, j)));
+    expect(*node, Kind::kArray, path,
+           R"(an array of numbers, or {"length": ..., "angle": ...})");
+    const std::size_t count = node->children.size();
+    if (count != box.wrench.size()) {
+      fail_at(path, "found an array of " + std::to_string(count) + " values",
+              "give " + all + R"(, or {"length": ..., "angle": ...})");
     }
-    if (numbers.size() != box.wrench.size()) {
-      fail_at(path, "a list of " + std::to_string(numbers.size()) + " numbers",
-              "give " + std::to_string(box.wrench.size()) +
-                  R"(, one for each coordinate of motions, or {"length": ..., "angle": ...})");
+    for (std::size_t j = 0; j < count; ++j) {
+      numbers.push_back(read_above_0(node->children[j], element_path(path, j)));
     }
   }
   box.max_motion = bound_of(box, {std::move(numbers)});

@@ -326,7 +326,8 @@ std::optional<LawForces::Branch> LawForces::split_separation(const Relaxation& f
   if (turns_alone(c)) {
     return split_corners(found, c.separations, corner_orders(c, row_at), false);
   }
-  if (!c.place || c.slip_dimension() == 1 || law_.is_family)
+  // (A wedge needs a motion to be on one side of.)
+  if (!c.place || c.slip_dimension() == 1 || law_.is_family || found.motion.isZero(0))
     return split_corners(found, c.separations, corner_orders(law_, c), false);
   // v / k'
   Wedge wedge = wedge_of(c, row_at);

@@ -23,7 +23,7 @@ ALLOWED = {
     "resistance": {"core", "equilibrium", "planar", "search"},
     "earlier": {"core", "lp", "equilibrium", "motion", "planar", "box"},
     "certificate": {"core", "equilibrium", "planar", "margin", "box", "resistance", "earlier"},
-    "answers": {"core", "equilibrium", "planar", "margin", "box", "warnings", "resistance", "certificate"},
+    "answers": {"core", "equilibrium", "planar", "search", "margin", "box", "warnings", "resistance", "certificate"},
     "batch": {"core", "equilibrium", "earlier", "certificate", "answers"},
     "crosscheck": {"core", "equilibrium", "planar", "degree", "margin", "box", "answers"},
     "plot": {"core", "arrangement", "equilibrium", "planar", "degree", "box", "resistance"},

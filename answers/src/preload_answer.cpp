@@ -78,6 +78,7 @@ std::vector<GraspBox> loads_of(const std::vector<Question>& questions,
                                const std::string& file) {
   std::vector<GraspBox> loads;
   for (const Question& question : questions) {
+    require_unbounded(question, "what the best preloads are");
     loads.push_back(box_of(question.grasp));
     GraspBox centre = loads.back();
     centre.ball.reset();

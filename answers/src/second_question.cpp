@@ -82,7 +82,7 @@ std::optional<Question> without_rounding(const Question& question) {
 }  // namespace
 
 std::optional<Question> second_question(const Question& question, const Verdict& verdict) {
-  // Of more contacts a second answer takes more memory than the first.
+  // A second answer about more contacts takes more memory than the first.
   constexpr std::size_t kMostContacts = 10000;
   const auto* one = std::get_if<LoadedGrasp>(&question.grasp);
   if (one != nullptr && one->grasp.size() > kMostContacts) return std::nullopt;

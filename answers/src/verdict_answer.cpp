@@ -176,10 +176,10 @@ Answer answer_to(Question question, const AnswerOptions& options) {
   AnswerOptions how = options;
   how.engine = Engine::kAuto;
   how.warnings = WarningsAsked::kNone;
-  how.within = second->is_bounded() ? false : true;
+  how.within = !second->is_bounded();
   Answer found = answer_to(std::move(*second), how);
   if (found.within) found = *found.within;
-  // What says the same says nothing more.
+  // A second answer that says the same says nothing more.
   const bool is_same = answer.verdict.index() == found.verdict.index();
   if (is_same && !std::holds_alternative<Stable>(answer.verdict)) return answer;
   answer.within = std::make_shared<const Answer>(std::move(found));

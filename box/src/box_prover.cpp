@@ -206,7 +206,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   const bool is_lost = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
                        end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
   if (!refuted && !holds && may_be_far && is_lost) {
-    // Where near motions take long as well, all are searched together again.
+    // All motions are searched together again where near ones take long as well.
     constexpr std::size_t kNearNodes = 400;
     LawSearch near(
         box, nullptr,

@@ -162,7 +162,7 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
     std::array<std::optional<RationalRow>, 2> suspects;
     decision = prove(box, law, options, most_parts, suspects);
     work += decision.work;
-    // Where only far motions are left, neither examples nor parts say more.
+    // Neither examples nor parts say more where only far motions are left.
     if (decision.within) {
       decision.work = work;
       break;

@@ -31,7 +31,7 @@ struct RestProof {
 void check_rest(const RestProof& proof, const Box& box, const Range& range,
                 const std::string& place);
 
-/// What is stated of one contact.
+/// The forces that are stated of one contact.
 struct Stated {
   std::vector<Vector> friction;  ///< f0, and G_1 to G_D: 1 + D forces; or none
   Vector presses;                ///< H_1 to H_D, or none

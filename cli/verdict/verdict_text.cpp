@@ -242,7 +242,7 @@ std::string size_text(const GraspBox& box, const RationalRow& motion) {
   return digits + std::string(turns ? " rad" : "");
 }
 
-/// What the heading adds of the second answer.
+/// Returns the part of the heading that is about the second answer.
 std::string second_heading(const Answer& answer) {
   if (!answer.within) return "";
   const Answer& within = *answer.within;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr unsigned kRootBits = 64;  // of the format
 
-/// What the rules compare, over the box at one multiple, of one element.
+/// The numbers of one element that the rules compare, over the box at one multiple.
 struct PressedContact {
   Interval separation;  ///< v at d0
   Interval normal;      ///< a0

@@ -80,7 +80,7 @@ bool ForceSpan::has_loads_of(const Law& law) const {
 
 RationalRow opposed_part(const ForceSpan& span, const Law& law, const RationalRow& load,
                          const Rational& length) {
-  // What is taken away is a sum of loads G z, of which |G z|^2 = z.G z with G = 1 or length^2.
+  // The part that is taken away is a sum of loads G z; |G z|^2 = z.G z with G = 1 or length^2.
   const auto weighted = [&](RationalRow z) {
     for (std::size_t j = 0; j < z.size(); ++j) {
       if (law.rotates[j] != 0) z[j] *= length * length;

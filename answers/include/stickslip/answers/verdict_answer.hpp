@@ -52,7 +52,7 @@ struct Answer {
   std::shared_ptr<const Answer> within{};
 };
 
-/// Which traps of the model to look for.
+/// The traps of the model that are looked for.
 enum class WarningsAsked {
   kNone,
   kOfMotion,  ///< those that the motion shows: quick

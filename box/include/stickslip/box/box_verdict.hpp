@@ -23,8 +23,8 @@ struct BoxDecision {
   Verdict verdict;               ///< of exact motions only in space
   SearchWork work{};             ///< to find it
   unsigned bits = kDefaultBits;  ///< of the proof
-  /// Of an undecided question without a bound of motions: proves that with natural_bound(box,
-  /// kFarMotion) none of the grasps is stable.
+  /// A proof that with natural_bound(box, kFarMotion) none of the grasps is stable; only if the
+  /// question has no bound of motions, and is undecided.
   std::optional<Unstable> within{};
 };
 

@@ -92,7 +92,8 @@ std::optional<Question> second_question(const Question& question, const Verdict&
   // A box that is undecided for other reasons takes as long once more.
   const auto* undecided = std::get_if<Undecided>(&verdict);
   const GraspBox* box = question.box();
-  if (undecided != nullptr && box != nullptr && !box->is_point() && undecided->reason != "far") {
+  if (undecided != nullptr && box != nullptr && !box->is_point() &&
+      undecided->reason != "far") {
     return std::nullopt;
   }
   return bounded(question, verdict);

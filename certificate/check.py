@@ -54,13 +54,13 @@ class NotJudged(Exception):
 
 
 class Work:
-    """§8: steps of about a microsecond, counted and not timed; and, within `with Work():`, the most
-    for files of so many bytes."""
+    """§8: steps of about a microsecond, and products of words, counted and not timed; and, within `with Work():`,
+    the most for files of so many bytes."""
     limited = False
-    bytes_read = steps = 0
+    bytes_read = steps = products = 0
 
     def __enter__(self) -> None:
-        Work.limited, Work.bytes_read, Work.steps = True, 0, 0
+        Work.limited, Work.bytes_read, Work.steps, Work.products = True, 0, 0, 0
 
     def __exit__(self, *_: Any) -> None:
         Work.limited = False
@@ -72,6 +72,31 @@ class Work:
         if cls.limited and cls.steps > most:
             raise NotJudged(f"it takes more than {most} steps, the most for {cls.bytes_read} bytes")
 
+
+    @classmethod
+    def spend_products(cls, count: int) -> None:
+        cls.products += count
+        most = 10 ** 9 + 10 * cls.bytes_read ** 2
+        if cls.limited and cls.products > most:
+            raise NotJudged(f"it takes more than {most} products of words, the most for {cls.bytes_read} bytes")
+
+    @classmethod
+    def multiply(cls, count: int, n: int, m: int) -> None:
+        """So many products of numbers of n and m words: long ones cost less than they have digits."""
+        if n > 1 or m > 1:
+            least, most = min(n, m), max(n, m)
+            cls.spend_products(count * (least * most if least <= 64 else int(8 * most * least ** 0.5)))
+
+    @classmethod
+    def divide(cls, count: int, n: int, m: int) -> None:
+        """Common divisors and quotients, which take Python as many steps as there are products of digits."""
+        if n > 1 or m > 1:
+            cls.spend_products(count * n * m)
+
+
+def words(vector: Sequence[int]) -> int:
+    """Of 64 bits, of the longest; 1 or more."""
+    return 1 + (max(map(int.bit_length, vector)) >> 6)
 
 def weight(vector: Sequence[int]) -> int:
     """What a product with it costs, with numbers of a few words as the unit."""
@@ -1889,7 +1914,12 @@ def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
 
 def reduced(vector: Integers) -> Integers:
     divisor = math.gcd(*vector)
-    return vector if divisor <= 1 else tuple(c // divisor for c in vector)
+    length = words(vector)
+    Work.divide(4, length, length)
+    if divisor <= 1:
+        return vector
+    Work.divide(5 * len(vector), length, words((divisor,)))  # the other common divisors, and quotients
+    return tuple(c // divisor for c in vector)
 
 
 def negated(vector: Integers) -> Integers:
@@ -1910,11 +1940,13 @@ class Cone:
         self.generators = rays + [(x, -1) for line in lines for x in (line, negated(line))]
         self.weight = max((weight(x) for x, _ in self.generators), default=1)
 
+        self.words = max((words(x) for x, _ in self.generators), default=1)
     def cut(self, a: Integers, equality: bool = False) -> Cone:
         """The part with a·x ≥ 0, or a·x = 0."""
         bit = 1 << self.cuts
         Work.spend(weight(a) * self.weight * len(self.generators))
         crossing = next((line for line in self.lines if dot(a, line)), None)
+        Work.multiply(len(a) * len(self.generators), words(a), self.words)
         if crossing is not None:
             # Move all other generators along this line into the plane; half of it stays, as a ray.
             line = crossing if dot(a, crossing) > 0 else negated(crossing)
@@ -1923,6 +1955,7 @@ class Cone:
             def moved(x: Integers) -> Integers:
                 height = dot(a, x)
                 return reduced(tuple(rise * c - height * e for c, e in zip(x, line)))
+                Work.multiply(2 * len(x), words((rise, height)), self.words)
 
             lines = [moved(other) for other in self.lines if other is not crossing]
             rays = [(moved(x), zero | bit) for x, zero in self.rays]
@@ -1943,6 +1976,7 @@ class Cone:
                 Work.spend(len(self.rays) // 8 + weight((up,)) * self.weight)
                 if all(zero & both != both or x is p or x is q for x, zero in self.rays):
                     rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
+                    Work.multiply(2 * len(p), words((up, down)), self.words)
                                  both | bit))
         return Cone(self.lines, rays, self.cuts + 1)
 

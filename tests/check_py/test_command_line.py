@@ -4,14 +4,15 @@ stickslip-check and stickslip-proved, and where STICKSLIP_NODE names node page/c
 
 import json
 import os
+import re
 import resource
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from support import (CHECK, FIG1, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_PROVED, UP, UP_TREE, Case,
-                     certificate, check, grasp, in_process, start, up)
+from support import (CHECK, FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_NODE, STICKSLIP_PROVED, UP, UP_TREE,
+                     Case, certificate, check, grasp, in_process, start, up)
 
 
 class CommandLineTest(Case):
@@ -81,6 +82,31 @@ class CommandLineTest(Case):
                     self.assertRegex(done.stdout, "^not judged\nwhy    it takes more than ")
             usage = resource.getrusage(resource.RUSAGE_CHILDREN)
             self.assertLess(usage.ru_maxrss, 1_000_000, program)
+
+    def test_long_numbers(self):
+        """Inputs of most_work.py and of attacks: numbers of thousands of words, which cost what short ones never do. An answer
+        may be any but a long wait, and all that count products of words have the same limit."""
+        def limit():  # a hang is a failure: it must not take all of the machine
+            resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+
+        work = os.path.join(HERE, "..", "corpus", "work")
+        for name in sorted({name.split(".")[0] for name in os.listdir(work)}):
+            files = [os.path.join(work, f"{name}.{kind}.json") for kind in ("grasp", "certificate")]
+            length = sum(os.path.getsize(file) for file in files)
+            for program in PROGRAMS:
+                done = subprocess.run([*program, *files], capture_output=True, check=False, preexec_fn=limit, encoding="utf-8")
+                self.assertEqual(done.stderr, "", (name, program))
+                if done.returncode == NOT_JUDGED:
+                    found = re.fullmatch("not judged\nwhy    it takes more than ([0-9]+) products of words, the most for "
+                                         "(?:the )?([0-9]+) bytes(?: read)?\n", done.stdout)
+                    self.assertIsNotNone(found, (name, program, done.stdout))
+                    most, read = map(int, found.groups())
+                    self.assertEqual(most, 10 ** 9 + 10 * read ** 2, (name, program))
+                    self.assertLessEqual(read, length, (name, program))
+                else:
+                    self.assertEqual(done.stdout.split("\n")[:2], ["rejected", "rule   tree-short"], (name, program))
+            if name == "long_exponents":
+                self.assertEqual(done.returncode, NOT_JUDGED)
 
     def test_planes_of_loads(self):
         # FORMAT.md §9: the page's checker says that it does not judge them.

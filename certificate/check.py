@@ -11,6 +11,7 @@ judged.
 
 from __future__ import annotations
 
+import errno
 import functools
 import itertools
 import json
@@ -21,7 +22,7 @@ import re
 import signal
 import sys
 from fractions import Fraction
-from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Set, Tuple,
+from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Set, TextIO, Tuple,
                     Type, TypeVar, Union)
 
 Vector = Tuple[Fraction, ...]
@@ -72,7 +73,6 @@ class Work:
         if cls.limited and cls.steps > most:
             raise NotJudged(f"it takes more than {most} steps, the most for {cls.bytes_read} bytes")
 
-
     @classmethod
     def spend_products(cls, count: int) -> None:
         cls.products += count
@@ -97,6 +97,7 @@ class Work:
 def words(vector: Sequence[int]) -> int:
     """Of 64 bits, of the longest; 1 or more."""
     return 1 + (max(map(int.bit_length, vector)) >> 6)
+
 
 def weight(vector: Sequence[int]) -> int:
     """What a product with it costs, with numbers of a few words as the unit."""
@@ -1913,9 +1914,9 @@ def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
 
 
 def reduced(vector: Integers) -> Integers:
-    divisor = math.gcd(*vector)
     length = words(vector)
     Work.divide(4, length, length)
+    divisor = math.gcd(*vector)
     if divisor <= 1:
         return vector
     Work.divide(5 * len(vector), length, words((divisor,)))  # the other common divisors, and quotients
@@ -1939,14 +1940,14 @@ class Cone:
         self.lines, self.rays, self.cuts = lines, rays, cuts
         self.generators = rays + [(x, -1) for line in lines for x in (line, negated(line))]
         self.weight = max((weight(x) for x, _ in self.generators), default=1)
-
         self.words = max((words(x) for x, _ in self.generators), default=1)
+
     def cut(self, a: Integers, equality: bool = False) -> Cone:
         """The part with a·x ≥ 0, or a·x = 0."""
         bit = 1 << self.cuts
         Work.spend(weight(a) * self.weight * len(self.generators))
-        crossing = next((line for line in self.lines if dot(a, line)), None)
         Work.multiply(len(a) * len(self.generators), words(a), self.words)
+        crossing = next((line for line in self.lines if dot(a, line)), None)
         if crossing is not None:
             # Move all other generators along this line into the plane; half of it stays, as a ray.
             line = crossing if dot(a, crossing) > 0 else negated(crossing)
@@ -1954,8 +1955,8 @@ class Cone:
 
             def moved(x: Integers) -> Integers:
                 height = dot(a, x)
-                return reduced(tuple(rise * c - height * e for c, e in zip(x, line)))
                 Work.multiply(2 * len(x), words((rise, height)), self.words)
+                return reduced(tuple(rise * c - height * e for c, e in zip(x, line)))
 
             lines = [moved(other) for other in self.lines if other is not crossing]
             rays = [(moved(x), zero | bit) for x, zero in self.rays]
@@ -1975,8 +1976,8 @@ class Cone:
                     continue
                 Work.spend(len(self.rays) // 8 + weight((up,)) * self.weight)
                 if all(zero & both != both or x is p or x is q for x, zero in self.rays):
-                    rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
                     Work.multiply(2 * len(p), words((up, down)), self.words)
+                    rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
                                  both | bit))
         return Cone(self.lines, rays, self.cuts + 1)
 
@@ -3766,15 +3767,35 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
 
 def write(text: str, code: int) -> int:
     """What nobody can read was not answered."""
+    if not text:
+        return code
+    if sys.stdout is None:  # it was closed before the start
+        complain(f"standard output cannot be written: {os.strerror(errno.EBADF)}\n")
+        return 2
     try:
         sys.stdout.write(text)
         sys.stdout.flush()
         return code
     except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # do not try again at the end
+        give_up(sys.stdout)
         if not isinstance(error, BrokenPipeError):
-            print(f"check.py: standard output cannot be written: {error.strerror}", file=sys.stderr)
+            complain(f"standard output cannot be written: {error.strerror}\n")
         return 2
+
+
+def complain(text: str) -> None:
+    """On standard error, if there is one: that it cannot be written changes no exit code."""
+    try:
+        if sys.stderr is not None:
+            sys.stderr.write("check.py: " + text)
+            sys.stderr.flush()
+    except OSError:
+        give_up(sys.stderr)
+
+
+def give_up(stream: TextIO) -> None:
+    """So that Python does not try again at the end, and fail with a code of its own."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def main(words: Sequence[str]) -> int:
@@ -3782,21 +3803,21 @@ def main(words: Sequence[str]) -> int:
     if hasattr(sys, "set_int_max_str_digits"):  # Python 3.11's limit is below that of §2
         sys.set_int_max_str_digits(0)
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")
+        if stream is not None:
+            stream.reconfigure(errors="backslashreplace")
     try:
         arguments = parse_arguments(words)
         if arguments is None:
             return write(USAGE, 0)
         report, text, code = answer(arguments)
     except UsageError as error:
-        print(f"check.py: {printable(str(error))}; try check.py --help", file=sys.stderr)
+        complain(f"{printable(str(error))}; try check.py --help\n")
         return 2
     except Exception as error:  # pylint: disable=broad-except
-        print(f"check.py: internal error: {type(error).__name__}: {printable(str(error))}",
-              file=sys.stderr)
+        complain(f"internal error: {type(error).__name__}: {printable(str(error))}\n")
         return 2
     if code == 2:
-        sys.stderr.write("check.py: " + text)
+        complain(text)
         text = ""
     return write(json.dumps(report) + "\n" if arguments.json else text, code)
 

@@ -290,6 +290,24 @@ class CommandLineTest(Case):
                 self.assertEqual(done.returncode, 2, (program, arguments))
                 self.assertIn(b"No space left on device", done.stderr)
 
+    def test_closed_and_full_streams(self):
+        """An answer that cannot be written is 2, said once, and so is one of which nobody can be told."""
+        def run(program, words, redirections):
+            return subprocess.run(["/bin/sh", "-c", f'exec "$0" "$@" {redirections}', *program, *words],
+                                  capture_output=True, check=False, encoding="utf-8")
+
+        for program in PROGRAMS:
+            for words in ([self.g, self.c, *UP], [self.g, self.c, *UP, "--json"], [self.g, "absent"], ["--help"], ["--unknown"]):
+                fails = words[-1] in ("absent", "--unknown")
+                for redirections in (">&-", ">/dev/full", ">/dev/full 2>&-", ">/dev/full 2>/dev/full", ">&- 2>&-", "2>/dev/full", "2>&-"):
+                    stdout_fails = redirections.startswith(">")
+                    if program[0] == STICKSLIP_NODE and redirections.startswith(">&-"):
+                        stdout_fails = False  # node opens /dev/null there before anything of ours runs
+                    done = run(program, words, redirections)
+                    self.assertEqual(done.returncode, 2 if fails or stdout_fails else 0, (program, words, redirections, done))
+                    if "2>" not in redirections and (fails or stdout_fails):
+                        self.assertEqual(done.stderr.count("\n"), 1, (program, words, redirections, done.stderr))
+
     def test_a_closed_pipe_is_no_answer_and_no_noise(self):
         with subprocess.Popen([*PROGRAMS[0], self.g, self.c, *UP], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE) as process:

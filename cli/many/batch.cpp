@@ -182,6 +182,8 @@ class Batch {
     }
     FinishedResults finished(before, arguments_.output, head_bytes > 0 ? 1 : 0, head_bytes);
     before_ = skip_finished(finished, arguments_.output, *lines_, arguments_.file, decider_);
+    const std::string note = changed_note(finished, arguments_.output);
+    if (!note.empty()) std::cerr << "stickslip: " << note << "\n";
     std::error_code error;
     std::filesystem::resize_file(arguments_.output, finished.bytes(), error);
     if (error) throw cannot_write(arguments_.output, error.value());

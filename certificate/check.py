@@ -76,7 +76,7 @@ class Work:
     @classmethod
     def spend_products(cls, count: int) -> None:
         cls.products += count
-        most = 10 ** 9 + 10 * cls.bytes_read ** 2
+        most = 500_000_000 + 5 * cls.bytes_read ** 2
         if cls.limited and cls.products > most:
             raise NotJudged(f"it takes more than {most} products of words, the most for {cls.bytes_read} bytes")
 

@@ -65,7 +65,7 @@ void spend(std::uint64_t steps) {
 void spend(std::uint64_t operations, std::uint64_t words, std::uint64_t by_words) {
   spend(operations);
   if (words == 1 && by_words == 1) return;
-  constexpr std::uint64_t kMultiple = 10;
+  constexpr std::uint64_t kMultiple = 5;
   work.products +=
       operations * products_of(std::max(words, by_words), std::min(words, by_words));
   refuse_beyond(work.products, kMultiple, "products of words");

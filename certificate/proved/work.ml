@@ -19,7 +19,7 @@ let begin_question () =
   words_before := Gc.minor_words ()
 
 (* All grow with the square of the files' length. *)
-let most_products () = 1_000_000_000 + (10 * !bytes * !bytes)
+let most_products () = 500_000_000 + (5 * !bytes * !bytes)
 let most_combinations () = 800_000 + (!bytes * !bytes / 150)
 let most_words () = 5e8 +. (5. *. float_of_int !bytes *. float_of_int !bytes)
 

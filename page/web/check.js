@@ -28,12 +28,12 @@ function spend(steps) {
 /** What long numbers cost: the limit is that of all checkers. */
 function spend_products(count) {
   work.products += count;
-  const most = 1e9 + 10 * work.bytes * work.bytes;
+  const most = 5e8 + 5 * work.bytes * work.bytes;
   if (work.limited && work.products > most) throw new NotJudged(`it takes more than ${most} products of words, the most for ${work.bytes} bytes`);
 }
 
-/** Up to 1024 bits numbers are short: what is done with them costs steps. */
-const SHORT = 1n << 1024n;
+/** Up to 256 bits numbers are short: what is done with them costs steps. */
+const SHORT = 1n << 256n;
 const is_long = (n) => n >= SHORT || n <= -SHORT;
 
 const LENGTHS = [[1n << 64n, 1]];

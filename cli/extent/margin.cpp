@@ -176,6 +176,7 @@ void add_margin_command(CLI::App& app, int& exit_code) {
       "margin",
       "How much of a load is resisted, or with how much preload? The exact set, with a proof");
   arguments->question.add_with_directions_to(*command);
+  arguments->question.add_max_motion_to(*command);
   CLI::Option* least = command->add_flag(
       "--least", arguments->least,
       "Print the least multiple that is resisted, such as of the preloads that "

@@ -44,11 +44,11 @@ function(stickslip_reuse_headers name)
   if(NOT TARGET stickslip_headers)
     file(WRITE ${PROJECT_BINARY_DIR}/headers/headers.cpp "")
     add_library(stickslip_headers OBJECT ${PROJECT_BINARY_DIR}/headers/headers.cpp)
-    target_link_libraries(stickslip_headers PRIVATE Boost::headers stickslip_gmp)
+    target_link_libraries(stickslip_headers PRIVATE stickslip_gmp)
     set_target_properties(stickslip_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
     stickslip_set_warnings(stickslip_headers)
     target_precompile_headers(stickslip_headers PRIVATE
-      <boost/multiprecision/gmp.hpp> <algorithm> <functional> <map> <optional> <set> <string>
+      <gmp.h> <algorithm> <array> <cmath> <functional> <memory> <map> <optional> <set> <string>
       <variant> <vector>)
   endif()
   target_precompile_headers(${name} REUSE_FROM stickslip_headers)
@@ -96,7 +96,7 @@ function(stickslip_reuse_test_headers name)
     target_link_libraries(stickslip_test_headers PRIVATE stickslip::core GTest::gtest GTest::gmock)
     stickslip_set_warnings(stickslip_test_headers)
     target_precompile_headers(stickslip_test_headers PRIVATE <gtest/gtest.h> <gmock/gmock.h>
-      <boost/multiprecision/gmp.hpp> <map> <set> <functional> <variant>)
+      <gmp.h> <map> <set> <functional> <variant>)
   endif()
   target_precompile_headers(${name} REUSE_FROM stickslip_test_headers)
 endfunction()

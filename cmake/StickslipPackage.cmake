@@ -18,5 +18,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, pkg-config, libgmp-dev, libmpfr-dev, \
-libeigen3-dev, nlohmann-json3-dev, libtbb-dev")
+libeigen3-dev, libtbb-dev")
 include(CPack)

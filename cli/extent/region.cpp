@@ -3,7 +3,6 @@
 #include <cctype>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "commands.hpp"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/json_value.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -29,13 +29,13 @@ Enumerator enumerator(const std::string& engine) {
 
 void print_json(const StatesArguments& arguments, const Enumeration& report) {
   const ArrangementCounts& c = report.found.counts;
-  nlohmann::ordered_json json{{"contacts", c.planes},   {"circles", c.circles},
-                              {"rank", c.rank},         {"vertices", c.vertices},
-                              {"edges", c.edges},       {"faces", c.faces},
-                              {"cells", c.cells()},     {"distinct_states", c.distinct_states},
-                              {"engine", report.engine}};
+  Json json{{"contacts", c.planes},   {"circles", c.circles},
+            {"rank", c.rank},         {"vertices", c.vertices},
+            {"edges", c.edges},       {"faces", c.faces},
+            {"cells", c.cells()},     {"distinct_states", c.distinct_states},
+            {"engine", report.engine}};
   if (arguments.list) {
-    nlohmann::ordered_json& states = json["states"] = nlohmann::ordered_json::array();
+    Json& states = json["states"] = Json::array();
     for (const SlipState& state : report.found.states) states.push_back(to_string(state));
   }
   std::cout << json.dump(1) << '\n';

@@ -77,9 +77,9 @@ int states(const StatesArguments& arguments) {
 
 }  // namespace
 
-void add_states_command(CLI::App& app, int& exit_code) {
+void add_states_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<StatesArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "states", "Enumerate the slip states consistent with rigid motion, and count cells");
   add_grasp_argument(*command, arguments->file);
   command
@@ -89,7 +89,7 @@ void add_states_command(CLI::App& app, int& exit_code) {
                    "contacts. paper: the paper's own three steps, a baseline. auto: cgal for "
                    "few contacts, else sweep")
       ->type_name("ENGINE")
-      ->check(CLI::IsMember({"auto", "cgal", "sweep", "paper"}))
+      ->choices({"auto", "cgal", "sweep", "paper"})
       ->capture_default_str();
   add_threads_option(*command, arguments->threads,
                      "Threads with which the sweep counts; 0 is one a core");

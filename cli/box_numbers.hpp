@@ -26,6 +26,10 @@ std::string uncertain_text(const GraspBox& box, const std::vector<UncertainNumbe
 /// "force^2 + (torque/2)^2 <= (1/10)^2", and about which point and on which body.
 std::string ball_text(const LoadBall& ball, NumberText& text);
 
+/// Spells the bound on motions of a box as --max-motion takes it: a length and an angle where
+/// these say all.
+std::string bound_text(const GraspBox& box);
+
 /// Which way a number may be rounded so that what is said of it stays true.
 enum class Round { kDown, kUp };
 

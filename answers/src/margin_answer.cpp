@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/answers/margin_answer.hpp"
 
+#include "second_question.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -31,6 +33,7 @@ Json head_json(const Question& question) {
   add_units(json, about.units);
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(wrench_of(question.grasp));
+  if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
   if (question.direction) json["direction"] = number_json(*question.direction);
   if (question.preload_direction) {
     json["preload_direction"] = preload_direction_json(*question.preload_direction);
@@ -44,6 +47,37 @@ void add_ends(Json& json, const std::vector<MarginInterval>& resisted) {
 }
 
 }  // namespace
+
+std::optional<SecondMargin> margin_within(
+    const Question& question, const SpatialMargin& margin, const SpatialMarginOptions& options,
+    const std::function<void(const SpatialMargin&)>& progress) {
+  SecondMargin within{question, {}};
+  auto opposed = opposed_direction(question);
+  if (!opposed && (!margin.ended_far || question.is_bounded())) return std::nullopt;
+  if (opposed) within.question.direction = std::move(opposed);
+  if (!question.is_bounded()) {
+    GraspBox box = box_of(question.grasp);
+    const auto bound = natural_bound(
+        grown(box, question.direction.value_or(RationalRow{}), question.preload_growth),
+        kFarMotion);
+    if (!bound) return std::nullopt;
+    box.max_motion = *bound;
+    within.question.grasp = std::move(box);
+  }
+  within.margin = find_margin(within.question, options, progress);
+  return within;
+}
+
+void add_within(Json& json, const SecondMargin& within) {
+  Json& second = json["within"] = Json::object();
+  if (within.question.is_bounded()) {
+    second["max_motion"] = number_json(within.question.box()->max_motion);
+  }
+  if (within.question.direction) second["direction"] = number_json(*within.question.direction);
+  second["resisted"] = multiples_json(within.margin.resisted());
+  second["refuted"] = multiples_json(within.margin.refuted());
+  second["stats"] = work_json(within.margin.work);
+}
 
 std::optional<Rational> least(const Margin& margin) {
   if (margin.resisted.empty()) return std::nullopt;

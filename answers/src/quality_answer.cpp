@@ -40,8 +40,6 @@ QualityAsked quality_asked(const QualityText& text) {
 GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
                         const std::string& file) {
   GraspBox grasp = box_of(question.grasp);
-  // (Loads without preloads scale, but a bound does not.)
-  require_unbounded(question, "a quality");
   if (!grasp.is_point()) {
     throw InputError(file, "", "some numbers are uncertain",
                      "a quality is that of one grasp: give one number for each, or ask "

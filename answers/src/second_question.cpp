@@ -56,26 +56,36 @@ Rational typical_length(const Law& law) {
   return rational_in_bits(law.length, kBits);
 }
 
-std::optional<Question> without_rounding(const Question& question) {
-  GraspBox box = box_of(question.grasp);
-  const GraspLaw law(box, question.law);
-  if (box.ball) return std::nullopt;
-  RationalRow load;
-  for (const Interval& component : box.wrench) {
-    if (!component.is_point()) return std::nullopt;
-    load.push_back(component.low);
-  }
+/// Returns the nearest load that no free motion sees, if the part of this one that it lacks is
+/// rounding alone.
+std::optional<RationalRow> without_rounding(const Law& law, const RationalRow& load) {
   const ForceSpan span(law);
-  if (span.rank() == law.motions || span.has_loads_of(law)) return std::nullopt;
+  if (span.rank() == law.motions) return std::nullopt;
   const Rational length = typical_length(law);
-  const RationalRow opposed = opposed_part(span, law, load, length);
+  RationalRow opposed = opposed_part(span, law, load, length);
+  if (opposed == load) return std::nullopt;
   RationalRow off = load;
   for (std::size_t j = 0; j < off.size(); ++j) off[j] -= opposed[j];
   static const Rational kRounding = parse_rational("1e-24");  // of squares
   if (squared_length(off, law, length) > kRounding * squared_length(load, law, length)) {
     return std::nullopt;
   }
-  for (std::size_t j = 0; j < opposed.size(); ++j) box.wrench[j] = point_interval(opposed[j]);
+  return opposed;
+}
+
+std::optional<Question> without_rounding(const Question& question) {
+  GraspBox box = box_of(question.grasp);
+  if (box.ball) return std::nullopt;
+  RationalRow load;
+  for (const Interval& component : box.wrench) {
+    if (!component.is_point()) return std::nullopt;
+    load.push_back(component.low);
+  }
+  const auto opposed = without_rounding(GraspLaw(box, question.law), load);
+  if (!opposed) return std::nullopt;
+  for (std::size_t j = 0; j < opposed->size(); ++j) {
+    box.wrench[j] = point_interval((*opposed)[j]);
+  }
   return with_grasp(question, std::move(box));
 }
 
@@ -97,6 +107,11 @@ std::optional<Question> second_question(const Question& question, const Verdict&
     return std::nullopt;
   }
   return bounded(question, verdict);
+}
+
+std::optional<RationalRow> opposed_direction(const Question& question) {
+  if (!question.direction) return std::nullopt;
+  return without_rounding(GraspLaw(box_of(question.grasp), question.law), *question.direction);
 }
 
 Rational squared_distance(const Question& a, const Question& b) {

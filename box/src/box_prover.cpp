@@ -15,30 +15,7 @@
 namespace stickslip {
 namespace {
 
-/// Whether a motion is within the bound, if there is one.
-bool is_within(const Law& law, const RationalRow& motion) {
-  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
-    if (abs(motion[j]) > law.max_motion[j]) return false;
-  }
-  return true;
-}
-
-/// Whether contacts have numbers as long as those of doubles, the last digits of which are
-/// rounding: only then do far motions turn on these.
-bool may_be_rounded(const Law& law) {
-  constexpr unsigned kLong = 40;
-  const auto is_long = [](const Integer& value) {
-    return !value.is_zero() && msb(abs(value)) >= kLong;
-  };
-  return std::any_of(law.contacts.begin(), law.contacts.end(), [&](const LawContact& c) {
-    const RationalRow& normal = c.corners.front().normal;
-    return std::any_of(normal.begin(), normal.end(), [&](const Rational& entry) {
-      return is_long(numerator(entry)) || is_long(denominator(entry));
-    });
-  });
-}
-
-/// The same of a motion in doubles, of which the last digits are wrong.
+/// Whether a motion in doubles, of which the last digits are wrong, may be within the bound.
 bool may_be_within(const Law& law, const NearEquilibrium& near) {
   for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
     constexpr double kNearly = 1 + 1e-6;
@@ -83,7 +60,7 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
                            const NearEquilibrium& near) {
   if (is_exact_) {
     witness_ = exact_witness(box, near);
-    if (witness_ && !is_within(box, witness_->twist)) witness_.reset();
+    if (witness_ && !box.allows(witness_->twist)) witness_.reset();
     if (witness_) {
       motion_ = witness_->twist;
       return true;
@@ -201,7 +178,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
   };
   const bool may_be_far =
-      box.max_motion.empty() && !box.far_motion.empty() && may_be_rounded(box);
+      box.max_motion.empty() && !box.far_motion.empty() && box.may_be_rounded();
   search_all(false, may_be_far);
   const bool is_lost = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
                        end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;

@@ -314,8 +314,12 @@ std::optional<double> Examples::distance(const Place& place) const {
 }
 
 std::vector<Place> Examples::suspects(bool middle_is_stable) const {
+  if (!box_.is_one_planar_body()) {
+    std::vector<Place> ends = extremes();
+    if (middle_is_stable) std::swap(ends.front(), ends.back());
+    return ends;
+  }
   std::vector<Place> places;
-  if (!box_.is_one_planar_body()) return places;
   const double sign = middle_is_stable ? 1 : -1;
   Place best = middle();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {

@@ -35,9 +35,9 @@ class Examples {
   /// All held better, or worse, as one would think: more friction and preload under less load,
   /// and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;
-  /// In the plane, places that are likely to have the verdict that the middle does not have,
-  /// best first: by how the multiples of the load that are resisted change with each number.
-  /// O(numbers) margins.
+  /// Returns places that are likely to have the verdict that the middle does not have, best
+  /// first. In the plane they follow from how the multiples of the load that are resisted
+  /// change with each number, which takes O(numbers) margins; else they are the extremes.
   std::vector<Place> suspects(bool middle_is_stable) const;
   Place middle() const { return Place(numbers_.size()); }
   /// Of a ball the loads along each axis of forces and torques, and in the plane between them

@@ -38,7 +38,7 @@ Quality find_quality(const GraspBox& grasp, NormalLaw law, LoadBall shape,
                      const std::function<void(const Quality&)>& progress) {
   require(grasp.is_point(), "the quality of one grasp");
   Quality quality;
-  quality.scales = is_without_forces(grasp);
+  quality.scales = !grasp.is_bounded() && is_without_forces(grasp);
   shape.radius = typical_force(grasp);
   RadiusOptions of_radius = options.radius;
   of_radius.only_stable = true;

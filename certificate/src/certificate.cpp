@@ -396,6 +396,7 @@ struct ClaimText {
   }
   std::string operator()(const DegreeProof& proof) const { return degree_text(proof, true); }
   std::string operator()(const RestProof& proof) const { return rest_text(proof); }
+  std::string operator()(const StickingProof& proof) const { return sticking_text(proof); }
   std::string operator()(const SpatialSegment& segment) const {
     return "{" + witness_text(segment.start) + "}" +
            (segment.end ? ",\n   {" + witness_text(*segment.end) + "}" : "");

@@ -204,25 +204,6 @@ struct Meaning {
   }
 };
 
-/// Spells a bound as --max-motion takes it: a length and an angle where these say all.
-std::string bound_text(const GraspBox& box) {
-  const RationalRow& bound = box.max_motion;
-  const std::size_t half = box.in_space() ? 3 : 2;
-  const bool has_joints = box.mechanism && !box.mechanism->joints.empty();
-  RationalRow numbers = bound;
-  if (!has_joints && bound == bound_of(box, {{bound.front(), bound[half]}})) {
-    numbers = {bound.front(), bound[half]};
-  }
-  std::string text;
-  for (const Rational& number : numbers) {
-    char digits[32];  // of a natural bound two, which are exact
-    std::snprintf(digits, sizeof digits, "%.2g", to_double(number));
-    const bool is_short = denominator(number) != 1 && parse_rational(digits) == number;
-    text += (text.empty() ? "" : ",") + (is_short ? std::string(digits) : to_string(number));
-  }
-  return text;
-}
-
 const std::string kNatural = "within " + std::to_string(kFarMotion) +
                              " times what the load would press the softest contact, ";
 

@@ -169,4 +169,18 @@ std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& fa
   return bound;
 }
 
+GraspBox grown(GraspBox box, const RationalRow& load, const std::vector<Rational>& preloads) {
+  const auto add = [](Interval& number, const Rational& more) {
+    number.low += more;
+    number.high += more;
+  };
+  for (std::size_t j = 0; j < load.size(); ++j) add(box.wrench[j], load[j]);
+  for (std::size_t i = 0; i < preloads.size(); ++i) {
+    const std::size_t spring = i - std::min(i, box.contacts.size());
+    add(i < box.contacts.size() ? box.contacts[i].preload : box.springs[spring].force,
+        preloads[i]);
+  }
+  return box;
+}
+
 }  // namespace stickslip

@@ -5,6 +5,7 @@
 
 #include "nearby.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/search/grasp_law.hpp"
 
 namespace stickslip {
 
@@ -57,7 +58,8 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   report.scale = residual_scale(grasp, claim);
   if (claim.twist) report.claimed_slip = slip_of(grasp, *claim.twist);
 
-  const bool is_exact = is_equilibrium(report.residuals);
+  const bool is_allowed = !claim.twist || GraspLaw(grasp, question.law).allows(*claim.twist);
+  const bool is_exact = is_allowed && is_equilibrium(report.residuals);
   if (is_exact) {
     Verdict& exact = report.answer.verdict;
     require(!std::holds_alternative<Unstable>(exact), "a refutation of an equilibrium");

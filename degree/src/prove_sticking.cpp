@@ -439,9 +439,11 @@ class StickingSearch {
 
 std::optional<StickingProof> prove_sticking(const GraspLaw& box,
                                             const NearEquilibrium& middle) {
-  // A motion that is rounding alone is none.
+  // A motion that is rounding alone is none. Several multiples are proved around no motion
+  // only.
   constexpr double kStill = 1e-9;
-  if (middle.motion.norm() <= kStill * box.reach) {
+  const bool is_range = box.is_family && box.multiples.high != box.multiples.low;
+  if (is_range || middle.motion.norm() <= kStill * box.reach) {
     if (auto proof = StickingSearch(box, middle, 0).find()) return proof;
   }
   constexpr int kDoubleBits = 53;

@@ -122,7 +122,8 @@ std::size_t pushing_elements(const AnyGrasp& grasp) {
 
 /// Under this wrench, widened; in the plane one grasp if it is.
 AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
-               bool is_margin) {
+               const Question& question) {
+  const bool is_margin = question.is_margin();
   const Tolerances& uncertain = options.uncertain;
   const std::optional<MotionBound>& bound = options.max_motion;
   auto* one = std::get_if<LoadedGrasp>(&grasp);
@@ -134,7 +135,10 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
   GraspBox box = one != nullptr ? box_of(*one) : std::get<GraspBox>(std::move(grasp));
   box.wrench = wrench;
   box = box.widened(uncertain);
-  if (bound) box.max_motion = bound_of(box, *bound);
+  if (bound) {
+    const RationalRow growth = question.direction.value_or(RationalRow{});
+    box.max_motion = bound_of(grown(box, growth, question.preload_growth), *bound);
+  }
   if (!box.is_bounded() && box.is_one_planar_body() && box.is_point() &&
       !needs_enclosure(box)) {
     return box.planar_middle();
@@ -224,8 +228,10 @@ Question ask(GraspFile file, const QuestionOptions& options) {
     }
   }
   if (options.uncertain.wrench) question.wrench_as_asked = wrench;
-  question.grasp = under(std::move(grasp), wrench, options, question.is_margin());
-  if (question.is_margin()) require_unbounded(question, "a margin");
+  question.grasp = under(std::move(grasp), wrench, options, question);
+  if (question.is_margin() && question.is_one_planar_body()) {
+    require_unbounded(question, "a margin in the plane");
+  }
   return question;
 }
 

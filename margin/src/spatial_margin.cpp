@@ -8,6 +8,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/degree/exact_witness.hpp"
 #include "stickslip/degree/prove_stable.hpp"
+#include "stickslip/search/force_span.hpp"
 #include "stickslip/search/law_forces.hpp"
 
 namespace stickslip {
@@ -99,8 +100,12 @@ class SpatialMarginSearch {
     if (std::isfinite(typical) && typical > 0) {
       unit_ = rational_from_double(std::ldexp(1.0, std::ilogb(typical)));
     }
-    is_homogeneous_ = std::all_of(model_.contacts.begin(), model_.contacts.end(),
-                                  [](const LawContact& c) { return c.preload.high.is_zero(); });
+    may_be_far_ =
+        model_.max_motion.empty() && !model_.far_motion.empty() && model_.may_be_rounded();
+    const bool scales = model_.max_motion.empty();
+    is_homogeneous_ =
+        scales && std::all_of(model_.contacts.begin(), model_.contacts.end(),
+                              [](const LawContact& c) { return c.preload.high.is_zero(); });
     for (const Interval& w : model_.wrench) {
       is_homogeneous_ = is_homogeneous_ && w.low.is_zero();
     }
@@ -109,14 +114,19 @@ class SpatialMarginSearch {
   SpatialMargin run() {
     if (is_homogeneous_) {
       settle_at_once();
-    } else {
-      const Rational end = follow_from_zero();
+    } else if (!settle_unopposed()) {
+      Rational end = follow_from_zero();
+      if (!margin_.claims.empty() && end < most() && !refuted_at_once(end)) {
+        takes_long_ = !margin_.ended_far;
+        end = follow_on(end);
+      }
       if (margin_.claims.empty()) {
+        takes_long_ = true;
         searches_ = kMostSearches / 2;  // the others are for what is refuted
         for (const Rational& multiple : seeds()) look_at(multiple);
         searches_ = kMostSearches;
         claim_between();
-      } else if (end < most()) {
+      } else if (end < most() && takes_long_) {
         claim_all({end + least_step(end), {}, false, end, most()});
       }
     }
@@ -130,6 +140,7 @@ class SpatialMarginSearch {
   static constexpr std::size_t kNodeLimit = 4000;
   static constexpr std::size_t kMostSearches = 10;
   static constexpr std::size_t kStarts = 3;
+  static constexpr std::size_t kLittle = 400;  // nodes
 
   /// Of all searches together.
   bool is_spent() const { return margin_.work.nodes > searches_ * node_limit_; }
@@ -147,8 +158,8 @@ class SpatialMarginSearch {
     const auto holds = [&](const NearEquilibrium& near) {
       if (auto witness = witness_at(1, near)) {
         claim_resisted(0, {}, SpatialSegment{std::move(*witness), {}});
-      } else if (auto rest = prove_at_rest(model_.within({1, 1}), near)) {
-        claim_resisted(0, {}, std::move(*rest));
+      } else if (auto still = prove_still({1, 1}, near)) {
+        claim_resisted(0, {}, std::move(*still));
       } else if (auto proof = prove({1, 1}, there, near, wall_limit())) {
         claim_resisted(0, {}, std::move(*proof));
       }
@@ -163,7 +174,11 @@ class SpatialMarginSearch {
       const auto found = polished(there, relaxed);
       return found && holds(*found);
     });
-    if (!search.refute(MotionRegion::root(there), tree)) return;
+    if (may_be_far_) search.forces().keep_near();
+    if (!search.refute(MotionRegion::root(there), tree)) {
+      margin_.ended_far = may_be_far_ && search.end() == SearchEnd::kUnbounded;
+      return;
+    }
     // With l in place of h, which is in none of the laws.
     for (TreeNode& node : tree) {
       if (auto* split = std::get_if<PlaneCut>(&node)) {
@@ -171,6 +186,21 @@ class SpatialMarginSearch {
       }
     }
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
+  }
+
+  /// Where the load grows along a free motion at most 0 is resisted, which one leaf proves. (By
+  /// rounding alone, often: see margin_within().)
+  bool settle_unopposed() {
+    const std::optional<Row> twist = unopposed_twist(model_.middle(1));
+    const GraspLaw above = model_.within({0, {}, false});
+    if (!twist || !MotionRegion::root(above).is_refuted(*twist, nullptr)) return false;
+    for (const NearEquilibrium& near : equilibria_of(model_.middle(0))) {
+      if (claim_one(member(0, near))) break;
+    }
+    // No proof by degree is about 0 where it is not about others; and 0 may be resisted.
+    const Rational low = margin_.claims.empty() ? least_step(0) : Rational(0);
+    margin_.claims.emplace_back(RefutedMultiples{low, {}, Trees{TwistLeaf{*twist}}});
+    return true;
   }
 
   /// Where to look for what is resisted, if that does not begin at 0.
@@ -207,8 +237,12 @@ class SpatialMarginSearch {
       claim_resisted(at.multiple, at.multiple, SpatialSegment{*at.witness, {}});
       return true;
     }
-    auto proof =
-        prove({at.multiple, at.multiple}, model_.middle(at.multiple), at.near, wall_limit());
+    const MultipleRange one{at.multiple, at.multiple};
+    if (auto still = prove_still(one, at.near)) {
+      claim_resisted(at.multiple, at.multiple, std::move(*still));
+      return true;
+    }
+    auto proof = prove(one, model_.middle(at.multiple), at.near, wall_limit());
     if (proof) claim_resisted(at.multiple, at.multiple, std::move(*proof));
     return proof.has_value();
   }
@@ -243,6 +277,33 @@ class SpatialMarginSearch {
     return 0;
   }
 
+  /// Follows what was followed up to a multiple farther, if it can be.
+  Rational follow_on(const Rational& end) {
+    for (const NearEquilibrium& near : equilibria_of(model_.middle(end))) {
+      const Rational farther = follow(member(end, near), most());
+      if (farther > end) return farther;
+    }
+    return end;
+  }
+
+  /// Whether all that is a little above a multiple is refuted by a search that takes little:
+  /// then nothing is followed there. It says as well whether far motions end a search.
+  bool refuted_at_once(const Rational& end) {
+    for (const int steps : {1, 5}) {
+      const Rational low = end + steps * least_step(end);
+      const GraspLaw above = model_.within({low, {}, false});
+      LawSearch search(above, nullptr, std::min(node_limit_, kLittle), margin_.work);
+      if (may_be_far_) search.forces().keep_near();
+      Trees tree;
+      if (search.refute(MotionRegion::root(above), tree)) {
+        margin_.claims.emplace_back(RefutedMultiples{low, {}, std::move(tree)});
+        return true;
+      }
+      margin_.ended_far = may_be_far_ && search.end() == SearchEnd::kUnbounded;
+    }
+    return false;
+  }
+
   /// (low, high), and low as well if has_low; what is resisted there may be followed to the
   /// floor and the ceiling.
   struct Range {
@@ -270,6 +331,7 @@ class SpatialMarginSearch {
     std::optional<std::pair<Rational, Rational>> resisted;
     const GraspLaw whole = model_.within({low, high, has_low});
     LawSearch search(whole, nullptr, node_limit_, margin_.work);
+    if (may_be_far_) search.forces().keep_near();
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       if (!std::isfinite(relaxed.multiple)) return false;
       const Rational grain = least_step(0);
@@ -293,6 +355,10 @@ class SpatialMarginSearch {
       if (high || up < most()) {
         claim_all({up + least_step(up), high, false, up, ceiling});
       }
+      return std::nullopt;
+    }
+    if (may_be_far_ && search.end() == SearchEnd::kUnbounded) {
+      margin_.ended_far = true;  // in all parts of the range as well
       return std::nullopt;
     }
     const Rational middle = high ? (low + *high) / 2 : std::max(Rational(2 * low), unit_);
@@ -383,7 +449,7 @@ class SpatialMarginSearch {
       const Rational next = towards(from.multiple, to, step);
       const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
       const auto between = equilibrium_at((range.low + *range.high) / 2, from.near);
-      auto proof = between ? prove_at_rest(model_.within(range), *between) : std::nullopt;
+      auto proof = between ? prove_still(range, *between) : std::nullopt;
       const auto there = proof ? equilibrium_at(next, *between) : std::nullopt;
       if (there) {
         claim_resisted(range.low, range.high, std::move(*proof));
@@ -393,6 +459,15 @@ class SpatialMarginSearch {
       }
     }
     return from;
+  }
+
+  /// A proof that takes no tree, for all multiples of a range.
+  std::optional<decltype(ResistedMultiples::proof)> prove_still(
+      const MultipleRange& range, const NearEquilibrium& middle) const {
+    const GraspLaw members = model_.within(range);
+    if (auto rest = prove_at_rest(members, middle)) return std::move(*rest);
+    if (auto sticking = prove_sticking(members, middle)) return std::move(*sticking);
+    return std::nullopt;
   }
 
   /// In steps that are small first, until there is a witness. Only where that leads nowhere are
@@ -405,7 +480,7 @@ class SpatialMarginSearch {
     bool grows = true;  // a step that has failed seldom serves a little farther on
     while (from.multiple != to && !is_spent()) {
       if (step < least_step(from.multiple)) {
-        if (limit != 0 || from.multiple != begin) break;
+        if (limit != 0 || from.multiple != begin || !takes_long_) break;
         limit = wall_limit();
         step = first;
       }
@@ -448,7 +523,9 @@ class SpatialMarginSearch {
 
   std::optional<ShareWitness> witness_at(const Rational& multiple,
                                          const NearEquilibrium& near) const {
-    return is_rational_ ? exact_witness(model_.middle(multiple), near) : std::nullopt;
+    auto witness = is_rational_ ? exact_witness(model_.middle(multiple), near) : std::nullopt;
+    if (witness && !model_.allows(witness->twist)) witness.reset();
+    return witness;
   }
 
   std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
@@ -484,6 +561,8 @@ class SpatialMarginSearch {
   const std::function<void(const SpatialMargin&)>& progress_;
   Rational unit_ = 1;  ///< a typical multiple, a power of 2
   bool is_homogeneous_ = true;
+  bool takes_long_ = false;  ///< proofs are tried that take many nodes
+  bool may_be_far_ = false;  ///< far motions may take all time, and rounding decides them
   std::size_t searches_ = kMostSearches;  ///< whose nodes may be spent by now
   SpatialMargin margin_;
 };

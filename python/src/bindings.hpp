@@ -41,12 +41,13 @@ void bind_preload(pybind11::module_& module);     ///< preload.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
 /// preload direction is a list, or any other object to scale. `which` of several follows the
-/// names in errors.
+/// names in errors. `max_motion` is as on the command line; empty: the grasp's own.
 QuestionOptions question_options(const pybind11::object& wrench,
                                  const pybind11::object& preload, bool bilateral,
                                  const pybind11::object& direction = pybind11::none(),
                                  const pybind11::object& preload_direction = pybind11::none(),
-                                 const std::string& which = "");
+                                 const std::string& which = "",
+                                 const std::string& max_motion = "");
 
 /// "states", "branch-and-bound" or "auto".
 Engine engine_named(const std::string& name);

@@ -22,8 +22,12 @@ py::tuple middles(const WrenchBox& wrench) {
 
 /// What is asked about a grasp of which `uncertain`, as in --uncertain, says what may be off.
 Question asked_of(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
-                  bool bilateral, const std::string& uncertain) {
-  return question_in_box(grasp, question_options(wrench, preload, bilateral), uncertain);
+                  bool bilateral, const std::string& uncertain,
+                  const std::string& max_motion = "") {
+  return question_in_box(
+      grasp,
+      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion),
+      uncertain);
 }
 
 py::dict fields_of(const Question& asked, const char* verdict, const py::object& preload) {
@@ -36,10 +40,10 @@ py::dict fields_of(const Question& asked, const char* verdict, const py::object&
 /// Irrational lengths are enough to make a box.
 py::dict decide_box_of(const GraspFile& grasp, const std::string& uncertain,
                        const py::object& wrench, const py::object& preload, bool bilateral,
-                       std::size_t node_limit) {
-  const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
+                       std::size_t node_limit, const std::string& max_motion) {
+  const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain, max_motion);
   const GraspBox box = box_of(asked.grasp);
-  if (box.is_point() && !needs_enclosure(box)) refuse_certain();
+  if (box.is_point() && !box.is_bounded() && !needs_enclosure(box)) refuse_certain();
   SearchOptions options;
   options.node_limit = node_limit;
   const auto [decision, proofs] = without_gil([&] {

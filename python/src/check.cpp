@@ -87,7 +87,8 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
                const py::object& direction, const py::object& preload_direction,
                const py::object& plane, const py::object& inertia, const std::string& uncertain,
-               const std::string& grasp_name, const std::string& certificate_name) {
+               const std::string& max_motion, const std::string& grasp_name,
+               const std::string& certificate_name) {
   const QuestionOptions asked =
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
@@ -116,11 +117,16 @@ py::dict check(const std::string& grasp, const std::string& certificate,
     options.preload_direction = for_checker(*asked.preload_direction);
   }
   if (asked.preload) options.preload = for_checker(*asked.preload);
-  if (!uncertain.empty()) {
+  std::vector<std::string> spelled;
+  if (!uncertain.empty()) spelled.insert(spelled.end(), {"--uncertain", uncertain});
+  if (!max_motion.empty()) spelled.insert(spelled.end(), {"--max-motion", max_motion});
+  if (!spelled.empty()) {
+    spelled.insert(spelled.end(), {"grasp", "certificate"});
     try {
-      options.uncertain =
-          stickslip_check::parse_arguments({"--uncertain", uncertain, "grasp", "certificate"})
-              .options.uncertain;
+      const stickslip_check::Options read_here =
+          stickslip_check::parse_arguments(spelled).options;
+      options.uncertain = read_here.uncertain;
+      options.max_motion = read_here.max_motion;
     } catch (const stickslip_check::UsageError& error) {
       throw InputError("", "", error.problem, "");
     }

@@ -116,8 +116,9 @@ Engine engine_for(const GraspFile& grasp, const std::string& name) {
 
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
-                      std::size_t node_limit, bool warnings) {
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+                      std::size_t node_limit, bool warnings, const std::string& max_motion) {
+  const QuestionOptions asked =
+      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion);
   AnswerOptions options{engine_for(grasp, engine), node_limit,
                         warnings ? WarningsAsked::kAll : WarningsAsked::kNone};
   // Warnings need an exact equilibrium.
@@ -160,7 +161,7 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
                            std::size_t node_limit, bool warnings,
-                           const py::object& /*accuracy*/) {
+                           const py::object& /*accuracy*/, const std::string& max_motion) {
   struct Answer {
     Question question;
     std::variant<Margin, Undecided> result;
@@ -168,8 +169,8 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
     std::string certificate;  ///< empty if undecided
     std::vector<ModelWarning> warnings;
   };
-  const QuestionOptions asked =
-      question_options(wrench, preload, bilateral, direction, preload_direction);
+  const QuestionOptions asked = question_options(wrench, preload, bilateral, direction,
+                                                 preload_direction, "", max_motion);
   const Answer answer = without_gil([&] {
     Question question = question_of(grasp, asked);
     ConeOptions options;
@@ -263,6 +264,9 @@ py::dict decision_fields(const Answer& answer, const std::string& certificate) {
                   "wrench"_a = tuple_of(wrench_of(question.grasp),
                                         [](const Interval& w) { return fraction(w.low); }));
   if (question.preload) result["preload"] = fraction(*question.preload);
+  if (question.is_bounded()) {
+    result["max_motion"] = tuple_of(question.box()->max_motion, fraction);
+  }
   if (!certificate.empty()) result["certificate"] = certificate;
   py::dict work;
   for (const auto& [name, value] : answer.stats.members()) {
@@ -329,9 +333,10 @@ Engine engine_named(const std::string& name) {
 
 QuestionOptions question_options(const py::object& wrench, const py::object& preload,
                                  bool bilateral, const py::object& direction,
-                                 const py::object& preload_direction,
-                                 const std::string& which) {
+                                 const py::object& preload_direction, const std::string& which,
+                                 const std::string& max_motion) {
   QuestionOptions options;
+  if (!max_motion.empty()) options.max_motion = parse_motion_bound(max_motion);
   if (!wrench.is_none()) {
     options.wrench = numbers(wrench.cast<py::list>(), 0, "wrench" + which);
   }

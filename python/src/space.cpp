@@ -9,6 +9,7 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/answers/margin_answer.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
@@ -142,13 +143,39 @@ auto scalars(Interval UncertainContact::*member) {
   return by_contact([member](const UncertainContact& c) { return fraction((c.*member).low); });
 }
 
+py::dict margin_fields(const Question& question, const SpatialMargin& margin) {
+  const auto pairs = [](const std::vector<MarginInterval>& intervals) {
+    py::list result;
+    for (const MarginInterval& i : intervals) {
+      result.append(py::make_tuple(fraction(i.low), fraction_or_none(i.high)));
+    }
+    return py::tuple(result);
+  };
+  py::dict result(
+      "resisted"_a = pairs(margin.resisted()), "refuted"_a = pairs(margin.refuted()),
+      "wrench"_a = lows(question.box()->wrench), "normal_law"_a = to_string(question.law),
+      "certificate"_a = margin_certificate_text(question, margin, producer_of(kSpaceEngine)),
+      "stats"_a = stats(margin.work));
+  result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
+                                           : py::object(py::none());
+  if (question.preload) result["preload"] = fraction(*question.preload);
+  if (question.preload_direction) {
+    result["preload_direction"] = preload_direction_of(*question.preload_direction);
+  }
+  if (question.is_bounded()) {
+    result["max_motion"] = tuple_of(question.box()->max_motion, fraction);
+  }
+  return result;
+}
+
 py::dict find_spatial_margin(const SpatialGraspFile& grasp, const py::object& direction,
                              const py::object& wrench, const py::object& preload,
                              const py::object& preload_direction, bool bilateral,
-                             std::size_t node_limit, bool warnings,
-                             const py::object& accuracy) {
-  const Question question = question_in_box(
-      grasp, question_options(wrench, preload, bilateral, direction, preload_direction));
+                             std::size_t node_limit, bool warnings, const py::object& accuracy,
+                             const std::string& max_motion) {
+  const Question question =
+      question_in_box(grasp, question_options(wrench, preload, bilateral, direction,
+                                              preload_direction, "", max_motion));
   SpatialMarginOptions options;
   options.search.node_limit = node_limit;
   options.accuracy = exact(accuracy, "accuracy");
@@ -157,30 +184,15 @@ py::dict find_spatial_margin(const SpatialGraspFile& grasp, const py::object& di
                      "give a number above 0, such as 1/1000");
   }
   std::vector<ModelWarning> traps;
-  const auto [margin, certificate] = without_gil([&] {
+  const auto [margin, within] = without_gil([&] {
     SpatialMargin found = find_margin(question, options);
-    std::string text = margin_certificate_text(question, found, producer_of(kSpaceEngine));
     if (warnings) traps = model_warnings(question, found);
-    return std::pair(std::move(found), std::move(text));
+    auto second = margin_within(question, found, options);
+    return std::pair(std::move(found), std::move(second));
   });
-  const auto pairs = [](const std::vector<MarginInterval>& intervals) {
-    py::list result;
-    for (const MarginInterval& i : intervals) {
-      result.append(py::make_tuple(fraction(i.low), fraction_or_none(i.high)));
-    }
-    return py::tuple(result);
-  };
-  py::dict result("resisted"_a = pairs(margin.resisted()),
-                  "refuted"_a = pairs(margin.refuted()),
-                  "wrench"_a = lows(question.box()->wrench),
-                  "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
-                  "warnings"_a = warning_fields(traps), "stats"_a = stats(margin.work));
-  result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
-                                           : py::object(py::none());
-  if (question.preload) result["preload"] = fraction(*question.preload);
-  if (question.preload_direction) {
-    result["preload_direction"] = preload_direction_of(*question.preload_direction);
-  }
+  py::dict result = margin_fields(question, margin);
+  result["warnings"] = warning_fields(traps);
+  if (within) result["within"] = margin_fields(within->question, within->margin);
   return result;
 }
 

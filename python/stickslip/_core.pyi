@@ -103,6 +103,7 @@ def decide(
     engine: str,
     node_limit: int,
     warnings: bool,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def decide_box(
     grasp: Union[GraspData, SpatialGraspData],
@@ -111,6 +112,7 @@ def decide_box(
     preload: Any,
     bilateral: bool,
     node_limit: int,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def quality(
     grasp: Union[GraspData, SpatialGraspData],
@@ -241,6 +243,7 @@ def margin(
     node_limit: int,
     warnings: bool,
     accuracy: Any,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def crosscheck(
     grasp: Union[GraspData, SpatialGraspData],
@@ -266,6 +269,7 @@ def check(
     plane: Optional[List[List[Any]]],
     inertia: Optional[List[Any]],
     uncertain: str,
+    max_motion: str,
     grasp_name: bytes,
     certificate_name: bytes,
 ) -> Dict[str, Any]: ...

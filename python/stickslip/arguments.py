@@ -9,6 +9,7 @@ from __future__ import annotations
 import operator
 import os
 import reprlib
+from fractions import Fraction
 from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -147,6 +148,18 @@ def as_preload_direction_or_none(values: Any) -> Union[str, List[Any], None]:
     if isinstance(values, str):
         return one_of(name, values, ("scale",))
     return as_list(values, name, as_array(values, name).shape[:1], "one number for each contact")
+
+
+def as_max_motion(value: Any) -> str:
+    """As on the command line: "1/100,1/50", "1000x" or "none"; "" leaves the grasp's own."""
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return value
+    name = "max_motion"
+    numbers = as_list(value, name, as_array(value, name).shape[:1],
+                      "a length and an angle, or one number for each coordinate")
+    return ",".join(str(Fraction(number)) for number in numbers)
 
 
 def as_uncertain(value: Any) -> str:

@@ -25,6 +25,7 @@ from .arguments import (
     as_inertia,
     as_json,
     as_list,
+    as_max_motion,
     as_number,
     as_number_or_none,
     as_numbers,
@@ -84,6 +85,7 @@ def decide(
     node_limit: int = 0,
     threads: int = 0,
     warnings: bool = False,
+    max_motion: Any = None,
 ) -> Decision: ...
 
 
@@ -100,6 +102,7 @@ def decide(
     node_limit: int = 0,
     threads: int = 0,
     warnings: bool = False,
+    max_motion: Any = None,
 ) -> BoxDecision: ...
 
 
@@ -115,6 +118,7 @@ def decide(
     node_limit: int = 0,
     threads: int = 0,
     warnings: bool = False,
+    max_motion: Any = None,
 ) -> Union[Decision, Decisions]: ...
 
 
@@ -130,6 +134,7 @@ def decide(
     node_limit: int = 0,
     threads: int = 0,
     warnings: bool = False,
+    max_motion: Any = None,
 ) -> Union[Decision, Decisions, BoxDecision]:
     """Will the grasp hold its load passively? A verdict, with evidence.
 
@@ -158,6 +163,9 @@ def decide(
         threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
             does not balance (docs/model.md). Takes longer than most verdicts; of one question.
+        max_motion: count only equilibria whose motion is within this: a length and an angle, such
+            as ("1/100", "1/50"), a number for each coordinate, "1000x" the natural motion, or "none"
+            for no bound (docs/model.md). The grasp's own if None; of one question.
 
     Raises:
         InputError: an argument is wrong, there is no load, or a preloaded contact has a normal of
@@ -173,7 +181,7 @@ def decide(
         result = _core.decide_box(
             about._data, tolerances, about._load(wrench),
             as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-            as_count("node_limit", node_limit))
+            as_count("node_limit", node_limit), as_max_motion(max_motion))
         return BoxDecision(grasp=about, uncertain=tolerances,
                            **_with_proofs(result, "proof", "examples"))
     how = (
@@ -187,11 +195,15 @@ def decide(
         if warnings:
             raise InputError("", "warnings", "these are many questions",
                              "ask for the warnings of one question at a time")
+        if max_motion is not None:
+            raise InputError("", "max_motion", "these are many questions",
+                             "bound the motions of one question at a time")
         return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.asked)
     about, snapped = _asked(grasp, preload)
     about = _with_friction(about, friction)
     result = _core.decide(about._data, about._load(wrench),
-                          as_number_or_none(preload, "preload"), *how, bool(warnings))
+                          as_number_or_none(preload, "preload"), *how, bool(warnings),
+                          as_max_motion(max_motion))
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return decision_of(about, snapped, result)
 
@@ -539,6 +551,7 @@ def margin(
     accuracy: Number = "1/1000",
     node_limit: int = 0,
     warnings: bool = False,
+    max_motion: Any = None,
 ) -> Margin:
     """Which multiples l >= 0 of a load, or of preloads, are resisted?
 
@@ -561,6 +574,7 @@ def margin(
         accuracy: in space: which part of a multiple may stay undecided at an end.
         node_limit: give up after so many nodes; 0 is no limit.
         warnings: look for traps of the model as well, as ``decide`` does.
+        max_motion: in space and of an Assembly, as of ``decide``.
 
     Raises:
         InputError: an argument is wrong; nothing grows.
@@ -580,10 +594,13 @@ def margin(
         as_count("node_limit", node_limit),
         bool(warnings),
         as_number(accuracy, "accuracy"),
+        as_max_motion(max_motion),
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
+    if "within" in result:
+        result["within"] = Margin(grasp=about, snapped=snapped, **result["within"])
     return Margin(grasp=about, snapped=snapped, **result)
 
 
@@ -654,6 +671,7 @@ def check(
     plane: Any = None,
     inertia: Any = None,
     uncertain: Union[str, Mapping[str, Number]] = "",
+    max_motion: Any = None,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -669,6 +687,7 @@ def check(
             0 unless given.
         inertia: as of ``compare``: of the class of a load, whose certificate this then is.
         uncertain: as of ``decide``, of a box.
+        max_motion: numbers as of ``decide``, or "none".
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -701,6 +720,7 @@ def check(
         as_plane_or_none(plane),
         None if inertia is None else as_inertia(inertia, n),
         as_uncertain(uncertain),
+        as_max_motion(max_motion),
         grasp_name,
         name,
     ))

@@ -28,6 +28,10 @@ def _is_shown(grasp: Grasp) -> bool:
     return len(grasp) <= _MOST_CONTACTS_TO_SHOW
 
 
+def _as_option(max_motion: Optional[Vector]) -> str:
+    return "" if max_motion is None else ",".join(str(number) for number in max_motion)
+
+
 class ModelWarning(NamedTuple):
     """Where an exact answer may mislead (docs/model.md)."""
 
@@ -56,7 +60,7 @@ class Proof(NamedTuple):
             self.grasp.encode(), self.certificate.encode(), None, None,
             self.normal_law == "bilateral", None,
             list(along) if isinstance(along, tuple) else along, None, None, self.uncertain,
-            b"<grasp>", b"<certificate>"))
+            "", b"<grasp>", b"<certificate>"))
 
     def __repr__(self) -> str:
         return f"Proof({len(self.certificate)} characters)"
@@ -135,6 +139,8 @@ class Decision(Answer):
     """The same in one word, such as "nodes" or "degree" (docs/space.md, "My grasp is undecided")."""
     remedy: Optional[str] = None
     """What may help, if anything is known to."""
+    max_motion: Optional[Vector] = None
+    """The bound on motions, a number for each coordinate, if there is one."""
     within: Optional[Within] = None
     """The second answer, where only rounding of the data decides the first."""
     warnings: Tuple[ModelWarning, ...] = ()
@@ -166,7 +172,7 @@ class Decision(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral", None, None, None, None,
-            "", b"<grasp>", b"<certificate>"))
+            "", _as_option(self.max_motion), b"<grasp>", b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if _is_shown(self.grasp) else None
@@ -599,7 +605,7 @@ class Region(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.origin),
             self.preload, self.normal_law == "bilateral", None, None,
-            [list(self.u), list(self.v)], None, "", b"<grasp>", b"<certificate>"))
+            [list(self.u), list(self.v)], None, "", "", b"<grasp>", b"<certificate>"))
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
@@ -641,6 +647,11 @@ class Margin(Answer):
     ``grasp`` has them."""
     refuted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
     """In space: multiples between these are not resisted. Of what is in neither nothing is known."""
+    max_motion: Optional[Vector] = None
+    """The bound on motions, a number for each coordinate, if there is one."""
+    within: Optional[Margin] = None
+    """The second answer, where only rounding of the data decides the first: within 1000 times the
+    natural motion, and along the nearest direction that contacts oppose (docs/model.md)."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     def check(self) -> CheckResult:
@@ -650,8 +661,8 @@ class Margin(Answer):
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral",
             None if self.direction is None else list(self.direction),
-            list(along) if isinstance(along, tuple) else along, None, None, "", b"<grasp>",
-            b"<certificate>"))
+            list(along) if isinstance(along, tuple) else along, None, None, "",
+            _as_option(self.max_motion), b"<grasp>", b"<certificate>"))
 
     @property
     def least(self) -> Optional[Fraction]:

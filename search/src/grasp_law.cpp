@@ -156,13 +156,14 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   if (box.ball) ball = BallPart::all_of(box);
   law = normal_law;
   max_motion = box.max_motion;
-  far_motion = natural_bound(box, kFarMotion).value_or(RationalRow{});
+  const GrowthRates rates = margin.value_or(GrowthRates{});
+  far_motion =
+      natural_bound(grown(box, rates.load, rates.preloads), kFarMotion).value_or(RationalRow{});
   is_family = margin.has_value();
   growth.assign(motions, 0);
-  if (margin && !margin->load.empty()) growth = margin->load;
-  const bool preloads_grow = margin && !margin->preloads.empty();
+  if (!rates.load.empty()) growth = rates.load;
   const auto rate_of = [&](std::size_t i) {
-    return preloads_grow ? margin->preloads[i] : Rational(0);
+    return rates.preloads.empty() ? Rational(0) : rates.preloads[i];
   };
   for (const UncertainContact& c : box.contacts) {
     add_contact(

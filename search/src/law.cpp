@@ -173,6 +173,26 @@ std::vector<Row> CornerRow::slip_planes(std::size_t coordinates) const {
   return planes;
 }
 
+bool Law::allows(const RationalRow& motion) const {
+  for (std::size_t j = 0; j < max_motion.size(); ++j) {
+    if (abs(motion[j]) > max_motion[j]) return false;
+  }
+  return true;
+}
+
+bool Law::may_be_rounded() const {
+  constexpr unsigned kLong = 40;
+  const auto is_long = [](const Integer& value) {
+    return !value.is_zero() && msb(abs(value)) >= kLong;
+  };
+  return std::any_of(contacts.begin(), contacts.end(), [&](const LawContact& c) {
+    const RationalRow& normal = c.corners.front().normal;
+    return std::any_of(normal.begin(), normal.end(), [&](const Rational& entry) {
+      return is_long(numerator(entry)) || is_long(denominator(entry));
+    });
+  });
+}
+
 void Law::complete(double farthest) {
   length = farthest > 0 && std::isfinite(farthest) ? farthest : 1;
   for (LawContact& c : contacts) {

@@ -51,6 +51,17 @@ class Claims(Case):
 
 
 class Crosscheck(Claims):
+    def test_an_equilibrium_beyond_the_bound_is_none(self):
+        # It presses 1 for each unit that it gives, in words that are exact.
+        foot = {"format": "stickslip-grasp/2", "contacts": [{"position": [0, 0, 0], "normal": [0, 0, 1], "friction": 1}],
+                "max_motion": [0.5] * 6, "wrench": [0, 0, 0, 0, 0, 0]}
+        held = claim([0, 0, -1, 0, 0, 0], 0, "stable", grasp=foot, twist=[0, 0, -1, 0, 0, 0], forces=[[1, 0, 0]])
+        [report], _ = self.judge(held, code=WRONG)
+        self.assertEqual((report["class"], report["verdict"]), ("wrong", "unstable"))
+        del foot["max_motion"]
+        [report], _ = self.judge(held)
+        self.assertEqual(report["class"], "right")
+
     def test_exit_codes(self):
         for lines, options, code in (
                 ((RIGHT, TIE, OFF), (), DONE),

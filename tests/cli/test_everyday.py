@@ -7,12 +7,13 @@ import json
 import os
 import random
 import unittest
+from fractions import Fraction
 
 from test_cli import DONE, HERE, PROVED, UNDECIDED, Case, checkers, read, run, stickslip
 from test_space import quick_checker
 
 # Of tests/support, which test_cli adds to the path.
-from everyday import FAMILIES, FLAT, everyday, on_slope, pinched, plain_verdict, pushed_high, pushed_low, twisted
+from everyday import FAMILIES, FLAT, everyday, jaws_twisted, lifted, on_slope, pinched, plain_verdict, pushed_high, pushed_low, twisted
 
 FILES = os.path.join(HERE, "..", "corpus", "everyday")
 
@@ -97,6 +98,78 @@ class Boxes(Everyday):
         rng = random.Random(7)
         self.assert_of_all((twisted, pinched), 0.8, "stable", rng, flat=True)
         self.assert_of_all((pushed_low, pushed_high, on_slope), 1.5, "unstable", rng, flat=True)
+
+
+class Margins(Everyday):
+    """How much of its load each hand can take: all of it."""
+
+    def known(self, file, *words):
+        """The answer, whose claims are accepted."""
+        proof = self.path("c.json")
+        code, out, err = stickslip("margin", file, "--json", "--certificate", proof, *words)
+        self.assertEqual(code, DONE, err)
+        for checker in self.judges(proof):
+            code, said, err = run(*checker, file, proof, *words)
+            self.assertEqual((code, said.split("\n")[0]), (DONE, "accepted"), said + err)
+        return json.loads(out)
+
+    def assert_ends_at_one(self, family, rng):
+        content = everyday(family, 1, rng)
+        file = self.write("g.json", content)
+        along = "--direction=" + ",".join(map(repr, content["wrench"]))
+        answer = self.known(file, along)
+        if "within" in answer:
+            second = answer["within"]
+            bounded = ("--max-motion", ",".join(second["max_motion"]))
+            answer = self.known(file, "--direction=" + ",".join(second["direction"]), *bounded)
+            for part in ("resisted", "refuted"):
+                self.assertEqual(answer[part], second[part])
+        [(low, high)], [(above, end)] = answer["resisted"], answer["refuted"]
+        self.assertEqual((low, end), ("0", None), family.__name__)
+        self.assertTrue(0.995 < Fraction(high) < 1.0001 and 0.9999 < Fraction(above) < 1.005, (family.__name__, high, above))
+
+    def test_in_space(self):
+        rng = random.Random(8)
+        for family in (lifted, twisted, jaws_twisted, pinched):
+            self.assert_ends_at_one(family, rng)
+
+    def test_by_all_checkers(self):
+        self.judges = checkers
+        self.assert_ends_at_one(twisted, random.Random(9))
+        self.assert_ends_at_one(pinched, random.Random(9))
+
+    def test_a_bound_keeps_motions_small(self):
+        # One soft contact presses 1 for each unit that it gives: up to its bound.
+        content = {"format": "stickslip-grasp/2", "contacts": [
+            {"position": [0, 0, 0], "normal": [0, 0, 1], "friction": 1, "stiffness": 1}], "wrench": [0, 0, 0, 0, 0, 0]}
+        file = self.write("g.json", content)
+        along = "--direction=0,0,-1,0,0,0"
+        answer = self.known(file, along, "--max-motion", "3,1")
+        [(low, high)], [(above, end)] = answer["resisted"], answer["refuted"]
+        self.assertEqual((low, end), ("0", None))
+        self.assertTrue(2.99 < Fraction(high) <= 3 <= Fraction(above) < 3.01, (high, above))
+        self.assertEqual(self.known(file, along)["resisted"], [["0", None]])
+
+    def test_a_quality_within_a_bound(self):
+        # Four feet under a weight, in a frame along the axes: no ball of loads but the bound's size is held.
+        content = {"format": "stickslip-grasp/2", "contacts": [
+            {"position": [x, y, 0], "normal": [0, 0, 1], "friction": 1} for x in (-2, 2) for y in (-2, 2)], "wrench": [0, 0, -4, 0, 0, 0]}
+        file = self.write("g.json", content)
+        answers = {}
+        for bound in ("2,2", "11/10,2"):
+            code, out, err = stickslip("quality", file, "--json", "--max-motion", bound, "--accuracy", "1/10")
+            self.assertEqual(code, DONE, err)
+            answers[bound] = json.loads(out)
+        # Each foot gives 1 under the weight; a load of 4/10 more, straight down, gives 1/10 more.
+        self.assertLessEqual(Fraction(answers["11/10,2"]["proved"]), Fraction(4, 10))
+        self.assertGreater(Fraction(answers["2,2"]["proved"]), Fraction(4, 10))
+
+    def test_a_radius_of_friction(self):
+        # Eight contacts of 5, a weight of 3: friction 0.3 may fall to 3/40.
+        code, out, err = stickslip("radius", os.path.join(FILES, "tol.json"), "--uncertain", "friction=10%", "--json")
+        self.assertEqual(code, DONE, err)
+        answer = json.loads(out)
+        self.assertTrue(7.4 < Fraction(answer["proved"]) < 7.5 <= Fraction(answer["refuted"]) < 7.6, out)
 
 
 class Files(Everyday):

@@ -105,6 +105,37 @@ def test_errors_of_questions(pinch):
         assert caught.value.place == place
 
 
+def test_bounds_of_motions():
+    # One contact presses 1 for each unit that it gives.
+    foot = Grasp([[0, 0, 0]], [[0, 0, 1]], 1)
+    assert decide(foot, DOWN, max_motion=(1, 1)).verdict == "stable"
+    small = decide(foot, DOWN, max_motion="1/2,1")
+    assert (small.verdict, small.max_motion) == ("unstable", (Fraction(1, 2),) * 3 + (1,) * 3)
+    assert small.check().accepted
+    assert decide(foot, DOWN, max_motion="none").max_motion is None
+    boxed = decide(foot, DOWN, uncertain={"friction": "10%"}, max_motion=(0.5, 1))
+    assert boxed.verdict == "unstable"
+    bounded = stickslip.margin(foot, DOWN, max_motion=[3] * 6)
+    [(low, high)], [(above, end)] = bounded.resisted, bounded.refuted
+    assert (low, end) == (0, None) and 2.99 < high <= 3 <= above < 3.01
+    assert bounded.check().accepted and bounded.within is None
+    assert not stickslip.check(foot, bounded.certificate, direction=DOWN).accepted
+    assert stickslip.check(foot, bounded.certificate, direction=DOWN, max_motion=(3, 3)).accepted
+    for wrong in ((1, 2, 3), "fast", (-1, 1)):
+        with pytest.raises(InputError, match="max_motion"):
+            decide(foot, DOWN, max_motion=wrong)
+
+
+def test_a_margin_that_rounding_ends_has_a_second_one():
+    turned = 2 ** -0.5
+    hands = Grasp([[-turned, -turned, 0], [turned, turned, 0]], [[turned, turned, 0], [-turned, -turned, 1e-17]],
+                  0.5, preload=4)
+    margin = stickslip.margin(hands, (turned, -turned, 0, 1e-17, 0, 0))
+    [(low, high)], [(above, end)] = margin.within.resisted, margin.within.refuted
+    assert (low, end) == (0, None) and 3.99 < high <= 4.01 and high < above < 4.02
+    assert margin.within.check().accepted and margin.check().accepted
+
+
 def test_crosscheck(pinch):
     load = (0, 0, -3, 0, 0, 0)
     forces = [[4, 0, 1.5], [-4, 0, 1.5]]

@@ -3,6 +3,7 @@
 /// Margins as `margin --json` prints them.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "stickslip/answers/verdict_answer.hpp"
@@ -17,6 +18,24 @@ Json margin_json(const Question& question, const Margin& margin, const MarginWor
 Json margin_json(const Question& question, const SpatialMargin& margin,
                  const Warnings& warnings);
 /// \}
+
+/// The margin that is found beside one that only the rounding of the data decides.
+struct SecondMargin {
+  Question question;  ///< with a bound on motions, or another direction
+  SpatialMargin margin;
+};
+
+/// Returns the second answer beside the margin of a question, or nothing if that says all that
+/// matters. It is the margin within 1000 times the natural motion (natural_bound()), where far
+/// motions ended the search; and along the nearest direction that no free motion sees, where
+/// the one asked about differs from it by a part of less than 1e-12 of it. Calls `progress` as
+/// find_margin() does.
+std::optional<SecondMargin> margin_within(
+    const Question& question, const SpatialMargin& margin, const SpatialMarginOptions& options,
+    const std::function<void(const SpatialMargin&)>& progress = {});
+
+/// Adds the second answer to what margin_json() returned.
+void add_within(Json& json, const SecondMargin& within);
 
 /// The least multiple that is resisted, if there is one.
 std::optional<Rational> least(const Margin& margin);

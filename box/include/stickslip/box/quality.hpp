@@ -26,8 +26,8 @@ struct Quality {
   Rational proved{0};                 ///< all of this ball is resisted; 0 where none is proved
   std::optional<Rational> refuted{};  ///< of this one some load is not
   Rational limit{0};                  ///< nothing above was tried
-  /// Of loads and preloads of 0 all multiples of a load are resisted, or none: a proof about
-  /// one ball is about all.
+  /// Without loads, preloads and a bound on motions all multiples of a load are resisted, or
+  /// none: a proof about one ball is about all.
   bool scales = false;
   GraspBox ball{};  ///< the grasp with a ball of which `radii` has factors
   Radius radii{};   ///< with the proof, and the load that is not resisted

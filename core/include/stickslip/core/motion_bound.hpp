@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "stickslip/core/box.hpp"
 
@@ -37,5 +38,10 @@ RationalRow bound_of(const GraspBox& box, const MotionBound& asked);
 /// is larger where the origin is far away. Frames turn its axes; units do not matter. Nothing
 /// if there is no contact, or neither load nor preload. O(contacts).
 std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& factor);
+
+/// Returns the grasp with a load and preloads that are larger by these: the member 1 of a
+/// margin. The preloads are those of contacts and then the forces of springs. Empty rows add
+/// nothing.
+GraspBox grown(GraspBox box, const RationalRow& load, const std::vector<Rational>& preloads);
 
 }  // namespace stickslip

@@ -33,7 +33,8 @@ struct SpatialSegment {
 struct ResistedMultiples {
   Rational low;                  ///< >= 0
   std::optional<Rational> high;  ///< >= low; nothing only where w and P are 0: proof is of 1
-  std::variant<SpatialSegment, DegreeProof, RestProof> proof;  ///< nodes see l as well
+  /// Nodes see l as well.
+  std::variant<SpatialSegment, DegreeProof, RestProof, StickingProof> proof;
 };
 /// No multiple between low and high is resisted; nor is 0, if it is low, and w or P is not 0.
 struct RefutedMultiples {
@@ -51,6 +52,9 @@ struct SpatialMargin {
   std::vector<MultiplesClaim> claims;
   SearchWork work;      ///< to find them
   unsigned bits = 128;  ///< of the proofs
+  /// Far motions, which only the rounding of the data decides, ended a search: within a bound
+  /// on motions more may be known.
+  bool ended_far = false;
 
   /// Increasing; claims that touch are one interval.
   std::vector<MarginInterval> resisted() const;
@@ -65,8 +69,8 @@ struct SpatialMarginOptions {
   SearchOptions search{};  ///< of each proof
 };
 
-/// Requires a question about a margin in space. Deterministic. `progress` is called now and
-/// then.
+/// Requires a question about a margin in space or of several bodies. Where motions are bounded
+/// only equilibria within the bound count. Deterministic. `progress` is called now and then.
 SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options = {},
                           const std::function<void(const SpatialMargin&)>& progress = {});
 

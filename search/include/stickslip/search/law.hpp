@@ -163,6 +163,12 @@ struct Law {
   /// (natural_bound()). For proposals; empty: none are.
   RationalRow far_motion{};
 
+  /// Returns whether a motion is within the bound, if there is one.
+  bool allows(const RationalRow& motion) const;
+  /// Returns whether contacts have numbers as long as those of doubles, the last digits of
+  /// which are rounding: only then do far motions turn on these.
+  bool may_be_rounded() const;
+
   /// \{ What follows, once complete() was called.
   double length = 1;                          ///< a typical distance
   double force = 1;                           ///< a typical force

@@ -32,7 +32,7 @@ class CommandOption {
   CommandOption& operator=(const CommandOption&) = delete;
 
   CommandOption* description(const std::string& text);
-  /// What stands for the value in the help: "N", "FILE". A shell completes FILE and DIR.
+  /// The name stands for the value in the help: "N", "FILE". A shell completes FILE and DIR.
   CommandOption* type_name(const std::string& name);
   CommandOption* required();
   /// The help shows the value that the variable has now.
@@ -89,9 +89,9 @@ class Command {
                           const std::string& description);
   /// \}
   Command* add_subcommand(const std::string& name, const std::string& description);
-  /// What the help says below the options.
+  /// The text stands below the options in the help.
   void footer(const std::string& text);
-  /// What the command does, once the line is read.
+  /// `work` is what the command does, once the line is read.
   void callback(const std::function<void()>& work);
   /// One of its commands has to be given.
   void require_subcommand();
@@ -103,8 +103,8 @@ class Command {
   bool is_hidden() const;
   /// The help of the command where it is called so: "stickslip plot grasp".
   std::string help(const std::string& called) const;
-  /// \{ In the order in which they were added, after --help and --version; those hidden
-  /// included.
+  /// \{ These stand in the order in which they were added, after --help and --version; those
+  /// hidden included.
   std::vector<const Command*> subcommands() const;
   std::vector<const CommandOption*> options() const;
   /// \}
@@ -135,7 +135,7 @@ class CommandLine {
   /// The program itself, below which the commands stand.
   Command& program() { return *program_; }
 
-  /// Why a command line was not carried out.
+  /// The reason why a command line was not carried out.
   struct Stopped {
     bool asked_for_help;  ///< or for the version
     std::string text;     ///< what was asked for, or what is wrong

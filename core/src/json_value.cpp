@@ -13,7 +13,7 @@ namespace {
   throw std::logic_error(std::string("a JSON value is not what it is taken for: ") + what);
 }
 
-/// What stands at a place of a text: a character of UTF-8, or bytes that begin none, or that
+/// A part of a text: a character of UTF-8, or bytes that begin none, or that
 /// begin one which does not end.
 struct Character {
   std::size_t bytes;

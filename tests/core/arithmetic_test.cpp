@@ -43,7 +43,7 @@ TwinRational twin(const Rational& value) {
   return {twin(numerator(value)), twin(denominator(value))};
 }
 
-/// At the lengths at which what computes changes, and with factors to have in common.
+/// A number of a length at which what computes changes, with factors to have in common.
 Integer any_integer(Random& random) {
   return random.border() * random.integer(1, 6) / random.integer(1, 6);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Json writes, beside what the library writes that reads JSON.
+// Json writes the same as the library that reads JSON.
 #include "stickslip/core/json_value.hpp"
 
 #include <gmock/gmock.h>

@@ -102,7 +102,7 @@ class Json {
   /// A natural number, such as a count.
   std::size_t count() const;
 
-  /// How many values an array has, or members an object; 0 for null, 1 for all else.
+  /// The number of values of an array, or members of an object; 0 for null, else 1.
   std::size_t size() const;
   bool empty() const { return size() == 0; }
 

@@ -198,7 +198,7 @@ class Integer : public core_detail::Operators<Integer> {
   bool is_zero() const { return z_._mp_size == 0; }
   /// -1, 0 or 1.
   int sign() const { return z_._mp_size < 0 ? -1 : z_._mp_size > 0 ? 1 : 0; }
-  /// \{ Below, at or above 0, as *this is below, at or above `other`.
+  /// \{ The result is below, at or above 0, as *this is below, at or above `other`.
   int compare(const Integer& other) const { return mpz_cmp(&z_, &other.z_); }
   template <class T, core_detail::IfWord<T> = 0>
   int compare(T other) const {
@@ -232,7 +232,7 @@ class Integer : public core_detail::Operators<Integer> {
   Integer& operator+=(const Integer& b) noexcept;
   Integer& operator-=(const Integer& b) noexcept;
   Integer& operator*=(const Integer& b) noexcept;
-  /// \{ Of a division that rounds towards 0. They throw std::overflow_error if b is 0.
+  /// \{ Division rounds towards 0, and throws std::overflow_error if b is 0.
   Integer& operator/=(const Integer& b);
   Integer& operator%=(const Integer& b);
   /// \}
@@ -251,7 +251,7 @@ class Integer : public core_detail::Operators<Integer> {
     multiply(*this, core_detail::Word(b));
     return *this;
   }
-  /// \{ Times and by 2^bits, rounded down.
+  /// \{ These multiply and divide by 2^bits; a quotient is rounded down.
   Integer& operator<<=(unsigned long bits) noexcept;
   Integer& operator>>=(unsigned long bits) noexcept;
   /// \}
@@ -337,7 +337,7 @@ class Rational : public core_detail::Operators<Rational> {
     return size < 0 ? -1 : size > 0 ? 1 : 0;
   }
   bool is_integer() const { return q_._mp_den._mp_size == 1 && q_._mp_den._mp_d[0] == 1; }
-  /// \{ Below, at or above 0, as *this is below, at or above `other`.
+  /// \{ The result is below, at or above 0, as *this is below, at or above `other`.
   int compare(const Rational& other) const noexcept;
   int compare(const Integer& other) const noexcept;
   template <class T, core_detail::IfWord<T> = 0>
@@ -400,7 +400,7 @@ inline Integer abs(Integer value) noexcept {
   if (value.sign() < 0) value.negate();
   return value;
 }
-/// \{ Not negative; gcd(0, a) is |a|, lcm(0, a) is 0.
+/// \{ These are not negative; gcd(0, a) is |a|, lcm(0, a) is 0.
 Integer gcd(const Integer& a, const Integer& b) noexcept;
 Integer lcm(const Integer& a, const Integer& b) noexcept;
 /// \}
@@ -409,7 +409,7 @@ Integer pow(const Integer& base, unsigned exponent) noexcept;
 Integer sqrt(const Integer& value);
 /// The place of the highest bit, 0 for 1. Requires value > 0.
 std::size_t msb(const Integer& value);
-/// \{ As str() spells it.
+/// \{ These write what str() returns.
 std::ostream& operator<<(std::ostream& out, const Integer& value);
 std::ostream& operator<<(std::ostream& out, const Rational& value);
 /// \}

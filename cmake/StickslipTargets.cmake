@@ -8,12 +8,12 @@ function(stickslip_set_warnings target)
   endif()
 endfunction()
 
-# stickslip_library(core SOURCES a.cpp ... PUBLIC_LIBS lib ... PRIVATE_LIBS lib ... [TEXT])
+# stickslip_library(core SOURCES a.cpp ... PUBLIC_LIBS lib ... PRIVATE_LIBS lib ... [COLD])
 # makes stickslip_core (alias stickslip::core) with public headers in <module>/include.
-# TEXT: it reads and writes text, where no command spends its time: a release optimises it little,
-# and takes a third less time to compile it.
+# COLD: no command spends its time there, as it writes text, or asks other modules: a release
+# optimises it little, and takes a third less time to compile it.
 function(stickslip_library module)
-  cmake_parse_arguments(ARG "TEXT" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
   add_library(stickslip_${module} STATIC ${ARG_SOURCES})
   add_library(stickslip::${module} ALIAS stickslip_${module})
   set_target_properties(stickslip_${module} PROPERTIES EXPORT_NAME ${module})
@@ -28,7 +28,7 @@ function(stickslip_library module)
   if(STICKSLIP_VALIDATE)
     target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)
   endif()
-  if(ARG_TEXT)
+  if(ARG_COLD)
     target_compile_options(stickslip_${module} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   stickslip_set_warnings(stickslip_${module})

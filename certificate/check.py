@@ -11,6 +11,7 @@ judged.
 
 from __future__ import annotations
 
+import errno
 import functools
 import itertools
 import json
@@ -21,7 +22,7 @@ import re
 import signal
 import sys
 from fractions import Fraction
-from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Set, Tuple,
+from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Set, TextIO, Tuple,
                     Type, TypeVar, Union)
 
 Vector = Tuple[Fraction, ...]
@@ -54,13 +55,13 @@ class NotJudged(Exception):
 
 
 class Work:
-    """§8: steps of about a microsecond, counted and not timed; and, within `with Work():`, the most
-    for files of so many bytes."""
+    """§8: steps of about a microsecond, and products of words, counted and not timed; and, within `with Work():`,
+    the most for files of so many bytes."""
     limited = False
-    bytes_read = steps = 0
+    bytes_read = steps = products = 0
 
     def __enter__(self) -> None:
-        Work.limited, Work.bytes_read, Work.steps = True, 0, 0
+        Work.limited, Work.bytes_read, Work.steps, Work.products = True, 0, 0, 0
 
     def __exit__(self, *_: Any) -> None:
         Work.limited = False
@@ -71,6 +72,31 @@ class Work:
         most = 2_000_000 + cls.bytes_read ** 2 // 50
         if cls.limited and cls.steps > most:
             raise NotJudged(f"it takes more than {most} steps, the most for {cls.bytes_read} bytes")
+
+    @classmethod
+    def spend_products(cls, count: int) -> None:
+        cls.products += count
+        most = 500_000_000 + 5 * cls.bytes_read ** 2
+        if cls.limited and cls.products > most:
+            raise NotJudged(f"it takes more than {most} products of words, the most for {cls.bytes_read} bytes")
+
+    @classmethod
+    def multiply(cls, count: int, n: int, m: int) -> None:
+        """So many products of numbers of n and m words: long ones cost less than they have digits."""
+        if n > 1 or m > 1:
+            least, most = min(n, m), max(n, m)
+            cls.spend_products(count * (least * most if least <= 64 else int(8 * most * least ** 0.5)))
+
+    @classmethod
+    def divide(cls, count: int, n: int, m: int) -> None:
+        """Common divisors and quotients, which take Python as many steps as there are products of digits."""
+        if n > 1 or m > 1:
+            cls.spend_products(count * n * m)
+
+
+def words(vector: Sequence[int]) -> int:
+    """Of 64 bits, of the longest; 1 or more."""
+    return 1 + (max(map(int.bit_length, vector)) >> 6)
 
 
 def weight(vector: Sequence[int]) -> int:
@@ -1895,8 +1921,13 @@ def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
 
 
 def reduced(vector: Integers) -> Integers:
+    length = words(vector)
+    Work.divide(4, length, length)
     divisor = math.gcd(*vector)
-    return vector if divisor <= 1 else tuple(c // divisor for c in vector)
+    if divisor <= 1:
+        return vector
+    Work.divide(5 * len(vector), length, words((divisor,)))  # the other common divisors, and quotients
+    return tuple(c // divisor for c in vector)
 
 
 def negated(vector: Integers) -> Integers:
@@ -1916,11 +1947,13 @@ class Cone:
         self.lines, self.rays, self.cuts = lines, rays, cuts
         self.generators = rays + [(x, -1) for line in lines for x in (line, negated(line))]
         self.weight = max((weight(x) for x, _ in self.generators), default=1)
+        self.words = max((words(x) for x, _ in self.generators), default=1)
 
     def cut(self, a: Integers, equality: bool = False) -> Cone:
         """The part with a·x ≥ 0, or a·x = 0."""
         bit = 1 << self.cuts
         Work.spend(weight(a) * self.weight * len(self.generators))
+        Work.multiply(len(a) * len(self.generators), words(a), self.words)
         crossing = next((line for line in self.lines if dot(a, line)), None)
         if crossing is not None:
             # Move all other generators along this line into the plane; half of it stays, as a ray.
@@ -1929,6 +1962,7 @@ class Cone:
 
             def moved(x: Integers) -> Integers:
                 height = dot(a, x)
+                Work.multiply(2 * len(x), words((rise, height)), self.words)
                 return reduced(tuple(rise * c - height * e for c, e in zip(x, line)))
 
             lines = [moved(other) for other in self.lines if other is not crossing]
@@ -1949,6 +1983,7 @@ class Cone:
                     continue
                 Work.spend(len(self.rays) // 8 + weight((up,)) * self.weight)
                 if all(zero & both != both or x is p or x is q for x, zero in self.rays):
+                    Work.multiply(2 * len(p), words((up, down)), self.words)
                     rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
                                  both | bit))
         return Cone(self.lines, rays, self.cuts + 1)
@@ -3736,15 +3771,35 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
 
 def write(text: str, code: int) -> int:
     """What nobody can read was not answered."""
+    if not text:
+        return code
+    if sys.stdout is None:  # it was closed before the start
+        complain(f"standard output cannot be written: {os.strerror(errno.EBADF)}\n")
+        return 2
     try:
         sys.stdout.write(text)
         sys.stdout.flush()
         return code
     except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # do not try again at the end
+        give_up(sys.stdout)
         if not isinstance(error, BrokenPipeError):
-            print(f"check.py: standard output cannot be written: {error.strerror}", file=sys.stderr)
+            complain(f"standard output cannot be written: {error.strerror}\n")
         return 2
+
+
+def complain(text: str) -> None:
+    """On standard error, if there is one: that it cannot be written changes no exit code."""
+    try:
+        if sys.stderr is not None:
+            sys.stderr.write("check.py: " + text)
+            sys.stderr.flush()
+    except OSError:
+        give_up(sys.stderr)
+
+
+def give_up(stream: TextIO) -> None:
+    """So that Python does not try again at the end, and fail with a code of its own."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def main(words: Sequence[str]) -> int:
@@ -3752,21 +3807,21 @@ def main(words: Sequence[str]) -> int:
     if hasattr(sys, "set_int_max_str_digits"):  # Python 3.11's limit is below that of §2
         sys.set_int_max_str_digits(0)
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")
+        if stream is not None:
+            stream.reconfigure(errors="backslashreplace")
     try:
         arguments = parse_arguments(words)
         if arguments is None:
             return write(USAGE, 0)
         report, text, code = answer(arguments)
     except UsageError as error:
-        print(f"check.py: {printable(str(error))}; try check.py --help", file=sys.stderr)
+        complain(f"{printable(str(error))}; try check.py --help\n")
         return 2
     except Exception as error:  # pylint: disable=broad-except
-        print(f"check.py: internal error: {type(error).__name__}: {printable(str(error))}",
-              file=sys.stderr)
+        complain(f"internal error: {type(error).__name__}: {printable(str(error))}\n")
         return 2
     if code == 2:
-        sys.stderr.write("check.py: " + text)
+        complain(text)
         text = ""
     return write(json.dumps(report) + "\n" if arguments.json else text, code)
 

@@ -229,7 +229,11 @@ function batch() {
 
 function main(words) {
   const fail = (text) => {
-    write(2, `check_node.js: ${text}\n`);
+    try {
+      write(2, `check_node.js: ${text}\n`);
+    } catch (error) {
+      // That nobody can read why changes no exit code.
+    }
     return 2;
   };
   try {

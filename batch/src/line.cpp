@@ -2,13 +2,13 @@
 #include "stickslip/batch/line.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <system_error>
 #include <utility>
 
 #include "hash.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/batch/results.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", batch";
 
 std::string text_of(const Json& result) {
-  return result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return with_check(result.dump(-1, Json::Utf8::kReplaced) + "\n");
 }
 
 }  // namespace
@@ -31,7 +31,14 @@ BatchLines::BatchLines(std::istream& in, const FilePart& part)
   if (part.begin > 0) in.seekg(static_cast<std::streamoff>(part.begin));
 }
 
+void BatchLines::put_back(BatchLine line) {
+  put_back_ = std::move(line);
+}
+
 std::optional<BatchLine> BatchLines::next() {
+  if (put_back_) return std::exchange(put_back_, std::nullopt);
+  number_before_ = lines_.number();
+  end_before_ = lines_.end();
   BatchLine line;
   if (lines_.end() >= end_) return std::nullopt;
   try {

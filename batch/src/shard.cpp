@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 
 #include "hash.hpp"
 #include "stickslip/core/error.hpp"
@@ -139,6 +138,7 @@ void read_results(CompleteShard& shard, InputFile& file, BatchTally& tally) {
   std::size_t line = head.first_line;
   BatchTally found;
   while (const std::optional<FinishedResult> result = results.next()) {
+    if (!result->is_as_written) break;
     if (result->line < line || result->line >= head.first_line + head.lines) {
       throw InputError(
           shard.file, "line " + std::to_string(results.lines()),
@@ -147,6 +147,11 @@ void read_results(CompleteShard& shard, InputFile& file, BatchTally& tally) {
     }
     line = result->line + 1;
     found.count(result->line, result->outcome);
+  }
+  if (results.changed()) {
+    throw InputError(shard.file, "line " + std::to_string(*results.changed()),
+                     "this result is not as a batch has written it",
+                     "decide it again by --shard " + to_string(head.shard) + " and --resume");
   }
   file.stream().clear();
   file.stream().seekg(0, std::ios::end);

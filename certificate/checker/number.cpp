@@ -46,7 +46,7 @@ std::optional<Rational> fraction(const std::string& num, const std::string& den,
 }
 
 void add_dot(Integer& sum, const Form& a, const Form& b) {
-  spend(a.size() * words(a) * words(b));
+  spend(a.size(), words(a), words(b));
   for (std::size_t j = 0; j < a.size(); ++j) {
     mpz_addmul(sum.get_mpz_t(), a[j].get_mpz_t(), b[j].get_mpz_t());
   }
@@ -137,7 +137,7 @@ Rational root_above(const Rational& x) {
 }
 
 Integer make_primitive(Form& x) {
-  spend(2 * x.size() * words(x) * words(x));
+  spend(2 * x.size(), words(x), words(x));
   Integer divisor;
   for (const Integer& coordinate : x) {
     divisor = gcd(divisor, coordinate);

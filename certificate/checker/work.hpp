@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The work of one question, in steps of about 10 ns, and its limit (FORMAT.md §8, "not
-/// judged"): a short file can ask for more than any machine has. Steps are counted, not timed,
-/// so an answer does not depend on the machine. All of it is the thread's own.
+/// The work of one question, in steps of about 10 ns and in products of words, and its limits
+/// (FORMAT.md §8, "not judged"): a short file can ask for more than any machine has. Both are
+/// counted, not timed, so an answer does not depend on the machine. All of it is the thread's
+/// own.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,9 @@ class LimitedWork {
 void note_byte();
 /// Throws NotJudged beyond the limit, if there is one.
 void spend(std::uint64_t steps);
+/// So many operations with numbers, or vectors, of so many words: each is a step, and if one of
+/// them is long, its products of words count too, with the limit that all checkers have.
+void spend(std::uint64_t operations, std::uint64_t words, std::uint64_t by_words);
 
 /// Of a product or a sum of two short rationals.
 inline constexpr std::uint64_t kStepsOfRational = 20;

@@ -193,7 +193,15 @@ let rec batch () =
     flush stdout;
     batch ()
 
-let complain text = prerr_string ("stickslip-proved: " ^ text)
+(* What cannot be written, with standard output or standard error, is dropped: OCaml tries again at the end, and would die
+   of a second exception. *)
+let drop channel descriptor =
+  (try Unix.dup2 (Unix.openfile "/dev/null" [Unix.O_WRONLY] 0) descriptor with Unix.Unix_error _ -> ());
+  try flush channel with Sys_error _ -> ()
+
+let complain text =
+  try prerr_string ("stickslip-proved: " ^ text); flush stderr
+  with Sys_error _ -> drop stderr Unix.stderr
 
 let run (arguments : Arguments.arguments) =
   if arguments.help then (print_string help; 0)
@@ -222,7 +230,10 @@ let () =
       code
     with
     | Arguments.Usage problem -> complain (problem ^ "; try stickslip-proved --help\n"); 2
-    | Sys_error problem -> complain ("standard output cannot be written: " ^ problem ^ "\n"); 2
+    | Sys_error problem ->
+      drop stdout Unix.stdout;
+      complain ("standard output cannot be written: " ^ problem ^ "\n");
+      2
     | Stack_overflow | Out_of_memory -> complain "not enough memory\n"; 2
     | Not_found | Failure _ | Invalid_argument _ -> complain "a line of the batch is not a question\n"; 2 in
   exit code

@@ -8,8 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <chrono>
+#include <condition_variable>
 #include <cstring>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <thread>
 #include <utility>
@@ -23,17 +29,40 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kThreads = 16;
+constexpr std::size_t kConnections =
+    256;                              ///< at a time; most of them wait for what a client sends
+constexpr std::size_t kAnswers = 16;  ///< that are worked on at a time
 constexpr std::size_t kMostHeaderBytes = 16384;
 constexpr std::chrono::seconds kTimeToSend{5};      ///< a whole request
 constexpr std::chrono::seconds kTimeToReceive{10};  ///< a whole answer
 constexpr std::chrono::milliseconds kLookAround{50};
+/// Of a client that sends nothing while others wait for its thread.
+constexpr std::chrono::milliseconds kPatience{250};
+
+/// The threads of connections. Slow clients hold them, and nobody is to wait for those.
+class Threads final : public httplib::ThreadPool {
+ public:
+  explicit Threads(std::atomic<std::size_t>& waiting)
+      : ThreadPool(kConnections), waiting_(waiting) {}
+
+  void enqueue(std::function<void()> serve) override {
+    ++waiting_;
+    ThreadPool::enqueue([this, serve = std::move(serve)] {
+      --waiting_;
+      serve();
+    });
+  }
+
+ private:
+  std::atomic<std::size_t>& waiting_;  ///< connections without a thread
+};
 
 /// A connection that has an end: so many bytes and so much time.
 class BoundedStream final : public httplib::Stream {
  public:
-  BoundedStream(socket_t socket, const std::atomic<bool>& stopping)
-      : socket_(socket), stopping_(stopping) {}
+  BoundedStream(socket_t socket, const std::atomic<bool>& stopping,
+                const std::atomic<std::size_t>& waiting)
+      : socket_(socket), stopping_(stopping), waiting_(waiting) {}
 
   bool is_readable() const override { return true; }
   bool is_writable() const override { return true; }
@@ -76,7 +105,9 @@ class BoundedStream final : public httplib::Stream {
   /// False if it is over.
   bool wait(short event, Clock::time_point until) const {
     pollfd state{socket_, event, 0};
+    const Clock::time_point patient_until = Clock::now() + kPatience;
     while (!stopping_ && Clock::now() < until) {
+      if (event == POLLIN && waiting_ > 0 && Clock::now() > patient_until) return false;
       if (::poll(&state, 1, static_cast<int>(kLookAround.count())) > 0) return true;
     }
     return false;
@@ -95,6 +126,7 @@ class BoundedStream final : public httplib::Stream {
 
   socket_t socket_;
   const std::atomic<bool>& stopping_;
+  const std::atomic<std::size_t>& waiting_;  ///< connections without a thread
   std::size_t left_ = kMostHeaderBytes + PageServer::kMostBytes;
   Clock::time_point reads_until_ = Clock::now() + kTimeToSend;
   std::optional<Clock::time_point> writes_until_;
@@ -113,6 +145,15 @@ std::string new_nonce() {
   return nonce;
 }
 
+/// The type alone, or with parameters: application/json; charset=utf-8.
+bool is_json(std::string type) {
+  type = type.substr(0, type.find(';'));
+  type.erase(type.find_last_not_of(" \t") + 1);
+  std::transform(type.begin(), type.end(), type.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return type == "application/json";
+}
+
 void set_error(httplib::Response& response, int status, const std::string& message) {
   const Json json{{"error", {{"message", message}, {"place", ""}}}};
   response.status = status;
@@ -122,9 +163,38 @@ void set_error(httplib::Response& response, int status, const std::string& messa
 }  // namespace
 
 class PageServer::Http : public httplib::Server {
+  /// A few places, each for one who works.
+  class Places {
+   public:
+    explicit Places(std::size_t count) : free_(count) {}
+
+    /// Waits for one, as long as it is wanted.
+    template <typename IsWanted>
+    bool take(const IsWanted& is_wanted) {
+      std::unique_lock<std::mutex> lock(mutex_);
+      while (free_ == 0) {
+        if (!is_wanted()) return false;
+        given_back_.wait_for(lock, kLookAround);
+      }
+      --free_;
+      return true;
+    }
+
+    void give_back() {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ++free_;
+      given_back_.notify_one();
+    }
+
+   private:
+    std::mutex mutex_;
+    std::condition_variable given_back_;
+    std::size_t free_;
+  };
+
  public:
   Http(ServedPage served, int port) : served_(std::move(served)) {
-    new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    new_task_queue = [this] { return new Threads(waiting_); };
     set_tcp_nodelay(true);
     // The library's own options would let two servers share a port.
     set_socket_options([this](socket_t socket) {
@@ -202,7 +272,7 @@ class PageServer::Http : public httplib::Server {
   static constexpr const char* kHost = "127.0.0.1";
 
   bool process_and_close_socket(socket_t socket) override {
-    BoundedStream stream(socket, stopping_);
+    BoundedStream stream(socket, stopping_, waiting_);
     served_stream = &stream;
     bool closed = false;
     // Nobody needs a part of an answer, or a thousand of them.
@@ -230,7 +300,7 @@ class PageServer::Http : public httplib::Server {
     } else if (request.method != (request.path == "/" ? "GET" : "POST")) {
       set_error(response, 405, "the methods are GET / and POST /answer");
     } else if (request.path == "/answer" &&
-               request.get_header_value("Content-Type").rfind("application/json", 0) != 0) {
+               !is_json(request.get_header_value("Content-Type"))) {
       set_error(response, 415, "a question is application/json");
     } else {
       return false;
@@ -238,7 +308,7 @@ class PageServer::Http : public httplib::Server {
     return true;
   }
 
-  void answer(httplib::Response& response, const httplib::ContentReader& read) const {
+  void answer(httplib::Response& response, const httplib::ContentReader& read) {
     std::string body;
     bool fits = true;
     const bool complete = read([&](const char* part, std::size_t size) {
@@ -251,9 +321,13 @@ class PageServer::Http : public httplib::Server {
       if (response.status == 413) return set_error(response, 413, "the question is too long");
       return set_error(response, 400, "the question does not end");
     }
-    const Cancellation cancellation([&] {
+    const auto is_over = [&] {
       return stopping_ || (served_stream != nullptr && served_stream->is_deserted());
-    });
+    };
+    if (!places_.take([&] { return !is_over(); })) throw Cancelled();
+    const std::unique_ptr<Places, void (*)(Places*)> place(&places_,
+                                                           [](Places* p) { p->give_back(); });
+    const Cancellation cancellation(is_over);
     auto [status, json] = served_.answer(body);
     response.status = status;
     response.set_content(std::move(json), "application/json");
@@ -264,6 +338,8 @@ class PageServer::Http : public httplib::Server {
   socket_t listening_ = -1;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> done_{false};
+  std::atomic<std::size_t> waiting_{0};
+  Places places_{kAnswers};
 };
 
 PageServer::PageServer(ServedPage served, int port)

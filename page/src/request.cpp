@@ -22,7 +22,7 @@ std::string spelled(const JsonNode& node, const std::string& path, const char* e
 
 /// "WX,WY,T", as a string or as an array.
 std::string wrench_text(const JsonNode& node, const std::string& path) {
-  constexpr const char* kExpected = "expected a wrench, as in \"0,1,0\" or [0, 1, 0]";
+  constexpr const char* kExpected = "a wrench, as in \"0,1,0\" or [0, 1, 0]";
   if (node.kind != JsonNode::Kind::kArray) return spelled(node, path, kExpected);
   std::string text;
   for (const JsonNode& entry : node.children) {
@@ -32,7 +32,7 @@ std::string wrench_text(const JsonNode& node, const std::string& path) {
 }
 
 bool truth(const JsonNode& node, const std::string& path) {
-  expect(node, JsonNode::Kind::kBoolean, path, "expected true or false");
+  expect(node, JsonNode::Kind::kBoolean, path, "true or false");
   return node.text == "true";
 }
 
@@ -69,13 +69,13 @@ void read_options(const JsonNode& node, Request& request) {
     const std::string place = member_path(path, key);
     if (value.kind == JsonNode::Kind::kNull) continue;
     if (key == "wrench") asked.wrench = wrench_text(value, place);
-    if (key == "case") asked.case_name = spelled(value, place, "expected the name of a case");
-    if (key == "preload") asked.preload = spelled(value, place, "expected a number");
+    if (key == "case") asked.case_name = spelled(value, place, "the name of a case");
+    if (key == "preload") asked.preload = spelled(value, place, "a number");
     if (key == "uncertain") {
-      asked.uncertain = spelled(value, place, "expected tolerances, as in \"friction=10%\"");
+      asked.uncertain = spelled(value, place, "tolerances, as in \"friction=10%\"");
     }
     if (key == "normal_law") {
-      asked.normal_law = spelled(value, place, "expected \"unilateral\" or \"bilateral\"");
+      asked.normal_law = spelled(value, place, "\"unilateral\" or \"bilateral\"");
       if (asked.normal_law != "unilateral" && asked.normal_law != "bilateral") {
         fail_at(place, "there is no law " + quote(asked.normal_law),
                 "write \"unilateral\" or \"bilateral\"");
@@ -88,7 +88,7 @@ void read_options(const JsonNode& node, Request& request) {
 }
 
 void read_parts(const JsonNode& node, PageParts& parts) {
-  expect(node, JsonNode::Kind::kArray, "parts", "expected an array of names");
+  expect(node, JsonNode::Kind::kArray, "parts", "an array of names");
   parts = {false, false, false, false, false, false, parts.warnings};
   const std::map<std::string, bool PageParts::*> names{
       {"decide", &PageParts::decide}, {"states", &PageParts::states},
@@ -96,7 +96,7 @@ void read_parts(const JsonNode& node, PageParts& parts) {
       {"map", &PageParts::map},       {"quality", &PageParts::quality}};
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const std::string path = element_path("parts", i);
-    const std::string name = spelled(node.children[i], path, "expected a name");
+    const std::string name = spelled(node.children[i], path, "a name");
     const auto found = names.find(name);
     if (found == names.end()) {
       fail_at(path, "there is no part " + quote(name),
@@ -111,7 +111,7 @@ Request read_request(const std::string& text) {
   expect_object(root, "", {"grasp", "options", "parts"});
   const JsonNode& grasp =
       member(root, "", "grasp", "give the text of a grasp file (docs/grasp_file.md)");
-  expect(grasp, JsonNode::Kind::kString, "grasp", "expected the text of a grasp file");
+  expect(grasp, JsonNode::Kind::kString, "grasp", "the text of a grasp file");
   Request request{parse_any_grasp(grasp.text, "grasp"), {}, {}};
   if (const JsonNode* options = root.find("options")) read_options(*options, request);
   if (const JsonNode* parts = root.find("parts")) read_parts(*parts, request.parts);

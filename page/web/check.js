@@ -13,8 +13,11 @@
 /** Exit 3: the proof takes more work than this program does for files of their length. */
 class NotJudged extends Error {}
 
-/** Steps of less than a microsecond, counted and not timed; and the length of what was read. Limited while a question is answered. */
-const work = {limited: false, bytes: 0, steps: 0};
+/**
+ * Steps of less than a microsecond, counted and not timed; products of words, as all checkers count them; and the length of what was
+ * read. Limited while a question is answered.
+ */
+const work = {limited: false, bytes: 0, steps: 0, products: 0};
 
 function spend(steps) {
   work.steps += steps;
@@ -22,17 +25,40 @@ function spend(steps) {
   if (work.limited && work.steps > most) throw new NotJudged(`it takes more than ${most} steps, the most for ${work.bytes} bytes`);
 }
 
-const SIZES = [[1n << 1024n, 8], [1n << 8192n, 100], [1n << 32768n, 1000]];
-
-/** What a product of this length, or a common divisor, costs. */
-function size_steps(n) {
-  let steps = 1;
-  for (const [least, more] of SIZES) {
-    if (n < least && n > -least) break;
-    steps = more;
-  }
-  return steps;
+/** What long numbers cost: the limit is that of all checkers. */
+function spend_products(count) {
+  work.products += count;
+  const most = 5e8 + 5 * work.bytes * work.bytes;
+  if (work.limited && work.products > most) throw new NotJudged(`it takes more than ${most} products of words, the most for ${work.bytes} bytes`);
 }
+
+/** Up to 256 bits numbers are short: what is done with them costs steps. */
+const SHORT = 1n << 256n;
+const is_long = (n) => n >= SHORT || n <= -SHORT;
+
+const LENGTHS = [[1n << 64n, 1]];
+for (let words = 2; words < 2 ** 20; words *= 2) {
+  LENGTHS.push([1n << BigInt(64 * words), words], [1n << BigInt(96 * words), 1.5 * words]);
+}
+
+/** The words of a number, or up to half as many more. */
+function words(n) {
+  let low = 0, high = LENGTHS.length - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1, [end] = LENGTHS[middle];
+    if (n < end && n > -end) high = middle;
+    else low = middle + 1;
+  }
+  return LENGTHS[low][1];
+}
+
+/** The products of words of numbers of so many words: long ones cost less than they have digits (Karatsuba and others). */
+function products_of(n, m) {
+  const least = Math.min(n, m);
+  return least <= 64 ? n * m : Math.floor(8 * Math.max(n, m) * Math.sqrt(least));
+}
+
+const most_words = (row) => row.reduce((most, x) => Math.max(most, words(x)), 1);
 
 // ---------------------------------------------------------------------------- Numbers
 
@@ -79,14 +105,16 @@ const LONG = 1n << 4096n;
 function gcd(a, b) {
   a = absolute(a);
   b = absolute(b);
-  if (a > LONG && b > LONG) spend(10 * size_steps(a < b ? a : b));
+  if (is_long(a) && is_long(b)) spend_products(4 * products_of(words(a), words(b)));
   while (a > LONG && b > LONG) {
     [a, b] = a < b ? [a, b % a] : [b, a % b];
     if (b === 0n) return a;
     const [p, q, r, s] = halving(a, b);
     [a, b] = [absolute(p * a + q * b), absolute(r * a + s * b)];
   }
-  while (b !== 0n) [a, b] = [b, a % b];
+  let turns = 0;
+  for (; b !== 0n; ++turns) [a, b] = [b, a % b];
+  spend(turns >> 3);
   return a;
 }
 
@@ -99,6 +127,7 @@ class Fraction {
     this.d = d;
   }
   static of(n, d = 1n) {
+    if (is_long(n) || is_long(d)) spend_products(products_of(words(n), words(n)) + products_of(words(d), words(d)));  // not less than what they were made of
     if (d === 1n) return new Fraction(n, d);
     const g = d < 0n ? -gcd(n, d) : gcd(n, d);
     return new Fraction(n / g, d / g);
@@ -134,10 +163,17 @@ const cross_product = (a, b) => [0, 1, 2].map((j) => {
   return a[k].times(b[l]).minus(a[l].times(b[k]));
 });
 
-/** The greatest integer whose square is at most n, by Newton's method from above. */
+/** The greatest integer whose square is at most n, by Newton's method from above; of long numbers from the root of their first half. */
 function integer_root(n) {
   if (n < 2n) return n;
-  let x = 1n << BigInt((bit_length(n) + 1) >> 1);
+  let x;
+  if (is_long(n)) {
+    spend_products(products_of(words(n), words(n)));
+    const half = BigInt(bit_length(n) >> 2);
+    x = (integer_root(n >> (2n * half)) + 1n) << half;
+  } else {
+    x = 1n << BigInt((bit_length(n) + 1) >> 1);
+  }
   for (;;) {
     const next = (x + n / x) >> 1n;
     if (next >= x) return x;
@@ -145,9 +181,18 @@ function integer_root(n) {
   }
 }
 
+/** What squares leave modulo a few numbers: of a hundred others one is among them. */
+const SQUARES = [64n, 63n, 65n, 11n].map((modulus) => {
+  const squares = new Set();
+  for (let x = 0n; x < modulus; ++x) squares.add(x * x % modulus);
+  return [modulus, squares];
+});
+
 /** √q, or null if it is irrational. √(n/d) = √(nd)/d. */
 function rational_root(q) {
-  const product = q.n * q.d, root = integer_root(product);
+  const product = q.n * q.d;
+  if (SQUARES.some(([modulus, squares]) => !squares.has(product % modulus))) return null;
+  const root = integer_root(product);
   return root * root === product ? Fraction.of(root, q.d) : null;
 }
 
@@ -167,12 +212,24 @@ function enclose_root(q, bits) {
 }
 
 function dot(a, b) {
-  let sum = 0n;
+  let sum = 0n, long = false;
   for (let j = 0; j < a.length; ++j) {
-    if (a[j] !== 0n && b[j] !== 0n) sum += a[j] * b[j];
+    if (a[j] !== 0n && b[j] !== 0n) {
+      const term = a[j] * b[j];
+      if (is_long(term)) long = true;
+      sum += term;
+    }
   }
-  spend(size_steps(sum));
+  spend(1);
+  if (long) spend_products(a.length * products_of(most_words(a), most_words(b)));
   return sum;
+}
+
+/** The primitive vector in the direction of p a + q b. */
+function combined(p, a, q, b) {
+  const sum = a.map((x, j) => p * x + q * b[j]);
+  if (sum.some(is_long)) spend_products(a.length * (products_of(words(p), most_words(a)) + products_of(words(q), most_words(b))));
+  return primitive(sum);
 }
 
 const negative = (row) => row.map((x) => -x);
@@ -186,6 +243,7 @@ function primitive(row) {
       if (common === 1n) return row;
     }
   }
+  if (is_long(common)) spend_products(row.length * products_of(words(common), most_words(row)));
   return common > 1n ? row.map((x) => x / common) : row;
 }
 
@@ -223,6 +281,9 @@ class Sum {
           halved.push(parts[k]);
         } else {
           const [a, d] = parts[k], [b, e] = parts[k + 1];
+          if (is_long(d) || is_long(e)) {
+            spend_products(a.length * (products_of(most_words(a), words(e)) + products_of(most_words(b), words(d))));
+          }
           halved.push([a.map((x, j) => x * e + b[j] * d), d * e]);
         }
       }
@@ -1819,7 +1880,7 @@ class Cone {
       if (height < 0n) [line, height] = [negative(line), -height];
       const moved = (x) => {
         const value = dot(a, x);
-        return value === 0n ? x : primitive(x.map((c, j) => c * height - value * line[j]));
+        return value === 0n ? x : combined(height, x, -value, line);
       };
       const rays = this.rays.map(({x, zero}) => ({x: moved(x), zero: zero | bit}));
       if (!equation) rays.push({x: line, zero: bit - 1n});
@@ -1839,7 +1900,7 @@ class Cone {
         const common = up.zero & down.zero;
         // Two rays span a face unless a third lies in every face that both lie in.
         if (this.rays.some((ray) => ray !== up && ray !== down && (ray.zero & common) === common)) continue;
-        rays.push({x: primitive(up.x.map((c, j) => c * -low + down.x[j] * high)), zero: common | bit});
+        rays.push({x: combined(-low, up.x, high, down.x), zero: common | bit});
       }
     }
     return new Cone(this.lines, rays, count);
@@ -1859,7 +1920,11 @@ class PlaneCone {
     this.generators = [];  // its sides
   }
   /** Above 0 if b is to the left of a. */
-  turn(a, b) { return a[0] * b[1] - a[1] * b[0]; }
+  turn(a, b) {
+    const first = a[0] * b[1], second = a[1] * b[0];
+    if (is_long(first) || is_long(second)) spend_products(2 * products_of(most_words(a), most_words(b)));
+    return first - second;
+  }
   has(t) {
     const [first, last] = this.generators;
     switch (this.kind) {
@@ -2071,6 +2136,7 @@ class Region {
 /** min and max of v_i at a ray, over the box, times scale. */
 function pressures({normals, push, pull, one}, {d, h, l}) {
   const pushed = (end) => push[end][0] * h + (l === 0n ? 0n : push[end][1] * l);
+  if (is_long(h)) spend_products(4 * products_of(words(h), most_words(push[0])));
   if (one) {
     const v = pushed(0) - pull[0] * dot(normals[0], d);
     return [v, v];
@@ -2080,6 +2146,7 @@ function pressures({normals, push, pull, one}, {d, h, l}) {
     const height = dot(normal, d);
     for (const end of pull) {
       const value = end * height;
+      if (is_long(value)) spend_products(products_of(words(end), words(height)));
       if (least_pull === null || value < least_pull) least_pull = value;
       if (most_pull === null || value > most_pull) most_pull = value;
     }
@@ -2848,7 +2915,7 @@ function check(grasp, certificate, options = {}) {
   const answer = {answer: null, rule: null, node: null, place: null, found: null, file: null, verdict: null, box: null,
     nodes: null, leaves: null, resisted: null, refuted: null, question: null, proof: null};
   let file = 'grasp';
-  Object.assign(work, {limited: true, bytes: 0, steps: 0});
+  Object.assign(work, {limited: true, bytes: 0, steps: 0, products: 0});
   try {
     if (options.plane !== undefined) throw new NotJudged('regions of a plane: stickslip-check judges them');
     if (options.inertia !== undefined) throw new NotJudged('classes of rigid contacts: stickslip-check judges them');

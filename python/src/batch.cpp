@@ -74,10 +74,11 @@ py::bytes failed(const LineDecider& decider, const std::string& file, std::uintm
   return decider.failed(*line, InputError("", "", problem, remedy)).text;
 }
 
-/// What the results in `output` leave to do: their tally and bytes, and where in `file` the
-/// first line without a result begins, after how many lines.
+/// What the results in `output` leave to do: their tally and bytes, where in `file` the first
+/// line without a result begins, after how many lines, and what is to be said.
 py::tuple skip(const LineDecider& decider, const std::string& file, const std::string& output) {
   BatchTally tally;
+  std::string note;
   std::uintmax_t bytes = 0;
   std::uintmax_t begin = 0;
   std::size_t lines_before = 0;
@@ -87,11 +88,12 @@ py::tuple skip(const LineDecider& decider, const std::string& file, const std::s
     BatchLines lines(in.stream());
     FinishedResults results(results_in.stream(), output);
     tally = skip_finished(results, output, lines, file, decider);
+    note = changed_note(results, output);
     bytes = results.bytes();
     begin = lines.end();
     lines_before = lines.number();
   });
-  return py::make_tuple(tally, bytes, begin, lines_before);
+  return py::make_tuple(tally, bytes, begin, lines_before, text(note));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ MOST_LOSSES = 10
 
 EPILOG = """\
 Each line gives one line of JSON, the same byte for byte as by stickslip batch, and in the same
-order: line, key (of the question), name and verdict, or the error that it has. A line that
+order: line, key (of the question), name and verdict, or the error that it has, and check. A line that
 ends the process of whoever decides it, as for want of memory, has that as its error; the rest
 goes on. Certificates are checked with the line as grasp file, that of a ball of loads with the
 result's uncertain as --uncertain.
@@ -283,7 +283,9 @@ class Batch:
             if not self._given.resume:
                 raise InputError(path, "--output", "the file exists",
                                  "go on with --resume, or name another file")
-            self.tally, length, begin, lines_before = self._decider.skip(self.path, path)
+            self.tally, length, begin, lines_before, note = self._decider.skip(self.path, path)
+            if note:
+                print(f"stickslip: {note}", file=sys.stderr)
         self._output = Output(path, self._interruption)
         if exists:
             self._output.cut(length)

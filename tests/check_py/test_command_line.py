@@ -4,14 +4,15 @@ stickslip-check and stickslip-proved, and where STICKSLIP_NODE names node page/c
 
 import json
 import os
+import re
 import resource
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from support import (CHECK, FIG1, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_PROVED, UP, UP_TREE, Case,
-                     certificate, check, grasp, in_process, start, up)
+from support import (CHECK, FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_NODE, STICKSLIP_PROVED, UP, UP_TREE,
+                     Case, certificate, check, grasp, in_process, start, up)
 
 
 class CommandLineTest(Case):
@@ -81,6 +82,31 @@ class CommandLineTest(Case):
                     self.assertRegex(done.stdout, "^not judged\nwhy    it takes more than ")
             usage = resource.getrusage(resource.RUSAGE_CHILDREN)
             self.assertLess(usage.ru_maxrss, 1_000_000, program)
+
+    def test_long_numbers(self):
+        """Inputs of most_work.py and of attacks: numbers of thousands of words, which cost what short ones never do. An answer
+        may be any but a long wait, and all that count products of words have the same limit."""
+        def limit():  # a hang is a failure: it must not take all of the machine
+            resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+
+        work = os.path.join(HERE, "..", "corpus", "work")
+        for name in sorted({name.split(".")[0] for name in os.listdir(work)}):
+            files = [os.path.join(work, f"{name}.{kind}.json") for kind in ("grasp", "certificate")]
+            length = sum(os.path.getsize(file) for file in files)
+            for program in PROGRAMS:
+                done = subprocess.run([*program, *files], capture_output=True, check=False, preexec_fn=limit, encoding="utf-8")
+                self.assertEqual(done.stderr, "", (name, program))
+                if done.returncode == NOT_JUDGED:
+                    found = re.fullmatch("not judged\nwhy    it takes more than ([0-9]+) products of words, the most for "
+                                         "(?:the )?([0-9]+) bytes(?: read)?\n", done.stdout)
+                    self.assertIsNotNone(found, (name, program, done.stdout))
+                    most, read = map(int, found.groups())
+                    self.assertEqual(most, 5 * (10 ** 8 + read ** 2), (name, program))
+                    self.assertLessEqual(read, length, (name, program))
+                else:
+                    self.assertEqual(done.stdout.split("\n")[:2], ["rejected", "rule   tree-short"], (name, program))
+            if name == "long_exponents":
+                self.assertEqual(done.returncode, NOT_JUDGED)
 
     def test_planes_of_loads(self):
         # FORMAT.md §9: the page's checker says that it does not judge them.
@@ -263,6 +289,24 @@ class CommandLineTest(Case):
                                           stderr=subprocess.PIPE)
                 self.assertEqual(done.returncode, 2, (program, arguments))
                 self.assertIn(b"No space left on device", done.stderr)
+
+    def test_closed_and_full_streams(self):
+        """An answer that cannot be written is 2, said once, and so is one of which nobody can be told."""
+        def run(program, words, redirections):
+            return subprocess.run(["/bin/sh", "-c", f'exec "$0" "$@" {redirections}', *program, *words],
+                                  capture_output=True, check=False, encoding="utf-8")
+
+        for program in PROGRAMS:
+            for words in ([self.g, self.c, *UP], [self.g, self.c, *UP, "--json"], [self.g, "absent"], ["--help"], ["--unknown"]):
+                fails = words[-1] in ("absent", "--unknown")
+                for redirections in (">&-", ">/dev/full", ">/dev/full 2>&-", ">/dev/full 2>/dev/full", ">&- 2>&-", "2>/dev/full", "2>&-"):
+                    stdout_fails = redirections.startswith(">")
+                    if program[0] == STICKSLIP_NODE and redirections.startswith(">&-"):
+                        stdout_fails = False  # node opens /dev/null there before anything of ours runs
+                    done = run(program, words, redirections)
+                    self.assertEqual(done.returncode, 2 if fails or stdout_fails else 0, (program, words, redirections, done))
+                    if "2>" not in redirections and (fails or stdout_fails):
+                        self.assertEqual(done.stderr.count("\n"), 1, (program, words, redirections, done.stderr))
 
     def test_a_closed_pipe_is_no_answer_and_no_noise(self):
         with subprocess.Popen([*PROGRAMS[0], self.g, self.c, *UP], stdout=subprocess.PIPE,

@@ -182,10 +182,12 @@ class Mechanics:
 
 
 class Residual:
-    """Balance and laws of many z and t at once, with their slopes, in units of the load."""
+    """Balance and laws of many z and t at once, with their slopes, in units of the load. Of the bilateral law the normal force is
+    P - k n.d, which has to be 0 or more where it is solved."""
 
-    def __init__(self, mechanics):
+    def __init__(self, mechanics, bilateral=False):
         self.of = m = mechanics
+        self.bilateral = bilateral
         self.contacts, self.across = len(m.friction), m.across
         self.n = m.count + self.contacts * self.across
         soft = np.median(m.stiffness) if self.contacts else 1
@@ -203,7 +205,7 @@ class Residual:
         slope = np.zeros((s, self.n, self.n))
         for row, k, force, only in m.springs:
             pull = force - k * z @ row
-            on = (pull > 0) | (not only)
+            on = (pull > 0) | (not only) | self.bilateral
             balance += (pull * on)[:, None] * row
             slope[:, :m.count, :m.count] -= on[:, None, None] * k * np.outer(row, row)
         laws = np.zeros((s, self.contacts * q))
@@ -215,6 +217,8 @@ class Residual:
             far = np.hypot(v, soft)
             a = np.where(rounding == 0, np.maximum(v, 0), (v + far) / 2)
             closed = np.where(rounding == 0, v > 0, (1 + v / far) / 2)
+            if self.bilateral:
+                a, closed = v, np.ones(s)
             balance += a[:, None] * m.pressing[i] + t[:, i] @ m.rubbing[i].T
             rise = -k * closed[:, None] * m.normal[i]  # of a
             slope[:, :m.count, :m.count] += m.pressing[i][:, None] * rise[:, None, :]

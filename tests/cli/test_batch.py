@@ -8,6 +8,9 @@ import unittest
 
 from test_cli import BAD_INPUT, CHECK, DONE, UNDECIDED, Case, checkers, run, stickslip
 
+# Of tests/support, which test_cli adds to the path.
+from results import checked
+
 
 def grasp(seed):
     """Fig. 1 with another load each time; stable up to w_y = 1."""
@@ -100,7 +103,7 @@ class Batch(Case):
             results = self.results(path, *way, *options, *proved, "--certificates", self.path("proofs"))
             for line, result in zip(lines, results):
                 one = self.json(command, self.write("one.json", line), *options, *proved)
-                self.assertEqual(set(result) - {"certificate", "uncertain"} - set(one), {"line", "key"})
+                self.assertEqual(set(result) - {"certificate", "uncertain"} - set(one), {"line", "key", "check"})
                 for member in set(result) & set(one) - {"uncertain"}:
                     self.assertEqual(result[member], one[member], (command, member, line))
                 self.assertEqual("proved" in result, command == "quality" and one["verdict"] == "stable")
@@ -145,7 +148,7 @@ class Batch(Case):
         words = ("batch", path, "--quality", "--node-limit", 1, "-o", out)
         self.assertEqual(stickslip(*words), (UNDECIDED, "", ""))
         with open(out, encoding="utf-8") as file:
-            self.assertEqual(set(json.load(file)), {"line", "key", "name", "verdict", "limit"})
+            self.assertEqual(set(json.load(file)), {"line", "key", "name", "verdict", "limit", "check"})
         self.assertEqual(stickslip(*words, "--resume"), (UNDECIDED, "", ""))
 
     def test_options_of_a_quality_that_make_no_sense(self):
@@ -200,11 +203,38 @@ class Batch(Case):
         with open(out, encoding="utf-8") as file:
             marked = file.read().replace("number 1", "MARK")
         with open(out, "w", encoding="utf-8") as file:
-            file.write("".join(line + "\n" for line in marked.splitlines()[:2]))
+            file.write("".join(checked(line) + "\n" for line in marked.splitlines()[:2]))
         stickslip("batch", path, "-o", out, "--resume")
         with open(out, encoding="utf-8") as file:
             results = [json.loads(line) for line in file]
         self.assertEqual([r["name"] for r in results], ["MARK", "number 2", "number 3"])
+
+    def test_results_that_were_changed_are_decided_again(self):
+        path, out = self.lines([1, 2, 20, 3]), self.path("out.jsonl")
+        self.assertEqual(stickslip("batch", path, "-o", out), (DONE, "", ""))
+        with open(out, encoding="utf-8") as file:
+            whole = file.read()
+        for line in whole.splitlines():
+            self.assertEqual(checked(line), line)
+        first = whole.splitlines()[0]
+        for number, changed in ((3, whole.replace("unstable", "ununstable")), (3, whole.replace("unstable", "stable")),
+                                (2, whole.replace("number 2", "number 4")), (1, whole.replace('"line":1', '"line":5')),
+                                (1, whole.replace(first, first[:first.index(',"check"')] + "}"))):
+            self.assertNotEqual(changed, whole)
+            with open(out, "w", encoding="utf-8") as file:
+                file.write(changed)
+            note = (f"stickslip: {out}: line {number}: this result is not as a batch has written it; it is decided again, "
+                    "and those behind it\n")
+            self.assertEqual(stickslip("batch", path, "-o", out, "--resume"), (DONE, "", note))
+            with open(out, encoding="utf-8") as file:
+                self.assertEqual(file.read(), whole)
+        # Of another question it is no result to go on from, changed or not: nothing is cut.
+        other = whole.replace("unstable", "ununstable")
+        with open(out, "w", encoding="utf-8") as file:
+            file.write(other)
+        self.fails("batch", self.lines([1, 2, 9, 3]), "-o", out, "--resume", naming=["result of line 3", "not that of this line"])
+        with open(out, encoding="utf-8") as file:
+            self.assertEqual(file.read(), other)
 
     def test_resumed_or_not_the_exit_code_is_that_of_all_lines(self):
         good, bad = json.dumps(grasp(20)), "{"

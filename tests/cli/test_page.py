@@ -343,6 +343,11 @@ class Server(Case):
                 (text, {"preload": "-1"}, [], "options.preload", "-1"),
                 (text, {"normal_law": "none"}, [], "options.normal_law", "none"),
                 (text, {"bilateral": 1}, [], "options.bilateral", "true or false"),
+                (text, {"case": [1]}, [], "options.case", "expected the name of a case"),
+                (text, {"preload": {}}, [], "options.preload", "expected a number"),
+                (text, {"uncertain": []}, [], "options.uncertain", "expected tolerances"),
+                (text, {"normal_law": True}, [], "options.normal_law", "expected \"unilateral\" or"),
+                (text, {}, [[]], "parts[0]", "expected a name"),
                 (text, {"uncertain": "x=1"}, [], "options.uncertain", "x"),
                 (text, {"fiction": 1}, [], "options", "fiction"),
                 (text, {"case": "a"}, [], "case", "a"),
@@ -351,6 +356,7 @@ class Server(Case):
                 (7, {}, [], "grasp", "text"),
                 ("{", {}, [], ":", "")):
             error = self.ask(grasp, options, parts, status=400)["error"]
+            self.assertNotIn("expected expected", error["message"])
             self.assertIn(place, error["place"])
             self.assertIn(message, error["message"])
 
@@ -380,6 +386,10 @@ class Server(Case):
                 ("GET", "/../../etc/passwd", None, {}, 404), ("GET", "/grasp.json", None, {}, 404),
                 ("POST", "/answer", b"{}", {"Content_Type": "text/plain"}, 415),
                 ("POST", "/answer", b"{}", {"Content_Type": "multipart/form-data; boundary=a"}, 415),
+                ("POST", "/answer", b"{}", {"Content_Type": "application/jsonx"}, 415),
+                ("POST", "/answer", b"{}", {"Content_Type": "application/json-seq"}, 415),
+                ("POST", "/answer", b"{}", {"Content_Type": "application/json; charset=utf-8"}, 400),
+                ("POST", "/answer", b"{}", {"Content_Type": "Application/JSON ;charset=utf-8"}, 400),
                 ("POST", "/answer", b"{}", {}, 400), ("POST", "/answer", b"", {}, 400),
                 ("POST", "/answer", b"[" * 100000, {}, 400), ("POST", "/answer", b"\xff\x00{", {}, 400),
                 ("POST", "/answer", b'{"grasp": "' + b"a" * 900000 + b'"}', {}, 400),
@@ -426,11 +436,36 @@ class Server(Case):
         self.assertLess(len(self.raw(ranges.encode())), 2 * MEGABYTE)
         self.survives()
 
+    def test_nobody_waits_for_slow_connections(self):
+        """Each is given up only after seconds; a question that is asked behind many is answered while all of them are still heard."""
+        def is_heard(connection):
+            connection.setblocking(False)
+            try:
+                connection.recv(1)  # why it was given up, or nothing more
+            except BlockingIOError:
+                return True
+            except ConnectionError:
+                pass
+            return False
+
+        still_heard = 0
+        for _ in range(5):  # on a machine that does nothing for seconds they are given up before
+            idle = [socket.create_connection(("127.0.0.1", self.port), timeout=600) for _ in range(100)]
+            for connection in idle:
+                connection.sendall(b"POST /answer HTTP/1.1\r\n")
+            self.survives()
+            still_heard = sum(map(is_heard, idle))
+            for connection in idle:
+                connection.close()
+            if still_heard == len(idle):
+                break
+        self.assertEqual(still_heard, 100)
+
     def test_half_requests_and_many_connections(self):
-        # More than there are threads, which are 16, hold their connections and say no more; each is given up in time.
-        idle = [socket.create_connection(("127.0.0.1", self.port), timeout=600) for _ in range(20)]
+        # More than there are threads, which are 256, hold their connections and say no more; each is given up in time.
+        idle = [socket.create_connection(("127.0.0.1", self.port), timeout=600) for _ in range(300)]
         for k, connection in enumerate(idle):
-            connection.sendall(f"POST /answer HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n"[:3 * k].encode())
+            connection.sendall(f"POST /answer HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n"[:3 * k % 61].encode())
         self.survives()
         for connection in idle:
             connection.close()

@@ -169,6 +169,7 @@ class Shards(Case):
                 (head + "".join(reversed(results)), "line 3", "does not belong"),
                 (head + read(three).split("\n", 1)[1], "does not belong"),
                 (head + "{}\n", "line 2", "not a result"),
+                (whole.replace('"verdict":"', '"verdict":"un', 1), "line 2", "not as a batch has written it", "--resume"),
                 (head.replace('"first_line":', '"first_line": '), "not the head"),
                 (whole[1:], "not the head")):
             broken = self.write("broken.jsonl", text)

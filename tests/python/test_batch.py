@@ -21,6 +21,10 @@ from types import SimpleNamespace
 
 import pytest
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+
+from results import checked  # noqa: E402
+
 pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None,
                                 reason="Dask is not installed (Debian: python3-distributed)")
 
@@ -285,9 +289,17 @@ def test_resume(cluster, grasps, tmp_path):
     assert reference(grasps, "-o", out, "--resume") == (DONE, "")
     assert out.read_bytes() == whole
     # Finished lines are not decided again, and other questions are not mixed.
-    out.write_bytes(whole.replace(b'"stable"', b'"MARK"', 1)[:5000])
+    lines = whole.decode().splitlines()
+    marked = "".join(line + "\n" for line in [checked(lines[0].replace('"stable"', '"MARK"')), *lines[1:]]).encode()
+    assert marked != whole
+    out.write_bytes(marked[:5000])
     assert batch(*words, "--resume") == (DONE, "", "")
-    assert out.read_bytes() == whole.replace(b'"stable"', b'"MARK"', 1)
+    assert out.read_bytes() == marked
+    # What was changed is decided again.
+    out.write_bytes(whole.replace(b'"stable"', b'"ununstable"', 1))
+    assert batch(*words, "--resume") == (DONE, "", (
+        f"stickslip: {out}: line 1: this result is not as a batch has written it; it is decided again, and those behind it\n"))
+    assert out.read_bytes() == whole
     for more, naming in (((), "exists"), (("--resume", "--preload", 2), "options")):
         code, _, err = batch(*words, *more)
         assert (code, len(err.splitlines())) == (BAD_INPUT, 1)
@@ -430,7 +442,7 @@ def test_lines_that_kill_whoever_decides_them(cluster, tmp_path):
     results = out.splitlines()
     for number in deadly:
         result = json.loads(results[number - 1])
-        assert list(result) == ["line", "key", "error"]
+        assert list(result) == ["line", "key", "error", "check"]
         assert (result["line"], result["key"]) == (number, keys[number - 1])
         assert list(result["error"]) == ["place", "problem", "remedy"]
         assert "SIGKILL" in result["error"]["problem"]

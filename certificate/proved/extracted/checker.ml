@@ -1204,22 +1204,8 @@ module Z =
 
   (** val log2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
 
-  let log2 z0 =
-    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
-  if s = 0 then fO () else if s > 0 then fp z
-  else fn (Big_int_Z.minus_big_int z))
-      (fun _ -> Big_int_Z.zero_big_int)
-      (fun p0 ->
-      (fun f2p1 f2p f1 p ->
-  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
-  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
-  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
-        (fun p -> (Coq_Pos.size p))
-        (fun p -> (Coq_Pos.size p))
-        (fun _ -> Big_int_Z.zero_big_int)
-        p0)
-      (fun _ -> Big_int_Z.zero_big_int)
-      z0
+  let log2 = (fun n -> if Big_int_Z.sign_big_int n <= 0 then Big_int_Z.zero_big_int
+  else Big_int_Z.big_int_of_int (Big_int_Z.num_bits_big_int n - 1))
 
   (** val sqrt : Big_int_Z.big_int -> Big_int_Z.big_int **)
 

@@ -42,13 +42,21 @@ class BatchLines {
   explicit BatchLines(std::istream& in, const FilePart& part = {});
 
   std::optional<BatchLine> next();  ///< nothing at the end of the part
+  void put_back(BatchLine line);    ///< the last, which is then the next
 
-  std::size_t number() const { return lines_.number(); }  ///< of the last line read
-  std::uintmax_t end() const { return lines_.end(); }     ///< where the next line begins
+  std::size_t number() const {
+    return put_back_ ? number_before_ : lines_.number();
+  }  ///< of the last line read
+  std::uintmax_t end() const {
+    return put_back_ ? end_before_ : lines_.end();
+  }  ///< where the next line begins
 
  private:
   TextLines lines_;
   std::uintmax_t end_;
+  std::optional<BatchLine> put_back_;
+  std::size_t number_before_ = 0;  ///< the last line
+  std::uintmax_t end_before_ = 0;
 };
 
 /// What became of a line.

@@ -77,7 +77,8 @@ bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& gro
   for (std::size_t i = 0; i < grasp.size(); ++i) {
     const Contact& c = grasp.contacts()[i];
     const bool is_loaded = !c.preload.is_zero() || (!growth.empty() && !growth[i].is_zero());
-    if (is_loaded && !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y)) return true;
+    if (is_loaded && !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y))
+      return true;
   }
   return false;
 }

@@ -157,7 +157,7 @@ class Margins(Everyday):
         self.assertEqual(self.known(file, along)["resisted"], [["0", None]])
 
     def test_a_bound_in_the_plane(self):
-        # As in space; and four springs of 1 across the load, two of which are pressed from the first.
+        # As in space; and between four springs of 1, each of which gives up to a half.
         self.judges = checkers
         foot = {"format": "stickslip-grasp/2", "contacts": [
             {"position": [0, 0], "normal": [0, 1], "friction": 1, "stiffness": 1}], "wrench": [0, 0, 0]}
@@ -173,6 +173,9 @@ class Margins(Everyday):
             self.assertEqual((low, last), ("0", None))
             self.assertTrue(0.99 * end < Fraction(high) <= end <= Fraction(above) < 1.01 * end, (direction, high, above))
             self.assertNotIn("refuted", self.known(file, "--direction=" + direction))
+        file = self.write("g.json", {**foot, "max_motion": {"length": 3, "angle": 1}})
+        self.assertIn("refuted", self.known(file, "--direction=0,-1,0"))
+        self.assertNotIn("refuted", self.known(file, "--direction=0,-1,0", "--max-motion", "none"))
 
     def test_preloads_that_grow_along_normals_of_irrational_length(self):
         # Two jaws along a diagonal, a load of 2 across it, and friction 1/2: each presses with 2.

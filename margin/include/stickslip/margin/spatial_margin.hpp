@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Margins as lists of claims: multiples l >= 0 for which a grasp is stable under the wrench
-/// w + l u and the preloads P + l P^u (certificate/FORMAT.md, section 5, "Claims"). Ends of what
-/// is resisted may be irrational there, so that some multiples near them are left undecided.
+/// w + l u and the preloads P + l P^u (certificate/FORMAT.md, section 5, "Claims"). Ends of
+/// what is resisted may be irrational there, so that some multiples near them are left
+/// undecided.
 ///
 /// **Method.** An equilibrium is followed as the multiple grows and falls, in steps that become
 /// smaller where it is lost. Where nothing slips the equilibria at the ends of a step prove it,

@@ -123,15 +123,20 @@ def test_preloads_along_irrational_normals():
     assert check(near, decision.certificate)
     assert check(nearer, decide(nearer).certificate)
     assert not check(grasp, decision.certificate)  # of the grasp before it is a proof about a box
-    # Margins of it are not exact, but near.
-    exact, found = margin(nearer, UP), margin(grasp, UP)
+
+
+def test_margins_of_irrational_lengths():
+    # Along a diagonal they press with 1 each, and hold 2 across it.
+    jaws, across = Grasp([[-1, -1], [1, 1]], [[1, 1], [-1, -1]], 1, preload=1), (1, -1, 0)
+    found, exact = margin(jaws, across), margin(jaws.snap().grasp, across)
     [(low, high)], [(above, end)] = found.resisted, found.refuted
-    assert exact.refuted is None and exact.resisted[0][0] == low == 0 and end is None
-    assert high <= exact.resisted[0][1] <= above < high * Fraction(101, 100)
-    assert found.check() and check(grasp, found.certificate, direction=UP).resisted == found.resisted
-    assert not check(nearer, found.certificate, direction=UP)
+    assert (low, end) == (0, None) and high ** 2 < 2 < above ** 2 < Fraction(102, 100) * high ** 2
+    assert exact.refuted is None and high < exact.resisted[0][1] < above
+    assert found.check() and check(jaws, found.certificate, direction=across).resisted == found.resisted
+    with pytest.raises(InputError):
+        check(jaws.snap().grasp, found.certificate, direction=across)  # where a proof has exact ends
     with pytest.raises(InputError, match="accuracy"):
-        margin(grasp, UP, accuracy=0)
+        margin(jaws, across, accuracy=0)
 
 
 def test_margins_within_a_bound():
@@ -141,7 +146,8 @@ def test_margins_within_a_bound():
     [(low, high)], [(above, end)] = bounded.resisted, bounded.refuted
     assert (low, end) == (0, None) and 2.99 < high <= 3 <= above < 3.01
     assert bounded.max_motion == (3, 3, 1) and bounded.within is None and bounded.check()
-    assert not check(foot, bounded.certificate, direction=DOWN)
+    with pytest.raises(InputError):
+        check(foot, bounded.certificate, direction=DOWN)  # where a proof has exact ends
     assert margin(foot, DOWN, max_motion="none").resisted == ((0, None),)
 
 

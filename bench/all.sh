@@ -5,10 +5,9 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}"
-step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PYTHON=ON -DSTICKSLIP_BUILD_PROVED=ON \
+configure_release -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PYTHON=ON -DSTICKSLIP_BUILD_PROVED=ON \
   -DPython3_EXECUTABLE=/usr/bin/python3
-step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
+build_targets "Building (several minutes the first time)" build
 
 report=$build/bench_report
 mkdir -p "$report"

@@ -4,9 +4,10 @@
 /// its work runs when its name was given, and sets `exit_code`.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "command_line.hpp"
 
 namespace stickslip {
 
@@ -32,38 +33,38 @@ inline std::string footer_text(const std::string& notes, const std::string& exit
          ".\n\nExamples:\n  $ " + example;
 }
 
-void add_decide_command(CLI::App& app, int& exit_code);
-void add_states_command(CLI::App& app, int& exit_code);
-void add_margin_command(CLI::App& app, int& exit_code);
-void add_radius_command(CLI::App& app, int& exit_code);
-void add_quality_command(CLI::App& app, int& exit_code);
-void add_preload_command(CLI::App& app, int& exit_code);
-void add_map_command(CLI::App& app, int& exit_code);
-void add_compare_command(CLI::App& app, int& exit_code);
-void add_region_command(CLI::App& app, int& exit_code);
-void add_batch_command(CLI::App& app, int& exit_code);
-void add_crosscheck_command(CLI::App& app, int& exit_code);
-void add_snap_command(CLI::App& app, int& exit_code);
-void add_example_command(CLI::App& app, int& exit_code);
-void add_export_command(CLI::App& app, int& exit_code);
-void add_plot_command(CLI::App& app, int& exit_code);
+void add_decide_command(Command& app, int& exit_code);
+void add_states_command(Command& app, int& exit_code);
+void add_margin_command(Command& app, int& exit_code);
+void add_radius_command(Command& app, int& exit_code);
+void add_quality_command(Command& app, int& exit_code);
+void add_preload_command(Command& app, int& exit_code);
+void add_map_command(Command& app, int& exit_code);
+void add_compare_command(Command& app, int& exit_code);
+void add_region_command(Command& app, int& exit_code);
+void add_batch_command(Command& app, int& exit_code);
+void add_crosscheck_command(Command& app, int& exit_code);
+void add_snap_command(Command& app, int& exit_code);
+void add_example_command(Command& app, int& exit_code);
+void add_export_command(Command& app, int& exit_code);
+void add_plot_command(Command& app, int& exit_code);
 /// \{ `plot region` and `plot quality`, beside `region` and `quality`.
-void add_region_plot(CLI::App& plot, int& exit_code);
-void add_quality_plot(CLI::App& plot, int& exit_code);
+void add_region_plot(Command& plot, int& exit_code);
+void add_quality_plot(Command& plot, int& exit_code);
 /// \}
-void add_page_command(CLI::App& app, int& exit_code);
-void add_serve_command(CLI::App& app, int& exit_code);
-void add_help_command(CLI::App& app, int& exit_code);
+void add_page_command(Command& app, int& exit_code);
+void add_serve_command(Command& app, int& exit_code);
+void add_help_command(Command& app, int& exit_code);
 /// `completion`, which prints the scripts, and what they call, `complete`, which is hidden.
-void add_completion_command(CLI::App& app, int& exit_code);
+void add_completion_command(Command& app, int& exit_code);
 
 /// What the program says when it is given nothing to do.
-void introduce(const CLI::App& app);
+void introduce(const Command& app);
 
 /// Of a command line that the parser did not take: throws InputError for the first word that
 /// stands where a command or an option should, and is none; it says which may have been meant.
 /// Of options only if `options_too`.
-void refuse_unknown_words(const CLI::App& app, const std::vector<std::string>& words,
+void refuse_unknown_words(const Command& app, const std::vector<std::string>& words,
                           bool options_too);
 
 }  // namespace stickslip

@@ -12,12 +12,12 @@
 int main(int argc, char** argv) {
   stickslip::finish_files_when_interrupted();
   stickslip::protect_inputs();
-  CLI::App app(
+  stickslip::CommandLine line(
+      "stickslip",
       "Exact passive stability of frictional grasps, in the plane and in space, with proofs",
-      "stickslip");
-  app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+      "stickslip " STICKSLIP_VERSION);
+  stickslip::Command& app = line.program();
+  app.require_subcommand();
   app.footer(stickslip::footer_text(
       "Each subcommand explains itself: stickslip decide --help.\n"
       "\n"
@@ -55,17 +55,14 @@ int main(int argc, char** argv) {
       stickslip::introduce(app);
       return stickslip::kDone;
     }
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      const bool asked_for_help = error.get_exit_code() == 0;
-      stickslip::refuse_unknown_words(app, {argv + 1, argv + argc}, !asked_for_help);
-      if (!asked_for_help) {
-        std::cerr << "stickslip: " << error.what()
+    if (const auto stopped = line.run(argc, argv)) {
+      stickslip::refuse_unknown_words(app, {argv + 1, argv + argc}, !stopped->asked_for_help);
+      if (!stopped->asked_for_help) {
+        std::cerr << "stickslip: " << stopped->text
                   << "\nRun with --help for more information.\n";
         return stickslip::kBadInput;
       }
-      app.exit(error);
+      std::cout << stopped->text;
       exit_code = stickslip::kDone;
     }
   } catch (const stickslip::InputError& error) {

@@ -51,20 +51,20 @@ std::string engine_text(const std::string& engine, NormalLaw law) {
   return "Engine: " + engine + "; normal law: " + law_text(law) + ".\n";
 }
 
-void add_grasp_argument(CLI::App& command, std::string& file) {
+void add_grasp_argument(Command& command, std::string& file) {
   command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
       ->type_name("FILE")
       ->required();
 }
 
-CLI::Option* add_output_option(CLI::App& command, std::string& output,
-                               const std::string& sort) {
+CommandOption* add_output_option(Command& command, std::string& output,
+                                 const std::string& sort) {
   return command.add_option("--output,-o", output, sort + " to write; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
 }
 
-CLI::Validator whole_number(std::uint64_t most) {
+CommandOption::Check whole_number(std::uint64_t most) {
   const auto problem = [most](const std::string& value) {
     std::uint64_t number = 0;
     const char* end = value.data() + value.size();
@@ -76,15 +76,15 @@ CLI::Validator whole_number(std::uint64_t most) {
     return above ? value + " is too large; give at most " + std::to_string(most)
                  : std::string();
   };
-  return CLI::Validator(problem, "");
+  return problem;
 }
 
-void add_uncertain_option(CLI::App& command, std::string& uncertain,
+void add_uncertain_option(Command& command, std::string& uncertain,
                           const std::string& description) {
   command.add_option("--uncertain", uncertain, description)->type_name("KIND=T,...");
 }
 
-std::vector<CLI::Option*> add_ball_options(CLI::App& command, QualityText& text) {
+std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text) {
   return {
       command
           .add_option("--length", text.length,
@@ -110,24 +110,24 @@ std::vector<CLI::Option*> add_ball_options(CLI::App& command, QualityText& text)
           ->capture_default_str()};
 }
 
-void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
+void add_node_limit_option(Command& command, std::size_t& node_limit) {
   add_count_option(
       command, "--node-limit", node_limit,
       "Give up, undecided, after N nodes of a search; 0 is the program's own limit, or none");
 }
 
-void add_time_limit_option(CLI::App& command, unsigned& seconds,
+void add_time_limit_option(Command& command, unsigned& seconds,
                            const std::string& description) {
   constexpr std::uint64_t kMostSeconds = 86400;
   add_count_option(command, "--time-limit", seconds, description, kMostSeconds);
 }
 
-void QuestionArguments::add_to(CLI::App& command) {
+void QuestionArguments::add_to(Command& command) {
   add_grasp_argument(command, file_);
   add_options_to(command);
 }
 
-void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
+void QuestionArguments::add_with_uncertain_to(Command& command) {
   add_with_enclosures_to(command);
   add_uncertain_option(
       command, text_.uncertain,
@@ -137,13 +137,13 @@ void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
       "(docs/uncertainty.md)");
 }
 
-void QuestionArguments::add_with_enclosures_to(CLI::App& command) {
+void QuestionArguments::add_with_enclosures_to(Command& command) {
   add_to(command);
   add_max_motion_to(command);
   takes_boxes_ = true;
 }
 
-void QuestionArguments::add_max_motion_to(CLI::App& command) {
+void QuestionArguments::add_max_motion_to(Command& command) {
   command
       .add_option(
           "--max-motion", text_.max_motion,
@@ -153,8 +153,8 @@ void QuestionArguments::add_max_motion_to(CLI::App& command) {
       ->type_name("LENGTH,ANGLE");
 }
 
-void QuestionArguments::add_options_to(CLI::App& command) {
-  CLI::Option* wrench =
+void QuestionArguments::add_options_to(Command& command) {
+  CommandOption* wrench =
       command
           .add_option(
               "--wrench", text_.wrench,
@@ -165,17 +165,18 @@ void QuestionArguments::add_options_to(CLI::App& command) {
   add_model_options_to(command);
 }
 
-CLI::Option* QuestionArguments::add_case_to(CLI::App& command, const std::string& description) {
+CommandOption* QuestionArguments::add_case_to(Command& command,
+                                              const std::string& description) {
   return command.add_option("--case", text_.case_name, description)->type_name("NAME");
 }
 
-void QuestionArguments::add_without_wrench_to(CLI::App& command) {
+void QuestionArguments::add_without_wrench_to(Command& command) {
   add_grasp_argument(command, file_);
   add_model_options_to(command);
   has_no_wrench_ = true;
 }
 
-void QuestionArguments::add_model_options_to(CLI::App& command) {
+void QuestionArguments::add_model_options_to(Command& command) {
   command
       .add_option(
           "--preload", text_.preload,
@@ -188,11 +189,11 @@ void QuestionArguments::add_model_options_to(CLI::App& command) {
           "N.d along its normal. unilateral: contacts may open, c_n = max(0, P - k N.d). "
           "bilateral: the paper's Eq. 4 literally, c_n = P - k N.d >= 0")
       ->type_name("LAW")
-      ->check(CLI::IsMember({"unilateral", "bilateral"}))
+      ->choices({"unilateral", "bilateral"})
       ->capture_default_str();
 }
 
-void QuestionArguments::add_with_directions_to(CLI::App& command) {
+void QuestionArguments::add_with_directions_to(Command& command) {
   add_to(command);
   command.get_option("--wrench")
       ->description(
@@ -262,8 +263,8 @@ std::vector<Question> QuestionArguments::questions_about(GraspFile file) const {
   return questions;
 }
 
-void NumberOptions::add_to(CLI::App& command, const std::string& json_description) {
-  CLI::Option* json_option = command.add_flag("--json", json, json_description);
+void NumberOptions::add_to(Command& command, const std::string& json_description) {
+  CommandOption* json_option = command.add_flag("--json", json, json_description);
   command
       .add_flag("--floats", floats,
                 "With --json: beside each member X of exact numbers a member X_float, the "

@@ -4,7 +4,6 @@
 /// printed.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "command_line.hpp"
 #include "stickslip/answers/quality_answer.hpp"
 #include "stickslip/answers/question_text.hpp"
 #include "stickslip/certificate/proved_files.hpp"
@@ -25,24 +25,24 @@ namespace stickslip {
 class QuestionArguments {
  public:
   /// Adds GRASP, --wrench, --case, --preload and --normal-law.
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   /// As add_to, and --uncertain, for a command that answers questions that are boxes: of
   /// others, question() and questions() refuse them.
-  void add_with_uncertain_to(CLI::App& command);
+  void add_with_uncertain_to(Command& command);
   /// As add_to, for a command that answers about one grasp also where lengths of normals are
   /// enclosed.
-  void add_with_enclosures_to(CLI::App& command);
+  void add_with_enclosures_to(Command& command);
   /// As add_to, and --direction and --preload-direction, for a command that asks about a
   /// margin.
-  void add_with_directions_to(CLI::App& command);
+  void add_with_directions_to(Command& command);
   /// Adds --max-motion.
-  void add_max_motion_to(CLI::App& command);
+  void add_max_motion_to(Command& command);
   /// As add_to but for GRASP, for commands that read many.
-  void add_options_to(CLI::App& command);
+  void add_options_to(Command& command);
   /// The same but --wrench and --case, for what does not depend on a load: it is then 0.
-  void add_without_wrench_to(CLI::App& command);
+  void add_without_wrench_to(Command& command);
   /// --case alone, whose load replaces that 0.
-  CLI::Option* add_case_to(CLI::App& command, const std::string& description);
+  CommandOption* add_case_to(Command& command, const std::string& description);
 
   /// What to replace. Throws InputError naming the option.
   QuestionOptions options() const;
@@ -64,7 +64,7 @@ class QuestionArguments {
   bool chooses_case() const { return !text_.case_name.empty(); }
 
  private:
-  void add_model_options_to(CLI::App& command);
+  void add_model_options_to(Command& command);
   Intervals intervals() const;
   GraspFile read() const;
   std::vector<Question> questions_about(GraspFile file) const;
@@ -82,8 +82,8 @@ struct NumberOptions {
   bool floats = false;
   bool exact = false;
 
-  void add_to(CLI::App& command, const std::string& json_description =
-                                     "Print one JSON object; rationals are strings");
+  void add_to(Command& command, const std::string& json_description =
+                                    "Print one JSON object; rationals are strings");
   operator NumberText() const { return NumberText(exact, "; --exact prints all digits"); }
 };
 
@@ -103,17 +103,18 @@ std::string undecided_text(const Undecided& undecided, bool is_box);
 std::string engine_text(const std::string& engine, NormalLaw law);
 
 /// The GRASP argument alone.
-void add_grasp_argument(CLI::App& command, std::string& file);
+void add_grasp_argument(Command& command, std::string& file);
 
 /// -o of a command that writes one file of this sort.
-CLI::Option* add_output_option(CLI::App& command, std::string& output, const std::string& sort);
+CommandOption* add_output_option(Command& command, std::string& output,
+                                 const std::string& sort);
 
 /// Accepts the whole numbers from 0 to `most`, spelled in digits.
-CLI::Validator whole_number(std::uint64_t most);
+CommandOption::Check whole_number(std::uint64_t most);
 
 /// An option whose value is a number of things, 0 or more; the help shows its default.
 template <class Count>
-void add_count_option(CLI::App& command, const std::string& option, Count& count,
+void add_count_option(Command& command, const std::string& option, Count& count,
                       const std::string& description,
                       std::uint64_t most = std::numeric_limits<std::size_t>::max()) {
   command.add_option(option, count, description)
@@ -123,18 +124,17 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
 }
 
 /// --uncertain.
-void add_uncertain_option(CLI::App& command, std::string& uncertain,
+void add_uncertain_option(Command& command, std::string& uncertain,
                           const std::string& description);
 
 /// --length, --about, --body, --at-most and --accuracy, of what asks about a quality.
-std::vector<CLI::Option*> add_ball_options(CLI::App& command, QualityText& text);
+std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text);
 
 /// --node-limit, of every command that searches by cones.
-void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
+void add_node_limit_option(Command& command, std::size_t& node_limit);
 
 /// --time-limit, in seconds.
-void add_time_limit_option(CLI::App& command, unsigned& seconds,
-                           const std::string& description);
+void add_time_limit_option(Command& command, unsigned& seconds, const std::string& description);
 
 /// Writes NAME.json and NAME.certificate.json for each name into that folder.
 void write_proved_files(const std::string& option, const std::string& folder,
@@ -142,7 +142,7 @@ void write_proved_files(const std::string& option, const std::string& folder,
 
 /// --threads, 0 to 1024.
 template <class Count>
-void add_threads_option(CLI::App& command, Count& threads, const std::string& description) {
+void add_threads_option(Command& command, Count& threads, const std::string& description) {
   constexpr std::uint64_t kMostThreads = 1024;
   add_count_option(command, "--threads", threads, description, kMostThreads);
 }

@@ -5,7 +5,7 @@
 
 namespace stickslip {
 
-void add_no_warnings_option(CLI::App& command, bool& no_warnings) {
+void add_no_warnings_option(Command& command, bool& no_warnings) {
   command.add_flag("--no-warnings", no_warnings,
                    "Do not look for traps of the model, such as a large motion, or a preload "
                    "that does not balance (docs/model.md)");

@@ -3,14 +3,13 @@
 /// How the subcommands that look for traps of the model print what they find.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "command_line.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 
 namespace stickslip {
 
 /// --no-warnings.
-void add_no_warnings_option(CLI::App& command, bool& no_warnings);
+void add_no_warnings_option(Command& command, bool& no_warnings);
 
 /// For people, a line each.
 void print(const Warnings& warnings);

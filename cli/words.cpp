@@ -14,24 +14,22 @@
 namespace stickslip {
 namespace {
 
-bool takes_value(const CLI::Option& option) {
-  return option.get_items_expected_max() > 0;
+bool takes_value(const CommandOption& option) {
+  return option.takes_value();
 }
 
 /// A command of the tree of commands.
 struct NamedCommand {
-  const CLI::App* app;
+  const Command* app;
   std::string name;  ///< as it is typed: "stickslip plot grasp"
 
   /// The commands below it, hidden ones included.
-  std::vector<const CLI::App*> subcommands() const {
-    return app->get_subcommands([](const CLI::App*) { return true; });
-  }
+  std::vector<const Command*> subcommands() const { return app->subcommands(); }
 
   /// Goes down to the subcommand `word`; false if there is none.
   bool enter(const std::string& word) {
-    for (const CLI::App* below : subcommands()) {
-      if (below->get_name() != word) continue;
+    for (const Command* below : subcommands()) {
+      if (below->name() != word) continue;
       *this = {below, name + " " + word};
       return true;
     }
@@ -39,10 +37,10 @@ struct NamedCommand {
   }
 
   /// The option that a word such as --option=value or -oFILE gives, or nullptr.
-  const CLI::Option* option(const std::string& word) const {
-    const CLI::Option* found = app->get_option_no_throw(word.substr(0, word.find('=')));
+  const CommandOption* option(const std::string& word) const {
+    const CommandOption* found = app->find_option(word.substr(0, word.find('=')));
     if (found != nullptr || word[1] == '-') return found;
-    found = app->get_option_no_throw(word.substr(0, 2));
+    found = app->find_option(word.substr(0, 2));
     return found != nullptr && takes_value(*found) ? found : nullptr;
   }
 };
@@ -53,7 +51,7 @@ bool is_option(const std::string& word) {
 }
 
 /// Whether the value of the option that `word` gives is the next word.
-bool value_follows(const CLI::Option& option, const std::string& word) {
+bool value_follows(const CommandOption& option, const std::string& word) {
   return takes_value(option) &&
          (word[1] == '-' ? word.find('=') == std::string::npos : word.size() == 2);
 }
@@ -62,8 +60,8 @@ bool value_follows(const CLI::Option& option, const std::string& word) {
 void enter(NamedCommand& command, const std::string& word) {
   if (command.enter(word)) return;
   std::vector<std::string> known;
-  for (const CLI::App* below : command.subcommands()) {
-    if (!below->get_group().empty()) known.push_back(below->get_name());
+  for (const Command* below : command.subcommands()) {
+    if (!below->is_hidden()) known.push_back(below->name());
   }
   throw InputError("", "", command.name + " has no command " + quote(word),
                    choice_of(word, known, "its commands are "));
@@ -71,8 +69,8 @@ void enter(NamedCommand& command, const std::string& word) {
 
 [[noreturn]] void refuse_option(const NamedCommand& command, const std::string& word) {
   std::vector<std::string> known;
-  for (const CLI::Option* option : command.app->get_options()) {
-    for (const std::string& each : option->get_lnames()) known.push_back("--" + each);
+  for (const CommandOption* option : command.app->options()) {
+    for (const std::string& each : option->long_names()) known.push_back("--" + each);
   }
   const std::string option = word.substr(0, word.find('='));
   throw InputError("", "", command.name + " has no option " + quote(option),
@@ -88,8 +86,8 @@ std::string line(const std::string& word, const std::string& description) {
 
 /// The values of an option or argument, each behind `prefix`. The parser knows their sort by a
 /// name, FILE or "NAME:{a,b}".
-std::string values(const CLI::Option& option, const std::string& prefix) {
-  const std::string sort = option.get_type_name();
+std::string values(const CommandOption& option, const std::string& prefix) {
+  const std::string sort = option.type_name();
   if (sort == "FILE" || sort == "DIR") return sort + "\n";
   const std::size_t open = sort.find('{');
   if (open == std::string::npos) return "";
@@ -101,31 +99,31 @@ std::string values(const CLI::Option& option, const std::string& prefix) {
   return lines;
 }
 
-std::string options(const CLI::App& command) {
+std::string options(const Command& command) {
   std::string lines;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_snames()) {
-      lines += line("-" + name, option->get_description());
+  for (const CommandOption* option : command.options()) {
+    for (const std::string& name : option->short_names()) {
+      lines += line("-" + name, option->description());
     }
-    for (const std::string& name : option->get_lnames()) {
-      lines += line("--" + name, option->get_description());
+    for (const std::string& name : option->long_names()) {
+      lines += line("--" + name, option->description());
     }
   }
   return lines;
 }
 
 /// What `current`, the last word of a line that is being typed, may become.
-std::string candidates(const CLI::App& app, const std::vector<std::string>& before,
+std::string candidates(const Command& app, const std::vector<std::string>& before,
                        const std::string& current) {
-  NamedCommand command{&app, app.get_name()};
-  std::size_t given = 0;                 // arguments
-  const CLI::Option* waiting = nullptr;  // for its value
+  NamedCommand command{&app, app.name()};
+  std::size_t given = 0;                   // arguments
+  const CommandOption* waiting = nullptr;  // for its value
   for (const std::string& word : before) {
     if (waiting != nullptr) {
       // In bash, --option=value is three words.
       if (word != "=") waiting = nullptr;
     } else if (is_option(word)) {
-      const CLI::Option* option = command.option(word);
+      const CommandOption* option = command.option(word);
       if (option != nullptr && value_follows(*option, word)) waiting = option;
     } else if (!command.enter(word)) {
       ++given;
@@ -135,16 +133,16 @@ std::string candidates(const CLI::App& app, const std::vector<std::string>& befo
   if (!current.empty() && current[0] == '-') {
     const std::size_t equals = current.find('=');
     if (equals == std::string::npos) return options(*command.app);
-    const CLI::Option* option = command.option(current);
+    const CommandOption* option = command.option(current);
     return option == nullptr ? "" : values(*option, current.substr(0, equals + 1));
   }
   std::string lines;
-  for (const CLI::App* below : command.subcommands()) {
-    if (!below->get_group().empty()) lines += line(below->get_name(), below->get_description());
+  for (const Command* below : command.subcommands()) {
+    if (!below->is_hidden()) lines += line(below->name(), below->description());
   }
   if (!lines.empty()) return lines;
-  for (const CLI::Option* option : command.app->get_options()) {
-    if (option->get_positional() && given-- == 0) return values(*option, "");
+  for (const CommandOption* option : command.app->options()) {
+    if (option->is_argument() && given-- == 0) return values(*option, "");
   }
   return options(*command.app);
 }
@@ -198,37 +196,36 @@ complete -c stickslip -f -n 'contains -- (__stickslip)[1] DIR' -a '(__fish_compl
 
 }  // namespace
 
-void refuse_unknown_words(const CLI::App& app, const std::vector<std::string>& words,
+void refuse_unknown_words(const Command& app, const std::vector<std::string>& words,
                           bool options_too) {
-  NamedCommand command{&app, app.get_name()};
+  NamedCommand command{&app, app.name()};
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
     const std::string& word = words[i];
     if (!is_option(word)) {
       if (!command.subcommands().empty()) enter(command, word);
       continue;
     }
-    const CLI::Option* option = command.option(word);
+    const CommandOption* option = command.option(word);
     if (option == nullptr && options_too) refuse_option(command, word);
     if (option != nullptr && value_follows(*option, word)) ++i;
   }
 }
 
-void introduce(const CLI::App& app) {
+void introduce(const Command& app) {
   std::vector<std::vector<std::string>> table;
-  for (const CLI::App* command : NamedCommand{&app, app.get_name()}.subcommands()) {
-    if (!command->get_group().empty()) {
-      table.push_back({"  " + command->get_name(), command->get_description()});
+  for (const Command* command : NamedCommand{&app, app.name()}.subcommands()) {
+    if (!command->is_hidden()) {
+      table.push_back({"  " + command->name(), command->description()});
     }
   }
-  std::cout << app.get_description()
-            << ".\n\nTry\n  $ stickslip example jaw | stickslip decide -\n"
+  std::cout << app.description() << ".\n\nTry\n  $ stickslip example jaw | stickslip decide -\n"
             << "\nIt can\n"
             << format_table(table, Align::kLeft) << "\nstickslip COMMAND --help says more.\n";
 }
 
-void add_help_command(CLI::App& app, int& exit_code) {
+void add_help_command(Command& app, int& exit_code) {
   auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("help", "Show the help of a command, as the command's --help does");
   command
       ->add_option("COMMAND", *words,
@@ -236,28 +233,27 @@ void add_help_command(CLI::App& app, int& exit_code) {
       ->type_name("WORD");
   command->footer(footer_text("", kExitCodes, "stickslip help plot grasp"));
   command->callback([&app, words, &exit_code] {
-    NamedCommand about{&app, app.get_name()};
+    NamedCommand about{&app, app.name()};
     for (const std::string& word : *words) {
       if (about.subcommands().empty()) break;
       enter(about, word);
     }
-    std::cout << about.app->get_formatter()->make_help(about.app, about.name,
-                                                       CLI::AppFormatMode::Normal);
+    std::cout << about.app->help(about.name);
     exit_code = kDone;
   });
 }
 
-void add_completion_command(CLI::App& app, int& exit_code) {
+void add_completion_command(Command& app, int& exit_code) {
   struct Arguments {
     std::string shell;
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "completion", "Print a script that lets a shell complete stickslip's words");
   command->add_option("SHELL", arguments->shell, "The shell that is to complete")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->choices({"bash", "zsh", "fish"})
       ->required();
   add_output_option(*command, arguments->output, "Script");
   command->footer(footer_text(
@@ -274,10 +270,10 @@ void add_completion_command(CLI::App& app, int& exit_code) {
   });
 
   auto words = std::make_shared<std::vector<std::string>>();
-  app.add_subcommand("complete", "For the scripts: what the last word may become")
-      ->group("")
-      ->add_option("WORD", *words, "The words behind the program's name");
-  app.get_subcommand("complete")->callback([&app, words, &exit_code] {
+  Command* complete =
+      app.add_subcommand("complete", "For the scripts: what the last word may become")->hide();
+  complete->add_option("WORD", *words, "The words behind the program's name");
+  complete->callback([&app, words, &exit_code] {
     const std::string current = words->empty() ? "" : words->back();
     if (!words->empty()) words->pop_back();
     std::cout << matching(candidates(app, *words, current == "=" ? "" : current),

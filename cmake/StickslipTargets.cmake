@@ -8,12 +8,12 @@ function(stickslip_set_warnings target)
   endif()
 endfunction()
 
-# stickslip_library(core SOURCES a.cpp ... PUBLIC_LIBS lib ... PRIVATE_LIBS lib ... [TEXT])
+# stickslip_library(core SOURCES a.cpp ... PUBLIC_LIBS lib ... PRIVATE_LIBS lib ... [COLD])
 # makes stickslip_core (alias stickslip::core) with public headers in <module>/include.
-# TEXT: it reads and writes text, where no command spends its time: a release optimises it little,
-# and takes a third less time to compile it.
+# COLD: no command spends its time there, as it writes text, or asks other modules: a release
+# optimises it little, and takes a third less time to compile it.
 function(stickslip_library module)
-  cmake_parse_arguments(ARG "TEXT" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
   add_library(stickslip_${module} STATIC ${ARG_SOURCES})
   add_library(stickslip::${module} ALIAS stickslip_${module})
   set_target_properties(stickslip_${module} PROPERTIES EXPORT_NAME ${module})
@@ -28,7 +28,7 @@ function(stickslip_library module)
   if(STICKSLIP_VALIDATE)
     target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)
   endif()
-  if(ARG_TEXT)
+  if(ARG_COLD)
     target_compile_options(stickslip_${module} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
   stickslip_set_warnings(stickslip_${module})
@@ -44,11 +44,11 @@ function(stickslip_reuse_headers name)
   if(NOT TARGET stickslip_headers)
     file(WRITE ${PROJECT_BINARY_DIR}/headers/headers.cpp "")
     add_library(stickslip_headers OBJECT ${PROJECT_BINARY_DIR}/headers/headers.cpp)
-    target_link_libraries(stickslip_headers PRIVATE Boost::headers stickslip_gmp)
+    target_link_libraries(stickslip_headers PRIVATE stickslip_gmp)
     set_target_properties(stickslip_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
     stickslip_set_warnings(stickslip_headers)
     target_precompile_headers(stickslip_headers PRIVATE
-      <boost/multiprecision/gmp.hpp> <algorithm> <functional> <map> <optional> <set> <string>
+      <gmp.h> <algorithm> <array> <cmath> <functional> <memory> <map> <optional> <set> <string>
       <variant> <vector>)
   endif()
   target_precompile_headers(${name} REUSE_FROM stickslip_headers)
@@ -96,7 +96,7 @@ function(stickslip_reuse_test_headers name)
     target_link_libraries(stickslip_test_headers PRIVATE stickslip::core GTest::gtest GTest::gmock)
     stickslip_set_warnings(stickslip_test_headers)
     target_precompile_headers(stickslip_test_headers PRIVATE <gtest/gtest.h> <gmock/gmock.h>
-      <boost/multiprecision/gmp.hpp> <map> <set> <functional> <variant>)
+      <gmp.h> <map> <set> <functional> <variant>)
   endif()
   target_precompile_headers(${name} REUSE_FROM stickslip_test_headers)
 endfunction()

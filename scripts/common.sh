@@ -69,10 +69,16 @@ together="-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=20"
 
 jobs_for_build() { nproc 2>/dev/null || echo 2; }
 
-# build_programs TARGET...: a release build without tests and benchmarks.
-build_programs() {
+# configure_release OPTION...: what all scripts build in release is compiled with the same flags, so that none compiles
+# again what another has compiled. That holds whether or not tests, benchmarks or the Python module are asked for.
+configure_release() {
   step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-    -DSTICKSLIP_BUILD_TESTS=OFF -DSTICKSLIP_BUILD_BENCH=OFF
-  step "Building (a few minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)" \
-    --target "$@"
+    -DSTICKSLIP_WERROR=ON "$@"
+}
+
+# build_targets MESSAGE LOGNAME [TARGET...]: these, or all.
+build_targets() {
+  local message=$1 log=$2
+  shift 2
+  step "$message" "$log" cmake --build "$build" -j "$(jobs_for_build)" ${1:+--target "$@"}
 }

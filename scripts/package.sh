@@ -15,10 +15,9 @@ folder=${1:-$build/package}
 
 if [ -z "$built" ]; then
   install_packages "${build_packages[@]}" "${package_packages[@]}"
-  step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-    -DSTICKSLIP_BUILD_TESTS=OFF -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_BUILD_PROVED=ON \
+  configure_release -DSTICKSLIP_BUILD_TESTS=OFF -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_BUILD_PROVED=ON \
     -DSTICKSLIP_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
-  step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
+  build_targets "Building (several minutes the first time)" build
 fi
 
 mkdir -p "$folder"

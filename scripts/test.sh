@@ -13,9 +13,8 @@ if [ -n "${CI-}" ]; then
 elif ! npm --prefix "$root/conformance" ci --omit=optional >/dev/null 2>&1; then
   echo "No engine from npm: its tests are left out"
 fi
-step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_WERROR=ON -DSTICKSLIP_BUILD_PROVED=ON \
+configure_release -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PROVED=ON \
   -DSTICKSLIP_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
-step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
+build_targets "Building (several minutes the first time)" build
 # One more than there are cores: browsers, servers and clusters wait a part of their time.
 ctest --test-dir "$build" --output-on-failure -j "$(($(jobs_for_build) + 1))" "$@"

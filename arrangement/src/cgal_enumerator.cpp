@@ -95,7 +95,7 @@ Kernel::FT to_kernel(const Integer& value) {
   constexpr unsigned kDigitBits = 24;
   std::vector<int> digits;
   for (Integer rest = abs(value); !rest.is_zero(); rest >>= kDigitBits) {
-    digits.push_back(static_cast<int>(rest & ((1u << kDigitBits) - 1)));
+    digits.push_back((rest & ((1u << kDigitBits) - 1)).convert_to<int>());
   }
   Exact result(0);
   for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {

@@ -33,7 +33,7 @@ struct Floating {
 Floating to_floating(const Integer& value) {
   Floating result;
   if (!value.is_zero()) {
-    result.mantissa = mpz_get_d_2exp(&result.exponent, value.backend().data());
+    result.mantissa = mpz_get_d_2exp(&result.exponent, value.gmp());
   }
   return result;
 }
@@ -64,7 +64,7 @@ std::array<double, 3> scaled(const std::array<Floating, 3>& v) {
 }
 
 std::size_t bit_length(const Integer& value) {
-  return value.is_zero() ? 0 : mpz_sizeinbase(value.backend().data(), 2);
+  return value.is_zero() ? 0 : mpz_sizeinbase(value.gmp(), 2);
 }
 
 Sign sign_of_int128(Int128 value) {
@@ -155,7 +155,7 @@ FilteredNormals::FilteredNormals(std::vector<IntegerVector3> normals)
     for (std::size_t c = 0; c < 3; ++c) approximate_[c][i] = n[c];
     bits_[i] = longest <= 63 ? static_cast<unsigned>(longest) : kTooLong;
     if (bits_[i] == kTooLong) continue;
-    for (std::size_t c = 0; c < 3; ++c) small_[i][c] = static_cast<std::int64_t>(exact_[i][c]);
+    for (std::size_t c = 0; c < 3; ++c) small_[i][c] = exact_[i][c].convert_to<std::int64_t>();
   }
 }
 
@@ -173,7 +173,7 @@ Sign ExactSigns::determinant(std::size_t i, std::size_t j, std::size_t k) {
   sum_ = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     set_minor(minor_, i, j, c);
-    mpz_addmul(sum_.backend().data(), minor_.backend().data(), n.exact(k)[c].backend().data());
+    mpz_addmul(sum_.mutable_gmp(), minor_.gmp(), n.exact(k)[c].gmp());
   }
   return sign_of(sum_);
 }
@@ -211,9 +211,9 @@ void ExactSigns::set_minor(Integer& result, std::size_t i, std::size_t j,
   const IntegerVector3& b = normals_->exact(j);
   const std::size_t p = after(coordinate);
   const std::size_t q = after(p);
-  mpz_mul(product_.backend().data(), a[q].backend().data(), b[p].backend().data());
-  mpz_mul(result.backend().data(), a[p].backend().data(), b[q].backend().data());
-  mpz_sub(result.backend().data(), result.backend().data(), product_.backend().data());
+  mpz_mul(product_.mutable_gmp(), a[q].gmp(), b[p].gmp());
+  mpz_mul(result.mutable_gmp(), a[p].gmp(), b[q].gmp());
+  mpz_sub(result.mutable_gmp(), result.gmp(), product_.gmp());
 }
 
 }  // namespace stickslip::arrangement_detail

@@ -2,7 +2,6 @@
 #include "stickslip/batch/line.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <system_error>
 #include <utility>
@@ -22,7 +21,7 @@ namespace {
 constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", batch";
 
 std::string text_of(const Json& result) {
-  return with_check(result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  return with_check(result.dump(-1, Json::Utf8::kReplaced) + "\n");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 /// Requires an integer.
 CGAL::Gmpz to_gmpz(const Rational& value) {
-  return CGAL::Gmpz(mpq_numref(value.backend().data()));
+  return CGAL::Gmpz(mpq_numref(value.gmp()));
 }
 
 CGAL::Comparison_result to_cgal(Relation relation) {

@@ -49,14 +49,10 @@ class Sections {
   /// By which force and torque the load differs. A link does not feel all of them: then the one
   /// that is found may be farther than need be, and is no help.
   void find_lost(const WrenchBox& load, const Rational& radius) {
-    RationalVector off(static_cast<Eigen::Index>(load.size()));
-    for (std::size_t j = 0; j < load.size(); ++j) {
-      off(static_cast<Eigen::Index>(j)) = load[j].low - grasp_.wrench[j].low;
-    }
-    const auto z = solve_exactly(matrix_of(part_.motion, load.size()).transpose(), off);
-    if (!z) return;
-    RationalRow found(z->data(), z->data() + z->size());
-    if (ball_.squared_norm(found) <= radius * radius) lost_ = std::move(found);
+    RationalRow off(load.size());
+    for (std::size_t j = 0; j < load.size(); ++j) off[j] = load[j].low - grasp_.wrench[j].low;
+    auto found = solve_exactly(matrix_of_columns(part_.motion, load.size()), off);
+    if (found && ball_.squared_norm(*found) <= radius * radius) lost_ = std::move(*found);
   }
 
   LoadSection section(std::array<RationalRow, 2> along) const {

@@ -43,14 +43,14 @@ Interval cosine(const Rational& degrees) {
   mpfr_init2(angle, kPrecision);
   mpfr_init2(pi, kPrecision);
   mpfr_const_pi(pi, MPFR_RNDN);
-  mpfr_set_q(angle, rest.backend().data(), MPFR_RNDN);
+  mpfr_set_q(angle, rest.gmp(), MPFR_RNDN);
   mpfr_mul(angle, angle, pi, MPFR_RNDN);
   mpfr_div_ui(angle, angle, 180, MPFR_RNDN);
   mpfr_cos(angle, angle, MPFR_RNDN);
   constexpr unsigned long kBits = 110;
   mpfr_mul_2ui(angle, angle, kBits, MPFR_RNDN);
   Integer scaled;
-  mpfr_get_z(scaled.backend().data(), angle, MPFR_RNDN);
+  mpfr_get_z(scaled.mutable_gmp(), angle, MPFR_RNDN);
   mpfr_clear(angle);
   mpfr_clear(pi);
   const Integer unit = Integer(1) << kBits;

@@ -2,9 +2,9 @@
 #include "stickslip/certificate/certificate.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/json_value.hpp"
 
 namespace stickslip {
 namespace {
@@ -83,8 +83,7 @@ std::string tolerances_text(const Tolerances& tolerances) {
             "wrench\": {\"ball\": " + number(ball->radius) +
             ", \"length\": " + number(ball->length) +
             (ball->about.empty() ? "" : ", \"about\": [" + list(ball->about) + "]") +
-            (ball->body.empty() ? "" : ", \"body\": " + nlohmann::json(ball->body).dump()) +
-            "}";
+            (ball->body.empty() ? "" : ", \"body\": " + Json(ball->body).dump()) + "}";
   }
   return "\"uncertain\": {" + text + "}";
 }
@@ -105,10 +104,10 @@ std::string head(const Question& question, const std::string& wrench, const std:
   const GraspBox* box = question.box();
   const std::size_t contacts =
       box != nullptr ? box->elements() : question.loaded().grasp.size();
-  std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
-                     nlohmann::json(producer).dump() +
-                     ",\n \"question\": {\"contacts\": " + std::to_string(contacts) +
-                     ", \"wrench\": [" + wrench + "]";
+  std::string text =
+      "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " + Json(producer).dump() +
+      ",\n \"question\": {\"contacts\": " + std::to_string(contacts) + ", \"wrench\": [" +
+      wrench + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
   text += ", \"normal_law\": \"" + std::string(to_string(question.law)) + "\"" + member;
   if (const auto& growth = question.preload_direction) {

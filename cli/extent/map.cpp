@@ -74,9 +74,9 @@ int map(const MapArguments& arguments) {
 
 }  // namespace
 
-void add_map_command(CLI::App& app, int& exit_code) {
+void add_map_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<MapArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "map", "Where in a plane of two numbers does it hold? Proved cell by cell");
   arguments->question.add_to(*command);
   arguments->question.add_max_motion_to(*command);

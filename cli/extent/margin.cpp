@@ -170,24 +170,24 @@ int margin(const MarginArguments& arguments) {
 
 }  // namespace
 
-void add_margin_command(CLI::App& app, int& exit_code) {
+void add_margin_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<MarginArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "margin",
       "How much of a load is resisted, or with how much preload? The exact set, with a proof");
   arguments->question.add_with_directions_to(*command);
   arguments->question.add_max_motion_to(*command);
-  CLI::Option* least = command->add_flag(
+  CommandOption* least = command->add_flag(
       "--least", arguments->least,
       "Print the least multiple that is resisted, such as of the preloads that "
       "hold a load");
-  CLI::Option* certificate =
+  CommandOption* certificate =
       command
           ->add_option("--certificate", arguments->certificate,
                        "Write a proof for stickslip-check with the same directions "
                        "(certificate/FORMAT.md)")
           ->type_name("FILE");
-  CLI::Option* asks_class =
+  CommandOption* asks_class =
       command
           ->add_flag("--class", arguments->asks_class,
                      "Ask which multiples of the load must move, must hold or are open under "

@@ -275,22 +275,22 @@ int ball(const PreloadArguments& arguments) {
 
 }  // namespace
 
-void add_preload_command(CLI::App& app, int& exit_code) {
+void add_preload_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<PreloadArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "preload",
       "Which preloads are best: of the least sum, or for the largest ball of loads?");
   arguments->question.add_with_uncertain_to(*command);
-  CLI::Option* hold_option = command->add_flag(
+  CommandOption* hold_option = command->add_flag(
       "--hold", arguments->hold,
       "Seek preloads of the least sum that hold the load, all cases of the file, or with "
       "--uncertain wrench=ball:R all loads around them");
-  CLI::Option* budget = command
-                            ->add_option("--budget", arguments->budget,
-                                         "Seek preloads of at most this sum that resist the "
-                                         "largest ball of loads around the load")
-                            ->type_name("B")
-                            ->excludes(hold_option);
+  CommandOption* budget = command
+                              ->add_option("--budget", arguments->budget,
+                                           "Seek preloads of at most this sum that resist the "
+                                           "largest ball of loads around the load")
+                              ->type_name("B")
+                              ->excludes(hold_option);
   for (auto& [option, value, type, words] :
        {std::tuple{
             "--length", &arguments->length, "L",

@@ -173,7 +173,7 @@ int draw_quality(const QualityArguments& arguments) {
 }
 
 /// What the command and its picture have.
-void add_quality_options(CLI::App& command, QualityArguments& arguments) {
+void add_quality_options(Command& command, QualityArguments& arguments) {
   arguments.question.add_with_enclosures_to(command);
   add_ball_options(command, arguments.quality);
   add_node_limit_option(command, arguments.node_limit);
@@ -181,10 +181,10 @@ void add_quality_options(CLI::App& command, QualityArguments& arguments) {
 
 }  // namespace
 
-void add_quality_plot(CLI::App& plot, int& exit_code) {
+void add_quality_plot(Command& plot, int& exit_code) {
   auto arguments = std::make_shared<QualityArguments>();
   arguments->cells.depth = 5;
-  CLI::App* command = plot.add_subcommand(
+  Command* command = plot.add_subcommand(
       "quality",
       "The ball of loads that is resisted, in planes of loads, and the load that is not");
   add_quality_options(*command, *arguments);
@@ -199,9 +199,9 @@ void add_quality_plot(CLI::App& plot, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = draw_quality(*arguments); });
 }
 
-void add_quality_command(CLI::App& app, int& exit_code) {
+void add_quality_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<QualityArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "quality", "How large a ball of loads does the grasp resist? With proofs");
   add_quality_options(*command, *arguments);
   command

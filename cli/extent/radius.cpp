@@ -180,9 +180,9 @@ int radius(const RadiusArguments& arguments) {
 
 }  // namespace
 
-void add_radius_command(CLI::App& app, int& exit_code) {
+void add_radius_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<RadiusArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "radius", "How far may numbers be off before the verdict is another? With proofs");
   arguments->question.add_with_uncertain_to(*command);
   command

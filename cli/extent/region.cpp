@@ -3,7 +3,6 @@
 #include <cctype>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "commands.hpp"
@@ -242,15 +241,15 @@ int draw_region(const RegionArguments& arguments) {
 }
 
 /// GRASP, the plane and the limit.
-void add_region_options(CLI::App& command, RegionArguments& arguments) {
+void add_region_options(Command& command, RegionArguments& arguments) {
   arguments.question.add_without_wrench_to(command);
-  CLI::Option* origin =
+  CommandOption* origin =
       command
           .add_option(
               "--origin", arguments.origin,
               "The plane asked about is ORIGIN + s U + t V; the origin is 0,0,0 by default")
           ->type_name("WX,WY,T");
-  CLI::Option* torque =
+  CommandOption* torque =
       command.add_option("--torque", arguments.torque, "Short for --origin 0,0,T")
           ->type_name("T")
           ->excludes(origin);
@@ -281,16 +280,16 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
 
 }  // namespace
 
-void add_region_command(CLI::App& app, int& exit_code) {
+void add_region_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<RegionArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "region",
       "Which wrenches of a plane does the grasp resist? The exact set, in space cell by cell");
   add_region_options(*command, *arguments);
-  CLI::Option* list = command->add_flag(
+  CommandOption* list = command->add_flag(
       "--list", arguments->list,
       "List the piece of each contact mode: slips, contacts with a force, polygon");
-  CLI::Option* certificate =
+  CommandOption* certificate =
       command
           ->add_option("--certificate", arguments->certificate,
                        "Write a proof that exactly this region is resisted, which "
@@ -320,9 +319,9 @@ void add_region_command(CLI::App& app, int& exit_code) {
   });
 }
 
-void add_region_plot(CLI::App& plot, int& exit_code) {
+void add_region_plot(Command& plot, int& exit_code) {
   auto arguments = std::make_shared<RegionArguments>();
-  CLI::App* command = plot.add_subcommand(
+  Command* command = plot.add_subcommand(
       "region", "The resistible wrenches of a plane, by default forces at zero torque");
   add_region_options(*command, *arguments);
   add_output_option(*command, arguments->output, "SVG file");

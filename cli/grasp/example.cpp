@@ -35,13 +35,13 @@ const std::string& text_of_example(const std::string& name) {
                    choice_of(name, known, "there are "));
 }
 
-void add_example_command(CLI::App& app, int& exit_code) {
+void add_example_command(Command& app, int& exit_code) {
   struct Arguments {
     std::string name;
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "example", "Write a grasp file to start from, or list those there are");
   command->add_option("NAME", arguments->name, "The example; without it they are listed")
       ->type_name("WORD");

@@ -17,9 +17,9 @@ struct ExportArguments {
 
 }  // namespace
 
-void add_export_command(CLI::App& app, int& exit_code) {
+void add_export_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("export", "Write the question for other solvers, such as Z3 and cvc5");
   arguments->question.add_to(*command);
   command

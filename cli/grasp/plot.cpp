@@ -19,16 +19,16 @@ std::string picture_of(const Question& question) {
       answer_to(question, {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false}).verdict);
 }
 
-void add_grasp_plot(CLI::App& plot, int& exit_code) {
+void add_grasp_plot(Command& plot, int& exit_code) {
   struct Arguments {
     QuestionArguments question;
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = plot.add_subcommand("grasp",
-                                          "The verdict: contacts, cones, load, and the forces "
-                                          "and motion that hold it; in space from "
-                                          "three sides");
+  Command* command = plot.add_subcommand("grasp",
+                                         "The verdict: contacts, cones, load, and the forces "
+                                         "and motion that hold it; in space from "
+                                         "three sides");
   arguments->question.add_to(*command);
   add_output_option(*command, arguments->output, "SVG file");
   command->footer(
@@ -39,13 +39,13 @@ void add_grasp_plot(CLI::App& plot, int& exit_code) {
   });
 }
 
-void add_states_plot(CLI::App& plot, int& exit_code) {
+void add_states_plot(Command& plot, int& exit_code) {
   struct Arguments {
     std::string file;
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = plot.add_subcommand(
+  Command* command = plot.add_subcommand(
       "states", "The slip states: the sphere of motions, cut by one great circle a contact");
   add_grasp_argument(*command, arguments->file);
   add_output_option(*command, arguments->output, "SVG file");
@@ -59,12 +59,12 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
 
 }  // namespace
 
-void add_plot_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
+void add_plot_command(Command& app, int& exit_code) {
+  Command* command = app.add_subcommand(
       "plot",
       "Draw a grasp, its slip states, its resistible wrenches or its quality: SVG for print "
       "and screen");
-  command->require_subcommand(1);
+  command->require_subcommand();
   command->footer(
       footer_text("", kExitCodesWithLimit, "stickslip plot grasp fig1.json -o fig1.svg"));
   add_grasp_plot(*command, exit_code);

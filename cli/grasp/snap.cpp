@@ -72,9 +72,9 @@ void snap(const SnapArguments& arguments) {
 
 }  // namespace
 
-void add_snap_command(CLI::App& app, int& exit_code) {
+void add_snap_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<SnapArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "snap",
       "Write the grasp with rational unit normals, where the length of one is irrational");
   add_grasp_argument(*command, arguments->file);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/json_value.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -29,13 +29,13 @@ Enumerator enumerator(const std::string& engine) {
 
 void print_json(const StatesArguments& arguments, const Enumeration& report) {
   const ArrangementCounts& c = report.found.counts;
-  nlohmann::ordered_json json{{"contacts", c.planes},   {"circles", c.circles},
-                              {"rank", c.rank},         {"vertices", c.vertices},
-                              {"edges", c.edges},       {"faces", c.faces},
-                              {"cells", c.cells()},     {"distinct_states", c.distinct_states},
-                              {"engine", report.engine}};
+  Json json{{"contacts", c.planes},   {"circles", c.circles},
+            {"rank", c.rank},         {"vertices", c.vertices},
+            {"edges", c.edges},       {"faces", c.faces},
+            {"cells", c.cells()},     {"distinct_states", c.distinct_states},
+            {"engine", report.engine}};
   if (arguments.list) {
-    nlohmann::ordered_json& states = json["states"] = nlohmann::ordered_json::array();
+    Json& states = json["states"] = Json::array();
     for (const SlipState& state : report.found.states) states.push_back(to_string(state));
   }
   std::cout << json.dump(1) << '\n';
@@ -77,9 +77,9 @@ int states(const StatesArguments& arguments) {
 
 }  // namespace
 
-void add_states_command(CLI::App& app, int& exit_code) {
+void add_states_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<StatesArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "states", "Enumerate the slip states consistent with rigid motion, and count cells");
   add_grasp_argument(*command, arguments->file);
   command
@@ -89,7 +89,7 @@ void add_states_command(CLI::App& app, int& exit_code) {
                    "contacts. paper: the paper's own three steps, a baseline. auto: cgal for "
                    "few contacts, else sweep")
       ->type_name("ENGINE")
-      ->check(CLI::IsMember({"auto", "cgal", "sweep", "paper"}))
+      ->choices({"auto", "cgal", "sweep", "paper"})
       ->capture_default_str();
   add_threads_option(*command, arguments->threads,
                      "Threads with which the sweep counts; 0 is one a core");

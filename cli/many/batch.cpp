@@ -313,23 +313,23 @@ int merge(const std::vector<std::string>& files, const std::string& output) {
 
 }  // namespace
 
-void add_batch_command(CLI::App& app, int& exit_code) {
+void add_batch_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<BatchArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "batch", "Decide many grasps in parallel, one a line; results in the same order");
   command
       ->add_option("GRASPS", arguments->file,
                    "JSON Lines, a grasp (docs/grasp_file.md) on each line; - is standard input")
       ->type_name("FILE");
   arguments->question.add_options_to(*command);
-  CLI::Option* output =
+  CommandOption* output =
       command
           ->add_option("--output,-o", arguments->output,
                        "File for the results, which is added to as they come; - is standard "
                        "output")
           ->type_name("FILE")
           ->capture_default_str();
-  CLI::Option* resume =
+  CommandOption* resume =
       command
           ->add_flag("--resume", arguments->resume,
                      "Go on after an interruption: results in the output file are kept")
@@ -338,7 +338,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       ->add_option("--certificates", arguments->certificates,
                    "Folder for a proof of each verdict, line-N.json")
       ->type_name("DIR");
-  CLI::Option* asks_class = command->add_flag(
+  CommandOption* asks_class = command->add_flag(
       "--class", arguments->asks_class,
       "Ask not for the verdict but for the class of rigid contacts, as compare "
       "does: must move, must hold or open");
@@ -349,17 +349,17 @@ void add_batch_command(CLI::App& app, int& exit_code) {
                    "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], as of compare; default: 0,0,0,1,1,1")
       ->type_name("INERTIA")
       ->needs(asks_class);
-  CLI::Option* asks_quality =
+  CommandOption* asks_quality =
       command
           ->add_flag("--quality", arguments->asks_quality,
                      "Ask also for the quality of each grasp that is stable, as quality does: "
                      "how large a ball of loads does it resist? The certificate is then that "
                      "of the ball")
           ->excludes(asks_class);
-  for (CLI::Option* option : add_ball_options(*command, arguments->quality)) {
+  for (CommandOption* option : add_ball_options(*command, arguments->quality)) {
     option->needs(asks_quality);
   }
-  CLI::Option* shard =
+  CommandOption* shard =
       command
           ->add_option("--shard", arguments->shard,
                        "Decide only the I-th of N parts of the file, as on one of N machines; "

@@ -131,9 +131,9 @@ int crosscheck(const CrosscheckArguments& arguments) {
 
 }  // namespace
 
-void add_crosscheck_command(CLI::App& app, int& exit_code) {
+void add_crosscheck_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<CrosscheckArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "crosscheck",
       "Judge another program's answers: right, wrong, or a tie that only exact "
       "arithmetic can see");

@@ -86,7 +86,7 @@ Json to_json(const ThresholdDistance& distance) {
 
 /// On one line; names of files may be any bytes.
 std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump(-1, Json::Utf8::kReplaced);
 }
 
 const char* claimed_verdict(const Claim& claim) {

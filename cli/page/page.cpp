@@ -9,7 +9,7 @@
 
 namespace stickslip {
 
-void add_page_command(CLI::App& app, int& exit_code) {
+void add_page_command(Command& app, int& exit_code) {
   struct Arguments {
     QuestionArguments question;
     std::string output = "-";
@@ -17,7 +17,7 @@ void add_page_command(CLI::App& app, int& exit_code) {
     unsigned seconds = 30;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "page", "A page to look at and to turn, with the verdict and its proof: one HTML file");
   arguments->question.add_with_uncertain_to(*command);
   add_output_option(*command, arguments->output, "HTML file");

@@ -48,9 +48,9 @@ void serve(const ServeArguments& arguments) {
 
 }  // namespace
 
-void add_serve_command(CLI::App& app, int& exit_code) {
+void add_serve_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<ServeArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "serve", "The page, live: drag contacts and loads, and the verdict follows, exactly");
   command
       ->add_option("GRASP", arguments->file,

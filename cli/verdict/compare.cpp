@@ -153,9 +153,9 @@ int compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, int& exit_code) {
+void add_compare_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "compare", "What earlier methods say of the same question, and why they differ");
   arguments->question.add_to(*command);
   command
@@ -163,8 +163,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                    "Ask these alone, by the names below with hyphens and without commas")
       ->type_name("NAME,NAME,...")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(method_words()).description(""));
+      ->takes_one_word()
+      ->choices(method_words(), CommandOption::InHelp::kHidden);
   command
       ->add_option("--length", arguments->length,
                    "Characteristic length of the object, by which grasp wrench spaces divide "

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "box_numbers.hpp"
 #include "commands.hpp"
@@ -191,9 +190,9 @@ int decide(const DecideArguments& arguments) {
 
 }  // namespace
 
-void add_decide_command(CLI::App& app, int& exit_code) {
+void add_decide_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<DecideArguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "decide", "Will the grasp hold its load passively? An exact verdict, with evidence");
   arguments->question.add_with_uncertain_to(*command);
   command
@@ -207,7 +206,7 @@ void add_decide_command(CLI::App& app, int& exit_code) {
       ->transform([](const std::string& name) {  // its name of old
         return name == "cone" ? std::string("branch-and-bound") : name;
       })
-      ->check(CLI::IsMember({"auto", "states", "branch-and-bound"}))
+      ->choices({"auto", "states", "branch-and-bound"})
       ->capture_default_str();
   command
       ->add_option("--certificate", arguments->certificate,

@@ -10,11 +10,11 @@ namespace stickslip::core_detail {
 namespace {
 
 mpz_srcptr numerator_of(const Rational& value) {
-  return mpq_numref(value.backend().data());
+  return mpq_numref(value.gmp());
 }
 
 mpz_srcptr denominator_of(const Rational& value) {
-  return mpq_denref(value.backend().data());
+  return mpq_denref(value.gmp());
 }
 
 /// What primitive_multiple() needs of its fractions.
@@ -44,8 +44,8 @@ std::optional<CommonParts<mp_limb_t>> short_parts(const Rational* a, std::size_t
 
 CommonParts<Integer> long_parts(const Rational* a, std::size_t n) {
   CommonParts<Integer> parts{0, 1};
-  mpz_ptr divisor = parts.numerators.backend().data();
-  mpz_ptr common = parts.denominators.backend().data();
+  mpz_ptr divisor = parts.numerators.mutable_gmp();
+  mpz_ptr common = parts.denominators.mutable_gmp();
   for (std::size_t j = 0; j < n; ++j) {
     mpz_gcd(divisor, divisor, numerator_of(a[j]));
     mpz_lcm(common, common, denominator_of(a[j]));
@@ -57,14 +57,14 @@ CommonParts<Integer> long_parts(const Rational* a, std::size_t n) {
 
 void make_primitive(Integer* a, std::size_t n) {
   Integer divisor;
-  mpz_ptr g = divisor.backend().data();
+  mpz_ptr g = divisor.mutable_gmp();
   for (std::size_t j = 0; j < n; ++j) {
-    mpz_gcd(g, g, a[j].backend().data());
+    mpz_gcd(g, g, a[j].gmp());
     if (mpz_cmp_ui(g, 1) == 0) return;
   }
   if (divisor.is_zero()) return;
   for (std::size_t j = 0; j < n; ++j) {
-    mpz_divexact(a[j].backend().data(), a[j].backend().data(), g);
+    mpz_divexact(a[j].mutable_gmp(), a[j].gmp(), g);
   }
 }
 
@@ -74,7 +74,7 @@ void primitive_multiple(const Rational* a, Integer* result, std::size_t n) {
     if (parts->numerators == 0) return;
     for (std::size_t j = 0; j < n; ++j) {
       if (a[j].is_zero()) continue;
-      mpz_ptr entry = result[j].backend().data();
+      mpz_ptr entry = result[j].mutable_gmp();
       const mp_limb_t numerator = mpz_getlimbn(numerator_of(a[j]), 0) / parts->numerators;
       const mp_limb_t factor = parts->denominators / mpz_getlimbn(denominator_of(a[j]), 0);
       mp_limb_t product = 0;
@@ -92,11 +92,10 @@ void primitive_multiple(const Rational* a, Integer* result, std::size_t n) {
   Integer factor;
   for (std::size_t j = 0; j < n; ++j) {
     if (a[j].is_zero()) continue;
-    mpz_ptr entry = result[j].backend().data();
-    mpz_divexact(entry, numerator_of(a[j]), parts.numerators.backend().data());
-    mpz_divexact(factor.backend().data(), parts.denominators.backend().data(),
-                 denominator_of(a[j]));
-    mpz_mul(entry, entry, factor.backend().data());
+    mpz_ptr entry = result[j].mutable_gmp();
+    mpz_divexact(entry, numerator_of(a[j]), parts.numerators.gmp());
+    mpz_divexact(factor.mutable_gmp(), parts.denominators.gmp(), denominator_of(a[j]));
+    mpz_mul(entry, entry, factor.gmp());
   }
 }
 
@@ -106,7 +105,7 @@ void round_to_one(const Integer* a, double* result, std::size_t n) {
   require(n <= exponents.size(), "a vector has few entries");
   std::optional<long> largest;
   for (std::size_t j = 0; j < n; ++j) {
-    result[j] = mpz_get_d_2exp(&exponents[j], a[j].backend().data());
+    result[j] = mpz_get_d_2exp(&exponents[j], a[j].gmp());
     if (result[j] != 0) largest = std::max(largest.value_or(exponents[j]), exponents[j]);
   }
   for (std::size_t j = 0; j < n; ++j) {

@@ -2,12 +2,15 @@
 #include "stickslip/core/json.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "json_text.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/json_value.hpp"
 
 namespace stickslip {
 namespace {
@@ -280,7 +283,77 @@ class Builder : public nlohmann::json_sax<ParsedJson> {
   JsonNode root_;
 };
 
+/// Builds a Json of what a program wrote itself.
+class ValueBuilder : public nlohmann::json_sax<ParsedJson> {
+ public:
+  Json take_root() { return std::move(root_); }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t /*rounded*/, const std::string& characters) override {
+    double value = 0;
+    std::from_chars(characters.data(), characters.data() + characters.size(), value);
+    return add(value);
+  }
+  bool string(std::string& value) override { return add(std::move(value)); }
+  bool binary(binary_t& /*value*/) override { return false; }  // never in JSON text
+
+  bool start_object(std::size_t /*unknown*/) override { return open(Json::object()); }
+  bool start_array(std::size_t /*unknown*/) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(std::string& name) override {
+    keys_.back() = std::move(name);
+    return true;
+  }
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*error*/) override {
+    return false;
+  }
+
+ private:
+  bool open(Json container) {
+    open_.push_back(std::move(container));
+    keys_.emplace_back();
+    return true;
+  }
+
+  bool close() {
+    Json closed = std::move(open_.back());
+    open_.pop_back();
+    keys_.pop_back();
+    return add(std::move(closed));
+  }
+
+  bool add(Json value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else if (open_.back().is_array()) {
+      open_.back().push_back(std::move(value));
+    } else {
+      open_.back()[keys_.back()] = std::move(value);
+    }
+    return true;
+  }
+
+  std::vector<Json> open_;
+  std::vector<std::string> keys_;  ///< of each that is open, the last
+  Json root_;
+};
+
 }  // namespace
+
+Json Json::parse(std::string_view text) {
+  ValueBuilder builder;
+  require(ParsedJson::sax_parse(text.begin(), text.end(), &builder), "a program wrote no JSON");
+  return builder.take_root();
+}
+
+std::string core_detail::json_double(double value) {
+  return nlohmann::json(value).dump();
+}
 
 const JsonNode* JsonNode::find(std::string_view key) const {
   const auto it = std::find(keys.begin(), keys.end(), key);
@@ -341,8 +414,10 @@ JsonNode parse_json(std::string_view text, const std::vector<JsonStream>& stream
 
 std::string json_string(const std::string& text, const std::string& path) {
   try {
-    return ParsedJson(text).dump();
-  } catch (const ParsedJson::exception&) {
+    std::string result;
+    core_detail::append_json_string(result, text, false);
+    return result;
+  } catch (const JsonTextError&) {
     fail_at(path, quote(text) + " is not valid UTF-8", "give the " + path + " in UTF-8");
   }
 }

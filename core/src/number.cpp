@@ -64,7 +64,7 @@ std::uint64_t word_power_of_ten(std::size_t exponent) {
 }
 
 Integer power_of_ten(long exponent) {
-  return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent));
+  return stickslip::pow(Integer(10), static_cast<unsigned>(exponent));
 }
 
 /// value * 10^exponent.
@@ -100,7 +100,7 @@ Integer units_below(const Rational& square, long unit) {
 /// The unit of which sqrt(square) > 0 holds a number of at most `digits` digits, and no fewer.
 long unit_for(const Rational& square, long digits) {
   const auto length = [](const Integer& n) {  // in decimal digits, or one more
-    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 10));
+    return static_cast<long>(mpz_sizeinbase(n.gmp(), 10));
   };
   // From a unit that is too small, by a few powers of ten.
   long unit = (length(numerator(square)) - length(denominator(square))) / 2 - digits - 1;
@@ -174,7 +174,7 @@ Rational parse_rational(std::string_view text) {
                             : Rational(mantissa, power_of_ten(-exponent));
     }
   }
-  if (negative) mpq_neg(value.backend().data(), value.backend().data());
+  if (negative) value.negate();
   return value;
 }
 
@@ -185,7 +185,7 @@ std::string to_string(const Rational& value) {
 Rational rational_from_double(double value) {
   if (!std::isfinite(value)) throw NumberError("not a finite number");
   Rational result;
-  mpq_set_d(result.backend().data(), value);
+  mpq_set_d(result.mutable_gmp(), value);
   return result;
 }
 
@@ -199,8 +199,8 @@ Rational rational_in_bits(double value, int bits) {
 
 double to_double(const Rational& value) {
   using Double = std::numeric_limits<double>;
-  mpz_srcptr num = mpq_numref(value.backend().data());
-  mpz_srcptr den = mpq_denref(value.backend().data());
+  mpz_srcptr num = mpq_numref(value.gmp());
+  mpz_srcptr den = mpq_denref(value.gmp());
   // Of two doubles, whose quotient the machine rounds once, and to nearest unless it is told
   // otherwise.
   if (FLT_EVAL_METHOD == 0 && mpz_sizeinbase(num, 2) <= Double::digits &&
@@ -212,7 +212,7 @@ double to_double(const Rational& value) {
   // With the exponents of doubles, so that a subnormal is rounded once, to the digits it has.
   const mpfr_exp_t before = mpfr_get_emin();
   mpfr_set_emin(Double::min_exponent - Double::digits + 1);
-  const int direction = mpfr_set_q(rounded, value.backend().data(), MPFR_RNDN);
+  const int direction = mpfr_set_q(rounded, value.gmp(), MPFR_RNDN);
   mpfr_subnormalize(rounded, direction, MPFR_RNDN);
   mpfr_set_emin(before);
   const double nearest = mpfr_get_d(rounded, MPFR_RNDN);
@@ -222,15 +222,15 @@ double to_double(const Rational& value) {
 
 std::optional<Rational> exact_sqrt(const Rational& value) {
   require(value.sign() >= 0, "exact_sqrt of a negative number");
-  mpq_srcptr square = value.backend().data();
+  mpq_srcptr square = value.gmp();
   // Lowest terms: the root is rational iff both parts are squares, and then in lowest terms.
   if (mpz_perfect_square_p(mpq_numref(square)) == 0 ||
       mpz_perfect_square_p(mpq_denref(square)) == 0) {
     return std::nullopt;
   }
   Rational root;
-  mpz_sqrt(mpq_numref(root.backend().data()), mpq_numref(square));
-  mpz_sqrt(mpq_denref(root.backend().data()), mpq_denref(square));
+  mpz_sqrt(mpq_numref(root.mutable_gmp()), mpq_numref(square));
+  mpz_sqrt(mpq_denref(root.mutable_gmp()), mpq_denref(square));
   return root;
 }
 

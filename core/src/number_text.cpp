@@ -10,19 +10,8 @@
 namespace stickslip {
 namespace {
 
-// Exact numbers wait for finished() as binary values, the bytes of their text: no other value
-// in a tree is one, while a name or a slip state can look like a number.
-Json marked(const std::string& number) {
-  return Json::binary({number.begin(), number.end()});
-}
-
-std::string text_of(const Json& number) {
-  const auto& bytes = number.get_binary();
-  return {bytes.begin(), bytes.end()};
-}
-
 bool holds_numbers(const Json& value) {
-  return value.is_binary() ||
+  return value.is_exact() ||
          (value.is_array() && std::any_of(value.begin(), value.end(), holds_numbers));
 }
 
@@ -39,8 +28,8 @@ double nearest_double(const std::string& text) {
 }
 
 Json nearest_doubles(const Json& value) {
-  if (value.is_binary()) {
-    const double nearest = nearest_double(text_of(value));
+  if (value.is_exact()) {
+    const double nearest = nearest_double(value.text());
     return std::isfinite(nearest) ? Json(nearest) : Json();
   }
   if (!value.is_array()) return value;
@@ -102,15 +91,15 @@ std::string NumberText::note() const {
 }
 
 Json number_json(const Rational& value) {
-  return marked(to_string(value));
+  return Json::exact(to_string(value));
 }
 
 Json decimal_json(const std::string& decimal) {
-  return marked(decimal);
+  return Json::exact(decimal);
 }
 
 Json number_json(const DecimalEnclosure& enclosure) {
-  return Json::array({marked(enclosure.lower), marked(enclosure.upper)});
+  return Json::array({Json::exact(enclosure.lower), Json::exact(enclosure.upper)});
 }
 
 Json number_json(const std::vector<Integer>& v) {
@@ -133,14 +122,15 @@ Json number_json(const Vector2& v) {
 }
 
 Json finished(const Json& tree, bool floats) {
-  if (tree.is_binary()) return text_of(tree);
-  if (!tree.is_structured()) return tree;
-  Json result = tree.is_array() ? Json::array() : Json::object();
-  for (const auto& [key, value] : tree.items()) {
-    if (tree.is_array()) {
-      result.push_back(finished(value, floats));
-      continue;
-    }
+  if (tree.is_exact()) return tree.text();
+  if (tree.is_array()) {
+    Json result = Json::array();
+    for (const Json& value : tree) result.push_back(finished(value, floats));
+    return result;
+  }
+  if (!tree.is_object()) return tree;
+  Json result = Json::object();
+  for (const auto& [key, value] : tree.members()) {
     result[key] = finished(value, floats);
     if (floats && holds_numbers(value)) result[key + "_float"] = nearest_doubles(value);
   }

@@ -10,7 +10,7 @@ Integer dot(const Row& a, const Row& b) {
   Integer sum;
   const std::size_t n = std::min(a.size(), b.size());
   for (std::size_t j = 0; j < n; ++j) {
-    mpz_addmul(sum.backend().data(), a[j].backend().data(), b[j].backend().data());
+    mpz_addmul(sum.mutable_gmp(), a[j].gmp(), b[j].gmp());
   }
   return sum;
 }

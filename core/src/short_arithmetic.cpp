@@ -18,8 +18,8 @@ struct ShortVector {
 /// If all three are below 2^31.
 std::optional<ShortVector> short_vector(const Vector2& v) {
   constexpr std::size_t kBits = 31;
-  mpq_srcptr x = v.x.backend().data();
-  mpq_srcptr y = v.y.backend().data();
+  mpq_srcptr x = v.x.gmp();
+  mpq_srcptr y = v.y.gmp();
   for (mpz_srcptr part : {mpq_numref(x), mpq_denref(x), mpq_numref(y), mpq_denref(y)}) {
     if (mpz_sizeinbase(part, 2) > kBits) return std::nullopt;
   }
@@ -39,7 +39,7 @@ std::optional<ShortVector> short_vector(const Vector2& v) {
 Rational short_fraction(std::uint64_t numerator, std::uint64_t denominator) {
   const std::uint64_t divisor = std::gcd(numerator, denominator);
   Rational result;
-  mpq_set_ui(result.backend().data(), numerator / divisor, denominator / divisor);
+  mpq_set_ui(result.mutable_gmp(), numerator / divisor, denominator / divisor);
   return result;
 }
 
@@ -50,7 +50,7 @@ Rational determinant(const Vector2& a, const Vector2& b) {
   const std::int64_t value = p->x * q->y - p->y * q->x;
   Rational result = short_fraction(static_cast<std::uint64_t>(std::abs(value)),
                                    static_cast<std::uint64_t>(p->scale * q->scale));
-  if (value < 0) mpq_neg(result.backend().data(), result.backend().data());
+  if (value < 0) result.negate();
   return result;
 }
 

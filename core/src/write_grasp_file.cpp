@@ -25,8 +25,7 @@ std::string write_number(const Rational& value) {
     throw InputError("", "", "a number of " + std::to_string(text.size()) + " characters",
                      "grasp files hold numbers of at most " + std::to_string(kMaxNumberLength));
   }
-  const bool plain =
-      boost::multiprecision::denominator(value) == 1 && abs(value) < kExactInDouble;
+  const bool plain = stickslip::denominator(value) == 1 && abs(value) < kExactInDouble;
   return plain ? text : "\"" + text + "\"";
 }
 

@@ -21,9 +21,9 @@ Rational near(double x, double size, int bits) {
   return rational_from_double(std::round(x / unit) * unit);
 }
 
-/// A basis of the motions with no slip at these contacts, by columns.
-RationalMatrix motions_without_slip(const GraspLaw& model,
-                                    const std::vector<std::size_t>& sticking) {
+/// A basis of the motions with no slip at these contacts.
+std::vector<RationalRow> motions_without_slip(const GraspLaw& model,
+                                              const std::vector<std::size_t>& sticking) {
   std::vector<RationalRow> slips;
   for (const std::size_t i : sticking) {
     for (const Row& row : model.contacts[i].corners.front().slip) {
@@ -33,29 +33,25 @@ RationalMatrix motions_without_slip(const GraspLaw& model,
   return null_space(matrix_of(slips, model.motions));
 }
 
-RationalVector as_rationals(const RationalRow& a) {
-  RationalVector result(static_cast<Eigen::Index>(a.size()));
-  for (std::size_t j = 0; j < a.size(); ++j) result[static_cast<Eigen::Index>(j)] = a[j];
-  return result;
-}
-
-/// Of which multiples of these motions, by columns, the sum is nearest to one in doubles.
-Eigen::VectorXd multiples_near(const RationalMatrix& motions, const Reals& motion) {
-  Eigen::MatrixXd rounded(motions.rows(), motions.cols());
-  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-    for (Eigen::Index j = 0; j < motions.rows(); ++j) {
-      rounded(j, k) = to_double(motions(j, k));
+/// Of which multiples of these motions the sum is nearest to one in doubles.
+Eigen::VectorXd multiples_near(const std::vector<RationalRow>& motions, const Reals& motion) {
+  Eigen::MatrixXd rounded(motion.size(), static_cast<Eigen::Index>(motions.size()));
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    for (std::size_t j = 0; j < motions[k].size(); ++j) {
+      rounded(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) =
+          to_double(motions[k][j]);
     }
   }
   return least_squares(rounded, motion);
 }
 
 /// That sum.
-RationalVector motion_near(const RationalMatrix& motions, const Reals& motion) {
+RationalRow motion_near(const std::vector<RationalRow>& motions, const Reals& motion) {
   const Eigen::VectorXd parts = multiples_near(motions, motion);
-  RationalVector result = RationalVector::Zero(motions.rows());
-  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-    if (std::isfinite(parts[k])) result += rational_from_double(parts[k]) * motions.col(k);
+  RationalRow result(static_cast<std::size_t>(motion.size()));
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const double part = parts[static_cast<Eigen::Index>(k)];
+    if (std::isfinite(part)) add_multiple(result, rational_from_double(part), motions[k]);
   }
   return result;
 }
@@ -86,7 +82,7 @@ class RoundedFaces {
       std::vector<std::size_t> others;
       sticking = independent_of(order, others);
       if (others.empty()) break;
-      const RationalVector exact = motion_near(motions_without_slip(model_, sticking), motion_);
+      const RationalRow exact = motion_near(motions_without_slip(model_, sticking), motion_);
       std::vector<std::size_t> wrong;
       for (const std::size_t i : others) {
         slips[i] = slip_at(exact, i).sign();
@@ -151,13 +147,9 @@ class RoundedFaces {
     return kept;
   }
 
-  Rational slip_at(const RationalVector& motion, std::size_t i) const {
-    Rational slip = 0;
+  Rational slip_at(const RationalRow& motion, std::size_t i) const {
     const Row& row = model_.contacts[i].corners.front().slip.front();
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      slip += Rational(row[j]) * motion[static_cast<Eigen::Index>(j)];
-    }
-    return slip;
+    return dot(RationalRow(row.begin(), row.end()), motion);
   }
 
   const GraspLaw& model_;
@@ -167,36 +159,35 @@ class RoundedFaces {
 
 /// The wrench of a unit of an unknown of the balance, and a value that it may be near.
 struct BalanceTerm {
-  RationalVector wrench;
+  RationalRow wrench;
   Rational value;
   double spare;         ///< how far it may change; motions: at will
   std::size_t contact;  ///< whose friction it is; of a motion none
-  RationalVector direction;
+  RationalRow direction;
 };
 
 /// Independent columns carry what the values leave to balance; those with most to spare first.
-bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
+bool balance(std::vector<BalanceTerm>& terms, const RationalRow& rest) {
   std::vector<std::size_t> order(terms.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return terms[a].spare > terms[b].spare;
   });
   std::vector<std::size_t> chosen;
-  RationalMatrix columns(rest.size(), 0);
+  std::vector<RationalRow> columns;
   for (const std::size_t k : order) {
-    RationalMatrix longer(rest.size(), columns.cols() + 1);
-    longer << columns, terms[k].wrench;
-    if (rank_of(longer) == chosen.size()) continue;
-    columns = std::move(longer);
+    columns.push_back(terms[k].wrench);
+    if (rank_of(columns) == chosen.size()) {
+      columns.pop_back();
+      continue;
+    }
     chosen.push_back(k);
-    if (columns.cols() == rest.size()) break;
+    if (columns.size() == rest.size()) break;
   }
-  if (chosen.empty()) return rest.isZero(0);
-  const std::optional<RationalVector> change = solve_exactly(columns, rest);
+  const std::optional<RationalRow> change =
+      solve_exactly(matrix_of_columns(columns, rest.size()), rest);
   if (!change) return false;
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    terms[chosen[k]].value += (*change)[static_cast<Eigen::Index>(k)];
-  }
+  for (std::size_t k = 0; k < chosen.size(); ++k) terms[chosen[k]].value += (*change)[k];
   return true;
 }
 
@@ -226,35 +217,32 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
   RoundedFaces(model, near_one).let_slip(sticking, slips);
   // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
   // friction at each. Of the latter all but a few stay near what they are.
-  const RationalMatrix motions = motions_without_slip(model, sticking);
+  const std::vector<RationalRow> motions = motions_without_slip(model, sticking);
   std::vector<BalanceTerm> terms;
-  const auto d = static_cast<Eigen::Index>(model.motions);
-  RationalVector rest(d);  // what the values leave to balance
-  for (std::size_t j = 0; j < model.motions; ++j) {
-    rest[static_cast<Eigen::Index>(j)] = -model.wrench[j].low;
-  }
-  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-    terms.push_back({RationalVector::Zero(d), 0, HUGE_VAL, m, motions.col(k)});
+  RationalRow rest;  // what the values leave to balance
+  for (std::size_t j = 0; j < model.motions; ++j) rest.push_back(-model.wrench[j].low);
+  for (const RationalRow& motion : motions) {
+    terms.push_back({RationalRow(model.motions), 0, HUGE_VAL, m, motion});
   }
   for (std::size_t i = 0; i < m; ++i) {
     if (!closed[i]) continue;
     const LawContact& c = model.contacts[i];
     const CornerRow& row = c.corners.front();
-    const RationalVector normal = as_rationals(row.normal);
-    RationalVector edge = normal;
-    if (slips[i] != 0) edge -= as_rationals(row.wrench_of({slips[i] * c.friction.low}));
-    rest -= c.preload.low * edge;
-    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-      const Rational rise = normal.dot(motions.col(k));
-      terms[static_cast<std::size_t>(k)].wrench -= Rational(c.stiffness.low * rise) * edge;
+    RationalRow edge = row.normal;
+    if (slips[i] != 0) add_multiple(edge, -1, row.wrench_of({slips[i] * c.friction.low}));
+    add_multiple(rest, -c.preload.low, edge);
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      const Rational rise = dot(row.normal, motions[k]);
+      add_multiple(terms[k].wrench, -(c.stiffness.low * rise), edge);
     }
   }
   if (!is_at_rest) {
     const Eigen::VectorXd multiples = multiples_near(motions, unscaled(model, near_one.motion));
-    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-      BalanceTerm& term = terms[static_cast<std::size_t>(k)];
-      term.value = near(multiples[k], multiples.lpNorm<Eigen::Infinity>(), bits);
-      rest -= term.value * term.wrench;
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      BalanceTerm& term = terms[k];
+      term.value = near(multiples[static_cast<Eigen::Index>(k)],
+                        multiples.lpNorm<Eigen::Infinity>(), bits);
+      add_multiple(rest, -term.value, term.wrench);
     }
   }
   for (const std::size_t i : sticking) {
@@ -264,10 +252,9 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
     const Double3& f = near_one.friction[i];
     for (std::size_t k = 0; k < c.directions.size(); ++k) {
       const double size = c.direction_sizes[k];
-      BalanceTerm term{RationalVector::Zero(d), near(f[k] / size, most / size, bits),
-                       most - norm_of(f), i, as_rationals(c.directions[k])};
-      term.wrench = as_rationals(row.wrench_of(c.directions[k]));
-      rest -= term.value * term.wrench;
+      BalanceTerm term{row.wrench_of(c.directions[k]), near(f[k] / size, most / size, bits),
+                       most - norm_of(f), i, c.directions[k]};
+      add_multiple(rest, -term.value, term.wrench);
       terms.push_back(std::move(term));
     }
   }
@@ -276,9 +263,8 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
   std::vector<RationalRow> friction;
   for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_numbers());
   for (const BalanceTerm& term : terms) {
-    for (Eigen::Index k = 0; k < term.direction.size(); ++k) {
-      Rational& sum = term.contact == m ? witness.twist[static_cast<std::size_t>(k)]
-                                        : friction[term.contact][static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < term.direction.size(); ++k) {
+      Rational& sum = term.contact == m ? witness.twist[k] : friction[term.contact][k];
       sum += term.value * term.direction[k];
     }
   }

@@ -30,39 +30,35 @@ constexpr std::size_t kSomeNodes = 300;
 /// bound.
 bool is_within(const DegreeProof& proof, const RationalRow& bound) {
   if (bound.empty()) return true;
-  const RationalMatrix e = matrix_of(proof.walls, bound.size());
-  const RationalMatrix gram = e * e.transpose();
-  const auto rows = static_cast<std::size_t>(e.rows());
+  const std::size_t rows = proof.walls.size();
   // Of a parallelepiped how far each row's wall goes alone; of a simplex its vertices, at each
   // of which all rows but one are 1.
-  std::vector<RationalVector> ways;
+  std::vector<RationalRow> ways;
   for (std::size_t k = 0; k < rows; ++k) {
-    RationalVector at = RationalVector::Constant(e.rows(), proof.is_simplex ? 1 : 0);
-    const auto row = static_cast<Eigen::Index>(k);
-    RationalMatrix some = gram;
-    RationalMatrix across = e;
+    RationalRow at(rows);
+    std::vector<RationalRow> across = proof.walls;
     if (proof.is_simplex) {
       // (Without row k the others are independent.)
-      RationalMatrix others(e.rows() - 1, e.cols());
-      others << e.topRows(row), e.bottomRows(e.rows() - 1 - row);
-      across = others;
-      some = others * others.transpose();
-      at = RationalVector::Constant(e.rows() - 1, 1);
+      across.erase(across.begin() + static_cast<std::ptrdiff_t>(k));
+      at.assign(rows - 1, 1);
     } else {
-      at[row] = 1;
+      at[k] = 1;
     }
-    const auto u = solve_exactly(some, at);
+    RationalMatrix gram(across.size(), across.size());
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      for (std::size_t l = 0; l < across.size(); ++l) gram(j, l) = dot(across[j], across[l]);
+    }
+    const auto u = solve_exactly(gram, at);
     if (!u) return false;
-    ways.push_back(across.transpose() * *u);
+    ways.push_back(matrix_of_columns(across, bound.size()) * *u);
   }
   for (std::size_t j = 0; j < bound.size(); ++j) {
-    const auto coordinate = static_cast<Eigen::Index>(j);
     Rational sum = abs(proof.twist[j]);
-    for (const RationalVector& way : ways) {
+    for (const RationalRow& way : ways) {
       if (proof.is_simplex) {
-        if (abs(Rational(proof.twist[j] + way[coordinate])) > bound[j]) return false;
+        if (abs(Rational(proof.twist[j] + way[j])) > bound[j]) return false;
       } else {
-        sum += abs(way[coordinate]);
+        sum += abs(way[j]);
       }
     }
     if (sum > bound[j]) return false;

@@ -48,10 +48,7 @@ std::vector<ContactId> spanning(const std::vector<RationalRow>& normals, std::si
 
 /// Nonzero, and orthogonal to all that do not span.
 RationalRow orthogonal(const std::vector<RationalRow>& normals, std::size_t motions) {
-  const RationalMatrix basis = null_space(matrix_of(normals, motions));
-  RationalRow d;
-  for (Eigen::Index j = 0; j < basis.rows(); ++j) d.push_back(basis(j, basis.cols() - 1));
-  return d;
+  return null_space(matrix_of(normals, motions)).back();
 }
 
 }  // namespace

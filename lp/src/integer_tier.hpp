@@ -98,9 +98,7 @@ struct Int64Tier {
     to = from;
     return from != std::numeric_limits<std::int64_t>::min();
   }
-  static bool load(const Integer& from, Value& to) {
-    return read_small(from.backend().data(), to);
-  }
+  static bool load(const Integer& from, Value& to) { return read_small(from.gmp(), to); }
 
   static bool fused(Value a, Value b, Value c, Value d, const Divisor& e, Value& out) {
     const Int128 numerator = static_cast<Int128>(a) * b - static_cast<Int128>(c) * d;
@@ -122,7 +120,7 @@ struct Int64Tier {
     const Value divisor = std::gcd(a, b);
     const Value signed_divisor = b < 0 ? -divisor : divisor;
     Rational out;
-    mpq_set_si(out.backend().data(), a / signed_divisor,
+    mpq_set_si(out.mutable_gmp(), a / signed_divisor,
                static_cast<unsigned long>(b / signed_divisor));
     return out;
   }
@@ -165,7 +163,7 @@ struct Int128Tier {
     return true;
   }
   static bool load(const Integer& from, Value& to) {
-    const __mpz_struct* z = from.backend().data();
+    const __mpz_struct* z = from.gmp();
     if (mpz_sizeinbase(z, 2) > 127) return false;
     auto magnitude = static_cast<UInt128>(mpz_getlimbn(z, 0));
     magnitude |= static_cast<UInt128>(mpz_getlimbn(z, 1)) << 64;
@@ -217,7 +215,7 @@ struct GmpTier {
   class BitMeter {
    public:
     void note(const Value& v) {
-      const auto bits = static_cast<long>(mpz_sizeinbase(v.backend().data(), 2));
+      const auto bits = static_cast<long>(mpz_sizeinbase(v.gmp(), 2));
       if (bits > bits_ && !v.is_zero()) bits_ = bits;
     }
     long bits() const { return bits_; }
@@ -238,17 +236,17 @@ struct GmpTier {
   /// `out` may be one of the operands.
   static bool fused(const Value& a, const Value& b, const Value& c, const Value& d,
                     const Divisor& e, Value& out) {
-    mpz_ptr scratch = e.scratch.backend().data();
-    mpz_mul(scratch, a.backend().data(), b.backend().data());
-    mpz_submul(scratch, c.backend().data(), d.backend().data());
-    mpz_divexact(out.backend().data(), scratch, e.value.backend().data());
+    mpz_ptr scratch = e.scratch.mutable_gmp();
+    mpz_mul(scratch, a.gmp(), b.gmp());
+    mpz_submul(scratch, c.gmp(), d.gmp());
+    mpz_divexact(out.mutable_gmp(), scratch, e.value.gmp());
     return true;
   }
   static int compare_products(const Value& a, const Value& b, const Value& c, const Value& d) {
     return Value(a * b).compare(Value(c * d));
   }
   static int sign(const Value& v) { return v.sign(); }
-  static void negate(Value& v) { mpz_neg(v.backend().data(), v.backend().data()); }
+  static void negate(Value& v) { v.negate(); }
   static Integer to_integer(const Value& v) { return v; }
   static Rational ratio(const Value& a, const Value& b) { return {a, b}; }
 };

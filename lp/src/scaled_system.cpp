@@ -54,7 +54,7 @@ double scaled_double(double mantissa, long exponent, long reference) {
 void multiply(Rational& value, const Rational& factor) {
   if (factor == 1) return;
   if (factor == -1) {
-    mpq_neg(value.backend().data(), value.backend().data());
+    value.negate();
   } else {
     value *= factor;
   }
@@ -185,7 +185,7 @@ void ScaledSystem::approximate_row(Index row, double* constant_then_coefficients
     return;
   }
   const auto split = [&](Index column, long& exponent) {
-    return mpz_get_d_2exp(&exponent, big(row, column).backend().data());
+    return mpz_get_d_2exp(&exponent, big(row, column).gmp());
   };
   long reference = std::numeric_limits<long>::min();
   long exponent = 0;

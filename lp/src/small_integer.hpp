@@ -13,10 +13,10 @@ namespace stickslip::lp_detail {
 static_assert(sizeof(mp_limb_t) == 8, "GMP limbs are read as 64-bit words");
 
 inline mpz_srcptr numerator_of(const Rational& value) {
-  return mpq_numref(value.backend().data());
+  return mpq_numref(value.gmp());
 }
 inline mpz_srcptr denominator_of(const Rational& value) {
-  return mpq_denref(value.backend().data());
+  return mpq_denref(value.gmp());
 }
 
 /// False, and `to` unchanged, unless |from| < 2^63.

@@ -37,10 +37,10 @@ class IntegerVector {
 
   /// sum += factor * entry k, without a temporary.
   void add_multiple(std::size_t k, const Integer& factor, Integer& sum) const {
-    mpz_ptr to = sum.backend().data();
-    mpz_srcptr by = factor.backend().data();
+    mpz_ptr to = sum.mutable_gmp();
+    mpz_srcptr by = factor.gmp();
     if (!is_small_) {
-      mpz_addmul(to, by, big_[k].backend().data());
+      mpz_addmul(to, by, big_[k].gmp());
     } else if (small_[k] >= 0) {
       mpz_addmul_ui(to, by, static_cast<std::uint64_t>(small_[k]));
     } else {
@@ -75,15 +75,14 @@ class IntegerVector {
   }
 
   void load_big(const std::vector<Rational>& values, const Rational& last) {
-    denominator_ = boost::multiprecision::denominator(last);
+    denominator_ = stickslip::denominator(last);
     for (const Rational& value : values) {
-      denominator_ = lcm(denominator_, boost::multiprecision::denominator(value));
+      denominator_ = lcm(denominator_, stickslip::denominator(value));
     }
     big_.assign(length_, Integer(0));
     const auto write = [&](const Rational& value, std::size_t k) {
       if (value.is_zero()) return;
-      big_[k] = boost::multiprecision::numerator(value) *
-                (denominator_ / boost::multiprecision::denominator(value));
+      big_[k] = stickslip::numerator(value) * (denominator_ / stickslip::denominator(value));
     };
     for (std::size_t k = 0; k < values.size(); ++k) write(values[k], k);
     write(last, length_ - 1);

@@ -369,7 +369,7 @@ class PageAnswer {
     QuestionText asked;
     asked.normal_law = asked_.normal_law;
     Json answers;
-    for (const auto& [verdict, file] : files.items()) {
+    for (const auto& [verdict, file] : files.members()) {
       answers[verdict] =
           page_answer(parse_any_grasp(file.dump(), name_), asked,
                       {true, false, false, false, false, false, false}, limits_, name_);

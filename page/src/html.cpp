@@ -50,7 +50,7 @@ std::string json_in_html(const Json& json) {
 
 std::string page_html(const Json& answer, const std::string& nonce) {
   // A live page may come to another grasp.
-  const bool in_space = answer.at("live") == true || answer.at("dimension") == 6;
+  const bool in_space = answer.at("live").is_true() || answer.at("dimension").count() == 6;
   const std::string_view frame = web_file("page.html");
   std::string html;
   std::size_t done = 0;

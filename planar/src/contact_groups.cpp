@@ -198,7 +198,7 @@ class GroupMaker {
 ShortVector5::ShortVector5(const IntegerVector5& x) {
   constexpr std::size_t kBits = 61;  // five products stay below 2^125
   for (std::size_t j = 0; j < 5 && is_short; ++j) {
-    const auto* entry = x[j].backend().data();
+    const auto* entry = x[j].gmp();
     is_short = mpz_sizeinbase(entry, 2) <= kBits;
     entries[j] = mpz_get_si(entry);
   }

@@ -119,8 +119,8 @@ class ShareProgram {
 
   /// 1, and a little more the later a contact comes.
   Number cost(std::size_t index) const {
-    return 1 + Number(static_cast<double>(index)) /
-                   Number(1000 * static_cast<double>(columns_.size()));
+    return 1 +
+           Number(static_cast<long>(index)) / Number(1000 * static_cast<long>(columns_.size()));
   }
 
   /// rows_[k].column_l = 1 if k = l, else 0.
@@ -203,7 +203,8 @@ class ShareProgram {
       if (basis_[k].index)
         y = sum(y, Number(basis_[k].side * cost(*basis_[k].index)), rows_[k]);
     }
-    const Number least = kRounds ? Number(1e-11 * size_of(direction)) : Number(0);
+    Number least = 0;
+    if constexpr (kRounds) least = 1e-11 * size_of(direction);
     std::vector<Change> changes;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (is_basic_[i]) continue;

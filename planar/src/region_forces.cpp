@@ -95,8 +95,7 @@ int RegionForces::exact_sign(const ShortVector5& plane, const IntegerVector5& lo
   static thread_local Integer sum;  // its memory is kept
   sum = 0;
   for (std::size_t j = 0; j < 5; ++j) {
-    mpz_addmul(sum.backend().data(), long_plane[j].backend().data(),
-               generators_[ray].x[j].backend().data());
+    mpz_addmul(sum.mutable_gmp(), long_plane[j].gmp(), generators_[ray].x[j].gmp());
   }
   return sum.sign();
 }

@@ -364,8 +364,7 @@ TwistLeaf with_small_integers(ColumnGeneration& program, TwistLeaf leaf) {
       Integer quotient;
       const Integer dividend = 2 * scale * leaf.twist[j] + largest;
       const Integer divisor = 2 * largest;
-      mpz_fdiv_q(quotient.backend().data(), dividend.backend().data(),
-                 divisor.backend().data());
+      mpz_fdiv_q(quotient.mutable_gmp(), dividend.gmp(), divisor.gmp());
       small.twist[j] = quotient;
     }
     small.twist = primitive(std::move(small.twist));

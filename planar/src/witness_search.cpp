@@ -49,23 +49,22 @@ class ModeSystem {
   /// open stays as it is there.
   std::optional<Witness> solve(const Witness* near) const {
     auto [a, b] = equations();
-    RationalVector start = RationalVector::Zero(a.cols());
+    RationalRow start(a.columns());
     if (near != nullptr) {
-      for (Eigen::Index j = 0; j < 3; ++j) {
-        start[j] = coordinates(near->twist)[static_cast<std::size_t>(j)];
-      }
+      for (std::size_t j = 0; j < 3; ++j) start[j] = coordinates(near->twist)[j];
       for (std::size_t k = 0; k < basic_.size(); ++k) {
         start[column(k)] = near->forces[basic_[k]].tangential;
       }
-      b -= a * start;
+      add_multiple(b, -1, a * start);
     }
-    const std::optional<RationalVector> change = solve_exactly(a, b, near == nullptr);
+    const std::optional<RationalRow> change = solve_exactly(a, b, near == nullptr);
     if (!change) return std::nullopt;
-    return witness_at(start + *change);
+    add_multiple(start, 1, *change);
+    return witness_at(start);
   }
 
  private:
-  static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(3 + k); }
+  static std::size_t column(std::size_t k) { return 3 + k; }
   bool is_basic(std::size_t i) const {
     return std::find(basic_.begin(), basic_.end(), i) != basic_.end();
   }
@@ -99,29 +98,24 @@ class ModeSystem {
   }
 
   /// Balance, no slip at the basic contacts, and what keeps others on the border of their mode.
-  std::pair<RationalMatrix, RationalVector> equations() const {
+  std::pair<RationalMatrix, RationalRow> equations() const {
     std::vector<std::size_t> on_border;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
       if (rests_on_edge(guesses_[i]) || guesses_[i].touches) on_border.push_back(i);
     }
-    const Eigen::Index n = column(basic_.size());
-    const auto borders = static_cast<Eigen::Index>(on_border.size());
-    RationalMatrix a = RationalMatrix::Zero(n + borders, n);
-    RationalVector b = RationalVector::Zero(n + borders);
+    const std::size_t n = column(basic_.size());
+    RationalMatrix a(n + on_border.size(), n);
+    RationalRow b(n + on_border.size());
     add_balance(a, b);
     for (std::size_t k = 0; k < basic_.size(); ++k) {
       const Vector3 t = coordinates(problem_.rows()[basic_[k]].tangent);
-      for (Eigen::Index j = 0; j < 3; ++j) {
-        a(j, column(k)) = a(column(k), j) = t[static_cast<std::size_t>(j)];
-      }
+      for (std::size_t j = 0; j < 3; ++j) a(j, column(k)) = a(column(k), j) = t[j];
     }
-    Eigen::Index row = n;
+    std::size_t row = n;
     for (const std::size_t i : on_border) {
       const Vector3 t = coordinates(problem_.rows()[i].tangent);
       const Vector5& v = problem_.separation(ContactId(i));
-      for (std::size_t j = 0; j < 3; ++j) {
-        a(row, static_cast<Eigen::Index>(j)) = guesses_[i].touches ? v[j] : t[j];
-      }
+      for (std::size_t j = 0; j < 3; ++j) a(row, j) = guesses_[i].touches ? v[j] : t[j];
       if (guesses_[i].touches) b[row] = -v[3];
       ++row;
     }
@@ -129,7 +123,7 @@ class ModeSystem {
   }
 
   /// The first three rows: the load, and of each closed contact (N + share mu T) (x) v.
-  void add_balance(RationalMatrix& a, RationalVector& b) const {
+  void add_balance(RationalMatrix& a, RationalRow& b) const {
     std::array<std::array<std::vector<Rational>, 4>, 3> terms;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
       if (!guesses_[i].closed) continue;
@@ -143,15 +137,12 @@ class ModeSystem {
     }
     const Vector3 load = coordinates(problem_.wrench());
     for (std::size_t r = 0; r < 3; ++r) {
-      const auto row = static_cast<Eigen::Index>(r);
-      for (std::size_t c = 0; c < 3; ++c) {
-        a(row, static_cast<Eigen::Index>(c)) = sum_in_pairs(std::move(terms[r][c]));
-      }
-      b[row] = -load[r] - sum_in_pairs(std::move(terms[r][3]));
+      for (std::size_t c = 0; c < 3; ++c) a(r, c) = sum_in_pairs(std::move(terms[r][c]));
+      b[r] = -load[r] - sum_in_pairs(std::move(terms[r][3]));
     }
   }
 
-  Witness witness_at(const RationalVector& x) const {
+  Witness witness_at(const RationalRow& x) const {
     Witness witness{{x[0], x[1], x[2]}, {}};
     const ScaledTwist scaled(witness.twist);
     for (std::size_t i = 0; i < guesses_.size(); ++i) {

@@ -16,13 +16,13 @@ Integer integer(py::handle value) {
   const auto digits = py::reinterpret_steal<py::str>(PyNumber_ToBase(index.ptr(), 16));
   if (!digits) throw py::error_already_set();
   Integer result;
-  mpz_set_str(result.backend().data(), std::string(digits).c_str(), 0);
+  mpz_set_str(result.mutable_gmp(), std::string(digits).c_str(), 0);
   return result;
 }
 
 py::object python_int(const Integer& value) {
-  std::string digits(mpz_sizeinbase(value.backend().data(), 16) + 2, '\0');
-  mpz_get_str(digits.data(), 16, value.backend().data());
+  std::string digits(mpz_sizeinbase(value.gmp(), 16) + 2, '\0');
+  mpz_get_str(digits.data(), 16, value.gmp());
   auto result =
       py::reinterpret_steal<py::object>(PyLong_FromString(digits.c_str(), nullptr, 16));
   if (!result) throw py::error_already_set();
@@ -43,8 +43,8 @@ std::string_view utf8(py::handle string) {
 /// Whether a grasp file can hold the number. Its length is known but for one digit in each part
 /// before it is spelled.
 bool fits_a_file(const Rational& value) {
-  const std::size_t digits = mpz_sizeinbase(mpq_numref(value.backend().data()), 10) +
-                             mpz_sizeinbase(mpq_denref(value.backend().data()), 10);
+  const std::size_t digits =
+      mpz_sizeinbase(mpq_numref(value.gmp()), 10) + mpz_sizeinbase(mpq_denref(value.gmp()), 10);
   if (digits + 2 <= kMaxNumberLength) return true;  // with a sign and a bar
   return digits <= kMaxNumberLength + 2 && to_string(value).size() <= kMaxNumberLength;
 }

@@ -269,8 +269,8 @@ py::dict decision_fields(const Answer& answer, const std::string& certificate) {
   }
   if (!certificate.empty()) result["certificate"] = certificate;
   py::dict work;
-  for (const auto& [name, value] : answer.stats.items()) {
-    work[name.c_str()] = value.get<std::size_t>();
+  for (const auto& [name, value] : answer.stats.members()) {
+    work[name.c_str()] = value.count();
   }
   result["stats"] = work;
   if (const auto* stable = std::get_if<Stable>(&answer.verdict)) {

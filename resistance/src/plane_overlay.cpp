@@ -62,14 +62,14 @@ auto raw(Exact& value) -> decltype(value.mpq()) {
 
 Coordinate to_kernel(const Rational& value) {
   CGAL::Exact_rational result;
-  mpq_set(raw(result), value.backend().data());
+  mpq_set(raw(result), value.gmp());
   return Coordinate(result);
 }
 
 Rational from_kernel(const Coordinate& value) {
   const CGAL::Exact_rational& exact = value.exact();
   Rational result;
-  mpq_set(result.backend().data(), raw(exact));
+  mpq_set(result.mutable_gmp(), raw(exact));
   return result;
 }
 

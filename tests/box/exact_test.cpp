@@ -74,14 +74,14 @@ Body planted(RandomSource& random, bool in_space) {
     if (c.friction.low.is_zero() || (!in_space && random.one_in(2))) continue;
     for (const Row& row : c.corners.front().slip) slips.emplace_back(row.begin(), row.end());
   }
-  const RationalMatrix ways = null_space(matrix_of(slips, law.motions));
-  RationalVector motion = RationalVector::Zero(ways.rows());
-  for (Eigen::Index k = 0; k < ways.cols(); ++k) {
-    motion += Rational(random.between(-2, 2), 4) * ways.col(k);
+  RationalRow d(law.motions);
+  for (const RationalRow& way : null_space(matrix_of(slips, law.motions))) {
+    add_multiple(d, Rational(random.between(-2, 2), 4), way);
   }
-  const RationalRow d(motion.begin(), motion.end());
-  body.near.motion.resize(motion.size());
-  for (Eigen::Index j = 0; j < motion.size(); ++j) body.near.motion[j] = to_double(motion[j]);
+  body.near.motion.resize(static_cast<Eigen::Index>(d.size()));
+  for (std::size_t j = 0; j < d.size(); ++j) {
+    body.near.motion[static_cast<Eigen::Index>(j)] = to_double(d[j]);
+  }
   law.scale(body.near.motion);
   body.is_planted = true;
   for (const LawContact& c : law.contacts) {

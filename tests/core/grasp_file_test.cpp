@@ -264,7 +264,7 @@ TEST(WriteGrasp, RoundTripsRandomGrasps) {
 
 TEST(WriteGrasp, RefusesWhatAFileCannotHold) {
   EXPECT_THROW(write_grasp({Grasp({}, "\xff"), {}}), InputError);
-  const Rational huge(boost::multiprecision::pow(Integer(10), kMaxNumberLength));
+  const Rational huge(stickslip::pow(Integer(10), kMaxNumberLength));
   EXPECT_THROW(write_grasp({Grasp(), {huge, 0, 0}}), InputError);
 }
 

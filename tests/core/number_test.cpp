@@ -19,8 +19,7 @@ using ::testing::HasSubstr;
 using testing::Random;
 
 Rational ten_to(int exponent) {
-  const Rational power(
-      boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
+  const Rational power(stickslip::pow(Integer(10), static_cast<unsigned>(std::abs(exponent))));
   return exponent >= 0 ? power : Rational(1 / power);
 }
 

@@ -223,7 +223,7 @@ TEST(SnapNormals, InSpaceLeavesRationalLengthsAlone) {
   EXPECT_TRUE(snap_normals(result.grasp, parse_rational("1e-12")).snapped.empty());
   // As short as a double's: 62 bits for each number at 1e-9.
   for (const Rational& entry : result.snapped[0].after) {
-    EXPECT_LE(mpz_sizeinbase(denominator(entry).backend().data(), 2), 63U);
+    EXPECT_LE(mpz_sizeinbase(denominator(entry).gmp(), 2), 63U);
   }
   EXPECT_THROW(snap_normals(grasp, 1), InputError);
 }

@@ -9,7 +9,7 @@ namespace stickslip::lp_test {
 namespace {
 
 CGAL::Gmpq to_gmpq(const Rational& value) {
-  return CGAL::Gmpq(value.backend().data());
+  return CGAL::Gmpq(value.gmp());
 }
 
 CGAL::Comparison_result to_cgal(Relation relation) {

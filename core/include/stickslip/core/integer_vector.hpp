@@ -48,7 +48,7 @@ template <std::size_t n>
 Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   Integer sum;
   for (std::size_t j = 0; j < n; ++j) {
-    mpz_addmul(sum.backend().data(), a[j].backend().data(), b[j].backend().data());
+    mpz_addmul(sum.mutable_gmp(), a[j].gmp(), b[j].gmp());
   }
   return sum;
 }

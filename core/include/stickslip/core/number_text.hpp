@@ -4,12 +4,12 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/core/json_value.hpp"
 #include "stickslip/core/root_sum.hpp"
 
 namespace stickslip {
@@ -64,9 +64,6 @@ class NumberText {
   bool has_rounded_ = false;
   bool has_enclosed_ = false;
 };
-
-/// Members keep their order.
-using Json = nlohmann::ordered_json;
 
 /// \{ \brief An exact number, or several, in a JSON tree that finished() is to finish; a
 /// decimal as it is spelled; an irrational number as what encloses it.

@@ -566,6 +566,7 @@ class Question(NamedTuple):
     is_box: bool
     space: bool = False
     names: Tuple[str, ...] = ()  # §14: of the coordinates
+    claims: bool = False  # §5: is a margin a list of claims?
 
     def slipping(self) -> int:
         """How many are contacts; other elements follow."""
@@ -1106,8 +1107,14 @@ def loads_of(grasp: Grasp, wrench: Wrench, tolerance: Union[None, Tolerance, Bal
                  tuple(Bounds(-r, r) for r in radii), radii)
 
 
-def check_contact(grasp_file: str, contact: Contact, grows: bool, family: str) -> bool:
+def is_irrational(contact: Contact, grows: bool) -> bool:
+    """§6: whether its length is irrational, where it has a preload."""
+    return bool(contact.preload.high or grows) and not rational_root(dot(contact.normal, contact.normal))
+
+
+def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options) -> bool:
     """§6: what cannot be asked of a contact; and whether it makes the question a box."""
+    family = asked.family()
     place = contact.place + "."
     numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
                "preload": contact.preload, "normal": Bounds(-contact.slope, contact.slope),
@@ -1128,13 +1135,12 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, family: str) -
                 name = contact.spring if contact.spring and name == "preload" else name
                 raise Malformed(grasp_file, place + name, f"found {show(number)}, but {family} is "
                                                           "about one grasp; give a number")
-    irrational = (contact.preload.high or grows) and not rational_root(dot(contact.normal,
-                                                                           contact.normal))
-    if irrational and family and len(contact.normal) == 2 and contact.motion is None:
+    irrational = is_irrational(contact, grows)
+    if irrational and (asked.plane or asked.inertia) and len(contact.normal) == 2:
         raise Malformed(grasp_file, place + "normal",
                         "the contact has a preload and a normal of irrational length, so there "
                         "is no exact question; run stickslip snap GRASP -o FILE, and ask about FILE")
-    return bool(irrational) or not all(number.certain for number in numbers.values())
+    return irrational or not all(number.certain for number in numbers.values())
 
 
 def pose(grasp_file: str, asked: Options) -> Question:
@@ -1163,7 +1169,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
         raise Malformed(grasp_file, "wrench", f"found {show(wrench)}, but {asked.family()} is about "
                                               "one grasp; give numbers")
     for contact, grown in zip(contacts, growth):
-        is_box |= check_contact(grasp_file, contact, bool(grown), asked.family())
+        is_box |= check_contact(grasp_file, contact, bool(grown), asked)
     if asked.preload_direction == "scale":
         growth = tuple(contact.preload.low for contact in contacts)
         contacts = [contact._replace(preload=exactly(Fraction(0))) for contact in contacts]
@@ -1171,8 +1177,10 @@ def pose(grasp_file: str, asked: Options) -> Question:
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
     rows = [] if is_box else list(map(make_row, contacts, growth))
+    claims = (grasp.space or bool(grasp.names) or asked.max_motion is not None
+              or any(is_irrational(contact, bool(grown)) for contact, grown in zip(contacts, growth)))
     return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box, grasp.space,
-                    grasp.names)
+                    grasp.names, claims)
 
 
 # ---- §14 The grasp file of several bodies ------------------------------------------------------
@@ -1439,7 +1447,7 @@ class Certificate(NamedTuple):
     segments: List[Segment] = []
     bits: int = 128
     parts: Optional[List[Part]] = None  # of "stable", if there is no witness
-    claims: Optional[List[RangeProof]] = None  # of "margin" in space, and then nothing else
+    claims: Optional[List[RangeProof]] = None  # of "margin" by claims, and then nothing else
     pieces: Optional[List[List[Witness]]] = None  # of "region"
     rigid: Optional[RigidProof] = None  # of a class
 
@@ -1459,12 +1467,11 @@ def read_certificate(name: str, question: Question) -> Certificate:
     source, dimension = Source(name, CERTIFICATE), len(question.wrench)
     source.dimension, source.space, source.several = dimension, question.space, bool(question.names)
     source.soft = {i for i, contact in enumerate(question.contacts) if contact.torsion}
-    by_segments = not (question.space or question.names)  # margins
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
     evidence = {"region": "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
-                "margin": "resisted segments tree" if by_segments else "intervals",
+                "margin": "intervals" if question.claims else "resisted segments tree",
                 "must move": "twist", "must hold": "rest tree",
                 "open": "rest acceleration forces"}.get(
                     claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
@@ -1476,8 +1483,8 @@ def read_certificate(name: str, question: Question) -> Certificate:
     margin, plane = claim.asked.margin(), claim.asked.plane is not None
     rigid = claim.asked.inertia is not None and not margin and not plane
     bits = source.index(top["bits"], "bits") if "bits" in top else 128
-    if (margin and by_segments or plane or rigid) and "bits" in top:
-        source.fail("bits", "not where the question has a direction, a plane or an inertia")
+    if (margin and not question.claims or plane or rigid) and "bits" in top:
+        source.fail("bits", "not in a margin by segments, and not with a plane or an inertia")
     if not 64 <= bits <= 4096:
         source.fail("bits", "must be from 64 to 4096")
     verdict = source.choice(top["verdict"], "verdict",
@@ -3021,10 +3028,8 @@ def inverse_of(E: List[Vector]) -> List[Vector]:
     return [z[:size] for z in kernel([row + times(Fraction(-1), unit(count, k)) for k, row in enumerate(E + kernel(E))])]
 
 
-def check_bound(part: DegreeProof, bound: Vector, high: Optional[Fraction], place: str) -> None:
+def check_bound(part: DegreeProof, bound: Vector, place: str) -> None:
     """`degree-bound`."""
-    if high is None:
-        raise Rejected("degree-bound", "a proof without an end, but motions are bounded", place)
     E = part.walls[:-1] if part.simplex else part.walls
     C = inverse_of(E)
     if part.simplex:
@@ -3034,10 +3039,9 @@ def check_bound(part: DegreeProof, bound: Vector, high: Optional[Fraction], plac
         reached = [[dot(u, entries) for u in corners] for entries in zip(*C)]
     else:
         reached = [[sign_ * sum(map(abs, entries)) for sign_ in (-1, 1)] for entries in zip(*C)]
-    for j, (b, entries) in enumerate(zip(bound, reached)):
-        for d in (part.twist[j], part.end_twist[j]):
-            if max(abs(d + e) for e in entries) > b:
-                raise Rejected("degree-bound", f"motion {j + 1} of K goes beyond {show(b)}", place)
+    for j, (d, b, entries) in enumerate(zip(part.twist, bound, reached)):
+        if max(abs(d + e) for e in entries) > b:
+            raise Rejected("degree-bound", f"motion {j + 1} of K goes beyond {show(b)}", place)
 
 
 def check_degree(part: DegreeProof, box: Box, asked: Options, place: str,
@@ -3045,7 +3049,7 @@ def check_degree(part: DegreeProof, box: Box, asked: Options, place: str,
     """A part by degree, or a segment, for all λ from low to high."""
     check_shape(part, box, place)
     if asked.max_motion:
-        check_bound(part, asked.max_motion, high, place)
+        check_bound(part, asked.max_motion, place)
     cell = Cell(part, low, high)
     if asked.law == "bilateral":
         region = begin(Root(box, cell.cone(cell.multiples)))

@@ -144,6 +144,7 @@ void QuestionArguments::add_with_enclosures_to(Command& command) {
 }
 
 void QuestionArguments::add_max_motion_to(Command& command) {
+  takes_bounds_ = true;
   command
       .add_option(
           "--max-motion", text_.max_motion,
@@ -219,7 +220,9 @@ QuestionOptions QuestionArguments::options() const {
 }
 
 Intervals QuestionArguments::intervals() const {
-  return takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused;
+  return takes_boxes_    ? Intervals::kAllowed
+         : takes_bounds_ ? Intervals::kOnlyBounds
+                         : Intervals::kRefused;
 }
 
 GraspFile QuestionArguments::read() const {

@@ -74,6 +74,7 @@ class QuestionArguments {
   QuestionText text_;
   bool has_no_wrench_ = false;
   bool takes_boxes_ = false;
+  bool takes_bounds_ = false;  ///< of motions
 };
 
 /// --json, --floats and --exact, of every subcommand that answers in numbers.

@@ -33,7 +33,7 @@ std::optional<PreloadMargin> margin_of(const GraspBox& load, NormalLaw law,
   asked.law = law;
   asked.preload_direction = std::move(growth);
   Question question = ask({with_preloads(load, RationalRow(load.contacts.size()))}, asked);
-  if (!question.is_one_planar_body()) {
+  if (question.has_claims()) {
     SpatialMarginOptions search;
     search.search = options;
     SpatialMargin margin = find_margin(question, search);

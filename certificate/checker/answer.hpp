@@ -31,9 +31,9 @@ struct Range {
 struct Accepted {
   Question question;
   std::string verdict;             ///< "stable", "unstable", "margin", "region" or a class
-  std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, in space at least
-  std::vector<Range> refuted;      ///< of a margin in space: none of these
-  std::uint64_t segments = 0;      ///< of a margin in the plane
+  std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, of claims at least
+  std::vector<Range> refuted;      ///< of claims: none of these
+  std::uint64_t segments = 0;      ///< of a margin by segments
   std::uint64_t pieces = 0;        ///< of a region, whose union it is
   std::size_t trees = 0;           ///< of a margin, one for each range without a multiple
   std::uint64_t rests = 0;         ///< proofs at rest

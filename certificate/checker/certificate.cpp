@@ -370,7 +370,7 @@ Claim CertificateReader::claim_of(const Value& value) const {
   }
   if (const Value* plane = value.find("plane")) {
     const std::string place = "question.plane";
-    json_.expect(!claims_ && plane->is_array(2), *plane, place,
+    json_.expect(!in_space_ && !several_ && plane->is_array(2), *plane, place,
                  "two directions, of a question about a planar grasp");
     asked.plane.emplace();
     for (const Value& entry : plane->items) {

@@ -52,12 +52,12 @@ class CertificateReader {
   Vector acceleration();
   std::optional<RigidNode> next_rigid_node();
 
-  // unstable, region, and margin of one body in the plane
+  // unstable, region, and margin that is no claims
   std::vector<Interval> resisted();
   std::optional<Segment> next_segment();
   std::optional<Node> next_node();
 
-  // margin in space or of several bodies
+  // margin by claims
   std::optional<RangeProof> next_range();
 
   /// Nothing follows.

@@ -139,20 +139,14 @@ std::vector<Bounds> reach_of(const Part& part) {
 }
 
 /// `degree-bound`.
-void check_bound(const Part& part, const Range& range, const Vector& bound,
-                 const std::string& place) {
-  const auto refuse = [&](const std::string& found) {
-    throw Rejected{"degree-bound", std::nullopt, place, found};
-  };
-  if (!range.high) refuse("a proof about all multiples, but motions are bounded");
+void check_bound(const Part& part, const Vector& bound, const std::string& place) {
   const std::vector<Bounds> reach = reach_of(part);
   for (std::size_t j = 0; j < bound.size(); ++j) {
-    for (const Rational& middle : {part.twist[j], part.end_twist[j]}) {
-      const Bounds motion(middle + reach[j].low, middle + reach[j].high);
-      if (motion.low >= -bound[j] && motion.high <= bound[j]) continue;
-      refuse("motion " + std::to_string(j + 1) + " of K is from " + show(motion.low) + " to " +
-             show(motion.high) + ", beyond " + show(bound[j]));
-    }
+    const Bounds motion(part.twist[j] + reach[j].low, part.twist[j] + reach[j].high);
+    if (motion.low >= -bound[j] && motion.high <= bound[j]) continue;
+    throw Rejected{"degree-bound", std::nullopt, place,
+                   "motion " + std::to_string(j + 1) + " of K is from " + show(motion.low) +
+                       " to " + show(motion.high) + ", beyond " + show(bound[j])};
   }
 }
 
@@ -238,7 +232,7 @@ std::optional<std::size_t> opening(const Part& part, const Box& box, const Range
 TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
                       const Range& range, const Options& asked, const std::string& place) {
   check_shape(part, *box, place);
-  if (asked.max_motion) check_bound(part, range, *asked.max_motion, place);
+  if (asked.max_motion) check_bound(part, *asked.max_motion, place);
   const auto opens = asked.bilateral ? opening(part, *box, range) : std::nullopt;
   if (opens) {
     throw Rejected{

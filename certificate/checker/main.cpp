@@ -95,8 +95,8 @@ Numbers are exact: 1, -0.25, 1e-3, 3/5.
 
 Answers and exit codes:
   accepted   0   the certificate proves the verdict about the question that is printed;
-                 of a margin, that exactly the factors printed as "resisted" are; in space or
-                 of several bodies, that those are, that those printed as "refuted" are not, and nothing of others;
+                 of a margin, that exactly the factors printed as "resisted" are; by claims,
+                 that those are, that those printed as "refuted" are not, and nothing of others;
                  of a region, that exactly the (s, t) in the certificate's pieces are
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error; of a

@@ -25,7 +25,7 @@ void check_order(const std::vector<Interval>& resisted);
 /// The parts of [0, oo) that intervals in order leave, in increasing order.
 std::vector<Range> gaps(const std::vector<Interval>& resisted);
 
-/// In the plane: a segment as the certificate states it; only its shape has been checked.
+/// A segment as the certificate states it; only its shape has been checked.
 struct Segment {
   std::vector<Witness> points;  ///< two; or none, and then it is by degree
   Part part;                    ///< not cut
@@ -61,7 +61,7 @@ class Segments {
   ForceSum sum_;
 };
 
-/// In space: a claim as the certificate states it; only its shape has been checked.
+/// A claim as the certificate states it; only its shape has been checked.
 struct RangeProof {
   bool stable = false;
   Interval range;

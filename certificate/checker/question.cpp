@@ -245,7 +245,8 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
     const bool has_length = is_contact(contact.sight);
     if (!loaded || !has_length || exact_sqrt(dot(contact.normal, contact.normal))) continue;
     question.is_box = true;
-    if (question.asked.family() && !question.claims()) {
+    question.encloses_lengths = true;
+    if ((question.asked.plane || question.asked.inertia) && !question.in_space) {
       throw Malformed{
           file, place("normal"),
           "the contact has a preload and a normal of irrational length, so there is "

@@ -99,11 +99,12 @@ struct Question {
   Vector growth;                   ///< u; 0 for one verdict
   Fixed<Vector> preload_growth;    ///< P^u; empty if none is asked for
   bool is_box = false;             ///< FORMAT.md §6; of claims §5
+  bool encloses_lengths = false;   ///< of normals, where they are irrational
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 
   std::size_t dimension() const { return wrench.size(); }
   /// Whether a margin would be a list of claims (FORMAT.md §5), not all that is resisted.
-  bool claims() const { return in_space || several; }
+  bool claims() const { return in_space || several || asked.max_motion || encloses_lengths; }
 };
 
 /// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.

@@ -211,8 +211,9 @@ Definition has_irrational_preload (it : contact) : bool :=
   (negb (is_0 (high (preload it))) || negb (is_0 (preload_growth it)))
   && match exact_root (sum_of_squares (normal it)) with Some _ => false | None => true end.
 
-(** What FORMAT.md section 6 does not allow, and whether the contact makes the question a box. *)
-Definition check_contact (margin claims : bool) (at_path : path) (it : contact)
+(** What FORMAT.md section 6 does not allow, and whether the contact makes the question a box. [exact]: that does not
+    allow lengths that are irrational. *)
+Definition check_contact (margin exact : bool) (at_path : path) (it : contact)
   : result bool :=
   let here name := (Member name :: at_path)%list in
   let* _ := check_that (Qle_bool 0 (low (friction it))) (here "friction")
@@ -227,7 +228,7 @@ Definition check_contact (margin claims : bool) (at_path : path) (it : contact)
   let* _ := check_that (negb margin || is_one_point it) at_path
               "found an interval, but a margin is about one grasp; expected numbers" in
   let irrational := has_irrational_preload it in
-  let* _ := check_that (negb (irrational && margin && negb claims)) (here "normal")
+  let* _ := check_that (negb (irrational && exact)) (here "normal")
               ("the contact has a preload and a normal of irrational length, so there is no exact "
                ++ "question; run stickslip snap GRASP -o FILE, and ask about FILE") in
   Fine (irrational || negb (is_one_point it)).
@@ -284,7 +285,6 @@ Definition check_plane (file : grasp) (asked : options) : result unit :=
   end.
 
 Definition pose (file : grasp) (asked : options) : result posed :=
-  let claims := in_space file || match bodies_read file with Some _ => true | None => false end in
   let* _ := check_dimension file "wrench" (asked_wrench asked) in
   let* _ := check_dimension file "direction" (asked_direction asked) in
   let* _ := check_that (match asked_preload asked with Some p => Qle_bool 0 p | None => true end)
@@ -331,7 +331,8 @@ Definition pose (file : grasp) (asked : options) : result posed :=
            else "the squared radius of gyration must be > 0")
     end in
   let margin := asks_one asked in
-  let* boxes := each (check_contact margin claims) [Member "contacts"] them in
+  let exact := negb (in_space file) && (asks_class asked || asks_plane asked) in
+  let* boxes := each (check_contact margin exact) [Member "contacts"] them in
   let* other_boxes := each (check_element margin) [Member "ratchets and springs"] others in
   let widened := map (widen (find_tolerance "wrench" asked)) stated in
   let certain := forallb is_exact widened in

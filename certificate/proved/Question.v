@@ -86,7 +86,7 @@ Record witness := Witness {
   shares : list (Z * list Q)          (* a share is one number in the plane, three in space *)
 }.
 
-(* POINT of a margin in the plane: lambda, or None for null. *)
+(* POINT of a segment: lambda, or None for null. *)
 Record point := Point { multiple : option Q; point_witness : witness }.
 
 Inductive segment :=
@@ -103,7 +103,7 @@ Inductive part :=
   | PartSticking (d0 : list Q) (friction : list (Z * list Q)) (presses : list (Z * list Q))
       (answers : list (Z * list (list Q))) (reach : list Q) (energy : Q).
 
-(* CLAIM of a margin in space: a part, or points. *)
+(* CLAIM: a part, or points. *)
 Inductive claim :=
   | ClaimStable (low : Q) (high : option Q) (evidence : part + list witness)
   | ClaimUnstable (low : Q) (high : option Q) (tree : list node).

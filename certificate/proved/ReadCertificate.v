@@ -18,12 +18,16 @@ Record shape : Set := {
   of_bodies : bool;
   size_of_twist : Z;      (** D *)
   soft : list bool;       (** whether each contact has torsion *)
+  of_claims : bool;       (** whether margins are lists of claims *)
   of_margin : bool;
   of_plane : bool;
   of_class : bool }.
 
-(** All margins are claims but those of one body in the plane. *)
-Definition of_claims (s : shape) : bool := spatial s || of_bodies s.
+(** Not of one body in the plane whose motions are not bounded, and whose lengths of normals that matter are rational. *)
+Definition has_claims (q : question) : bool :=
+  match several q with Some _ => true | None => Nat.eqb (dimension q) 6 end
+  || match max_motion q with Some _ => true | None => false end
+  || existsb has_irrational_preload (contacts q).
 
 Definition read_numbers (count : Z) : path -> json -> result (list Q) :=
   read_sized count (if count =? 6 then "an array of 6 numbers"
@@ -126,7 +130,7 @@ Definition read_plane (at_path : path) (value : json) : result (list Q * list Q)
 Definition read_statement (s : shape) (at_path : path) (value : json) : result statement :=
   let* members :=
     members_in_order (["contacts"; "wrench"; "preload"; "normal_law"; "direction"; "preload_direction"]
-                      ++ (if of_claims s then [] else ["plane"]) ++ (if of_bodies s then [] else ["inertia"])
+                      ++ (if spatial s || of_bodies s then [] else ["plane"]) ++ (if of_bodies s then [] else ["inertia"])
                       ++ ["uncertain"; "max_motion"])%list at_path value in
   let count := size_of_twist s in
   let* m := member "contacts" read_index at_path members in
@@ -377,7 +381,7 @@ Definition read_segments (s : shape) (at_path : path) (value : json)
   | _ => expected "an array of segments" at_path value
   end.
 
-(** POINT of a margin in space. *)
+(** POINT of a claim. *)
 Definition read_spatial_point (s : shape) (at_path : path) (value : json) : result witness :=
   let* members := members_in_order ["twist"; "shares"] at_path value in
   let* d := member "twist" (read_twist s) at_path members in
@@ -591,6 +595,7 @@ Definition read_certificate (q : question) (value : json) : result (statement * 
        of_bodies := match several q with Some _ => true | None => false end;
        size_of_twist := Z.of_nat (dimension q);
        soft := map_all (fun it => negb (is_0 (torsion it))) (contacts q);
+       of_claims := has_claims q;
        of_margin := margin;
        of_plane := plane;
        of_class := class |} in

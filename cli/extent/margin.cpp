@@ -105,7 +105,16 @@ Rational accuracy_of(const MarginArguments& arguments) {
   return accuracy;
 }
 
-/// In space, and of several bodies.
+/// Classes are those of one grasp whose lengths are rational, and know no bound.
+void require_exact(const Question& question, const std::string& file) {
+  if (!question.has_claims()) return;
+  try {
+    problem_of(question);
+  } catch (const InputError& error) {
+    throw in_options(error, file);
+  }
+}
+
 int margin_by_claims(const Question& question, const MarginArguments& arguments) {
   SpatialMarginOptions search;
   search.accuracy = accuracy_of(arguments);
@@ -122,6 +131,7 @@ int margin(const MarginArguments& arguments) {
       throw InputError("", "--class", "the grasp is in space",
                        "classes are known of grasps in the plane");
     }
+    require_exact(question, arguments.question.name_of_file());
     return answer_class_margin(question,
                                {arguments.inertia, arguments.friction, accuracy_of(arguments)},
                                arguments.output);
@@ -132,7 +142,7 @@ int margin(const MarginArguments& arguments) {
         "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
         "--preload-direction scale");
   }
-  if (!question.is_one_planar_body()) return margin_by_claims(question, arguments);
+  if (question.has_claims()) return margin_by_claims(question, arguments);
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;
@@ -209,9 +219,8 @@ void add_margin_command(Command& app, int& exit_code) {
       ->needs(asks_class);
   command
       ->add_option("--accuracy", arguments->accuracy,
-                   "In space: which part of a multiple may stay undecided at an end of what "
-                   "is resisted. With --friction: which part of a factor, where what must hold "
-                   "ends")
+                   "Where ends are not exact: which part of a multiple may stay undecided at "
+                   "one. With --friction: which part of a factor, where what must hold ends")
       ->type_name("PART")
       ->capture_default_str();
   add_node_limit_option(*command, arguments->node_limit);
@@ -223,8 +232,11 @@ void add_margin_command(Command& app, int& exit_code) {
       "The answer is a list of closed intervals of l; one without an upper end ends in null "
       "in\n"
       "JSON. More preload can break a grasp: there may be gaps (docs/loads.md).\n"
-      "In space ends are known to a part of 1/1000 (--accuracy), and what is refuted is listed "
-      "as well\n(docs/space.md).\n",
+      "In space, of several bodies, within a bound of motions, and where a preloaded contact "
+      "has a normal\n"
+      "of irrational length, ends are known to a part of 1/1000 (--accuracy), and what is "
+      "refuted is listed\n"
+      "as well (docs/space.md).\n",
       kExitCodesWithLimit + ";\nwith --least 20 if no multiple is resisted",
       "stickslip margin fig1.json --preload 1 --direction 0,1,0\n"
       "  $ stickslip margin fig1.json --preload 1 --wrench 0,1/2,0 --preload-direction scale "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `margin` answers a question about a grasp in space.
+/// How `margin` answers a question whose answer is a list of claims.
 #pragma once
 
 #include <cstddef>

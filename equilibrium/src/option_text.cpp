@@ -64,13 +64,12 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes) {
   try {
     Question question = ask(std::move(file), options);
-    // What problem_of() refuses is refused here, where the options are known. Of a question
-    // in the plane that is neither a box nor a margin it refuses nothing: ask() made a box of
-    // irrational preloads.
-    const bool is_one = question.box() == nullptr;
-    if (!question.is_one_planar_body() || (is_one ? !question.is_margin() : takes_boxes))
-      return question;
-    problem_of(question);
+    // What problem_of() refuses is refused here, where the options are known. It refuses
+    // nothing that is no box; and margins of a box are claims.
+    const bool is_box = question.box() != nullptr;
+    if (question.is_one_planar_body() && is_box && !takes_boxes && !question.is_margin()) {
+      problem_of(question);
+    }
     return question;
   } catch (const InputError& error) {
     if (error.place() == "max_motion" && options.max_motion) {

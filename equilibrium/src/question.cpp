@@ -71,11 +71,16 @@ bool has_certain_contacts(const AnyGrasp& grasp) {
   return box == nullptr || GraspBox{box->contacts, {}, {}, {}, box->springs}.is_point();
 }
 
-bool has_irrational_preload(const Grasp& grasp) {
-  return std::any_of(grasp.contacts().begin(), grasp.contacts().end(), [](const Contact& c) {
-    return !c.preload.is_zero() &&
-           !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y);
-  });
+/// Whether some contact that has a preload, or whose preload grows, has a normal of irrational
+/// length. `growth` is empty if none grows.
+bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& growth) {
+  for (std::size_t i = 0; i < grasp.size(); ++i) {
+    const Contact& c = grasp.contacts()[i];
+    const bool is_loaded = !c.preload.is_zero() || (!growth.empty() && !growth[i].is_zero());
+    if (is_loaded && !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y))
+      return true;
+  }
+  return false;
 }
 
 /// By element.
@@ -123,12 +128,11 @@ std::size_t pushing_elements(const AnyGrasp& grasp) {
 /// Under this wrench, widened; in the plane one grasp if it is.
 AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
                const Question& question) {
-  const bool is_margin = question.is_margin();
   const Tolerances& uncertain = options.uncertain;
   const std::optional<MotionBound>& bound = options.max_motion;
   auto* one = std::get_if<LoadedGrasp>(&grasp);
   if (one != nullptr && is_certain(wrench) && !uncertain.any() && !bound &&
-      (is_margin || !has_irrational_preload(one->grasp))) {
+      !has_irrational_preload(one->grasp, question.preload_growth)) {
     one->wrench = planar_middle(wrench);
     return grasp;
   }
@@ -139,9 +143,9 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
     const RationalRow growth = question.direction.value_or(RationalRow{});
     box.max_motion = bound_of(grown(box, growth, question.preload_growth), *bound);
   }
-  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point() &&
-      !needs_enclosure(box)) {
-    return box.planar_middle();
+  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
+    LoadedGrasp point = box.planar_middle();
+    if (!has_irrational_preload(point.grasp, question.preload_growth)) return point;
   }
   return box;
 }
@@ -229,9 +233,6 @@ Question ask(GraspFile file, const QuestionOptions& options) {
   }
   if (options.uncertain.wrench) question.wrench_as_asked = wrench;
   question.grasp = under(std::move(grasp), wrench, options, question);
-  if (question.is_margin() && question.is_one_planar_body()) {
-    require_unbounded(question, "a margin in the plane");
-  }
   return question;
 }
 
@@ -262,13 +263,14 @@ Problem problem_of(const Question& question) {
   }
   require_certain(question);
   const LoadedGrasp* one = std::get_if<LoadedGrasp>(&question.grasp);
-  // Of irrational lengths, at which Problem throws.
-  Problem base(one != nullptr ? *one : question.box()->planar_middle(), question.law);
+  // A box that is certain has irrational lengths, at which Problem or contact_rows() throws.
+  const LoadedGrasp point = one != nullptr ? *one : question.box()->planar_middle();
+  Problem base(point, question.law);
   if (!question.is_margin()) return base;
   Growth growth;
   if (question.direction) growth.load = wrench_of(*question.direction);
   if (!question.preload_growth.empty()) {
-    const Grasp growing = question.loaded().grasp.with_preloads(question.preload_growth);
+    const Grasp growing = point.grasp.with_preloads(question.preload_growth);
     for (const ContactRow& row : contact_rows(growing)) growth.preloads.push_back(row.preload);
   }
   return base.along(growth);

@@ -91,11 +91,9 @@ class SpatialMarginSearch {
     for (const LawContact& c : model_.contacts) {
       growth = std::max(growth, std::fabs(c.rates[1]) * c.size);
     }
-    is_rational_ =
-        std::all_of(model_.contacts.begin(), model_.contacts.end(), [](const LawContact& c) {
-          const bool has_preload = !c.preload.high.is_zero() || !c.rate.high.is_zero();
-          return !has_preload || exact_sqrt(c.squared_length);
-        });
+    is_rational_ = std::all_of(
+        model_.contacts.begin(), model_.contacts.end(),
+        [](const LawContact& c) { return c.preload.is_point() && c.rate.is_point(); });
     const double typical = model_.force / growth;
     if (std::isfinite(typical) && typical > 0) {
       unit_ = rational_from_double(std::ldexp(1.0, std::ilogb(typical)));
@@ -595,7 +593,7 @@ std::vector<MarginInterval> SpatialMargin::refuted() const {
 
 SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options,
                           const std::function<void(const SpatialMargin&)>& progress) {
-  require(question.is_margin(), "a margin has a direction");
+  require(question.has_claims(), "a margin that is a list of claims");
   return SpatialMarginSearch(question, options, progress).run();
 }
 

@@ -441,7 +441,8 @@ class PageAnswer {
 
   /// The load is the direction, and nothing else of it is left.
   QuestionText along_the_load() const {
-    if (question_.is_one_planar_body()) one_grasp(centre());
+    const GraspBox* box = centre().box();
+    if (question_.is_one_planar_body() && box != nullptr && !box->is_point()) refuse_box();
     const RationalRow load = one_load();
     std::string direction;
     bool is_zero = true;
@@ -457,10 +458,10 @@ class PageAnswer {
     return text;
   }
 
-  /// In space and of several bodies what is known so far, and then all that is found.
+  /// Of claims what is known so far, and then all that is found.
   void margin(Json& found) const {
     const Question question = ask_about(along_the_load());
-    if (!question.is_one_planar_body()) {
+    if (question.has_claims()) {
       SpatialMarginOptions options;
       options.search.node_limit = limits_.node_limit;
       const auto keep = [&](const SpatialMargin& so_far) {

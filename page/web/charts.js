@@ -438,8 +438,8 @@
   };
 
   /**
-   * What is neither resisted nor refuted, [low, high] from low to high. In the plane all is known; in space the ends of what
-   * is resisted are algebraic numbers, and nothing is known very near them.
+   * What is neither resisted nor refuted, [low, high] from low to high. An exact margin leaves nothing; else ends are known
+   * nearly, and nothing is known very near them.
    */
   function unknownMultiples({ resisted, refuted }) {
     if (!refuted) return [];
@@ -576,7 +576,9 @@
           margin.resisted.length > 0
             ? (page.mechanism()
                 ? "Of several bodies the ends of what is resisted are found nearly, and some near them are left; "
-                : "In space what is resisted mostly ends at an irrational multiple, so some near it are left; ") +
+                : page.answer.dimension === 3
+                  ? "The ends of what is resisted are found nearly here, and some near them are left; "
+                  : "In space what is resisted mostly ends at an irrational multiple, so some near it are left; ") +
                 "a part too narrow to be seen is drawn wider than it is."
             : "",
         ),

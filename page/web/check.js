@@ -1137,7 +1137,7 @@ class Loads {
 
 /**
  * The question as it is asked: what the options say, and every contact with the intervals of its numbers.
- * growth is Pᵘ; length is |n⁰|, null if irrational.
+ * growth is Pᵘ; length is |n⁰|, null if irrational; by_claims says whether a margin is a list of claims.
  */
 function ask(grasp, options) {
   const {space, several, size} = grasp;
@@ -1244,15 +1244,11 @@ function ask(grasp, options) {
     if ((direction === null || all_zero(direction)) && contacts.every((c) => c.growth.isZero())) {
       throw new Malformed(asked, 'the direction is 0');
     }
-    const bad = space || several ? -1 : contacts.findIndex((c) => c.pressed && c.length === null);
-    if (bad >= 0) {
-      throw new Malformed(`contacts[${bad}].normal`, 'its length is irrational, and a margin needs a rational one where there is ' +
-          'preload; stickslip snap GRASP -o FILE writes a grasp file of rational normals');
-    }
   }
   const enclosed = contacts.some((c) => c.pressed && c.length === null);
   return {space, several, size, m: contacts.length, touching: contacts.filter((c) => c.n.length > 1).length, law, bilateral: law === 'bilateral', preload, direction, scale, growth, margin, uncertain,
-    wrench, loads, contacts, max_motion, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
+    wrench, loads, contacts, max_motion, box: !point || enclosed, by_claims: space || several || max_motion !== null || enclosed,
+    u: direction ?? Array(size).fill(ZERO)};
 }
 
 // ---------------------------------------------------------------------------- The certificate (§2, §5, §6)
@@ -1292,12 +1288,12 @@ function members_in_order(value, place, names) {
 }
 
 class CertificateReader {
-  constructor({space, several, size, contacts}) {
+  constructor({space, several, size, contacts, by_claims}) {
     this.space = space;
     this.several = several;
     this.soft = contacts.map(({gamma}) => !gamma.isZero());
     this.size = size;
-    this.by_claims = space || several;  // margins
+    this.by_claims = by_claims;
     this.names = [...parameter_names(space ? 3 : 2), 'wrench'];
   }
 
@@ -2684,16 +2680,13 @@ function reach_of({walls, simplex}) {
 }
 
 /** `degree-bound`. */
-function check_bound(part, bound, of, refuse) {
-  if (of !== undefined && of.high === null) refuse('degree-bound', 'it has no end, but motions are bounded');
+function check_bound(part, bound, refuse) {
   const reach = reach_of(part);
-  for (const middle_of_k of [part.twist, part.end_twist ?? part.twist]) {
-    bound.forEach((b, j) => {
-      if (reach[j].some((e) => middle_of_k[j].plus(e).magnitude().compare(b) > 0)) {
-        refuse('degree-bound', `motion ${j + 1} of K goes beyond ${printable(b)}`);
-      }
-    });
-  }
+  bound.forEach((b, j) => {
+    if (reach[j].some((e) => part.twist[j].plus(e).magnitude().compare(b) > 0)) {
+      refuse('degree-bound', `motion ${j + 1} of K goes beyond ${printable(b)}`);
+    }
+  });
 }
 
 /**
@@ -2715,7 +2708,7 @@ function check_degree(question, box, part, place, tally, of) {
   const {size, coordinates, m} = question;
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
   check_shape(question, box, part, refuse);
-  if (question.max_motion !== null) check_bound(part, question.max_motion, of, refuse);
+  if (question.max_motion !== null) check_bound(part, question.max_motion, refuse);
   const {s, t} = frame_of(part, of);
   // Functions of (h, ℓ), and those of (e, h, ℓ), as rows of points.
   const function_of = (at, motion = Array(size).fill(ZERO)) => [...motion, ...at].slice(0, coordinates);
@@ -2786,7 +2779,7 @@ function is_unloaded(question) {
   return question.wrench.every(([w]) => w.isZero()) && question.contacts.every((c) => c.preload[0].isZero());
 }
 
-function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
+function check_segments(question, box, {resisted, segments, tree}, tally) {
   resisted.forEach(([low, high], k) => {
     const before = k > 0 ? resisted[k - 1][1] : undefined;
     if (low.sign() < 0 || (high !== null && low.compare(high) > 0) || before === null ||
@@ -2845,7 +2838,7 @@ function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
   tally.trees = gaps.length;
 }
 
-function check_space_margin(question, box, claims, tally) {
+function check_claims(question, box, claims, tally) {
   const unloaded = is_unloaded(question);
   const resisted = [], refuted = [];
   claims.forEach(({kind, low, high, part, points, tree}, k) => {
@@ -2938,9 +2931,9 @@ function check(grasp, certificate, options = {}) {
     const box = Box.of(question, proof.bits);
     let intervals = null;
     if (proof.claims !== undefined) {
-      intervals = check_space_margin(question, box, proof.claims, tally);
+      intervals = check_claims(question, box, proof.claims, tally);
     } else if (proof.resisted !== undefined) {
-      check_plane_margin(question, box, proof, tally);
+      check_segments(question, box, proof, tally);
       intervals = {resisted: proof.resisted, refuted: null};
     } else if (proof.parts !== undefined) {
       check_parts(question, box, proof.parts, tally);

@@ -92,6 +92,10 @@ Question question_in_box(const GraspFile& grasp, QuestionOptions options,
 /// The same of one in space or of several bodies, whose lengths may be irrational.
 Question question_about(const GraspFile& grasp, const QuestionOptions& options);
 
+/// The fields of results.Margin, of a question whose margin is a list of claims.
+pybind11::dict margin_by_claims(const Question& question, std::size_t node_limit, bool warnings,
+                                const pybind11::object& accuracy);
+
 /// The fields of results.Decision but the warnings; with the certificate unless it is empty.
 pybind11::dict decision_fields(const Answer& answer, const std::string& certificate);
 

@@ -157,22 +157,15 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
   return result;
 }
 
-py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
-                           const py::object& wrench, const py::object& preload,
-                           const py::object& preload_direction, bool bilateral,
-                           std::size_t node_limit, bool warnings,
-                           const py::object& /*accuracy*/, const std::string& max_motion) {
+/// The fields of results.Margin; or the limit at which it is not known.
+py::dict exact_margin(const Question& question, std::size_t node_limit, bool warnings) {
   struct Answer {
-    Question question;
     std::variant<Margin, Undecided> result;
     MarginWork work;
     std::string certificate;  ///< empty if undecided
     std::vector<ModelWarning> warnings;
   };
-  const QuestionOptions asked = question_options(wrench, preload, bilateral, direction,
-                                                 preload_direction, "", max_motion);
   const Answer answer = without_gil([&] {
-    Question question = question_of(grasp, asked);
     ConeOptions options;
     options.node_limit = node_limit;
     MarginWork work;
@@ -183,8 +176,7 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
       certificate = margin_certificate_text(question, *margin, "stickslip " STICKSLIP_VERSION);
       if (warnings) traps = model_warnings(question, *margin);
     }
-    return Answer{std::move(question), std::move(found), work, std::move(certificate),
-                  std::move(traps)};
+    return Answer{std::move(found), work, std::move(certificate), std::move(traps)};
   });
 
   if (const auto* undecided = std::get_if<Undecided>(&answer.result)) {
@@ -198,7 +190,6 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   }
   py::dict work("ranges"_a = answer.work.ranges, "mode_programs"_a = answer.work.modes);
   work.attr("update")(stats(answer.work.cone));
-  const Question& question = answer.question;
   py::dict result("resisted"_a = resisted, "wrench"_a = fractions(question.loaded().wrench),
                   "normal_law"_a = to_string(question.law),
                   "certificate"_a = answer.certificate,
@@ -210,6 +201,18 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
     result["preload_direction"] = preload_direction_of(*question.preload_direction);
   }
   return result;
+}
+
+py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
+                           const py::object& wrench, const py::object& preload,
+                           const py::object& preload_direction, bool bilateral,
+                           std::size_t node_limit, bool warnings, const py::object& accuracy,
+                           const std::string& max_motion) {
+  const Question question =
+      question_in_box(grasp, question_options(wrench, preload, bilateral, direction,
+                                              preload_direction, "", max_motion));
+  return question.has_claims() ? margin_by_claims(question, node_limit, warnings, accuracy)
+                               : exact_margin(question, node_limit, warnings);
 }
 
 }  // namespace

@@ -154,7 +154,8 @@ py::dict margin_fields(const Question& question, const SpatialMargin& margin) {
   py::dict result(
       "resisted"_a = pairs(margin.resisted()), "refuted"_a = pairs(margin.refuted()),
       "wrench"_a = lows(question.box()->wrench), "normal_law"_a = to_string(question.law),
-      "certificate"_a = margin_certificate_text(question, margin, producer_of(kSpaceEngine)),
+      "certificate"_a =
+          margin_certificate_text(question, margin, producer_of(box_engine(question))),
       "stats"_a = stats(margin.work));
   result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
                                            : py::object(py::none());
@@ -165,34 +166,6 @@ py::dict margin_fields(const Question& question, const SpatialMargin& margin) {
   if (question.is_bounded()) {
     result["max_motion"] = tuple_of(question.box()->max_motion, fraction);
   }
-  return result;
-}
-
-py::dict find_spatial_margin(const SpatialGraspFile& grasp, const py::object& direction,
-                             const py::object& wrench, const py::object& preload,
-                             const py::object& preload_direction, bool bilateral,
-                             std::size_t node_limit, bool warnings, const py::object& accuracy,
-                             const std::string& max_motion) {
-  const Question question =
-      question_in_box(grasp, question_options(wrench, preload, bilateral, direction,
-                                              preload_direction, "", max_motion));
-  SpatialMarginOptions options;
-  options.search.node_limit = node_limit;
-  options.accuracy = exact(accuracy, "accuracy");
-  if (options.accuracy.sign() <= 0) {
-    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
-                     "give a number above 0, such as 1/1000");
-  }
-  std::vector<ModelWarning> traps;
-  const auto [margin, within] = without_gil([&] {
-    SpatialMargin found = find_margin(question, options);
-    if (warnings) traps = model_warnings(question, found);
-    auto second = margin_within(question, found, options);
-    return std::pair(std::move(found), std::move(second));
-  });
-  py::dict result = margin_fields(question, margin);
-  result["warnings"] = warning_fields(traps);
-  if (within) result["within"] = margin_fields(within->question, within->margin);
   return result;
 }
 
@@ -231,6 +204,28 @@ py::object parse(const std::string& content, const std::string& name) {
 }
 
 }  // namespace
+
+py::dict margin_by_claims(const Question& question, std::size_t node_limit, bool warnings,
+                          const py::object& accuracy) {
+  SpatialMarginOptions options;
+  options.search.node_limit = node_limit;
+  options.accuracy = exact(accuracy, "accuracy");
+  if (options.accuracy.sign() <= 0) {
+    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
+                     "give a number above 0, such as 1/1000");
+  }
+  std::vector<ModelWarning> traps;
+  const auto [margin, within] = without_gil([&] {
+    SpatialMargin found = find_margin(question, options);
+    if (warnings) traps = model_warnings(question, found);
+    auto second = margin_within(question, found, options);
+    return std::pair(std::move(found), std::move(second));
+  });
+  py::dict result = margin_fields(question, margin);
+  result["warnings"] = warning_fields(traps);
+  if (within) result["within"] = margin_fields(within->question, within->margin);
+  return result;
+}
 
 void bind_space(py::module_& module) {
   py::class_<SpatialGraspFile, GraspFile, std::shared_ptr<SpatialGraspFile>>(module,
@@ -284,8 +279,6 @@ void bind_space(py::module_& module) {
           [](const BodiesFile& f) { return pickled_grasp(f); },
           [](const py::tuple& state) { return BodiesFile{unpickled_grasp(state)}; }));
   module.def("parse_grasp", &parse);
-  // Before that of the plane, which takes any grasp.
-  module.def("margin", &find_spatial_margin, py::prepend());
 }
 
 }  // namespace stickslip::python

@@ -556,7 +556,8 @@ def margin(
     """Which multiples l >= 0 of a load, or of preloads, are resisted?
 
     The set is a finite union of closed intervals with rational ends; the last may have no end. In
-    space its ends need not be rational: some multiples are proved to be resisted, some to be
+    space, of an Assembly, where motions are bounded, and where preloads act along normals of
+    irrational length, ends are not exact: some multiples are proved to be resisted, some to be
     ``refuted``, and of those between nothing is known.
 
     Args:
@@ -571,10 +572,10 @@ def margin(
             are. ``least`` of the answer is then the least preload that holds the load. Of an Assembly
             the numbers of its springs follow those of contacts.
         normal_law: as in ``decide``.
-        accuracy: in space: which part of a multiple may stay undecided at an end.
+        accuracy: where ends are not exact: which part of a multiple may stay undecided at one.
         node_limit: give up after so many nodes; 0 is no limit.
         warnings: look for traps of the model as well, as ``decide`` does.
-        max_motion: in space and of an Assembly, as of ``decide``.
+        max_motion: as of ``decide``.
 
     Raises:
         InputError: an argument is wrong; nothing grows.

@@ -625,7 +625,7 @@ class Region(Answer):
 @dataclass(frozen=True, repr=False)
 class Margin(Answer):
     """Exactly these multiples l >= 0 are resisted under wrench + l direction, and with preloads
-    that grow in the preload direction; in space these are, and those in ``refuted`` are not."""
+    that grow in the preload direction; if there is ``refuted``, these are, and those in it are not."""
 
     resisted: Tuple[Tuple[Fraction, Optional[Fraction]], ...]
     """Closed intervals (low, high), increasing and disjoint; high is None for one without end."""
@@ -646,7 +646,9 @@ class Margin(Answer):
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
     ``grasp`` has them."""
     refuted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
-    """In space: multiples between these are not resisted. Of what is in neither nothing is known."""
+    """Multiples between these are not resisted. Of what is in neither nothing is known. None where
+    ``resisted`` is exact: in the plane, of one body, without a bound on motions, and with rational
+    lengths of normals that preloads act along."""
     max_motion: Optional[Vector] = None
     """The bound on motions, a number for each coordinate, if there is one."""
     within: Optional[Margin] = None

@@ -12,7 +12,7 @@ from fractions import Fraction
 from support import Case, corpus
 
 BOUNDS = [Fraction(1, 1000), Fraction(1, 4), Fraction(1, 2), Fraction(1), Fraction(3, 2), Fraction(2), Fraction(9)]
-KINDS = ("plane", "plane_box", "plane_margin", "space", "space_box", "space_margin", "bodies", "bodies_margin", "bodies_space",
+KINDS = ("plane", "plane_box", "plane_claims", "space", "space_box", "space_margin", "bodies", "bodies_margin", "bodies_space",
          "bodies_soft")
 
 

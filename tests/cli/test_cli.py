@@ -347,13 +347,16 @@ class Margin(Case):
                 (("0,0,0",), "all of its numbers are 0"), (("1,x,1",), "x"), (("Scale",), "Scale"),
                 (("scale", "--preload", 0), "no preload to scale")):
             self.fails("margin", FIG1, preloads, *words, naming=[preloads, problem])
-        # Of irrational length, and preloaded only as the preloads grow.
+        # Of irrational length, and preloaded only as the preloads grow: its ends are not exact.
         grasp = self.write("diagonal.json", {
             "format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": 1},
             "contacts": [{"position": [0, 0], "normal": [1, 0]},
                          {"position": [0, 0], "normal": [-1, 1]}]})
-        self.fails("margin", grasp, preloads, "0,1", naming=["contacts[1].normal", "snap"])
+        self.fails("margin", grasp, "--class", "--direction", "0,1,0", "--preload", 1, naming=[grasp, "contacts[1].normal", "snap"])
+        self.fails("margin", grasp, "--class", "--direction", "0,1,0", "--max-motion", "1,1", naming=["max_motion", "none"])
+        self.assertNotIn("refuted", self.json("margin", grasp, preloads, "1,0"))
         self.assertEqual(self.json("margin", grasp, preloads, "1,0")["resisted"], [["0", None]])
+        self.assertIn("refuted", self.json("margin", grasp, preloads, "0,1"))
 
     def test_undecided(self):
         code, out, err = stickslip("margin", FIG1, "--direction", "0,1,0", "--node-limit", 1)
@@ -874,8 +877,7 @@ class Snap(Case):
                               r"to \(~0.707107, ~0.707107\)\ncontact 1: .*\n~ marks")
 
     def test_then_every_question_has_a_proof(self):
-        self.fails("margin", self.grasp, "--direction", "0,1,0",
-                   naming=["contacts[0].normal", "stickslip snap GRASP -o FILE"])
+        self.fails("region", self.grasp, naming=["contacts[0].normal", "stickslip snap GRASP -o FILE"])
         stickslip("snap", self.grasp, "-o", self.snapped)
         for load in ("0,1/10,0", "100,0,0"):
             verdict = self.json("decide", self.snapped, "--wrench", load)["verdict"]
@@ -995,8 +997,7 @@ class BadInput(Case):
         grasp, snapped = self.write("g.json", content), self.path("snapped.json")
         remedy = "run stickslip snap GRASP -o FILE, and ask about FILE"
         self.assertEqual(stickslip("snap", grasp, "-o", snapped)[0::2], (DONE, ""))
-        for command, *options in (("plot grasp",), ("region",),
-                                  ("margin", "--direction", "0,1,0"), ("compare",)):
+        for command, *options in (("plot grasp",), ("region",), ("compare",)):
             self.fails(*command.split(), grasp, *options, naming=[grasp, "contacts[1].normal", remedy])
             self.assertEqual(stickslip(*command.split(), snapped, *options)[0::2], (DONE, ""))
         _, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(content) + "\n"))

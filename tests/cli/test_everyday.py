@@ -113,8 +113,8 @@ class Margins(Everyday):
             self.assertEqual((code, said.split("\n")[0]), (DONE, "accepted"), said + err)
         return json.loads(out)
 
-    def assert_ends_at_one(self, family, rng):
-        content = everyday(family, 1, rng)
+    def assert_ends_at_one(self, family, rng, flat=False):
+        content = everyday(family, 1, rng, flat=flat)
         file = self.write("g.json", content)
         along = "--direction=" + ",".join(map(repr, content["wrench"]))
         answer = self.known(file, along)
@@ -133,10 +133,16 @@ class Margins(Everyday):
         for family in (lifted, twisted, jaws_twisted, pinched):
             self.assert_ends_at_one(family, rng)
 
+    def test_in_the_plane(self):
+        rng = random.Random(10)
+        for family in (twisted, pinched) * 3:
+            self.assert_ends_at_one(family, rng, flat=True)
+
     def test_by_all_checkers(self):
         self.judges = checkers
-        self.assert_ends_at_one(twisted, random.Random(9))
-        self.assert_ends_at_one(pinched, random.Random(9))
+        for flat in (False, True):
+            self.assert_ends_at_one(twisted, random.Random(9), flat)
+            self.assert_ends_at_one(pinched, random.Random(9), flat)
 
     def test_a_bound_keeps_motions_small(self):
         # One soft contact presses 1 for each unit that it gives: up to its bound.
@@ -149,6 +155,41 @@ class Margins(Everyday):
         self.assertEqual((low, end), ("0", None))
         self.assertTrue(2.99 < Fraction(high) <= 3 <= Fraction(above) < 3.01, (high, above))
         self.assertEqual(self.known(file, along)["resisted"], [["0", None]])
+
+    def test_a_bound_in_the_plane(self):
+        # As in space; and between four springs of 1, each of which gives up to a half.
+        self.judges = checkers
+        foot = {"format": "stickslip-grasp/2", "contacts": [
+            {"position": [0, 0], "normal": [0, 1], "friction": 1, "stiffness": 1}], "wrench": [0, 0, 0]}
+        between = {"format": "stickslip-grasp/2", "defaults": {"friction": 0, "preload": 10}, "contacts": [
+            {"position": [side, y], "normal": [-side, 0]} for side in (-1, 1) for y in (-1, 1)], "wrench": [0, 0, 0]}
+        # Of a length without a root: it presses 1 for each half that it gives.
+        slope = {"format": "stickslip-grasp/2", "contacts": [
+            {"position": [0, 0], "normal": [1, 1], "friction": 1, "stiffness": 2, "preload": 0}], "wrench": [0, 0, 0]}
+        for content, direction, bound, end in ((foot, "0,-1,0", "3,1", 3), (between, "1,0,0", "1/2,1", 2), (slope, "-1,-1,0", "1,1", 2)):
+            file = self.write("g.json", content)
+            answer = self.known(file, "--direction=" + direction, "--max-motion", bound)
+            [(low, high)], [(above, last)] = answer["resisted"], answer["refuted"]
+            self.assertEqual((low, last), ("0", None))
+            self.assertTrue(0.99 * end < Fraction(high) <= end <= Fraction(above) < 1.01 * end, (direction, high, above))
+            self.assertNotIn("refuted", self.known(file, "--direction=" + direction))
+        file = self.write("g.json", {**foot, "max_motion": {"length": 3, "angle": 1}})
+        self.assertIn("refuted", self.known(file, "--direction=0,-1,0"))
+        self.assertNotIn("refuted", self.known(file, "--direction=0,-1,0", "--max-motion", "none"))
+
+    def test_preloads_that_grow_along_normals_of_irrational_length(self):
+        # Two jaws along a diagonal, a load of 2 across it, and friction 1/2: each presses with 2.
+        content = {"format": "stickslip-grasp/2", "defaults": {"friction": "1/2", "preload": 1}, "contacts": [
+            {"position": [side, side], "normal": [-side, -side]} for side in (-1, 1)], "wrench": ["1.4142135623730951", "-1.4142135623730951", 0]}
+        file = self.write("g.json", content)
+        self.judges = checkers
+        for words in (("scale",), ("1,1", "--preload=0")):
+            answer = self.known(file, "--preload-direction", *words)
+            [(low, high)], [(least, end)] = answer["refuted"], answer["resisted"]
+            self.assertEqual(low, "0")
+            self.assertTrue(1.99 < Fraction(high) < 2 < Fraction(least) < 2.01 < 10 < Fraction(end), answer)
+            code, out, err = stickslip("margin", file, "--preload-direction", *words, "--least", "--exact")
+            self.assertEqual((code, out), (DONE, answer["least"] + "\n"), err)
 
     def test_a_quality_within_a_bound(self):
         # Four feet under a weight, in a frame along the axes: no ball of loads but the bound's size is held.

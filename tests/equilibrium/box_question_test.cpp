@@ -68,6 +68,24 @@ TEST(BoxQuestion, PreloadsAlongIrrationalNormals) {
     EXPECT_EQ(error.place(), "contacts[1].normal");
     EXPECT_THAT(error.remedy(), HasSubstr("stickslip snap GRASP -o FILE"));
   }
+  // A margin is a list of claims then, also if the preload only grows; and within a bound.
+  options.direction = RationalRow{0, 1, 0};
+  EXPECT_TRUE(ask(file, options).has_claims());
+  EXPECT_EQ(test::error_of([&] { problem_of(ask(file, options)); }).place(),
+            "contacts[1].normal");
+  options.preload.reset();
+  EXPECT_FALSE(ask(file, options).has_claims());
+  options.max_motion = MotionBound{{1, 1}, {}};
+  EXPECT_TRUE(ask(file, options).has_claims());
+  EXPECT_EQ(test::error_of([&] { problem_of(ask(file, options)); }).place(), "max_motion");
+  options.max_motion.reset();
+  for (const bool grows : {false, true}) {
+    options.preload_direction = PreloadDirection{false, {1, grows ? 1 : 0}};
+    const Question along = ask(file, options);
+    EXPECT_EQ(along.has_claims(), grows);
+    EXPECT_EQ(test::error_of([&] { problem_of(along); }).place(),
+              grows ? "contacts[1].normal" : "");
+  }
   // A preload that may be above 0 is enough.
   GraspBox box = box_of(file.content);
   box.contacts[1].preload = {0, 0};

@@ -177,7 +177,8 @@ void run(const Input& input) {
   if (!arguments.help && !arguments.json) leave_for_python(input, answer);
   const auto* accepted = std::get_if<Accepted>(&answer);
   if (accepted == nullptr || accepted->question.contacts.size() > 6 ||
-      accepted->question.is_box || accepted->question.several) {
+      accepted->question.is_box || accepted->question.several ||
+      accepted->question.asked.max_motion) {
     return;
   }
   if (accepted->question.in_space) {

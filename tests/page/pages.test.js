@@ -264,7 +264,8 @@ test("a length that is irrational makes no box", () => {
   assert.match(opened.text("#verdict"), /Stable: the grasp holds this load/);
   assert.match(words, /normals of contacts 0 and 1 have irrational lengths \|n\|: P\/\|n\| was enclosed to 128 bits/);
   assert.match(words, /The body moves by nearly d =/);
-  assert.match(words, /region, margin, map: a preloaded contact has a normal of irrational length; `stickslip snap` writes/);
+  assert.match(opened.text("#margin-note"), /Resisted multiples λ of the load: \[0, .*found nearly here/s);
+  assert.match(words, /region, map: a preloaded contact has a normal of irrational length; `stickslip snap` writes/);
   assert.doesNotMatch(words, /box|all of them at once|more than one grasp/);
 });
 

@@ -113,7 +113,7 @@ def test_files_are_read_by_the_checker(fig1, tmp_path):
 def test_preloads_along_irrational_normals():
     grasp = Grasp([[-1, -1], [1, -1], [0, 1]], [[1, 1], [-1, 1], [0, -1]], 1, preload=1,
                   wrench=(0, "1/10", 0))
-    for ask in (decide, lambda g: margin(g, UP), lambda g: crosscheck(g, "stable")):
+    for ask in (decide, lambda g: crosscheck(g, "stable")):
         with pytest.raises(InputError) as error:
             ask(grasp)
         assert error.value.place == "contacts[0].normal"
@@ -123,6 +123,26 @@ def test_preloads_along_irrational_normals():
     assert check(near, decision.certificate)
     assert check(nearer, decide(nearer).certificate)
     assert not check(grasp, decision.certificate)  # of the grasp before it is a proof about a box
+    # Margins of it are not exact, but near.
+    exact, found = margin(nearer, UP), margin(grasp, UP)
+    [(low, high)], [(above, end)] = found.resisted, found.refuted
+    assert exact.refuted is None and exact.resisted[0][0] == low == 0 and end is None
+    assert high <= exact.resisted[0][1] <= above < high * Fraction(101, 100)
+    assert found.check() and check(grasp, found.certificate, direction=UP).resisted == found.resisted
+    assert not check(nearer, found.certificate, direction=UP)
+    with pytest.raises(InputError, match="accuracy"):
+        margin(grasp, UP, accuracy=0)
+
+
+def test_margins_within_a_bound():
+    # One contact presses 1 for each unit that it gives.
+    foot = Grasp([[0, 0]], [[0, 1]], 1)
+    bounded = margin(foot, DOWN, max_motion=(3, 1), warnings=True)
+    [(low, high)], [(above, end)] = bounded.resisted, bounded.refuted
+    assert (low, end) == (0, None) and 2.99 < high <= 3 <= above < 3.01
+    assert bounded.max_motion == (3, 3, 1) and bounded.within is None and bounded.check()
+    assert not check(foot, bounded.certificate, direction=DOWN)
+    assert margin(foot, DOWN, max_motion="none").resisted == ((0, None),)
 
 
 # --- arguments and values

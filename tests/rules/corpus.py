@@ -32,7 +32,7 @@ import os
 import re
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "plane_class", "space", "space_box", "space_margin", "space_class",
+KINDS = ("plane", "plane_box", "plane_margin", "plane_claims", "plane_region", "plane_class", "space", "space_box", "space_margin", "space_class",
          "bodies", "bodies_margin", "bodies_space", "bodies_soft")  # of several bodies: boxes too; bodies_soft: margins too
 QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "inertia", "uncertain",
             "max_motion")

@@ -203,7 +203,7 @@ std::vector<ModelWarning> model_warnings(const Question& question, const BoxDeci
 std::vector<ModelWarning> model_warnings(const Question& question,
                                          const SpatialMargin& margin) {
   if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
-  const GraspBox& grasp = *question.box();
+  const GraspBox grasp = seen_in_space(*question.box());
   ModelWarnings warnings;
   const auto preloads_at = [&](const Rational& multiple) {
     std::vector<Rational> preloads = preloads_of(grasp);
@@ -212,7 +212,8 @@ std::vector<ModelWarning> model_warnings(const Question& question,
     }
     return preloads;
   };
-  const auto look_at = [&](const Rational& multiple, const RationalRow& d) {
+  const auto look_at = [&](const Rational& multiple, const RationalRow& twist) {
+    const RationalRow d = seen_in_space(twist);
     const auto at_multiple = [&](std::optional<std::string> text) {
       if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
       return text;

@@ -9936,7 +9936,7 @@ let has_irrational_preload it =
 
 (** val check_contact : bool -> bool -> path -> contact -> bool result **)
 
-let check_contact margin claims at_path it =
+let check_contact margin exact0 at_path it =
   let here = fun name -> (Member name) :: at_path in
   bind
     (check_that
@@ -9968,9 +9968,7 @@ let check_contact margin claims at_path it =
               (fun _ ->
               let irrational = has_irrational_preload it in
               bind
-                (check_that
-                  (negb ((&&) ((&&) irrational margin) (negb claims)))
-                  (here "normal")
+                (check_that (negb ((&&) irrational exact0)) (here "normal")
                   ((^)
                     "the contact has a preload and a normal of irrational length, so there is no exact "
                     "question; run stickslip snap GRASP -o FILE, and ask about FILE"))
@@ -10090,12 +10088,6 @@ let check_plane file asked =
 (** val pose : grasp -> options -> posed result **)
 
 let pose file asked =
-  let claims =
-    (||) file.in_space
-      (match file.bodies_read with
-       | Some _ -> true
-       | None -> false)
-  in
   bind (check_dimension file "wrench" asked.asked_wrench) (fun _ ->
     bind (check_dimension file "direction" asked.asked_direction) (fun _ ->
       bind
@@ -10205,8 +10197,12 @@ let pose file asked =
                                   else "the squared radius of gyration must be > 0"))))
                        | None -> Fine ()) (fun _ ->
                       let margin = asks_one asked in
+                      let exact0 =
+                        (&&) (negb file.in_space)
+                          ((||) (asks_class asked) (asks_plane asked))
+                      in
                       bind
-                        (each (check_contact margin claims) ((Member
+                        (each (check_contact margin exact0) ((Member
                           "contacts") :: []) them0) (fun boxes ->
                         bind
                           (each (check_element margin) ((Member
@@ -10320,12 +10316,20 @@ type statement = { stated_contacts : Big_int_Z.big_int;
 
 type shape = { spatial : bool; of_bodies : bool;
                size_of_twist : Big_int_Z.big_int; soft : bool list;
-               of_margin : bool; of_plane : bool; of_class : bool }
+               of_claims : bool; of_margin : bool; of_plane : bool;
+               of_class : bool }
 
-(** val of_claims : shape -> bool **)
+(** val has_claims : question -> bool **)
 
-let of_claims s =
-  (||) s.spatial s.of_bodies
+let has_claims q0 =
+  (||)
+    ((||)
+      (match q0.several with
+       | Some _ -> true
+       | None -> Nat.eqb q0.dimension (S (S (S (S (S (S O)))))))
+      (match q0.max_motion with
+       | Some _ -> true
+       | None -> false)) (existsb has_irrational_preload q0.contacts)
 
 (** val read_numbers : Big_int_Z.big_int -> path -> json -> q list result **)
 
@@ -10528,7 +10532,7 @@ let read_statement s at_path value0 =
     (members_in_order
       (app
         ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
-        (app (if of_claims s then [] else "plane" :: [])
+        (app (if (||) s.spatial s.of_bodies then [] else "plane" :: [])
           (app (if s.of_bodies then [] else "inertia" :: [])
             ("uncertain" :: ("max_motion" :: []))))) at_path value0)
     (fun members ->
@@ -11295,7 +11299,7 @@ let read_verdict s at_path value0 =
 
 let read_body0 s good members =
   if s.of_margin
-  then if of_claims s
+  then if s.of_claims
        then bind
               (next_read "intervals"
                 (read_array "an array of claims" (read_claim s)) members)
@@ -11432,8 +11436,8 @@ let read_certificate q0 value0 =
     (match q0.several with
      | Some _ -> true
      | None -> false); size_of_twist = (Z.of_nat q0.dimension); soft =
-    (map_all (fun it -> negb (is_0 it.torsion)) q0.contacts); of_margin =
-    margin; of_plane = plane; of_class = class1 }
+    (map_all (fun it -> negb (is_0 it.torsion)) q0.contacts); of_claims =
+    (has_claims q0); of_margin = margin; of_plane = plane; of_class = class1 }
   in
   (match value0 with
    | Object members ->
@@ -11457,7 +11461,7 @@ let read_certificate q0 value0 =
            bind
              (if (&&)
                    ((&&) (begins_with "bits" rest1)
-                     ((||) (negb s.of_margin) (of_claims s)))
+                     ((||) (negb s.of_margin) s.of_claims))
                    (negb ((||) s.of_class s.of_plane))
               then next_read "bits" read_bits rest1
               else Fine (default_bits, rest1)) (fun pat1 ->

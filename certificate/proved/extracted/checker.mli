@@ -1986,9 +1986,10 @@ type statement = { stated_contacts : Big_int_Z.big_int;
 
 type shape = { spatial : bool; of_bodies : bool;
                size_of_twist : Big_int_Z.big_int; soft : bool list;
-               of_margin : bool; of_plane : bool; of_class : bool }
+               of_claims : bool; of_margin : bool; of_plane : bool;
+               of_class : bool }
 
-val of_claims : shape -> bool
+val has_claims : question -> bool
 
 val read_numbers : Big_int_Z.big_int -> path -> json -> q list result
 

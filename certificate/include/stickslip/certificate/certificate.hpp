@@ -21,8 +21,8 @@ namespace stickslip {
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer, unsigned bits = kDefaultBits);
 
-/// \{ The certificate of the margin of problem_of(question), and of one in space (FORMAT.md,
-/// section 5).
+/// \{ The certificate of the margin of problem_of(question), by segments, and of one by claims
+/// (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
 std::string margin_certificate_text(const Question& question, const SpatialMargin& margin,

@@ -44,8 +44,9 @@ struct GraspFile {
 };
 
 /// Whether a reader takes files with intervals. What does not answer for all grasps in a box
-/// must not: it would take the middle for the answer.
-enum class Intervals { kRefused, kAllowed };
+/// must not: it would take the middle for the answer. Where they are refused, so are bounds of
+/// motions of grasps in the plane, unless they alone are taken.
+enum class Intervals { kRefused, kOnlyBounds, kAllowed };
 
 /// The index of a case of a file, by the names of all. Throws InputError with the place "case"
 /// if it has none of that name, and if no name is given.

@@ -39,8 +39,8 @@ struct QuestionOptions {
 /// Or, if it is a *box* (certificate/FORMAT.md, section 6): is every grasp in it stable?
 struct Question {
   /// With everything replaced and widened; the base of a margin. In the plane a box if some
-  /// interval has A < B, some normal a slope, or, of what is no margin, a contact that may have
-  /// a preload a normal of irrational length.
+  /// interval has A < B, some normal a slope, motions are bounded, or a contact that may have a
+  /// preload, or whose preload grows, has a normal of irrational length.
   AnyGrasp grasp;
   NormalLaw law = NormalLaw::kUnilateral;      ///< of every contact
   std::optional<Rational> preload{};           ///< set if it replaced the file's preloads
@@ -59,6 +59,9 @@ struct Question {
   const Mechanism* mechanism() const { return mechanism_of(grasp); }
   /// Whether motions are bounded: only then by GraspBox::max_motion.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
+  /// Whether a margin is a list of claims (certificate/FORMAT.md, section 5), and not exactly
+  /// what is resisted: unless it is about one grasp in the plane.
+  bool has_claims() const { return is_margin() && box() != nullptr; }
   /// Of one body in the plane, for which there is more than for all others.
   bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
   /// Name, outline and units of the grasp.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Margins in space: multiples l >= 0 for which a grasp is stable under the wrench w + l u and
-/// the preloads P + l P^u (certificate/FORMAT.md, section 5). Ends of what is resisted are
-/// algebraic numbers there, so that some multiples near them are left undecided.
+/// Margins as lists of claims: multiples l >= 0 for which a grasp is stable under the wrench
+/// w + l u and the preloads P + l P^u (certificate/FORMAT.md, section 5, "Claims"). Ends of
+/// what is resisted may be irrational there, so that some multiples near them are left
+/// undecided.
 ///
 /// **Method.** An equilibrium is followed as the multiple grows and falls, in steps that become
 /// smaller where it is lost. Where nothing slips the equilibria at the ends of a step prove it,
@@ -69,8 +70,8 @@ struct SpatialMarginOptions {
   SearchOptions search{};  ///< of each proof
 };
 
-/// Requires a question about a margin in space or of several bodies. Where motions are bounded
-/// only equilibria within the bound count. Deterministic. `progress` is called now and then.
+/// Requires a question whose margin is a list of claims. Where motions are bounded only
+/// equilibria within the bound count. Deterministic. `progress` is called now and then.
 SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options = {},
                           const std::function<void(const SpatialMargin&)>& progress = {});
 

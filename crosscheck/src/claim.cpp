@@ -5,7 +5,6 @@
 
 #include "nearby.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/search/grasp_law.hpp"
 
 namespace stickslip {
 
@@ -27,6 +26,14 @@ void check_sizes(const Question& question, const Claim& claim) {
   for (const RationalRow& force : *claim.forces) {
     require(force.size() == coordinates / 3 + 1, "forces on this grasp");
   }
+}
+
+/// Whether the claimed motion is within the bound on motions, if both are there.
+bool is_allowed(const Claim& claim, const GraspBox& grasp) {
+  for (std::size_t j = 0; claim.twist && j < grasp.max_motion.size(); ++j) {
+    if (abs((*claim.twist)[j]) > grasp.max_motion[j]) return false;
+  }
+  return true;
 }
 
 /// Of one with another verdict.
@@ -58,8 +65,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   report.scale = residual_scale(grasp, claim);
   if (claim.twist) report.claimed_slip = slip_of(grasp, *claim.twist);
 
-  const bool is_allowed = !claim.twist || GraspLaw(grasp, question.law).allows(*claim.twist);
-  const bool is_exact = is_allowed && is_equilibrium(report.residuals);
+  const bool is_exact = is_equilibrium(report.residuals) && is_allowed(claim, grasp);
   if (is_exact) {
     Verdict& exact = report.answer.verdict;
     require(!std::holds_alternative<Unstable>(exact), "a refutation of an equilibrium");

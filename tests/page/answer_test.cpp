@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "rounds.hpp"
@@ -23,9 +24,13 @@ constexpr const char* kPinch = R"({"format": "stickslip-grasp/1", "name": "</scr
   "contacts": [{"position": [-1, 0], "normal": [1, 0]}, {"position": [1, 0], "normal": [-1, 0]}],
   "wrench": [0, "1/2", 0]})";
 
+/// An answer as a page reads it.
+using Json = nlohmann::ordered_json;
+
 Json answer_about(const std::string& grasp, const PageParts& parts = {},
                   const PageLimits& limits = {}, const QuestionText& asked = {}) {
-  return page_answer(parse_any_grasp(grasp, "test"), asked, parts, limits, "test");
+  return Json::parse(
+      page_answer(parse_any_grasp(grasp, "test"), asked, parts, limits, "test").dump());
 }
 
 /// A grasp of contacts at these places, with these normals; certain and without preload.
@@ -239,7 +244,7 @@ TEST(PageReply, NormalsAreSnappedOnRequest) {
 
 TEST(PageHtml, EveryScriptHasTheNonceAndTheAnswerIsThere) {
   const Json answer = answer_about(kPinch, {true, true, true, true, false, false, true});
-  const std::string html = page_html(answer, "0123");
+  const std::string html = page_html(stickslip::Json::parse(answer.dump()), "0123");
   std::size_t scripts = 0;
   for (std::size_t at = html.find("<script"); at != std::string::npos;
        at = html.find("<script", at + 1)) {

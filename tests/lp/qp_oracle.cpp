@@ -55,7 +55,8 @@ OracleAnswer ask_qp_solver(const LinearProgram& program) {
     answer.status = Status::kUnbounded;
   } else {
     const CGAL::Quotient<Number> value = solution.objective_value();
-    answer.value = Rational(mpq_srcptr{(value.numerator() / value.denominator()).mpq()});
+    const CGAL::Gmpq quotient = value.numerator() / value.denominator();
+    mpq_set(answer.value.mutable_gmp(), quotient.mpq());
   }
   return answer;
 }

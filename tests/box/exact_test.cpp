@@ -3,6 +3,8 @@
 // shares nothing with it, accepts all that is proved, and what is planted is found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "both_checkers.hpp"
 #include "exact_region.hpp"
 #include "random_grasps.hpp"
@@ -84,11 +86,13 @@ Body planted(RandomSource& random, bool in_space) {
   }
   law.scale(body.near.motion);
   body.is_planted = true;
+  const bool moves =
+      std::any_of(d.begin(), d.end(), [](const Rational& entry) { return !entry.is_zero(); });
   for (const LawContact& c : law.contacts) {
     const CornerRow& row = c.corners.front();
     Rational v = c.preload.low - c.stiffness.low * dot(row.normal, d);
     const bool may_open = body.options.law == NormalLaw::kUnilateral;
-    if (v.is_zero() ? !motion.isZero(0) : v.sign() < 0 && !may_open) body.is_planted = false;
+    if (v.is_zero() ? moves : v.sign() < 0 && !may_open) body.is_planted = false;
     if (v.sign() < 0) v = 0;
     const int slip = in_space ? 0 : dot(row.wrench_of({1}), d).sign();
     RationalRow f(c.slip_numbers());

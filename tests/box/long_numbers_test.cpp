@@ -77,10 +77,11 @@ void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
                   std::size_t contacts) {
   EXPECT_EQ(outcome.verdict, verdict);
   EXPECT_LE(outcome.bytes, 40000u);
-  EXPECT_LE(outcome.work.at("nodes").get<std::size_t>(), 1500u);
+  EXPECT_LE(outcome.work.at("nodes").count(), 1500u);
   // What doubles leave open is the exception on walls, whatever the number of contacts. Trees
   // of all motions begin with wide regions, which long planes cut.
-  EXPECT_LE(outcome.work.value("exact_checks", std::size_t{0}),
+  const Json* exact_checks = outcome.work.find("exact_checks");
+  EXPECT_LE(exact_checks != nullptr ? exact_checks->count() : 0,
             verdict == "stable" ? 20u : 100u)
       << contacts;
 }

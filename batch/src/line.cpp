@@ -144,7 +144,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
       const Answer found =
           answer_to(question, {Engine::kAuto, options_.node_limit, WarningsAsked::kOfMotion});
       answer("verdict", found.verdict);
-      if (found.within) result["within"] = within_json(*found.within);
+      if (found.within) result["within"] = finished(within_json(*found.within), false);
       for (const ModelWarning& warning : found.warnings.value_or(std::vector<ModelWarning>{})) {
         result["warnings"].push_back(to_string(warning.trap));
       }

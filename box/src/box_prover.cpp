@@ -152,12 +152,12 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     }
   }
   // There is an equilibrium in the middle of a wide box: no tree is about all of it.
-  if (stable_ == true || (limits_.is_wide && !tried.empty())) return false;
+  if (stable_ == true || (limits_.is_wide && near_middle)) return false;
   const std::size_t before = tree_.size();
   bool refuted = false;
   const auto take = [&](const NearEquilibrium& relaxed) {
     const auto found = newton.polish(relaxed);
-    return found && (try_near(*found) || limits_.is_wide);
+    return found && (try_near(*found) || (limits_.is_wide && may_be_within(box, *found)));
   };
   const auto search_all = [&](bool exactly, bool keeps_near) {
     LawSearch search(box, nullptr, limits_.node_limit, work_);

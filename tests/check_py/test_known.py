@@ -38,16 +38,19 @@ class QuestionTest(Case):
     """§1."""
 
     def test_normals_of_irrational_length(self):
-        """In margins refused where the length is needed, with the remedy."""
+        """The class of a load is refused where the length is needed, with the remedy; a margin is then by claims."""
         two = grasp([[0, 0], [1, 0]], [[0, 1], [1, 1]], wrench=[0, -1, 0])
         plain = certificate(2, [0, -1, 0], tree=[["leaf", 0, 0, 0]])
         self.rejects("leaf-bound", two, plain, node=0, path="root")
         remedy = "stickslip snap GRASP -o FILE"
         self.rejects("question-preload", two, plain, "--preload", "1")
+        rigid = ("--preload", "1", "--inertia", "0,0,1")
+        self.malformed(remedy, two, plain, *rigid)
+        self.malformed("contacts[1].normal", two, plain, *rigid)
         for options in (("--preload-direction", "0,1"),
                         ("--preload", "1", "--preload-direction", "scale")):
-            self.malformed(remedy, two, plain, *options)
-            self.malformed("contacts[1].normal", two, plain, *options)
+            found, _, _, _ = self.run_both(two, plain, *options)
+            self.assertEqual(found, 1)  # it can be asked, and the certificate is about something else
         code, _, _, _ = self.run_both(two, plain, "--preload-direction", "1,0")
         self.assertEqual(code, 1)  # length 1, and no preload at the other: it can be asked
         for snap in ("snap", "exact", {"snap": "0.99"}):

@@ -6,7 +6,7 @@ import os
 import random
 import unittest
 
-from test_cli import BAD_INPUT, CHECK, DONE, UNDECIDED, Case, checkers, run, stickslip
+from test_cli import BAD_INPUT, CHECK, DONE, HERE, UNDECIDED, Case, checkers, read, run, stickslip
 
 # Of tests/support, which test_cli adds to the path.
 from results import checked
@@ -47,6 +47,16 @@ class Batch(Case):
             self.assertEqual(self.results(path, "--threads", threads), results)
         with open(path, encoding="utf-8") as file:
             self.assertEqual(self.results("-", stdin=file.read()), results)
+
+    def test_a_second_answer_is_that_of_decide(self):
+        folder = os.path.join(HERE, "..", "corpus", "everyday")
+        files = [os.path.join(folder, name) for name in ("round_disc.json", "cylinder_too_heavy.json")]
+        path = self.write("everyday.jsonl", "".join(json.dumps(json.loads(read(file))) + "\n" for file in files))
+        _, out, _ = stickslip("batch", path)
+        for file, line in zip(files, out.splitlines()):
+            _, said, _ = stickslip("decide", file, "--json", "--no-warnings")
+            within = json.loads(said)["within"]
+            self.assertEqual(json.loads(line)["within"], {key: within[key] for key in ("verdict", "max_motion")})
 
     def test_options_apply_to_every_line(self):
         path = self.lines([0, 20])

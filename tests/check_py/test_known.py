@@ -38,15 +38,12 @@ class QuestionTest(Case):
     """§1."""
 
     def test_normals_of_irrational_length(self):
-        """The class of a load is refused where the length is needed, with the remedy; a margin is then by claims."""
+        """A margin that needs the length is by claims, and can be asked; `snap` in the file is refused, with the remedy."""
         two = grasp([[0, 0], [1, 0]], [[0, 1], [1, 1]], wrench=[0, -1, 0])
         plain = certificate(2, [0, -1, 0], tree=[["leaf", 0, 0, 0]])
         self.rejects("leaf-bound", two, plain, node=0, path="root")
         remedy = "stickslip snap GRASP -o FILE"
         self.rejects("question-preload", two, plain, "--preload", "1")
-        rigid = ("--preload", "1", "--inertia", "0,0,1")
-        self.malformed(remedy, two, plain, *rigid)
-        self.malformed("contacts[1].normal", two, plain, *rigid)
         for options in (("--preload-direction", "0,1"),
                         ("--preload", "1", "--preload-direction", "scale")):
             found, _, _, _ = self.run_both(two, plain, *options)

@@ -55,7 +55,7 @@ class Crosscheck(Claims):
         # It presses 1 for each unit that it gives, in words that are exact.
         foot = {"format": "stickslip-grasp/2", "contacts": [{"position": [0, 0, 0], "normal": [0, 0, 1], "friction": 1}],
                 "max_motion": [0.5] * 6, "wrench": [0, 0, 0, 0, 0, 0]}
-        held = claim([0, 0, -1, 0, 0, 0], 0, "stable", grasp=foot, twist=[0, 0, -1, 0, 0, 0], forces=[[1, 0, 0]])
+        held = claim([0, 0, -1, 0, 0, 0], 0, "stable", grasp=foot, twist=[0, 0, -1, 0, 0, 0], force_vectors=[[0, 0, 1]])
         [report], _ = self.judge(held, code=WRONG)
         self.assertEqual((report["class"], report["verdict"]), ("wrong", "unstable"))
         del foot["max_motion"]

@@ -22,7 +22,7 @@ Json margin_json(const Question& question, const SpatialMargin& margin,
 /// The margin that is found beside one that only the rounding of the data decides.
 struct SecondMargin {
   Question question;  ///< with a bound on motions, or another direction
-  SpatialMargin margin;
+  SpatialMargin margin;  ///< its answer
 };
 
 /// Returns the second answer beside the margin of a question, or nothing if that says all that

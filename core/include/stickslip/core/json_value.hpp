@@ -66,10 +66,13 @@ class Json {
   Json(const Range& range) : Json(array()) {
     for (const auto& value : range) push_back(value);
   }
+  /// \{ A copy, and what another value was, which becomes null.
   Json(const Json& other);
   Json(Json&& other) noexcept : kind_(other.kind_), word_(other.word_) {
     other.kind_ = Kind::kNull;
   }
+  /// \}
+  /// *this becomes the other value.
   Json& operator=(Json other) noexcept {
     std::swap(kind_, other.kind_);
     std::swap(word_, other.word_);
@@ -90,12 +93,14 @@ class Json {
   /// program's own: std::logic_error if it is no JSON.
   static Json parse(std::string_view text);
 
+  /// \{ Whether the value is of this kind; is_true() of `true` alone.
   bool is_null() const { return kind_ == Kind::kNull; }
   bool is_true() const { return kind_ == Kind::kBoolean && word_.boolean; }
   bool is_string() const { return kind_ == Kind::kString; }
   bool is_exact() const { return kind_ == Kind::kExact; }
   bool is_array() const { return kind_ == Kind::kArray; }
   bool is_object() const { return kind_ == Kind::kObject; }
+  /// \}
 
   /// The content of a string, or the digits of an exact number.
   const std::string& text() const;
@@ -104,6 +109,7 @@ class Json {
 
   /// The number of values of an array, or members of an object; 0 for null, else 1.
   std::size_t size() const;
+  /// Whether size() is 0.
   bool empty() const { return size() == 0; }
 
   /// \{ The values of an array; of anything else, none.
@@ -135,6 +141,7 @@ class Json {
   const std::vector<Member>& members() const;
   /// The value of a member, or nullptr. O(members), as all that follow.
   const Json* find(std::string_view key) const;
+  /// Whether there is a member of this name.
   bool contains(std::string_view key) const { return find(key) != nullptr; }
   /// \{ The value of a member that is there.
   const Json& at(std::string_view key) const;
@@ -192,8 +199,8 @@ class Json {
 
 /// A member of an object: `for (const auto& [key, value] : json.members())`.
 struct Json::Member {
-  std::string key;
-  Json value;
+  std::string key;  ///< its name
+  Json value;       ///< what it holds
 };
 
 }  // namespace stickslip

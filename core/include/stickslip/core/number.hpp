@@ -39,6 +39,7 @@ using IfWord = std::enable_if_t<kIsWord<T>, int>;
 
 /// A machine's integer, signed or not, by its sign and its size.
 struct Word {
+  /// The sign and the size of `value`.
   template <class T>
   constexpr explicit Word(T value) : size(static_cast<unsigned long>(value)) {
     if constexpr (std::is_signed_v<T>) {
@@ -46,8 +47,8 @@ struct Word {
       if (negative) size = -size;
     }
   }
-  unsigned long size;
-  bool negative = false;
+  unsigned long size;     ///< the absolute value
+  bool negative = false;  ///< whether the integer is below 0
 };
 
 /// \{ The limbs of a 0 and of a 1 that own no memory (`_mp_alloc` is 0). GMP reads them as it
@@ -155,6 +156,7 @@ class Operators {
 /// An integer of any length. A moved-from Integer is 0.
 class Integer : public core_detail::Operators<Integer> {
  public:
+  /// \{ 0, a copy, and a machine's integer.
   Integer() noexcept : z_(core_detail::zero_without_memory()) {}
   Integer(const Integer& other) noexcept : Integer() {
     if (other.z_._mp_size != 0) set(other);
@@ -166,6 +168,7 @@ class Integer : public core_detail::Operators<Integer> {
   Integer(T value) noexcept : Integer() {
     if (value != 0) set(core_detail::Word(value));
   }
+  /// \}
   /// Rounds towards 0. Throws std::overflow_error for NaN and infinities.
   explicit Integer(double value);
   /// Rounds towards 0.
@@ -176,6 +179,7 @@ class Integer : public core_detail::Operators<Integer> {
   ~Integer() {
     if (z_._mp_alloc != 0) mpz_clear(&z_);
   }
+  /// \{ *this becomes the other number.
   Integer& operator=(const Integer& other) noexcept {
     set(other);
     return *this;
@@ -189,12 +193,14 @@ class Integer : public core_detail::Operators<Integer> {
     set(core_detail::Word(value));
     return *this;
   }
+  /// \}
 
   /// \{ The number as functions of GMP take it: to read, and to read and write.
   mpz_srcptr gmp() const { return &z_; }
   mpz_ptr mutable_gmp() { return &z_; }
   /// \}
 
+  /// Whether it is 0.
   bool is_zero() const { return z_._mp_size == 0; }
   /// -1, 0 or 1.
   int sign() const { return z_._mp_size < 0 ? -1 : z_._mp_size > 0 ? 1 : 0; }
@@ -205,10 +211,13 @@ class Integer : public core_detail::Operators<Integer> {
     return other == 0 ? z_._mp_size : compare_word(core_detail::Word(other));
   }
   /// \}
+  /// Whether the two are one number.
   bool equals(const Integer& other) const {
     return z_._mp_size == other.z_._mp_size && mpz_cmp(&z_, &other.z_) == 0;
   }
+  /// Changes the sign.
   void negate() noexcept { z_._mp_size = -z_._mp_size; }
+  /// Exchanges the two numbers. O(1).
   void swap(Integer& other) noexcept { std::swap(z_, other.z_); }
   /// Decimal digits, with a '-' before those of a negative number.
   std::string str() const;
@@ -229,13 +238,16 @@ class Integer : public core_detail::Operators<Integer> {
     }
   }
 
+  /// \{ *this becomes the sum, the difference or the product.
   Integer& operator+=(const Integer& b) noexcept;
   Integer& operator-=(const Integer& b) noexcept;
   Integer& operator*=(const Integer& b) noexcept;
+  /// \}
   /// \{ Division rounds towards 0, and throws std::overflow_error if b is 0.
   Integer& operator/=(const Integer& b);
   Integer& operator%=(const Integer& b);
   /// \}
+  /// \{ The same with a machine's integer.
   template <class T, core_detail::IfWord<T> = 0>
   Integer& operator+=(T b) noexcept {
     add(*this, core_detail::Word(b));
@@ -251,13 +263,17 @@ class Integer : public core_detail::Operators<Integer> {
     multiply(*this, core_detail::Word(b));
     return *this;
   }
+  /// \}
   /// \{ These multiply and divide by 2^bits; a quotient is rounded down.
   Integer& operator<<=(unsigned long bits) noexcept;
   Integer& operator>>=(unsigned long bits) noexcept;
   /// \}
+  /// \{ *this becomes the next integer, and the one before.
   Integer& operator++() noexcept { return *this += 1; }
   Integer& operator--() noexcept { return *this -= 1; }
+  /// \}
 
+  /// \{ The results of the operators above, as values.
   friend Integer operator+(const Integer& a, const Integer& b) noexcept;
   friend Integer operator-(const Integer& a, const Integer& b) noexcept;
   friend Integer operator*(const Integer& a, const Integer& b) noexcept;
@@ -265,6 +281,7 @@ class Integer : public core_detail::Operators<Integer> {
   friend Integer operator%(const Integer& a, const Integer& b);
   friend Integer operator<<(const Integer& a, unsigned long bits) noexcept;
   friend Integer operator>>(const Integer& a, unsigned long bits) noexcept;
+  /// \}
   /// The bits that both have, of numbers in two's complement.
   friend Integer operator&(const Integer& a, const Integer& b) noexcept;
 
@@ -288,6 +305,7 @@ class Integer : public core_detail::Operators<Integer> {
 /// Rational is 0. A denominator of 1 mostly owns no memory.
 class Rational : public core_detail::Operators<Rational> {
  public:
+  /// \{ 0, a copy, and an integer.
   Rational() noexcept : q_(zero()) {}
   Rational(const Rational& other) noexcept;
   Rational(Rational&& other) noexcept : q_(other.q_) { other.q_ = zero(); }
@@ -299,6 +317,7 @@ class Rational : public core_detail::Operators<Rational> {
   Rational(T value) noexcept : Rational() {
     if (value != 0) set_numerator(core_detail::Word(value));
   }
+  /// \}
   /// A double is read by rational_from_double().
   template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
   Rational(T value) = delete;
@@ -315,11 +334,13 @@ class Rational : public core_detail::Operators<Rational> {
     if (q_._mp_num._mp_alloc != 0) mpz_clear(&q_._mp_num);
     if (q_._mp_den._mp_alloc != 0) mpz_clear(&q_._mp_den);
   }
+  /// \{ *this becomes the other number.
   Rational& operator=(const Rational& other) noexcept;
   Rational& operator=(Rational&& other) noexcept {
     swap(other);
     return *this;
   }
+  /// \}
 
   /// \{ The number as functions of GMP take it: to read, and to read and write; what is written
   /// has to be in lowest terms.
@@ -330,12 +351,14 @@ class Rational : public core_detail::Operators<Rational> {
   }
   /// \}
 
+  /// Whether it is 0.
   bool is_zero() const { return q_._mp_num._mp_size == 0; }
   /// -1, 0 or 1.
   int sign() const {
     const int size = q_._mp_num._mp_size;
     return size < 0 ? -1 : size > 0 ? 1 : 0;
   }
+  /// Whether the denominator is 1.
   bool is_integer() const { return q_._mp_den._mp_size == 1 && q_._mp_den._mp_d[0] == 1; }
   /// \{ The result is below, at or above 0, as *this is below, at or above `other`.
   int compare(const Rational& other) const noexcept;
@@ -345,26 +368,36 @@ class Rational : public core_detail::Operators<Rational> {
     return other == 0 ? q_._mp_num._mp_size : compare_word(core_detail::Word(other));
   }
   /// \}
+  /// Whether the two are one number.
   bool equals(const Rational& other) const noexcept;
+  /// Changes the sign.
   void negate() noexcept { q_._mp_num._mp_size = -q_._mp_num._mp_size; }
+  /// Exchanges the two numbers. O(1).
   void swap(Rational& other) noexcept { std::swap(q_, other.q_); }
   /// "3/5", "-2": a denominator of 1 is left out.
   std::string str() const;
 
+  /// \{ *this becomes the sum, the difference or the product.
   Rational& operator+=(const Rational& b) noexcept;
   Rational& operator-=(const Rational& b) noexcept;
   Rational& operator*=(const Rational& b) noexcept;
-  /// Throws std::overflow_error if b is 0.
+  /// \}
+  /// *this becomes the quotient. Throws std::overflow_error if b is 0.
   Rational& operator/=(const Rational& b);
 
+  /// \{ The results of the operators above, as values.
   friend Rational operator+(const Rational& a, const Rational& b) noexcept;
   friend Rational operator-(const Rational& a, const Rational& b) noexcept;
   friend Rational operator*(const Rational& a, const Rational& b) noexcept;
   friend Rational operator/(const Rational& a, const Rational& b);
   friend Rational operator/(Rational&& a, const Rational& b) { return std::move(a /= b); }
+  /// \}
 
+  /// \{ The parts of a fraction in lowest terms.
   friend Integer numerator(const Rational& value) noexcept;
   friend Integer denominator(const Rational& value) noexcept;
+  /// \}
+  /// |value|.
   friend Rational abs(Rational value) noexcept {
     if (value.sign() < 0) value.negate();
     return value;
@@ -404,6 +437,7 @@ inline Integer abs(Integer value) noexcept {
 Integer gcd(const Integer& a, const Integer& b) noexcept;
 Integer lcm(const Integer& a, const Integer& b) noexcept;
 /// \}
+/// The product of `exponent` times `base`; 1 for the exponent 0.
 Integer pow(const Integer& base, unsigned exponent) noexcept;
 /// The square root, rounded down. Requires value >= 0.
 Integer sqrt(const Integer& value);

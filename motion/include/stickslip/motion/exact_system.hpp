@@ -17,17 +17,20 @@ namespace stickslip {
 class RationalMatrix {
  public:
   RationalMatrix() = default;
+  /// A matrix of zeros.
   RationalMatrix(std::size_t rows, std::size_t columns)
       : rows_(rows), columns_(columns), entries_(rows * columns) {}
 
-  std::size_t rows() const { return rows_; }
-  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }        ///< how many
+  std::size_t columns() const { return columns_; }  ///< how many
+  /// \{ An entry, by its row and column from 0.
   Rational& operator()(std::size_t row, std::size_t column) {
     return entries_[row * columns_ + column];
   }
   const Rational& operator()(std::size_t row, std::size_t column) const {
     return entries_[row * columns_ + column];
   }
+  /// \}
 
  private:
   std::size_t rows_ = 0;

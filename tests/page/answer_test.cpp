@@ -275,7 +275,8 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
   asked.uncertain = "wrench=ball:1/10:length=2:about=1:0";
   const bool map = !test::kSanitized;  // half a minute each
   const Json plain = answer_about(kPinch, {true, false, true, true, map, false, false});
-  const Json ball = answer_about(kPinch, {true, false, true, true, map, true, false}, {}, asked);
+  const Json ball =
+      answer_about(kPinch, {true, false, true, true, map, true, false}, {}, asked);
   EXPECT_EQ(ball["decide"]["box"], true);
   EXPECT_EQ(ball["decide"]["ball"]["radius"], "1/10");
   std::vector<std::string> same{"region", "margin"};

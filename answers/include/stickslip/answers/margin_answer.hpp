@@ -21,7 +21,7 @@ Json margin_json(const Question& question, const SpatialMargin& margin,
 
 /// The margin that is found beside one that only the rounding of the data decides.
 struct SecondMargin {
-  Question question;  ///< with a bound on motions, or another direction
+  Question question;     ///< with a bound on motions, or another direction
   SpatialMargin margin;  ///< its answer
 };
 

@@ -123,9 +123,13 @@ class Page(Case):
             (x, y), (fx, fy) = contact["position"], near["force_float"]
             total = [a + b for a, b in zip(total, (fx, fy, x * fy - y * fx))]
         self.assertLess(max(map(abs, total)), 1e-6)
+        # Friction holds a torque of the square root of 2, which is 14.1 times the load.
+        [(low, high)] = answer["margin"]["resisted_float"]
+        self.assertEqual(low, 0)
+        self.assertTrue(14.1 < high < 14.1422, high)
         # What is about one grasp is left out, and it is said why.
-        self.assertEqual([answer[part] for part in ("region", "margin", "map")], [None] * 3)
-        self.assertEqual({message.split(":")[0] for message in answer["messages"]}, {"region", "margin", "map"})
+        self.assertEqual([answer[part] for part in ("region", "map")], [None] * 2)
+        self.assertEqual({message.split(":")[0] for message in answer["messages"]}, {"region", "map"})
 
     def test_several_bodies(self):
         grasp = os.path.join(EXAMPLES, "bodies-gripper.json")

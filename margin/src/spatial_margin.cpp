@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/degree/exact_witness.hpp"
 #include "stickslip/degree/prove_stable.hpp"
@@ -420,6 +421,7 @@ class SpatialMarginSearch {
     Member last = from;
     Rational step = abs(to - from.multiple);
     while (from.witness && last.multiple != to && step >= least_step(last.multiple) / 8) {
+      throw_if_cancelled();
       const Rational next = towards(last.multiple, to, step);
       auto near = equilibrium_at(next, last.near);
       if (near) {
@@ -443,7 +445,10 @@ class SpatialMarginSearch {
   /// As far as friction holds whatever is closed.
   Member follow_at_rest(Member from, const Rational& to) {
     Rational step = abs(to - from.multiple);
-    while (from.multiple != to && step >= least_step(from.multiple) / 8) {
+    constexpr int kMostProofs = 64;  // where small steps alone are proved, others serve better
+    for (int proofs = 0; from.multiple != to && proofs < kMostProofs;) {
+      throw_if_cancelled();
+      if (step < least_step(from.multiple) / 8) break;
       const Rational next = towards(from.multiple, to, step);
       const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
       const auto between = equilibrium_at((range.low + *range.high) / 2, from.near);
@@ -452,6 +457,7 @@ class SpatialMarginSearch {
       if (there) {
         claim_resisted(range.low, range.high, std::move(*proof));
         from = member(next, *there);
+        ++proofs;
       } else {
         step /= 2;
       }
@@ -477,6 +483,7 @@ class SpatialMarginSearch {
     std::size_t limit = 0;
     bool grows = true;  // a step that has failed seldom serves a little farther on
     while (from.multiple != to && !is_spent()) {
+      throw_if_cancelled();
       if (step < least_step(from.multiple)) {
         if (limit != 0 || from.multiple != begin || !takes_long_) break;
         limit = wall_limit();

@@ -445,7 +445,11 @@
     if (!refuted) return [];
     const number = page.Fraction.of;
     const above = (a, b) => number(a).minus(number(b)).sign() > 0;
-    const known = [...resisted, ...refuted].sort((a, b) => (above(a[0], b[0]) ? 1 : -1));
+    const beyond = (a, b) => (a === null ? b !== null : b !== null && above(a, b)); // null: without end
+    // One multiple may be resisted alone, at which what is refuted begins.
+    const known = [...resisted, ...refuted].sort((a, b) =>
+      above(a[0], b[0]) || (a[0] === b[0] && beyond(a[1], b[1])) ? 1 : -1,
+    );
     const unknown = [];
     let end = "0";
     for (const [low, high] of known) {

@@ -54,6 +54,14 @@ void write_denominator(mpz_ptr to, DoubleWord value) {
   if (value != 1 || !is_one(to)) write(to, value, false);
 }
 
+/// `to` becomes the product of the two.
+void write_product(mpq_ptr to, const ShortFraction& p, const ShortFraction& q) {
+  const std::uint64_t g = std::gcd(p.size, q.denominator);
+  const std::uint64_t h = std::gcd(q.size, p.denominator);
+  write(mpq_numref(to), DoubleWord{p.size / g} * (q.size / h), p.negative != q.negative);
+  write_denominator(mpq_denref(to), DoubleWord{p.denominator / h} * (q.denominator / g));
+}
+
 }  // namespace
 
 Rational::Rational(const Rational& other) noexcept : q_(zero()) {
@@ -177,10 +185,7 @@ void Rational::multiply(const Rational& a, const Rational& b) noexcept {
   ShortFraction p;
   ShortFraction q;
   if (read_short(&a.q_, p) && read_short(&b.q_, q)) {
-    const std::uint64_t g = std::gcd(p.size, q.denominator);
-    const std::uint64_t h = std::gcd(q.size, p.denominator);
-    write(&q_._mp_num, DoubleWord{p.size / g} * (q.size / h), p.negative != q.negative);
-    write_denominator(&q_._mp_den, DoubleWord{p.denominator / h} * (q.denominator / g));
+    write_product(&q_, p, q);
     return;
   }
   own();
@@ -192,10 +197,8 @@ void Rational::divide(const Rational& a, const Rational& b) {
   ShortFraction p;
   ShortFraction q;
   if (read_short(&a.q_, p) && read_short(&b.q_, q)) {
-    const std::uint64_t g = std::gcd(p.size, q.size);
-    const std::uint64_t h = std::gcd(p.denominator, q.denominator);
-    write(&q_._mp_num, DoubleWord{p.size / g} * (q.denominator / h), p.negative != q.negative);
-    write_denominator(&q_._mp_den, DoubleWord{p.denominator / h} * (q.size / g));
+    std::swap(q.size, q.denominator);
+    write_product(&q_, p, q);
     return;
   }
   own();

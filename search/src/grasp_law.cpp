@@ -157,8 +157,10 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   law = normal_law;
   max_motion = box.max_motion;
   const GrowthRates rates = margin.value_or(GrowthRates{});
-  far_motion =
-      natural_bound(grown(box, rates.load, rates.preloads), kFarMotion).value_or(RationalRow{});
+  // (A box of many contacts is not copied for a verdict.)
+  far_motion = (margin ? natural_bound(grown(box, rates.load, rates.preloads), kFarMotion)
+                       : natural_bound(box, kFarMotion))
+                   .value_or(RationalRow{});
   is_family = margin.has_value();
   growth.assign(motions, 0);
   if (!rates.load.empty()) growth = rates.load;

@@ -37,7 +37,7 @@ class QuestionArguments {
   void add_with_directions_to(Command& command);
   /// Adds --max-motion.
   void add_max_motion_to(Command& command);
-  /// As add_to but for GRASP, for commands that read many.
+  /// Adds the options of add_to without GRASP, for commands that read many.
   void add_options_to(Command& command);
   /// The same but --wrench and --case, for what does not depend on a load: it is then 0.
   void add_without_wrench_to(Command& command);

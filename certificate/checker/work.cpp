@@ -25,7 +25,8 @@ std::uint64_t most_for(std::uint64_t bytes, std::uint64_t multiple) {
   return multiple * (kLeast + counted * counted);
 }
 
-/// Of numbers of so many words, most first: long ones cost less than they have digits
+/// Returns the products of words that numbers of so many words take, the longer one first: long
+/// ones cost less than they have digits
 /// (Karatsuba and others).
 std::uint64_t products_of(std::uint64_t most, std::uint64_t least) {
   constexpr std::uint64_t kShort = 64;

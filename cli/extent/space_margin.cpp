@@ -15,7 +15,7 @@
 namespace stickslip {
 namespace {
 
-/// What is known of the multiples, in two lines.
+/// Returns two lines that say which multiples are resisted and which are not.
 std::string known_text(const SpatialMargin& margin, NumberText& text) {
   std::vector<std::string> resisted;
   for (const auto& [low, high] : margin.resisted()) {

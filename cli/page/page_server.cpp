@@ -36,7 +36,7 @@ constexpr std::size_t kMostHeaderBytes = 16384;
 constexpr std::chrono::seconds kTimeToSend{5};      ///< a whole request
 constexpr std::chrono::seconds kTimeToReceive{10};  ///< a whole answer
 constexpr std::chrono::milliseconds kLookAround{50};
-/// Of a client that sends nothing while others wait for its thread.
+/// A client that sends nothing is waited for so long while others wait for its thread.
 constexpr std::chrono::milliseconds kPatience{250};
 
 /// The threads of connections. Slow clients hold them, and nobody is to wait for those.

@@ -33,7 +33,7 @@ std::vector<RationalRow> motions_without_slip(const GraspLaw& model,
   return null_space(matrix_of(slips, model.motions));
 }
 
-/// Of which multiples of these motions the sum is nearest to one in doubles.
+/// Returns the multiples of these motions whose sum is nearest to one in doubles.
 Eigen::VectorXd multiples_near(const std::vector<RationalRow>& motions, const Reals& motion) {
   Eigen::MatrixXd rounded(motion.size(), static_cast<Eigen::Index>(motions.size()));
   for (std::size_t k = 0; k < motions.size(); ++k) {

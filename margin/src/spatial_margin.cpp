@@ -187,8 +187,8 @@ class SpatialMarginSearch {
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
   }
 
-  /// Where the load grows along a free motion at most 0 is resisted, which one leaf proves. (By
-  /// rounding alone, often: see margin_within().)
+  /// One leaf proves that at most 0 is resisted where the load grows along a free motion.
+  /// (Often that is rounding alone: see margin_within().)
   bool settle_unopposed() {
     const std::optional<Row> twist = unopposed_twist(model_.middle(1));
     const GraspLaw above = model_.within({0, {}, false});

@@ -458,7 +458,7 @@ class PageAnswer {
     return text;
   }
 
-  /// Of claims what is known so far, and then all that is found.
+  /// `found` becomes the margin; of claims first what is known so far.
   void margin(Json& found) const {
     const Question question = ask_about(along_the_load());
     if (question.has_claims()) {

@@ -74,8 +74,8 @@ py::bytes failed(const LineDecider& decider, const std::string& file, std::uintm
   return decider.failed(*line, InputError("", "", problem, remedy)).text;
 }
 
-/// What the results in `output` leave to do: their tally and bytes, where in `file` the first
-/// line without a result begins, after how many lines, and what is to be said.
+/// Returns what the results in `output` leave to do: their tally and bytes, where in `file` the
+/// first line without a result begins, after how many lines, and what is to be said.
 py::tuple skip(const LineDecider& decider, const std::string& file, const std::string& output) {
   BatchTally tally;
   std::string note;

@@ -69,8 +69,8 @@ class FinishedResults {
   std::optional<std::size_t> changed_;
 };
 
-/// What to say of a result in `file` that was changed, if one was; it is decided again, with
-/// those behind it.
+/// Returns a note that a result in `file` was changed and is decided again, with those behind
+/// it; empty if none was.
 std::string changed_note(const FinishedResults& results, const std::string& file);
 
 /// Reads all results up to one that was changed, and as many lines, whose results they must be,

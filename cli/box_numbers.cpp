@@ -105,4 +105,9 @@ std::string bound_text(const GraspBox& box) {
   return text;
 }
 
+std::string motions_text(const Question& question) {
+  if (!question.is_bounded()) return "";
+  return "Motions up to " + bound_text(*question.box()) + " are asked about.\n";
+}
+
 }  // namespace stickslip

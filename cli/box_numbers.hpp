@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/answers/uncertain_numbers.hpp"
+#include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
 
@@ -29,6 +30,9 @@ std::string ball_text(const LoadBall& ball, NumberText& text);
 /// Spells the bound on motions of a box as --max-motion takes it: a length and an angle where
 /// these say all.
 std::string bound_text(const GraspBox& box);
+
+/// A line, if motions are bounded: "Motions up to 1,0.1 are asked about."
+std::string motions_text(const Question& question);
 
 /// Which way a number may be rounded so that what is said of it stays true.
 enum class Round { kDown, kUp };

@@ -78,7 +78,6 @@ std::vector<GraspBox> loads_of(const std::vector<Question>& questions,
                                const std::string& file) {
   std::vector<GraspBox> loads;
   for (const Question& question : questions) {
-    require_unbounded(question, "what the best preloads are");
     loads.push_back(box_of(question.grasp));
     GraspBox centre = loads.back();
     centre.ball.reset();
@@ -117,6 +116,7 @@ Json preload_json(const std::vector<Question>& questions, const LeastPreload& le
     if (!question.case_name.empty()) entry["case"] = question.case_name;
     entry["wrench"] = wrench_json(load.wrench);
     if (load.ball) entry["ball"] = ball_json(*load.ball);
+    if (load.is_bounded()) entry["max_motion"] = number_json(load.max_motion);
   }
   json["preloads"] = least.preloads ? number_json(*least.preloads) : Json();
   json["sum"] = least.preloads ? number_json(sum_of(*least.preloads)) : Json();
@@ -135,6 +135,7 @@ Json preload_json(const Question& question, const Rational& budget, const BallPr
   json["wrench"] = wrench_json(quality.ball.wrench);
   json["ball"] = ball_json(*quality.ball.ball);
   json["ball"].erase("radius");
+  if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
   json["budget"] = number_json(budget);
   const bool holds = quality.stable == true;
   json["preloads"] = holds ? number_json(found.preloads) : Json();

@@ -15,16 +15,6 @@
 namespace stickslip {
 namespace {
 
-/// Whether a motion in doubles, of which the last digits are wrong, may be within the bound.
-bool may_be_within(const Law& law, const NearEquilibrium& near) {
-  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
-    constexpr double kNearly = 1 + 1e-6;
-    const double d = near.motion[static_cast<Eigen::Index>(j)] / law.unit(j);
-    if (std::fabs(d) > kNearly * to_double(law.max_motion[j])) return false;
-  }
-  return true;
-}
-
 /// Without what is rounding alone.
 RationalRow motion_of(const Law& law, const NearEquilibrium& equilibrium) {
   RationalRow motion(law.motions);
@@ -102,7 +92,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
       if ((motion - near.motion).norm() <= kSame * near.motion.norm()) return false;
     }
     tried.push_back(near.motion);
-    if (!may_be_within(box, near)) return false;
+    if (!box_detail::may_be_within(box, near)) return false;
     if (!near_middle) near_middle = near;
     return holds = prove_near(box, middle, near);
   };
@@ -157,7 +147,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   bool refuted = false;
   const auto take = [&](const NearEquilibrium& relaxed) {
     const auto found = newton.polish(relaxed);
-    return found && (try_near(*found) || (limits_.is_wide && may_be_within(box, *found)));
+    return found &&
+           (try_near(*found) || (limits_.is_wide && box_detail::may_be_within(box, *found)));
   };
   const auto search_all = [&](bool exactly, bool keeps_near) {
     LawSearch search(box, nullptr, limits_.node_limit, work_);

@@ -20,6 +20,12 @@ namespace {
 /// What is looked at next: boxes by the least sum in them, and those alike as they came.
 using OpenBoxes = std::multimap<Rational, PreloadBox>;
 
+/// Whether one grasp under this load is decided soon, and its margins are exact: in the plane,
+/// without a bound on motions.
+bool is_cheap(const GraspBox& load) {
+  return load.is_one_planar_body() && !load.ball && !load.is_bounded();
+}
+
 /// What a box turned out to be.
 struct Looked {
   std::optional<ProvedPreloads> refused{};
@@ -128,7 +134,7 @@ class LeastSearch {
 
   /// Less of all or of one, and perhaps a part of that more of another, in ever smaller steps.
   void improve() {
-    const bool is_dear = asked_.front().ball || !asked_.front().is_one_planar_body();
+    const bool is_dear = !is_cheap(asked_.front());
     std::size_t tries = is_dear ? 200 : 3000;
     Rational step = 1;
     while (step > sum()) step /= 2;
@@ -186,9 +192,8 @@ class LeastSearch {
   void shrink() {
     std::vector<GraspBox> held;
     for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
-    const bool may_be_exact = held.front().is_one_planar_body() && !held.front().ball;
     const PreloadRange range =
-        may_be_exact ? range_of(held, law_, options_.box) : PreloadRange();
+        is_cheap(held.front()) ? range_of(held, law_, options_.box) : PreloadRange();
     if (range.margins.empty()) return shrink_by_steps();
     for (const auto& [low, high] : range.multiples) {
       if (low >= 1 || (high && *high < 1)) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "one_grasp.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "stickslip/degree/newton.hpp"
@@ -94,6 +95,15 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
     }
   }
   return result;
+}
+
+bool may_be_within(const Law& law, const NearEquilibrium& near) {
+  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
+    constexpr double kNearly = 1 + 1e-6;
+    const double d = near.motion[static_cast<Eigen::Index>(j)] / law.unit(j);
+    if (std::fabs(d) > kNearly * to_double(law.max_motion[j])) return false;
+  }
+  return true;
 }
 
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,

@@ -27,6 +27,9 @@ Problem problem_of(const GraspLaw& point);
 /// bits that exact equilibria take longer than a proof without them.
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures);
 
+/// Whether a motion in doubles, of which the last digits are wrong, may be within the bound.
+bool may_be_within(const Law& law, const NearEquilibrium& near);
+
 /// Whether the only grasp of this box is stable; nothing if that is undecided.
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
                               const SearchOptions& options = {});

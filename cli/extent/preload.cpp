@@ -141,6 +141,12 @@ class LeastText {
       lines += "  and what differs from it by a force and a torque with\n  " +
                ball_text(*ball, text_) + '\n';
     }
+    std::string before;  // cases may have bounds of their own
+    for (const Question& question : questions_) {
+      const std::string bound = motions_text(question);
+      if (bound != before) lines += "  " + bound;
+      before = bound;
+    }
     return lines + '\n';
   }
 
@@ -197,7 +203,8 @@ void print_ball(const Question& question, const Rational& budget, const BallPrel
   NumberText text(arguments.output);
   const bool holds = quality.stable == true;
   std::cout << heading(question) << (holds ? "held" : "no preloads found") << "\n\n"
-            << "  load w     " << load_text(quality.ball.wrench, text) << "\n\n";
+            << "  load w     " << load_text(quality.ball.wrench, text) << "\n\n"
+            << motions_text(question);
   if (holds) {
     std::cout << preloads_table(found.preloads, text) << "  radius     "
               << rounded_text(quality.proved, Round::kDown, exact);

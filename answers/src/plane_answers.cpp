@@ -105,6 +105,7 @@ Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
   Json json;
   json["name"] = question.description().name;
   json["normal_law"] = to_string(question.law);
+  if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
   json["x"] = {{"name", x.name}, {"range", ends_json(x.range)}};
   json["y"] = {{"name", y.name}, {"range", ends_json(y.range)}};
   Json& list = json["cells"] = Json::array();
@@ -116,13 +117,14 @@ Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
   return json;
 }
 
-PlaneInSpace plane_in_space(const Question& question, RationalRow origin, RationalRow u,
-                            RationalRow v) {
-  PlaneInSpace plane{*question.box(), std::move(origin), {}, {}};
+LoadWindow load_window(const Question& question, RationalRow origin, RationalRow u,
+                       RationalRow v) {
+  LoadWindow plane{*question.box(), std::move(origin), {}, {}};
   Rational sum = 0;
   for (const UncertainContact& c : plane.grasp.contacts) sum += c.preload.low;
   const Rational reach = sum.is_zero() ? Rational(1) : sum;
-  for (std::size_t j = 0; j < 6; ++j) plane.grasp.wrench[j] = point_interval(plane.origin[j]);
+  for (std::size_t j = 0; j < plane.origin.size(); ++j)
+    plane.grasp.wrench[j] = point_interval(plane.origin[j]);
   plane.s.name = "s";
   plane.s.along = std::move(u);
   plane.t.name = "t";
@@ -134,7 +136,7 @@ PlaneInSpace plane_in_space(const Question& question, RationalRow origin, Ration
   return plane;
 }
 
-Json region_json(const Question& question, const PlaneInSpace& plane,
+Json region_json(const Question& question, const LoadWindow& plane,
                  const std::vector<MapCell>& cells) {
   Json json = map_json(question, plane.s, plane.t, cells);
   json["plane"] = {{"origin", number_json(plane.origin)},

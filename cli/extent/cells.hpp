@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Cells of a plane that are proved one by one, for `map` and for `region` in space.
+/// Cells of a plane that are proved one by one, for `map`, and for `region` in space or within
+/// a bound on motions.
 #pragma once
 
 #include <string>

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "box_numbers.hpp"
 #include "cells.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
@@ -40,7 +41,7 @@ void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
               << " is checked with --uncertain wrench=" << to_string(*asked.uncertain.ball)
               << ".\n";
   }
-  std::cout << engine_text(box_engine(question), question.law);
+  std::cout << motions_text(question) << engine_text(box_engine(question), question.law);
 }
 
 int map(const MapArguments& arguments) {
@@ -50,10 +51,9 @@ int map(const MapArguments& arguments) {
   asked.uncertain = question_options(text).uncertain;
   const Question question = arguments.question.any_question();
   const GraspBox* box = question.box();
-  if (box != nullptr && !(!question.is_one_planar_body() && box->is_point())) {
+  if (box != nullptr && !box->is_point()) {
     throw InputError("", "GRASP", "some of its numbers are uncertain already",
-                     "a map is about one grasp, whose numbers its axes vary: give numbers, "
-                     "and preloaded contacts normals of rational length");
+                     "a map is about one grasp, whose numbers its axes vary: give numbers");
   }
   const GraspBox grasp = box_of(question.grasp);
   const MapAxis x = parse_axis(grasp, arguments.x, "--x");

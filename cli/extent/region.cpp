@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
-#include "space_region.hpp"
+#include "region_cells.hpp"
 #include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -39,17 +39,22 @@ struct RegionArguments {
                            const char* remedy) {
       if (is_given) throw InputError("", option, problem, remedy);
     };
-    if (!asked.in_space()) {
-      const char* problem = "it is about a grasp in space, cell by cell";
-      const char* remedy = "leave it out: in the plane the region is exact, and has no window";
+    if (!is_found_in_cells(asked)) {
+      const char* problem = "it is about a region that is found cell by cell";
+      const char* remedy =
+          "leave it out: in the plane the region is exact, and has no window, unless motions "
+          "are bounded";
       refuse(!within.empty(), "--within", problem, remedy);
       refuse(cells.depth != CellsAsked().depth, "--depth", problem, remedy);
       refuse(!cells.certificates.empty(), "--certificates", problem,
              "write one proof of the whole region with --certificate");
       return;
     }
-    const char* problem = "it is done in the plane only, and the grasp is in space";
-    refuse(!torque.empty(), "--torque", problem, "give --origin, a wrench of six numbers");
+    const char* problem = asked.in_space()
+                              ? "it is done in the plane only, and the grasp is in space"
+                              : "it is done without a bound on motions only";
+    refuse(asked.in_space() && !torque.empty(), "--torque", problem,
+           "give --origin, a wrench of six numbers");
     refuse(list, "--list", problem, "print the cells with --json");
     refuse(mode_limit != 0, "--mode-limit", problem,
            "give --depth, or --node-limit for each proof");
@@ -57,8 +62,8 @@ struct RegionArguments {
            "write a proof of each cell with --certificates");
   }
 
-  SpaceRegionArguments in_space() const {
-    SpaceRegionArguments result{origin, u, v, within, cells, numbers};
+  RegionCellsArguments in_cells() const {
+    RegionCellsArguments result{origin, torque, u, v, within, cells, numbers};
     result.cells.node_limit = node_limit;
     return result;
   }
@@ -195,7 +200,8 @@ int region(const RegionArguments& arguments) {
   const Question question = arguments.question.any_question();
   require_one_body(question, "region");
   arguments.check(question);
-  if (question.in_space()) return answer_region_in_space(question, arguments.in_space());
+  if (is_found_in_cells(question))
+    return answer_region_in_cells(question, arguments.in_cells());
   const WrenchPlane plane = arguments.plane(question);
   Progress progress;
   const RegionOptions options = options_of(arguments, progress);
@@ -225,8 +231,8 @@ int draw_region(const RegionArguments& arguments) {
   const Question question = arguments.question.any_question();
   require_one_body(question, "region");
   arguments.check(question);
-  if (question.in_space()) {
-    return draw_region_in_space(question, arguments.in_space(), arguments.output);
+  if (is_found_in_cells(question)) {
+    return draw_region_in_cells(question, arguments.in_cells(), arguments.output);
   }
   const WrenchPlane plane = arguments.plane(question);
   Progress progress;
@@ -243,6 +249,7 @@ int draw_region(const RegionArguments& arguments) {
 /// GRASP, the plane and the limit.
 void add_region_options(Command& command, RegionArguments& arguments) {
   arguments.question.add_without_wrench_to(command);
+  arguments.question.add_max_motion_to(command);
   CommandOption* origin =
       command
           .add_option(
@@ -265,13 +272,14 @@ void add_region_options(Command& command, RegionArguments& arguments) {
   command.add_option("--v", arguments.v, "Second direction; default: a force along y")
       ->type_name("WX,WY,T");
   command
-      .add_option("--within", arguments.within,
-                  "In space: the window of s and t that is looked at, cell by cell; default: "
-                  "as far either way as all preloads together, or 1")
+      .add_option(
+          "--within", arguments.within,
+          "In space, or where motions are bounded: the window of s and t that is looked "
+          "at, cell by cell; default: as far either way as all preloads together, or 1")
       ->type_name("S0:S1,T0:T1");
   constexpr std::uint64_t kMostDepth = 12;
   add_count_option(command, "--depth", arguments.cells.depth,
-                   "In space: the finest cells are a 2^N-th of the window", kMostDepth);
+                   "Cell by cell: the finest are a 2^N-th of the window", kMostDepth);
   add_count_option(
       command, "--mode-limit", arguments.mode_limit,
       "Give up, undecided, at more than N contact modes (which contacts slip, which way, "
@@ -284,7 +292,8 @@ void add_region_command(Command& app, int& exit_code) {
   auto arguments = std::make_shared<RegionArguments>();
   Command* command = app.add_subcommand(
       "region",
-      "Which wrenches of a plane does the grasp resist? The exact set, in space cell by cell");
+      "Which wrenches of a plane does the grasp resist? The exact set; in space, and where "
+      "motions are bounded, cell by cell");
   add_region_options(*command, *arguments);
   CommandOption* list = command->add_flag(
       "--list", arguments->list,
@@ -297,7 +306,7 @@ void add_region_command(Command& app, int& exit_code) {
           ->type_name("FILE");
   command
       ->add_option("--certificates", arguments->cells.certificates,
-                   "In space: write each proved cell there, with its certificate")
+                   "Cell by cell: write each that is proved there, with its certificate")
       ->type_name("DIR")
       ->excludes(certificate);
   add_node_limit_option(*command, arguments->node_limit);
@@ -309,10 +318,11 @@ void add_region_command(Command& app, int& exit_code) {
   command->footer(footer_text(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
       "part,\n"
-      "unless --case chooses one. In space a window of it is decided cell by cell, as by "
-      "stickslip\n"
-      "map: cells whose verdict is not the same throughout are cut, along the border down to "
-      "the finest.\n",
+      "unless --case chooses one. In space, and where motions are bounded, a window of it is "
+      "decided\n"
+      "cell by cell, as by stickslip map: cells whose verdict is not the same throughout are "
+      "cut, along\n"
+      "the border down to the finest.\n",
       kExitCodesWithLimit, "stickslip region fig1.json --preload 1"));
   command->callback([arguments, &exit_code] {
     exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);

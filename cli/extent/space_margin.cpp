@@ -35,10 +35,7 @@ std::string known_text(const SpatialMargin& margin, NumberText& text) {
 
 void print_text(const Question& question, const SpatialMargin& margin,
                 const std::optional<SecondMargin>& within, NumberText& text) {
-  std::cout << head_text(question, text) << known_text(margin, text);
-  if (question.is_bounded()) {
-    std::cout << "Motions up to " << bound_text(*question.box()) << " are asked about.\n";
-  }
+  std::cout << head_text(question, text) << known_text(margin, text) << motions_text(question);
   if (within) {
     const bool is_along = within->question.direction != question.direction;
     std::cout

@@ -298,9 +298,7 @@ void print_text(const Answer& answer, const NumberOptions& output,
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))
             << (question.box() == nullptr ? ""
                                           : uncertain_text(*question.box(), uncertain, text))
-            << (question.is_bounded()
-                    ? "Motions up to " + bound_text(*question.box()) + " are asked about.\n"
-                    : "")
+            << motions_text(question)
             << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
             << second_text(answer)
             << enclosure_text(enclosed, answer.bits,

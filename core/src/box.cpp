@@ -378,6 +378,13 @@ void check_ball(const GraspBox& box) {
 
 }  // namespace
 
+bool GraspBox::allows(const RationalRow& motion) const {
+  for (std::size_t j = 0; j < max_motion.size(); ++j) {
+    if (abs(motion[j]) > max_motion[j]) return false;
+  }
+  return true;
+}
+
 bool GraspBox::is_point() const {
   bool all = !ball && std::all_of(contacts.begin(), contacts.end(),
                                   [](const UncertainContact& c) { return c.slope.is_zero(); });

@@ -30,10 +30,7 @@ void check_sizes(const Question& question, const Claim& claim) {
 
 /// Whether the claimed motion is within the bound on motions, if both are there.
 bool is_allowed(const Claim& claim, const GraspBox& grasp) {
-  for (std::size_t j = 0; claim.twist && j < grasp.max_motion.size(); ++j) {
-    if (abs((*claim.twist)[j]) > grasp.max_motion[j]) return false;
-  }
-  return true;
+  return !claim.twist || grasp.allows(*claim.twist);
 }
 
 /// Of one with another verdict.

@@ -125,6 +125,15 @@ std::size_t pushing_elements(const AnyGrasp& grasp) {
                                     [](const Spring& s) { return s.is_ratchet(); }));
 }
 
+/// One grasp in the plane if it is one that needs no box. `growth` is of preloads.
+AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
+  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
+    LoadedGrasp point = box.planar_middle();
+    if (!has_irrational_preload(point.grasp, growth)) return point;
+  }
+  return box;
+}
+
 /// Under this wrench, widened; in the plane one grasp if it is.
 AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
                const Question& question) {
@@ -143,11 +152,7 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
     const RationalRow growth = question.direction.value_or(RationalRow{});
     box.max_motion = bound_of(grown(box, growth, question.preload_growth), *bound);
   }
-  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
-    LoadedGrasp point = box.planar_middle();
-    if (!has_irrational_preload(point.grasp, question.preload_growth)) return point;
-  }
-  return box;
+  return simplest(std::move(box), question.preload_growth);
 }
 
 /// How much preloads grow, by those that there are without it.
@@ -236,10 +241,12 @@ Question ask(GraspFile file, const QuestionOptions& options) {
   return question;
 }
 
-void require_unbounded(const Question& question, const std::string& what) {
-  if (!question.is_bounded()) return;
-  throw InputError("", "max_motion", "motions are bounded",
-                   what + " is known without a bound only; ask with --max-motion none");
+Question without_bound(Question question) {
+  if (!question.is_bounded()) return question;
+  GraspBox box = std::get<GraspBox>(std::move(question.grasp));
+  box.max_motion.clear();
+  question.grasp = simplest(std::move(box), question.preload_growth);
+  return question;
 }
 
 void require_one_grasp(const Question& question) {
@@ -257,7 +264,10 @@ void require_one_body(const AnyGrasp& grasp, const std::string& what) {
 
 Problem problem_of(const Question& question) {
   require_one_body(question, "this");
-  require_unbounded(question, "this");
+  if (question.is_bounded()) {
+    throw InputError("", "max_motion", "motions are bounded",
+                     "this is known without a bound only; ask with --max-motion none");
+  }
   if (question.in_space()) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }

@@ -393,7 +393,7 @@ class PageAnswer {
 
   void region(Json& found) const {
     refuse_several(question_);
-    if (question_.in_space()) return region_in_space(found);
+    if (question_.in_space() || question_.is_bounded()) return region_in_cells(found);
     const LoadedGrasp& one = one_grasp(centre());
     if (one.grasp.size() > kMostContactsWithRegion) {
       throw NotToBeHad{"there are more than " + std::to_string(kMostContactsWithRegion) +
@@ -404,21 +404,22 @@ class PageAnswer {
   }
 
   /// Of forces in the plane of axes that the load is in, or nearest to. Coarse, and then finer.
-  void region_in_space(Json& found) const {
+  void region_in_cells(Json& found) const {
     if (!centre().box()->is_point()) refuse_box();
     RationalRow origin = one_load();
-    std::array<std::size_t, 3> axes{0, 1, 2};
+    std::vector<std::size_t> axes{0, 1};
+    if (question_.in_space()) axes.push_back(2);
     std::stable_sort(axes.begin(), axes.end(), [&](std::size_t i, std::size_t j) {
       return Rational(abs(origin[i])) > Rational(abs(origin[j]));
     });
     std::sort(axes.begin(), axes.begin() + 2);
     const Rational most =
         std::max(Rational(abs(origin[axes[0]])), Rational(abs(origin[axes[1]])));
-    RationalRow u(6);
-    RationalRow v(6);
+    RationalRow u(origin.size());
+    RationalRow v(origin.size());
     u[axes[0]] = v[axes[1]] = 1;
     origin[axes[0]] = origin[axes[1]] = 0;
-    PlaneInSpace plane = plane_in_space(centre(), origin, u, v);
+    LoadWindow plane = load_window(centre(), origin, u, v);
     // The load itself is to be seen.
     for (MapAxis* axis : {&plane.s, &plane.t}) {
       axis->range.high = std::max(axis->range.high, Rational(most * Rational(5, 4)));

@@ -608,7 +608,7 @@
     });
   }
 
-  /** Of a plane of loads in space. */
+  /** Of a plane of loads in space, or where motions are bounded. */
   function drawRegionInCells(region) {
     const load = loadInPlane(region);
     const { plane } = region;

@@ -46,8 +46,8 @@ std::variant<std::string, Undecided> certificate_of(const RegionAnswer& answer,
 Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
               const std::vector<MapCell>& cells);
 
-/// A window of a plane of loads of a grasp in space, that is looked at cell by cell.
-struct PlaneInSpace {
+/// A window of a plane of loads that is looked at cell by cell.
+struct LoadWindow {
   GraspBox grasp;      ///< with the origin as its load
   RationalRow origin;  ///< of the plane: its loads are origin + s u + t v
   MapAxis s;           ///< along u
@@ -55,12 +55,12 @@ struct PlaneInSpace {
 };
 
 /// The window as far either way as all preloads together, a size at which friction ends; or 1.
-/// Requires one grasp in space; origin, u and v have six components.
-PlaneInSpace plane_in_space(const Question& question, RationalRow origin, RationalRow u,
-                            RationalRow v);
+/// Requires a box that is one grasp; origin, u and v have as many components as its load.
+LoadWindow load_window(const Question& question, RationalRow origin, RationalRow u,
+                       RationalRow v);
 
-/// What `region --json` prints in space, before finished().
-Json region_json(const Question& question, const PlaneInSpace& plane,
+/// What `region --json` prints of a window, before finished().
+Json region_json(const Question& question, const LoadWindow& plane,
                  const std::vector<MapCell>& cells);
 
 }  // namespace stickslip

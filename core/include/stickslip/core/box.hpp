@@ -152,6 +152,8 @@ struct GraspBox {
 
   /// Whether motions are bounded.
   bool is_bounded() const { return !max_motion.empty(); }
+  /// Whether a motion is within the bound, if there is one.
+  bool allows(const RationalRow& motion) const;
   /// Whether it has three coordinates.
   bool in_space() const { return mechanism ? mechanism->in_space : wrench.size() == 6; }
   /// Whether it is one body in the plane.

@@ -85,8 +85,8 @@ Question ask(GraspFile file, const QuestionOptions& options);
 /// space where numbers are uncertain.
 void require_one_grasp(const Question& question);
 
-/// Throws InputError if motions are bounded: `what` is not done then.
-void require_unbounded(const Question& question, const std::string& what);
+/// The same question about all motions.
+Question without_bound(Question question);
 
 /// \{ Throws InputError if there are several bodies: `what` is not done for them.
 void require_one_body(const AnyGrasp& grasp, const std::string& what);

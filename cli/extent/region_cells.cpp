@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "space_region.hpp"
+#include "region_cells.hpp"
 
 #include <algorithm>
 #include <iostream>
 
+#include "box_numbers.hpp"
 #include "commands.hpp"
 #include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
@@ -16,14 +17,17 @@
 namespace stickslip {
 namespace {
 
-RationalRow wrench_in_space(const std::string& option, const std::string& value,
-                            const RationalRow& otherwise) {
+RationalRow wrench_given(const std::string& option, const std::string& value,
+                         const RationalRow& otherwise) {
   if (value.empty()) return otherwise;
   RationalRow w = numbers_option(option, value);
-  if (w.size() == 6) return w;
+  if (w.size() == otherwise.size()) return w;
+  const bool in_space = otherwise.size() == 6;
   throw InputError("", option,
-                   "found " + std::to_string(w.size()) + " numbers, and the grasp is in space",
-                   "give force x, y, z and torque x, y, z, as in 0,0,1,0,0,0");
+                   "found " + std::to_string(w.size()) + " numbers, and the grasp is in " +
+                       (in_space ? "space" : "the plane"),
+                   in_space ? "give force x, y, z and torque x, y, z, as in 0,0,1,0,0,0"
+                            : "give force x, force y and torque, as in 0,1,0");
 }
 
 Interval range_of(const std::string& text, const std::string& whole) {
@@ -41,7 +45,7 @@ Interval range_of(const std::string& text, const std::string& whole) {
                    "give the ends of s and of t, the lower one first, as in -2:2,0:3/2");
 }
 
-PlaneInSpace plane_of(const Question& question, const SpaceRegionArguments& arguments) {
+LoadWindow plane_of(const Question& question, const RegionCellsArguments& arguments) {
   const GraspBox& grasp = *question.box();
   if (!grasp.is_point()) {
     throw InputError("", "GRASP", "some of its numbers are uncertain",
@@ -49,10 +53,13 @@ PlaneInSpace plane_of(const Question& question, const SpaceRegionArguments& argu
   }
   RationalRow load;
   for (const Interval& w : grasp.wrench) load.push_back(w.low);
-  PlaneInSpace plane =
-      plane_in_space(question, wrench_in_space("--origin", arguments.origin, load),
-                     wrench_in_space("--u", arguments.u, {1, 0, 0, 0, 0, 0}),
-                     wrench_in_space("--v", arguments.v, {0, 1, 0, 0, 0, 0}));
+  RationalRow along_x(load.size());
+  RationalRow along_y(load.size());
+  along_x[0] = along_y[1] = 1;
+  if (!arguments.torque.empty()) load.back() = number_option("--torque", arguments.torque);
+  LoadWindow plane = load_window(question, wrench_given("--origin", arguments.origin, load),
+                                 wrench_given("--u", arguments.u, along_x),
+                                 wrench_given("--v", arguments.v, along_y));
   if (rank_of(std::vector<RationalRow>{plane.s.along, plane.t.along}) < 2) {
     throw InputError("", "--u, --v", "they span no plane",
                      "give two wrenches that are not multiples of each other");
@@ -69,12 +76,12 @@ PlaneInSpace plane_of(const Question& question, const SpaceRegionArguments& argu
   return plane;
 }
 
-std::vector<MapCell> cells_of(const Question& question, const PlaneInSpace& plane,
-                              const SpaceRegionArguments& arguments) {
+std::vector<MapCell> cells_of(const Question& question, const LoadWindow& plane,
+                              const RegionCellsArguments& arguments) {
   return proved_cells(plane.grasp, question.law, plane.s, plane.t, arguments.cells);
 }
 
-void print_text(const Question& question, const PlaneInSpace& plane,
+void print_text(const Question& question, const LoadWindow& plane,
                 const std::vector<MapCell>& cells, NumberText& text) {
   const auto ends = [&](const MapAxis& axis) {
     return axis.name + " from " + text(axis.range.low) + " to " + text(axis.range.high);
@@ -83,12 +90,12 @@ void print_text(const Question& question, const PlaneInSpace& plane,
             << " + s " << text(plane.s.along) << " + t " << text(plane.t.along)
             << ",\n         " << ends(plane.s) << ", " << ends(plane.t) << " (--within)\n\n"
             << shares_text(cells, plane.s, plane.t) << '\n'
-            << cells.size() << " cells (--depth); normal law: " << law_text(question.law)
-            << ".\n"
+            << motions_text(question) << cells.size()
+            << " cells (--depth); normal law: " << law_text(question.law) << ".\n"
             << units_text(question) << text.note();
 }
 
-std::string picture(const Question& question, const PlaneInSpace& plane,
+std::string picture(const Question& question, const LoadWindow& plane,
                     const std::vector<MapCell>& cells) {
   NumberText text(false);
   MapAxis s = plane.s;
@@ -100,8 +107,8 @@ std::string picture(const Question& question, const PlaneInSpace& plane,
 
 }  // namespace
 
-int answer_region_in_space(const Question& question, const SpaceRegionArguments& arguments) {
-  const PlaneInSpace plane = plane_of(question, arguments);
+int answer_region_in_cells(const Question& question, const RegionCellsArguments& arguments) {
+  const LoadWindow plane = plane_of(question, arguments);
   const std::vector<MapCell> cells = cells_of(question, plane, arguments);
   if (arguments.numbers.json) {
     std::cout << finished(region_json(question, plane, cells), arguments.numbers.floats).dump(1)
@@ -113,9 +120,9 @@ int answer_region_in_space(const Question& question, const SpaceRegionArguments&
   return kDone;
 }
 
-int draw_region_in_space(const Question& question, const SpaceRegionArguments& arguments,
+int draw_region_in_cells(const Question& question, const RegionCellsArguments& arguments,
                          const std::string& output) {
-  const PlaneInSpace plane = plane_of(question, arguments);
+  const LoadWindow plane = plane_of(question, arguments);
   write_whole_file(output, picture(question, plane, cells_of(question, plane, arguments)));
   return kDone;
 }

@@ -100,6 +100,10 @@ std::string nonlinear_text(const Question& question, const GraspBox& grasp) {
   std::vector<Terms> balance;
   for (const Interval& component : grasp.wrench) balance.push_back({{component.low, ""}});
   for (const std::string& motion : motions) text += declared(motion);
+  for (std::size_t j = 0; j < grasp.max_motion.size(); ++j) {
+    const Rational& most = grasp.max_motion[j];
+    text += line("(<= " + constant(-most) + " " + motions[j] + " " + constant(most) + ")");
+  }
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     const UncertainContact& c = grasp.contacts[i];
     const std::string id = "_" + std::to_string(i);

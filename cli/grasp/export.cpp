@@ -22,6 +22,7 @@ void add_export_command(Command& app, int& exit_code) {
   Command* command =
       app.add_subcommand("export", "Write the question for other solvers, such as Z3 and cvc5");
   arguments->question.add_to(*command);
+  arguments->question.add_max_motion_to(*command);
   command
       ->add_flag("--smt2", arguments->smt2,
                  "SMT-LIB 2, logic QF_LRA, in space QF_NRA: sat means stable, unsat unstable")

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -75,6 +76,7 @@ void print_json(const Question& question, const Compared& answer, bool floats) {
     json["reason"] = undecided->reason;
     json["limit"] = undecided->limit;
   }
+  if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
   add_units(json, question.description().units);
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : comparison.methods) {
@@ -114,6 +116,10 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
   }
   std::cout << format_table(table, Align::kLeft) << "\nAll methods are exact."
             << " Normal law of the passive model: " << law_text(question.law) << ".\n"
+            << (question.is_bounded()
+                    ? "Passive equilibrium alone is about motions up to " +
+                          bound_text(*question.box()) + "; the other methods know no bound.\n"
+                    : "")
             << units_text(question) << text.note();
 }
 
@@ -130,8 +136,9 @@ int compare(const CompareArguments& arguments) {
           : inertia_of("--inertia", numbers_option("--inertia", arguments.inertia), in_space)};
   std::optional<RigidVerdict> verdict;
   if (!arguments.certificate.empty()) {
-    verdict = rigid_verdict(question, answer.inertia);
-    if (!writes_certificate(arguments.certificate, question, answer.inertia, *verdict)) {
+    const Question of_all = without_bound(question);  // of which classes are
+    verdict = rigid_verdict(of_all, answer.inertia);
+    if (!writes_certificate(arguments.certificate, of_all, answer.inertia, *verdict)) {
       return kUndecidedWithinLimit;
     }
   }
@@ -158,6 +165,7 @@ void add_compare_command(Command& app, int& exit_code) {
   Command* command = app.add_subcommand(
       "compare", "What earlier methods say of the same question, and why they differ");
   arguments->question.add_to(*command);
+  arguments->question.add_max_motion_to(*command);
   command
       ->add_option("--methods", arguments->methods,
                    "Ask these alone, by the names below with hyphens and without commas")
@@ -196,6 +204,7 @@ void add_compare_command(Command& app, int& exit_code) {
       "tangents; three-state compliance, the same with each contact stuck, slipping without\n"
       "friction or detached; and friction cones alone, the passive model without maximum\n"
       "dissipation. A method that would take too long is not computed.\n"
+      "Motions are bounded of passive equilibrium alone.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
       "In space cones are round: of the grasp wrench space, L1, there are bounds of the "

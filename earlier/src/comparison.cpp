@@ -28,8 +28,9 @@ struct Rubbing {
 
 class MethodsAsked {
  public:
-  MethodsAsked(const Problem& problem, const CompareOptions& options, NumberText& text)
-      : problem_(problem), options_(options), text_(text) {}
+  MethodsAsked(const Problem& problem, const GraspBox* bounded, const CompareOptions& options,
+               NumberText& text)
+      : problem_(problem), bounded_(bounded), options_(options), text_(text) {}
 
   Comparison ask() {
     Comparison result;
@@ -66,6 +67,11 @@ class MethodsAsked {
   }
 
   MethodAnswer passive() {
+    if (bounded_ != nullptr) {
+      MethodAnswer passive = passive_answer(*bounded_, problem_.law(), text_);
+      if (passive.verdict != "undecided") passive_stable_ = passive.verdict == "stable";
+      return passive;
+    }
     const Verdict verdict = decide(problem_).verdict;
     if (const auto* stable = std::get_if<Stable>(&verdict)) {
       passive_stable_ = true;
@@ -271,12 +277,18 @@ class MethodsAsked {
 
   /// For methods that find forces and ask nothing of motions.
   std::string unless_passive() const {
-    return passive_stable_ == false ? ", but no motion gives rise to such forces" : "";
+    if (passive_stable_ != false) return "";
+    return std::string(", but no motion ") + (bounded_ != nullptr ? "within the bound " : "") +
+           "gives rise to such forces";
   }
 
   /// For methods that find a motion, when the passive model has none.
   std::string however(const Witness& witness) const {
     if (passive_stable_ != false) return "";
+    const Vector3 motion = coordinates(witness.twist);
+    if (bounded_ != nullptr && !bounded_->allows({motion.begin(), motion.end()})) {
+      return kBeyondBound;
+    }
     const std::string breach = dissipation_breach(witness);
     if (!breach.empty()) return ", but this " + breach;
     // A released spring under the bilateral law.
@@ -341,6 +353,7 @@ class MethodsAsked {
   }
 
   const Problem& problem_;
+  const GraspBox* bounded_;  ///< if motions are bounded
   const CompareOptions& options_;
   NumberText& text_;
   std::optional<bool> passive_stable_;   ///< if it was asked and said so
@@ -351,9 +364,9 @@ class MethodsAsked {
 
 }  // namespace
 
-Comparison earlier_detail::compare_in_plane(const Problem& problem,
+Comparison earlier_detail::compare_in_plane(const Problem& problem, const GraspBox* bounded,
                                             const CompareOptions& options, NumberText& text) {
-  return MethodsAsked(problem, options, text).ask();
+  return MethodsAsked(problem, bounded, options, text).ask();
 }
 
 }  // namespace stickslip

@@ -128,7 +128,10 @@ std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bo
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text) {
   using namespace earlier_detail;
-  if (!question.in_space()) return compare_in_plane(problem_of(question), options, text);
+  if (!question.in_space()) {
+    return compare_in_plane(problem_of(without_bound(question)),
+                            question.is_bounded() ? question.box() : nullptr, options, text);
+  }
   return compare_in_space(point_in_space(question), question.law, options, text);
 }
 

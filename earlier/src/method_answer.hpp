@@ -56,6 +56,8 @@ MethodAnswer not_for(const InputError& error);
 /// \}
 
 std::string contact_name(std::size_t index);  ///< "contact 0"
+/// What is to be said of a motion that a method found and the question does not count.
+inline constexpr const char* kBeyondBound = ", but that moves beyond the bound";
 /// "(7 leaves refuted)"
 std::string leaves_refuted(std::size_t count);
 /// `why`, and in parentheses how many leaves were refuted.
@@ -67,6 +69,10 @@ MethodAnswer closure_answer(const std::variant<FormClosure, FreeMotion>& found,
 MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text);
 /// \}
 
+/// The verdict of the passive model about one grasp, by what decides boxes, which knows bounds
+/// on motions.
+MethodAnswer passive_answer(const GraspBox& grasp, NormalLaw law, NumberText& text);
+
 /// The answers of those of `among` whose words are given, or of all, and whether they agree
 /// with the first, if that is the passive model. Throws InputError ("methods") at a word of no
 /// method.
@@ -74,9 +80,10 @@ std::vector<MethodRow> asked(const std::vector<Method>& among,
                              const std::vector<std::string>& words,
                              const std::function<MethodAnswer(MethodId)>& answer);
 
-/// \{ As compare_methods(), in the plane and in space.
-Comparison compare_in_plane(const Problem& problem, const CompareOptions& options,
-                            NumberText& text);
+/// \{ As compare_methods(), in the plane and in space. `bounded` is the grasp if motions are
+/// bounded, of which the problem knows nothing; else null.
+Comparison compare_in_plane(const Problem& problem, const GraspBox* bounded,
+                            const CompareOptions& options, NumberText& text);
 Comparison compare_in_space(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
                             NumberText& text);
 /// \}

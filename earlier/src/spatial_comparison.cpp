@@ -42,6 +42,10 @@ Json forces_json(const std::vector<Vector3>& forces) {
   return json;
 }
 
+std::string within_bound(const GraspBox& grasp) {
+  return grasp.is_bounded() ? " within the bound" : "";
+}
+
 class MethodsInSpace {
  public:
   MethodsInSpace(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
@@ -85,33 +89,9 @@ class MethodsInSpace {
   }
 
   MethodAnswer passive() {
-    const Verdict verdict = decide_box(grasp_, law_).verdict;
-    if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-      passive_stable_ = false;
-      return of_load(
-          false,
-          "no motion satisfies all conditions " + leaves_refuted(leaf_count(unstable->tree)),
-          {{"refutation",
-            {{"nodes", unstable->tree.size()}, {"leaves", leaf_count(unstable->tree)}}}});
-    }
-    const auto* stable = std::get_if<Stable>(&verdict);
-    if (stable == nullptr) return {"undecided", in_words(std::get<Undecided>(verdict))};
-    passive_stable_ = true;
-    if (const auto* witness = std::get_if<ShareWitness>(&stable->proof)) {
-      std::vector<Vector3> forces;
-      for (const SpatialForce& f : forces_of(grasp_, witness->twist, witness->shares)) {
-        forces.push_back(f.force);
-      }
-      return of_load(true,
-                     "the motion " + text_(witness->twist) + " gives rise to forces that hold",
-                     {{"twist", number_json(witness->twist)}, {"forces", forces_json(forces)}});
-    }
-    if (are_at_rest(std::get<StabilityProof>(stable->proof))) {
-      return of_load(true, "nothing moves: friction at rest holds the load", Json::object());
-    }
-    const RationalRow& near = stable->motion;
-    return of_load(true, "there is an equilibrium near the motion " + text_(near),
-                   {{"near", number_json(near)}});
+    MethodAnswer passive = passive_answer(grasp_, law_, text_);
+    if (passive.verdict != "undecided") passive_stable_ = passive.verdict == "stable";
+    return passive;
   }
 
   MethodAnswer frictionless() {
@@ -253,13 +233,16 @@ class MethodsInSpace {
     return of_load(
         true,
         "the motion " + text_(found.motion) + " loads the contacts enough" +
-            (passive_stable_ == false ? ", but friction does not oppose every slip" : ""),
+            (passive_stable_ != false      ? ""
+             : grasp_.allows(found.motion) ? ", but friction does not oppose every slip"
+                                           : kBeyondBound),
         {{"twist", number_json(found.motion)}, {"forces", forces_json(found.forces)}});
   }
 
   /// For methods that find forces and ask nothing of motions.
   std::string unless_passive() const {
-    return passive_stable_ == false ? ", but no motion gives rise to such forces" : "";
+    if (passive_stable_ != false) return "";
+    return ", but no motion" + within_bound(grasp_) + " gives rise to such forces";
   }
 
   Json rest_json(const RigidForces& forces) const {
@@ -286,6 +269,35 @@ class MethodsInSpace {
 };
 
 }  // namespace
+
+MethodAnswer earlier_detail::passive_answer(const GraspBox& grasp, NormalLaw law,
+                                            NumberText& text) {
+  const Verdict verdict = decide_box(grasp, law).verdict;
+  if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+    return of_load(
+        false,
+        "no motion" + within_bound(grasp) + " satisfies all conditions " +
+            leaves_refuted(leaf_count(unstable->tree)),
+        {{"refutation",
+          {{"nodes", unstable->tree.size()}, {"leaves", leaf_count(unstable->tree)}}}});
+  }
+  const auto* stable = std::get_if<Stable>(&verdict);
+  if (stable == nullptr) return {"undecided", in_words(std::get<Undecided>(verdict))};
+  if (const auto* witness = std::get_if<ShareWitness>(&stable->proof)) {
+    std::vector<Vector3> forces;
+    for (const SpatialForce& f : forces_of(grasp, witness->twist, witness->shares)) {
+      forces.push_back(f.force);
+    }
+    return of_load(true,
+                   "the motion " + text(witness->twist) + " gives rise to forces that hold",
+                   {{"twist", number_json(witness->twist)}, {"forces", forces_json(forces)}});
+  }
+  if (are_at_rest(std::get<StabilityProof>(stable->proof))) {
+    return of_load(true, "nothing moves: friction at rest holds the load", Json::object());
+  }
+  return of_load(true, "there is an equilibrium near the motion " + text(stable->motion),
+                 {{"near", number_json(stable->motion)}});
+}
 
 Comparison earlier_detail::compare_in_space(const GraspBox& grasp, NormalLaw law,
                                             const CompareOptions& options, NumberText& text) {

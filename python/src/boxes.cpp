@@ -22,8 +22,7 @@ py::tuple middles(const WrenchBox& wrench) {
 
 /// What is asked about a grasp of which `uncertain`, as in --uncertain, says what may be off.
 Question asked_of(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
-                  bool bilateral, const std::string& uncertain,
-                  const std::string& max_motion = "") {
+                  bool bilateral, const std::string& uncertain, const std::string& max_motion) {
   return question_in_box(
       grasp,
       question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion),
@@ -70,11 +69,11 @@ Rational accuracy_of(const py::object& value) {
 
 py::dict radius(const GraspFile& grasp, const std::string& uncertain, const py::object& wrench,
                 const py::object& preload, bool bilateral, const py::object& accuracy,
-                std::size_t node_limit) {
+                std::size_t node_limit, const std::string& max_motion) {
   RadiusOptions options;
   options.box.node_limit = node_limit;
   options.accuracy = accuracy_of(accuracy);
-  const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
+  const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain, max_motion);
   const GraspBox box = box_of(asked.grasp);
   if (box.is_point()) refuse_certain();
   const auto [found, proofs] = without_gil([&] {
@@ -100,7 +99,7 @@ py::dict radius(const GraspFile& grasp, const std::string& uncertain, const py::
 py::dict quality(const GraspFile& grasp, const py::object& length, const py::object& about,
                  const std::string& body, const py::object& wrench, const py::object& preload,
                  bool bilateral, const py::object& at_most, const py::object& accuracy,
-                 std::size_t node_limit) {
+                 std::size_t node_limit, const std::string& max_motion) {
   QualityOptions options;
   options.radius.box.node_limit = node_limit;
   options.radius.accuracy = accuracy_of(accuracy);
@@ -114,7 +113,9 @@ py::dict quality(const GraspFile& grasp, const py::object& length, const py::obj
   shape.length = positive(length, "length");
   if (!about.is_none()) shape.set_about(numbers(about, 0, "about"));
   shape.body = body;
-  const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
+  const Question asked = question_about(
+      grasp,
+      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion));
   const auto [found, proofs] = without_gil([&] {
     Quality known = find_quality(box_of(asked.grasp), asked.law, shape, options);
     std::vector<std::pair<std::string, ProvedFiles>> proved;
@@ -147,9 +148,12 @@ py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof)
 
 py::dict map(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
              const std::string& uncertain, const py::object& wrench, const py::object& preload,
-             bool bilateral, unsigned depth, std::size_t node_limit, bool proofs) {
+             bool bilateral, unsigned depth, std::size_t node_limit, bool proofs,
+             const std::string& max_motion) {
   // In the plane with rational lengths.
-  const Question asked = question_about(grasp, question_options(wrench, preload, bilateral));
+  const Question asked = question_about(
+      grasp,
+      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion));
   const GraspBox centre = box_of(asked.grasp);
   const MapAxis x = parse_axis(centre, x_text, "x");
   const MapAxis y = parse_axis(centre, y_text, "y");

@@ -25,8 +25,9 @@ struct Compared {
 /// certificate of the class, if it is wanted, or why there is none.
 py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                  bool bilateral, std::vector<std::string> methods, const py::object& length,
-                 const py::object& inertia, bool certificate) {
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+                 const py::object& inertia, bool certificate, const std::string& max_motion) {
+  const QuestionOptions asked =
+      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion);
   CompareOptions options;
   options.methods = std::move(methods);
   options.length = exact(length, "length");
@@ -41,14 +42,15 @@ py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::obj
     NumberText readable(false);
     const Question question = space ? question_in_box(grasp, asked) : question_of(grasp, asked);
     std::optional<RigidVerdict> verdict;
-    if (certificate) verdict = rigid_verdict(question, options.inertia);
+    const Question of_all = without_bound(question);  // of which classes are
+    if (certificate) verdict = rigid_verdict(of_all, options.inertia);
     options.verdict = verdict ? &*verdict : nullptr;
     Compared result{compare_methods(question, options, readable)};
     if (!verdict) return result;
     if (const auto* undecided = std::get_if<Undecided>(&*verdict)) {
       result.limit = undecided->limit;
     } else {
-      result.certificate = class_certificate_text(question, options.inertia, *verdict,
+      result.certificate = class_certificate_text(of_all, options.inertia, *verdict,
                                                   "stickslip " STICKSLIP_VERSION);
     }
     return result;

@@ -50,7 +50,7 @@ py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::o
                       const std::string& uncertain, const py::object& length,
                       const py::list& about, const std::string& body, bool balanced,
                       bool bilateral, const py::object& accuracy, std::size_t boxes,
-                      std::size_t node_limit) {
+                      std::size_t node_limit, const std::string& max_motion) {
   PreloadOptions options;
   options.box.node_limit = node_limit;
   options.most_boxes = boxes;
@@ -62,10 +62,11 @@ py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::o
   }
   std::vector<Question> asked;
   for (const py::handle& load : loads) {
-    asked.push_back(question_in_box(
-        grasp,
-        question_options(py::reinterpret_borrow<py::object>(load), py::none(), bilateral),
-        uncertain));
+    asked.push_back(
+        question_in_box(grasp,
+                        question_options(py::reinterpret_borrow<py::object>(load), py::none(),
+                                         bilateral, py::none(), py::none(), "", max_motion),
+                        uncertain));
   }
   FoundPreload found;
   if (budget.is_none()) {

@@ -365,7 +365,7 @@ QuestionOptions question_options(const py::object& wrench, const py::object& pre
 Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
   Question question = question_in_box(grasp, options);
   try {
-    problem_of(question);
+    problem_of(without_bound(question));
   } catch (const InputError& error) {
     throw InputError("", error.place(), error.problem(), "ask about grasp.snap().grasp");
   }

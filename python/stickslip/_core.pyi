@@ -125,6 +125,7 @@ def quality(
     at_most: Any,
     accuracy: Any,
     node_limit: int,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def radius(
     grasp: Union[GraspData, SpatialGraspData],
@@ -134,6 +135,7 @@ def radius(
     bilateral: bool,
     accuracy: Any,
     node_limit: int,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def best_preload(
     grasp: Union[GraspData, SpatialGraspData],
@@ -148,6 +150,7 @@ def best_preload(
     accuracy: Any,
     boxes: int,
     node_limit: int,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def stability_map(
     grasp: Union[GraspData, SpatialGraspData],
@@ -160,6 +163,7 @@ def stability_map(
     depth: int,
     node_limit: int,
     proofs: bool,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def decide_many(
     count: int,
@@ -202,6 +206,7 @@ def compare(
     length: Any,
     inertia: Optional[List[Any]],
     certificate: bool,
+    max_motion: str,
 ) -> Dict[str, Any]: ...
 def class_margin(
     grasp: GraspData,

@@ -218,11 +218,12 @@ def radius(
     normal_law: str = "unilateral",
     accuracy: Number = "1/100",
     node_limit: int = 0,
+    max_motion: Any = None,
 ) -> Radius:
     """By which factor may all tolerances grow before the verdict is another? With proofs.
 
     Args:
-        grasp, wrench, uncertain, friction, preload, normal_law: as of ``decide``.
+        grasp, wrench, uncertain, friction, preload, normal_law, max_motion: as of ``decide``.
         accuracy: stop when what is proved and what is refuted differ by this part of it.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
     """
@@ -231,7 +232,7 @@ def radius(
     result = _core.radius(
         about._data, tolerances, about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), as_number(accuracy, "accuracy"),
-        as_count("node_limit", node_limit))
+        as_count("node_limit", node_limit), as_max_motion(max_motion))
     return Radius(grasp=about, uncertain=tolerances,
                   **_with_proofs(result, "proof", "counterexample"))
 
@@ -249,6 +250,7 @@ def quality(
     at_most: Optional[Number] = None,
     accuracy: Number = "1/100",
     node_limit: int = 0,
+    max_motion: Any = None,
 ) -> Quality:
     """How large a ball of loads around its own does the grasp resist? With proofs.
 
@@ -256,7 +258,7 @@ def quality(
     |f|^2 + |t / length|^2 <= R^2.
 
     Args:
-        grasp, wrench, friction, preload, normal_law: as of ``decide``.
+        grasp, wrench, friction, preload, normal_law, max_motion: as of ``decide``.
         length: characteristic length of the object, by which torques are divided.
         about: the point that torques are about; the origin if it is left out.
         body: of several bodies the name of the one that the loads are on.
@@ -269,7 +271,7 @@ def quality(
         about_grasp._data, as_number(length, "length"), as_row_or_none(about, "about", None), str(body),
         about_grasp._load(wrench), as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_number_or_none(at_most, "at_most"), as_number(accuracy, "accuracy"),
-        as_count("node_limit", node_limit))
+        as_count("node_limit", node_limit), as_max_motion(max_motion))
     return Quality(grasp=about_grasp, **_with_proofs(result, "proof", "counterexample"))
 
 
@@ -288,11 +290,12 @@ def best_preload(
     accuracy: Number = "1/20",
     boxes: int = 0,
     node_limit: int = 0,
+    max_motion: Any = None,
 ) -> BestPreload:
     """Preloads of the least sum that hold a load, or that with a budget resist the largest ball.
 
     Args:
-        grasp, friction, normal_law: as of ``decide``. The grasp's own preloads are tried, too.
+        grasp, friction, normal_law, max_motion: as of ``decide``. The grasp's own preloads are tried, too.
         wrench: one load, or without a budget (n, 3), in space (n, 6): all of them are to be held.
         budget: the sum of preloads; then the ball around the load is sought.
         uncertain: without a budget a ball of loads to be held, "wrench=ball:1/2:length=2".
@@ -314,8 +317,7 @@ def best_preload(
         as_number_or_none(budget, "budget"), as_uncertain(uncertain), as_number(length, "length"),
         as_list(about, "about", (len(about),), "a point") if len(about) else [], body,
         bool(balanced), is_bilateral(normal_law), as_number(accuracy, "accuracy"),
-        as_count("boxes", boxes),
-        as_count("node_limit", node_limit))
+        as_count("boxes", boxes), as_count("node_limit", node_limit), as_max_motion(max_motion))
     law = result["normal_law"]
     result["proofs"] = {name: _proof(files, law) for name, files in result["proofs"].items()}
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
@@ -335,13 +337,15 @@ def stability_map(
     depth: int = 6,
     node_limit: int = 0,
     proofs: bool = False,
+    max_motion: Any = None,
 ) -> StabilityMap:
     """Where in a plane of two numbers does it hold? Proved cell by cell.
 
     Args:
-        grasp, wrench, friction, preload, normal_law: as of ``decide``.
+        grasp, wrench, friction, preload, normal_law, max_motion: as of ``decide``.
         x, y: "NAME=FROM:TO", as in "friction=0:1"; the names are those of ``stickslip map``.
-            Of two wrenches, "1,0,0,0,0,0=-2:2", it is the region of a plane of loads in space.
+            Of two wrenches, "1,0,0,0,0,0=-2:2", it is the region of a plane of loads in space, or
+            where motions are bounded.
         uncertain: how far numbers of every grasp of the map may be off, as of ``decide``: a cell's
             verdict is then one about all grasps that are so near to one in it.
         depth: the finest cells are a 2**depth-th of an axis.
@@ -353,7 +357,8 @@ def stability_map(
     result = _core.stability_map(
         about._data, str(x), str(y), tolerances, about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-        as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
+        as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs),
+        as_max_motion(max_motion))
     law = result["normal_law"]
     result["cells"] = tuple(
         MapCell(along_x, along_y, verdict,
@@ -395,6 +400,7 @@ def region(
     pieces: bool = False,
     certificate: bool = False,
     node_limit: int = 0,
+    max_motion: Any = None,
 ) -> Region:
     """Which wrenches origin + s u + t v does the grasp resist? The exact set of (s, t).
 
@@ -406,11 +412,17 @@ def region(
         pieces: also what is resisted in each contact mode.
         certificate: also prove that exactly this region is resisted.
         node_limit: of the search for the proof; 0 is no limit.
+        max_motion: None or "none": within a bound the region is not exact, and ``stability_map``
+            proves cells of the plane.
 
     Raises:
         InputError: an argument is wrong; u and v are not independent.
         LimitReached: ``mode_limit`` or ``node_limit``.
     """
+    if as_max_motion(max_motion) not in ("", "none"):
+        raise InputError("", "max_motion", "motions are bounded",
+                         'ask stability_map(grasp, "1,0,0=-2:2", "0,1,0=-2:2", origin, max_motion=...), '
+                         "which proves cells of the plane")
     about, snapped = _asked(grasp, preload)
     fields = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, bool(pieces),
                      False, bool(certificate), node_limit)
@@ -459,6 +471,7 @@ def plot_states(grasp: Grasp) -> Picture:
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
     methods: Sequence[str] = (), length: Any = 1, inertia: Any = None, certificate: bool = False,
+    max_motion: Any = None,
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
@@ -470,6 +483,7 @@ def compare(
         inertia: (3,): the centre of mass and the squared radius of gyration about it, which
             strong stability needs; (0, 0, length**2) if None. In space (6,) or (9,): the centre
             and xx, yy, zz, and perhaps xy, xz, yz, of the tensor of inertia about it, over the mass.
+        max_motion: as of ``decide``, of passive equilibrium alone: the other methods know no bound.
         certificate: prove the class of the load, for ``check`` with this inertia.
 
     Raises:
@@ -480,7 +494,8 @@ def compare(
         about._one_body(), about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law), list(methods),
         as_number(length, "length"),
-        None if inertia is None else as_inertia(inertia, about._coordinates), bool(certificate))
+        None if inertia is None else as_inertia(inertia, about._coordinates), bool(certificate),
+        as_max_motion(max_motion))
     if "limit" in answer:
         raise LimitReached(answer["limit"])
     rows: List[Tuple[str, str, bool, str, Optional[bool], str, str]] = answer["methods"]

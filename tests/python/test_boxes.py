@@ -78,3 +78,39 @@ def test_arguments(fig1):
     assert error.value.place == "x"
     [cell] = stability_map(fig1, "friction=1/4:1/2", "load=1/4:1/2", LOAD, depth=0).cells
     assert cell.proof is None  # unasked
+
+
+def test_bounds_of_motions():
+    # One contact presses 1 for each unit that it gives, and two jaws less what they are preloaded with.
+    foot = Grasp([[0, 0]], [[0, 1]], 1)
+    down = (0, -1, 0)
+    close, far = (("1/2", 1), ("2", 1))
+    assert radius(foot, down, uncertain="friction=10%", max_motion=close).verdict == "unstable"
+    assert radius(foot, down, uncertain="friction=10%", max_motion=far).verdict == "stable"
+    assert stickslip.quality(foot, (0, -2, 0), max_motion=close).verdict == "unstable"
+    held = stickslip.quality(foot, (0, -2, 0), max_motion=(3, 1), accuracy="1/10")
+    assert held.verdict in ("stable", "undecided") and held.proved <= 1
+    plane = stability_map(foot, "1,0,0=-7:7", "0,1,0=-7:7", (0, 0, 0), max_motion=(3, 1), depth=4, proofs=True)
+    assert {"stable", "unstable"} <= {cell.verdict for cell in plane.cells}
+    for cell in plane.cells:
+        if cell.verdict == "stable":
+            assert -3 <= cell.y[0] and cell.y[1] <= 0
+    assert next(cell for cell in plane.cells if cell.verdict == "stable").proof.check()
+    jaws = Grasp([[-1, 0, 0], [1, 0, 0]], [[1, 0, 0], [-1, 0, 0]], "1/2")
+    best = stickslip.best_preload(jaws, (4, 0, 0, 0, 0, 0), max_motion=(3, 1), accuracy="1/10")
+    assert 1 <= best.sum < Fraction(11, 10)
+    assert stickslip.best_preload(jaws, (4, 0, 0, 0, 0, 0), max_motion="none").sum == 0
+    passive, *others = stickslip.compare(foot, down, max_motion=close).methods
+    assert passive.verdict == "unstable" and any(method.agrees is False for method in others)
+    proof = stickslip.compare(foot, down, max_motion=close, certificate=True).certificate
+    assert stickslip.check(foot, proof, wrench=down, inertia=(0, 0, 1)).verdict == "must hold"
+    assert stickslip.region(foot, max_motion="none").areas
+    with pytest.raises(InputError, match="stability_map"):
+        stickslip.region(foot, max_motion=close)
+    for ask in (lambda bound: radius(foot, down, uncertain="friction=10%", max_motion=bound),
+                lambda bound: stability_map(foot, "friction=0:1", "load=0:1", down, max_motion=bound),
+                lambda bound: stickslip.best_preload(foot, down, max_motion=bound),
+                lambda bound: stickslip.compare(foot, down, max_motion=bound)):
+        for wrong in ((1, 2, 3, 4), "fast", (-1, 1)):
+            with pytest.raises(InputError, match="max_motion"):
+                ask(wrong)

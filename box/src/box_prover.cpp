@@ -46,16 +46,17 @@ SearchReport BoxProver::report() const {
   return {end_, limits_.node_limit, work_.nodes > last_node_, limits_.is_wide, is_far, near_};
 }
 
+/// Proves the grasp stable by an equilibrium in the modes of this one; false if none was found.
+bool BoxProver::prove_exactly(const GraspLaw& box, const NearEquilibrium& near) {
+  witness_ = exact_witness(box, near);
+  if (witness_ && !box.allows(witness_->twist)) witness_.reset();
+  if (witness_) motion_ = witness_->twist;
+  return witness_.has_value();
+}
+
 bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
                            const NearEquilibrium& near) {
-  if (is_exact_) {
-    witness_ = exact_witness(box, near);
-    if (witness_ && !box.allows(witness_->twist)) witness_.reset();
-    if (witness_) {
-      motion_ = witness_->twist;
-      return true;
-    }
-  }
+  if (is_exact_ && prove_exactly(box, near)) return true;
   if (auto rest = prove_at_rest(box, near)) {
     if (parts_.empty()) motion_.assign(box.motions, 0);
     parts_.emplace_back(std::move(*rest));
@@ -147,6 +148,9 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   bool refuted = false;
   const auto take = [&](const NearEquilibrium& relaxed) {
     const auto found = newton.polish(relaxed);
+    // Where equilibria lie side by side, Newton's method may not converge; a program may find
+    // one.
+    if (!found && is_exact_ && box.is_linear()) return holds = prove_exactly(box, relaxed);
     return found &&
            (try_near(*found) || (limits_.is_wide && box_detail::may_be_within(box, *found)));
   };
@@ -185,8 +189,9 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
     if (!refuted && !holds && near.end() == SearchEnd::kNodes) search_all(false, false);
   }
-  const bool in_doubt = end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
-  if (!refuted && !holds && in_doubt && is_exact_ && box_detail::is_linear(box) &&
+  const bool in_doubt =
+      end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist || end_ == SearchEnd::kDepth;
+  if (!refuted && !holds && in_doubt && is_exact_ && box.is_linear() &&
       box.max_motion.empty()) {
     search_all(true, false);
   }

@@ -175,11 +175,6 @@ class RelaxedRegion {
 
 }  // namespace
 
-bool is_linear(const Law& law) {
-  return std::all_of(law.contacts.begin(), law.contacts.end(),
-                     [](const LawContact& c) { return c.slip_dimension() == 1; });
-}
-
 std::variant<TreeNode, ShareWitness> decide_exactly(const Law& law,
                                                     const MotionRegion& region) {
   RelaxedRegion relaxed(law, region);

@@ -12,13 +12,10 @@
 
 namespace stickslip::box_detail {
 
-/// Whether decide_exactly() can be asked of regions of this law, which is of one grasp without
-/// irrational lengths: friction is along a line.
-bool is_linear(const Law& law);
-
-/// A leaf that refutes the region, the contact to split, or an equilibrium in it. As contacts
-/// can be split only so often, a search that asks this ends. A program with D rows and one for
-/// each contact for each strict function.
+/// Returns a leaf that refutes the region, the contact to split, or an equilibrium in it. As
+/// contacts can be split only so often, a search that asks this ends. It takes a program with D
+/// rows and one for each contact for each strict function. The law is that of one grasp without
+/// irrational lengths; law.is_linear() is required.
 std::variant<TreeNode, ShareWitness> decide_exactly(const Law& law, const MotionRegion& region);
 
 }  // namespace stickslip::box_detail

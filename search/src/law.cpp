@@ -403,6 +403,11 @@ double Law::load_size(const Reals& y) const {
   return size;
 }
 
+bool Law::is_linear() const {
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [](const LawContact& c) { return c.slip_dimension() == 1; });
+}
+
 bool Law::is_point() const {
   const auto is_point = [](const Interval& component) { return component.is_point(); };
   return (!is_family || multiples.high == multiples.low) && !hull &&

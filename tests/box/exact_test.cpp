@@ -160,7 +160,7 @@ TEST(ExactWitness, FindsWhatIsPlanted) {
     Body body = planted(random, in_space);
     SCOPED_TRACE(body.file());
     const GraspLaw law = body.law();
-    EXPECT_EQ(box_detail::is_linear(law), !in_space);
+    EXPECT_EQ(law.is_linear(), !in_space);
     const auto witness = exact_witness(law, body.near);
     EXPECT_TRUE(witness || !body.is_planted);
     if (witness) body.expect_accepted(Stable{*witness, witness->twist});

@@ -12,7 +12,7 @@ from fractions import Fraction as F
 import numpy as np
 from bodies_newton import equilibria
 from bodies_smt import smt
-from test_bodies import ROOT, Bodies, contact, force, grasp, random_assembly, stack, text, weight
+from test_bodies import ROOT, Bodies, contact, force, grasp, mirrored_assembly, random_assembly, stack, text, weight
 from test_cli import run
 from test_space import Z3
 
@@ -51,6 +51,13 @@ class AgainstNewton(Bodies):
     def test_random_ones_in_the_plane(self):
         rng = random.Random(3)
         self.assert_sees([self.ask(random_assembly(rng, 2), 40) for _ in range(30)], 10)
+
+    def test_what_is_mirrored_is_decided(self):
+        # (Newton's method looks at those that are unstable in verdict().)
+        rng = random.Random(1)
+        verdicts = [self.verdict(mirrored_assembly(rng)) for _ in range(30)]
+        self.assertEqual(verdicts.count("stable") + verdicts.count("unstable"), len(verdicts))
+        self.assertGreaterEqual(min(verdicts.count("stable"), verdicts.count("unstable")), 8)
 
     def test_random_ones_in_space(self):
         # Some are undecided: a body drifts off, while another slips, and no equilibrium is by itself.

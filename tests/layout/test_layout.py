@@ -16,7 +16,7 @@ ALLOWED = {
     "motion": {"core", "equilibrium"},
     "search": {"core", "equilibrium", "motion"},
     "planar": {"core", "lp", "arrangement", "equilibrium", "motion", "search"},
-    "degree": {"core", "equilibrium", "motion", "planar", "search"},
+    "degree": {"core", "lp", "equilibrium", "motion", "planar", "search"},
     "margin": {"core", "equilibrium", "motion", "planar", "search", "degree"},
     "box": {"core", "lp", "equilibrium", "motion", "planar", "search", "degree", "margin"},
     "warnings": {"core", "equilibrium", "motion", "planar", "degree", "margin", "box"},

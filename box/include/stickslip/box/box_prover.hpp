@@ -53,6 +53,7 @@ class BoxProver {
  private:
   bool prove(const GraspLaw& box);
   bool prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>& middle);
+  bool prove_exactly(const GraspLaw& box, const NearEquilibrium& near);
   bool prove_near(const GraspLaw& box, const GraspLaw& middle, const NearEquilibrium& near);
   bool refute_near_first(const GraspLaw& box, LawSearch& near);
   std::optional<PartSplit> widest(const GraspLaw& box,

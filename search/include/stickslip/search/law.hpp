@@ -211,6 +211,8 @@ struct Law {
   Row plane_between(const Reals& a, const Reals& b, const Reals& x) const;
   /// h w + l u of a point with these, in doubles, on y: where its work is largest.
   Reals load_at(double height, double multiple, const Reals& y) const;
+  /// Returns whether each slip and friction force is along a line, as in the plane.
+  bool is_linear() const;
   /// Whether the box, lengths of normals included, is one point.
   bool is_point() const;
 };

@@ -5,7 +5,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(modules core lp arrangement equilibrium motion planar search degree margin box warnings resistance earlier certificate answers batch crosscheck plot page)
+set(modules core lp arrangement engine measures earlier certificate interfaces)
 foreach(module IN LISTS modules)
   install(TARGETS stickslip_${module} EXPORT stickslip)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/include/stickslip TYPE INCLUDE)
@@ -26,7 +26,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.
 
 # The manual, if help2man made it, and what completes command lines: of stickslip as it wrote them,
 # of stickslip-check by hand.
-set(checker ${PROJECT_SOURCE_DIR}/certificate/checker)
+set(checker ${PROJECT_SOURCE_DIR}/certificate/cpp)
 set(completion ${PROJECT_BINARY_DIR}/completion)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/man/man1 TYPE MAN OPTIONAL)
 install(FILES ${checker}/stickslip-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Python module (python/) and its option. ON by default when all that it and its tests need
+# The Python module (interfaces/python/) and its option. ON by default when all that it and its tests need
 # is there: pybind11, Python's headers, NumPy and pytest.
 
 find_package(Python3 COMPONENTS Interpreter Development.Module QUIET)

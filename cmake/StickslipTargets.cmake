@@ -9,30 +9,59 @@ function(stickslip_set_warnings target)
 endfunction()
 
 # stickslip_library(core SOURCES a.cpp ... PUBLIC_LIBS lib ... PRIVATE_LIBS lib ... [COLD])
-# makes stickslip_core (alias stickslip::core) with public headers in <module>/include.
+# makes stickslip_core (alias stickslip::core) with public headers in <module>/include. Sources may
+# be those of its parts instead: see stickslip_part().
 # COLD: no command spends its time there, as it writes text, or asks other modules: a release
 # optimises it little, and takes a third less time to compile it.
 function(stickslip_library module)
   cmake_parse_arguments(ARG "COLD" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
   add_library(stickslip_${module} STATIC ${ARG_SOURCES})
   add_library(stickslip::${module} ALIAS stickslip_${module})
-  set_target_properties(stickslip_${module} PROPERTIES EXPORT_NAME ${module})
+  set_target_properties(stickslip_${module} PROPERTIES EXPORT_NAME ${module} LINKER_LANGUAGE CXX)
   target_include_directories(stickslip_${module}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
            $<INSTALL_INTERFACE:include>)
   target_link_libraries(stickslip_${module}
     PUBLIC ${ARG_PUBLIC_LIBS} PRIVATE ${ARG_PRIVATE_LIBS})
   target_compile_features(stickslip_${module} PUBLIC cxx_std_17)
-  # The Python module is a shared library that takes it in; always, so that all builds are alike.
-  set_target_properties(stickslip_${module} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   if(STICKSLIP_VALIDATE)
     target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)
   endif()
-  if(ARG_COLD)
-    target_compile_options(stickslip_${module} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_target_properties(stickslip_${module} PROPERTIES
+    STICKSLIP_PART_LIBS "${ARG_PUBLIC_LIBS};${ARG_PRIVATE_LIBS}")
+  if(ARG_SOURCES)
+    stickslip_compile(stickslip_${module} ${ARG_COLD})
   endif()
-  stickslip_set_warnings(stickslip_${module})
-  stickslip_reuse_headers(stickslip_${module})
+endfunction()
+
+# stickslip_part(engine search SOURCES a.cpp ... [COLD]): sources of stickslip_engine in a folder of
+# their own, compiled together. A part may use what its module may, and headers of parts by their
+# path from the root, such as "engine/search/law_forces.hpp"; tests/layout says which.
+function(stickslip_part module part)
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES" ${ARGN})
+  set(target stickslip_${module}_${part})
+  add_library(${target} OBJECT ${ARG_SOURCES})
+  get_target_property(libs stickslip_${module} STICKSLIP_PART_LIBS)
+  target_link_libraries(${target} PRIVATE ${libs})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}
+    ${PROJECT_SOURCE_DIR}/${module}/include)
+  if(STICKSLIP_VALIDATE)
+    target_compile_definitions(${target} PRIVATE STICKSLIP_VALIDATE)
+  endif()
+  stickslip_compile(${target} ${ARG_COLD})
+  target_sources(stickslip_${module} PRIVATE $<TARGET_OBJECTS:${target}>)
+endfunction()
+
+# How sources of the library are compiled.
+function(stickslip_compile target is_cold)
+  # The Python module is a shared library that takes it in; always, so that all builds are alike.
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  if(is_cold)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  stickslip_set_warnings(${target})
+  stickslip_reuse_headers(${target})
 endfunction()
 
 # What nearly all of the library includes takes three quarters of the time that a file takes to
@@ -101,13 +130,14 @@ function(stickslip_reuse_test_headers name)
   target_precompile_headers(${name} REUSE_FROM stickslip_test_headers)
 endfunction()
 
-# stickslip_uses_cgal(file ...): these files of this folder include CGAL, and no others do.
+# stickslip_uses_cgal(module file ...): these files of this folder, which is that of the module or of
+# a part of it, include CGAL, and no others do.
 # Interval arithmetic in CGAL changes the rounding mode; -frounding-math keeps the compiler from
 # folding across it (CGAL manual, "Compiler flags"). GCC 12 sees uninitialised and freed values in CGAL's
 # and Boost's headers when it optimises little. The tests have a twin of each file, the object
 # library stickslip_cgal_checked, with all of CGAL's assertions: linked into a program, it stands
 # in for the file of the library.
-function(stickslip_uses_cgal)
+function(stickslip_uses_cgal module)
   set(options -frounding-math -Wno-maybe-uninitialized -Wno-free-nonheap-object)
   set_source_files_properties(${ARGN} PROPERTIES
     COMPILE_DEFINITIONS "CGAL_USE_GMP;CGAL_USE_MPFR" COMPILE_OPTIONS "${options}"
@@ -115,6 +145,7 @@ function(stickslip_uses_cgal)
   if(STICKSLIP_BUILD_TESTS)
     if(NOT TARGET stickslip_cgal_checked)
       add_library(stickslip_cgal_checked OBJECT EXCLUDE_FROM_ALL)
+      target_include_directories(stickslip_cgal_checked PRIVATE ${PROJECT_SOURCE_DIR})
       target_compile_options(stickslip_cgal_checked PRIVATE ${options} -UNDEBUG -UCGAL_NDEBUG)
       target_compile_definitions(stickslip_cgal_checked PRIVATE CGAL_USE_GMP CGAL_USE_MPFR
         STICKSLIP_CHECKED CGAL_CHECK_EXPENSIVE CGAL_CHECK_EXACTNESS)
@@ -122,7 +153,6 @@ function(stickslip_uses_cgal)
     endif()
     list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
     target_sources(stickslip_cgal_checked PRIVATE ${ARGN})
-    get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     target_link_libraries(stickslip_cgal_checked PUBLIC stickslip::${module})
   endif()
 endfunction()

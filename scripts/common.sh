@@ -11,14 +11,14 @@ build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libboos
   libboost-graph-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libcpp-httplib-dev libtbb-dev)
 test_packages=(libgtest-dev libgmock-dev libglpk-dev pkg-config z3 cvc5 python3 ccache doxygen
   help2man mandoc man-db zsh fish parallel nodejs libbox2d-dev libode-dev ocaml ocaml-findlib libzarith-ocaml-dev coq dpkg-dev)
-# The Python module (python/), its installation by pip, and its tests.
+# The Python module (interfaces/python/), its installation by pip, and its tests.
 python_packages=(pybind11-dev python3-dev python3-pybind11 python3-numpy python3-scipy python3-pytest python3-pip
   python3-setuptools python3-wheel python3-venv mypy python3-nbconvert python3-ipykernel python3-shapely
   python3-distributed python3-pandas)
 # What scripts/package.sh needs besides.
 package_packages=(dpkg-dev help2man ocaml ocaml-findlib libzarith-ocaml-dev pybind11-dev python3-dev
   python3-numpy python3-pip python3-setuptools python3-wheel)
-# Physics engines in C++, which conformance/ judges; Box2D and ODE among them are tested, with one from npm.
+# Physics engines in C++, which bench/engines judges; Box2D and ODE among them are tested, with one from npm.
 engine_packages=(libbox2d-dev libchipmunk-dev libode-dev libbullet-dev)
 # A browser, in which pages are tested.
 browser_packages=(chromium chromium-driver python3-selenium)

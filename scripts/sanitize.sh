@@ -37,7 +37,7 @@ step "Writing $build/coverage/index.html" coverage_html \
   gcovr --root "$root" --add-tracefile "$lines" --html-details "$build/coverage/index.html"
 # Not --output /dev/null: gcovr 5.2 removes the file that it is to write.
 printf '\nLines run by these tests:\n'
-for module in core lp equilibrium motion planar search degree margin box certificate/checker; do
+for module in core lp engine/{equilibrium,motion,search,planar,degree,box} measures/{margin,extent} certificate/cpp; do
   printf '  %-20s %s\n' "$module" "$(gcovr --root "$root" --add-tracefile "$lines" \
     --filter "$root/$module/" --print-summary --output "$build/coverage/summary.txt" | sed -n 's/^lines: //p')"
 done

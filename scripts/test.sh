@@ -9,8 +9,8 @@ install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages
 # One physics engine from npm is tested where it can be had, and always in CI.
 if [ -n "${CI-}" ]; then
   command -v npm >/dev/null || install_packages npm
-  step "Installing an engine from npm" engines-npm npm --prefix "$root/conformance" ci --omit=optional
-elif ! npm --prefix "$root/conformance" ci --omit=optional >/dev/null 2>&1; then
+  step "Installing an engine from npm" engines-npm npm --prefix "$root/bench/engines" ci --omit=optional
+elif ! npm --prefix "$root/bench/engines" ci --omit=optional >/dev/null 2>&1; then
   echo "No engine from npm: its tests are left out"
 fi
 configure_release -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PROVED=ON \

@@ -21,7 +21,7 @@
 #include "limited.hpp"
 #include "loads.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/planar/branch_and_bound.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
 
 namespace stickslip::bench {
 namespace {

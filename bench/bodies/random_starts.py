@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Several bodies: Newton's method of the tests (tests/cli/bodies_newton.py), in doubles and from many random starts, where a
+"""Several bodies: Newton's method of the tests (tests/interfaces/cli/bodies_newton.py), in doubles and from many random starts, where a
 proof says unstable, and where one says stable.
 
     python3 bench/bodies/random_starts.py [--starts N] [--count N] [FAMILY ...]
@@ -19,7 +19,7 @@ from bodies_bench import BIN, FAMILIES, about_thresholds, decide
 
 os.environ.setdefault("STICKSLIP", os.path.join(BIN, "stickslip"))
 os.environ.setdefault("STICKSLIP_CHECK", os.path.join(BIN, "stickslip-check"))
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "cli"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "interfaces", "cli"))
 from bodies_newton import equilibria  # noqa: E402
 from test_bodies import random_assembly  # noqa: E402
 

@@ -14,8 +14,8 @@
 
 #include "random_source.hpp"
 #include "statistics.hpp"
-#include "stickslip/box/radius.hpp"
-#include "stickslip/margin/margin.hpp"
+#include "stickslip/measures/margin.hpp"
+#include "stickslip/measures/radius.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::bench {
 

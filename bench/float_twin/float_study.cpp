@@ -12,7 +12,7 @@
 #include "families.hpp"
 #include "float_twin.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/crosscheck/claim.hpp"
+#include "stickslip/interfaces/claim.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::bench {
 

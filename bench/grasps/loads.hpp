@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grasps.hpp"
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::bench {
 

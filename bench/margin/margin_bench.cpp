@@ -16,7 +16,7 @@
 #include "statistics.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/margin/margin.hpp"
+#include "stickslip/measures/margin.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -15,7 +15,7 @@
 #include "grasps.hpp"
 #include "limited.hpp"
 #include "loads.hpp"
-#include "stickslip/resistance/region_proof.hpp"
+#include "stickslip/measures/region_proof.hpp"
 
 namespace stickslip::bench {
 namespace {

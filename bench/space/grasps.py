@@ -23,7 +23,7 @@ from fractions import Fraction as F
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "cli"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "interfaces", "cli"))
 from test_space import equilibria, written  # noqa: E402
 
 

@@ -32,7 +32,7 @@ from scipy.optimize import Bounds, LinearConstraint, milp
 
 from grasps import decided
 
-from bodies_newton import Mechanics  # of tests/cli, where grasps looks, too
+from bodies_newton import Mechanics  # of tests/interfaces/cli, where grasps looks, too
 
 
 def read(file):

@@ -16,9 +16,9 @@
 
 #include "random_source.hpp"
 #include "statistics.hpp"
-#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/box_verdict.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::bench {
 namespace {

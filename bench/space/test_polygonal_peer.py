@@ -64,7 +64,7 @@ class Polygon(unittest.TestCase):
                                  expected, (dim, angle, part))
 
     def test_a_tendon_and_a_ratchet(self):
-        # Fingers hold a disc of weight 1 with a tendon's pull above 5/2 (tests/cli/test_bodies.py); a ratchet pushes only.
+        # Fingers hold a disc of weight 1 with a tendon's pull above 5/2 (tests/interfaces/cli/test_bodies.py); a ratchet pushes only.
         for tension, expected in ((2.49, "unstable"), (2.51, "stable")):
             self.assertEqual(of_bodies({
                 "bodies": [{"name": "disc"}, {"name": "l", "hinge": [-2, -2]}, {"name": "r", "hinge": [2, -2]}],

@@ -7,7 +7,7 @@
 #include "report.hpp"
 #include "statistics.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/planar/decide.hpp"
+#include "stickslip/engine/decide.hpp"
 
 namespace stickslip::bench {
 namespace {

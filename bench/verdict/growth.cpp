@@ -9,7 +9,7 @@
 #include "measure.hpp"
 #include "report.hpp"
 #include "statistics.hpp"
-#include "stickslip/planar/branch_and_bound.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "check.hpp"
 #include "limited.hpp"
-#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/interfaces/verdict_answer.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::bench {
 

@@ -5,7 +5,7 @@
 /// way round. GLPK's simplex in doubles, default tolerances.
 #pragma once
 
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::bench {
 

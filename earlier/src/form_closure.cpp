@@ -3,8 +3,8 @@
 
 #include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/engine/exact_system.hpp"
 #include "stickslip/lp/linear_program.hpp"
-#include "stickslip/motion/exact_system.hpp"
 
 namespace stickslip {
 namespace {

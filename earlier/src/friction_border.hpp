@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/engine/problem.hpp"
 
 namespace stickslip::earlier_detail {
 

@@ -5,9 +5,9 @@
 #include <array>
 
 #include "contact_forces.hpp"
+#include "engine/planar/region.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/linear_program.hpp"
-#include "stickslip/planar/region.hpp"
 
 namespace stickslip {
 

@@ -7,7 +7,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/motion/cone.hpp"
+#include "stickslip/engine/cone.hpp"
 
 namespace stickslip {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/option_text.hpp"
+#include "stickslip/engine/option_text.hpp"
 
 namespace stickslip {
 namespace {

@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "method_answer.hpp"
-#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
+#include "stickslip/engine/box_verdict.hpp"
 
 namespace stickslip {
 

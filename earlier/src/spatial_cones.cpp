@@ -4,7 +4,7 @@
 #include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
-#include "stickslip/motion/strict_cone.hpp"
+#include "stickslip/engine/strict_cone.hpp"
 
 namespace stickslip {
 

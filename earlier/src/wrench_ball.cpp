@@ -5,7 +5,7 @@
 #include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
-#include "stickslip/motion/cone.hpp"
+#include "stickslip/engine/cone.hpp"
 
 namespace stickslip {
 

@@ -138,7 +138,7 @@ def figure_4(report):
         takes all their friction, and that adds up to no force along y. For μ > 1 friction up to 2 (μ − 1) r is
         left to carry the load, and r may be as large as it takes.""",
         """Forces that the cones accept were substituted into Eqs. 1-4 by this report's own arithmetic. A test
-        compares the method with Z3 (`tests/equilibrium/earlier_methods_z3_test.cpp`).""",
+        compares the method with Z3 (`tests/earlier/earlier_methods_z3_test.cpp`).""",
         """So the lesson of Fig. 4 stands, at larger friction: with μ = 3/2 the cones alone accept any load,
         while the passive model rejects all of them, because contacts that slip would have to push along.""")
     ask(chapter, rough, "0,1000000,0", "0", "unstable", "unstable")

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "assemble_states.hpp"
-#include "filtered_normals.hpp"
 #include "families.hpp"
+#include "filtered_normals.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"

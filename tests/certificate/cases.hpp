@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "both_checkers.hpp"
-#include "stickslip/planar/decide.hpp"
+#include "stickslip/engine/decide.hpp"
 
 namespace stickslip::test {
 

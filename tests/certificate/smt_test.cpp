@@ -7,9 +7,9 @@
 
 #include "cases.hpp"
 #include "smt_solver.hpp"
-#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/engine/box_verdict.hpp"
 
 namespace stickslip {
 namespace {

@@ -30,9 +30,9 @@ NOT_RUN = {
     "apt-get install": ("needs root", "scripts/common.sh"),
     "scripts/package.sh": ("builds, then makes packages", "tests/package/test_package.sh"),
     "pip install build/package/": ("is of a package", "tests/package/test_package.sh"),
-    "stickslip serve": ("goes on until it is told to end", "tests/cli/test_page.py"),
-    "python3 -m venv": ("pip compiles the module", "tests/python/test_install.py"),
-    "~/stickslip-env/bin/": ("pip compiles the module", "tests/python/test_install.py"),
+    "stickslip serve": ("goes on until it is told to end", "tests/interfaces/cli/test_page.py"),
+    "python3 -m venv": ("pip compiles the module", "tests/interfaces/python/test_install.py"),
+    "~/stickslip-env/bin/": ("pip compiles the module", "tests/interfaces/python/test_install.py"),
     "cmake --build build ": ("builds everything", "scripts/test.sh"),
     "cmake --build build-dev": ("builds everything", "scripts/sanitize.sh"),
     "cmake --preset": ("builds everything", "scripts/sanitize.sh"),
@@ -90,7 +90,7 @@ class Documentation(unittest.TestCase):
         for name in pages.page_names():
             fenced, _ = pages.blocks(pages.read(name))
             if any(kind == "python" for kind, _, _ in fenced):
-                self.assertIn(f'"{name}"', pages.read("tests/python/test_examples.py"))
+                self.assertIn(f'"{name}"', pages.read("tests/interfaces/python/test_examples.py"))
 
     def test_list_of_commands_not_run(self):
         texts = [command for name in pages.page_names() if name != BENCHMARKS

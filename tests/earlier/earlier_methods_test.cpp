@@ -3,6 +3,7 @@
 // what the paper says of each; and degenerate grasps.
 #include <gtest/gtest.h>
 
+#include "engine/planar/find_flaw.hpp"
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
@@ -10,9 +11,8 @@
 #include "stickslip/earlier/form_closure.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/planar/decide.hpp"
-#include "stickslip/planar/find_flaw.hpp"
+#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
 namespace {

@@ -4,14 +4,14 @@
 
 #include <iostream>
 
+#include "engine/planar/find_flaw.hpp"
 #include "paper_grasps.hpp"
 #include "smt_oracle.hpp"
 #include "stickslip/earlier/compliance.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/planar/decide.hpp"
-#include "stickslip/planar/find_flaw.hpp"
+#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
 namespace {

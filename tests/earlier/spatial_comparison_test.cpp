@@ -8,7 +8,6 @@
 #include <iostream>
 
 #include "random_grasps.hpp"
-#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/comparison.hpp"
 #include "stickslip/earlier/compliance.hpp"
@@ -16,6 +15,7 @@
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/engine/box_verdict.hpp"
 
 namespace stickslip {
 namespace {

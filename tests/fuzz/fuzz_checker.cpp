@@ -3,7 +3,7 @@
 // feed, a grasp file, a NUL byte and a certificate. The checker answers, whatever it is given;
 // a refusal says why; what it prints is plain; and what is accepted of one body is true: the
 // engines, which see no certificate, say the same; of a margin in space, about some of its
-// multiples. (What is true of several bodies tests/checker and tests/rules know.)
+// multiples. (What is true of several bodies tests/certificate/cpp and tests/rules know.)
 //
 // With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
 // together with the answer that it must give (tests/support/batch.py).
@@ -15,10 +15,10 @@
 #include "fuzz_target.hpp"
 #include "print.hpp"
 #include "spool.hpp"
-#include "stickslip/box/box_verdict.hpp"
-#include "stickslip/equilibrium/question.hpp"
-#include "stickslip/margin/margin.hpp"
-#include "stickslip/planar/branch_and_bound.hpp"
+#include "stickslip/engine/box_verdict.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
+#include "stickslip/engine/question.hpp"
+#include "stickslip/measures/margin.hpp"
 
 namespace {
 
@@ -66,7 +66,7 @@ stickslip::RationalRow core_wrench(const Vector& w) {
 
 /// What the engine finds, as the checker says it; empty if it would take long.
 std::string truth(const Input& input, const Options& options) {
-  if (options.plane) return {};  // tests/resistance knows what is true of those
+  if (options.plane) return {};  // tests/measures/resistance knows what is true of those
   stickslip::QuestionOptions asked;
   if (options.direction) asked.direction = core_wrench(*options.direction);
   if (const auto& growth = options.preload_direction) {

@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "stickslip/core/json.hpp"
-#include "stickslip/crosscheck/claim.hpp"
+#include "stickslip/interfaces/claim.hpp"
 
 namespace {
 

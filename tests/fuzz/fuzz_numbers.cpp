@@ -10,7 +10,7 @@
 #include "number.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/core/number.hpp"
-#include "stickslip/equilibrium/option_text.hpp"
+#include "stickslip/engine/option_text.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz_target.hpp"
-#include "stickslip/page/answer.hpp"
-#include "stickslip/page/html.hpp"
+#include "stickslip/interfaces/answer.hpp"
+#include "stickslip/interfaces/html.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include "check.hpp"
 #include "fuzz_target.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/margin/margin.hpp"
-#include "stickslip/planar/branch_and_bound.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
+#include "stickslip/measures/margin.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fuzz_target.hpp"
-#include "stickslip/batch/results.hpp"
-#include "stickslip/batch/shard.hpp"
+#include "stickslip/interfaces/results.hpp"
+#include "stickslip/interfaces/shard.hpp"
 
 namespace {
 

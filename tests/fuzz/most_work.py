@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Searches for the short question that costs a checker most.
 
-  most_work.py SECONDS PROGRAM [WORD ...]     such as 600 build/bin/stickslip-proved, or 600 node page/check_node.js
+  most_work.py SECONDS PROGRAM [WORD ...]     such as 600 build/bin/stickslip-proved, or 600 node certificate/js/check_node.js
 
 FORMAT.md section 8 promises that files of 10 kB are answered within 10 s of the processor and 1 GB. A question is made of
 a few numbers (a genome): how many bodies and contacts, how long the numbers are, what nodes the tree has. Its leaves hold

@@ -6,29 +6,53 @@ import re
 import unittest
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+CHECKER = os.path.join("certificate", "cpp")
 
-# What each module may include of the others.
+# What each module may include of the others, by public headers: "stickslip/<module>/<name>.hpp".
 ALLOWED = {
     "core": set(),
     "lp": {"core"},
     "arrangement": {"core", "lp"},
-    "equilibrium": {"core"},
-    "motion": {"core", "equilibrium"},
-    "search": {"core", "equilibrium", "motion"},
-    "planar": {"core", "lp", "arrangement", "equilibrium", "motion", "search"},
-    "degree": {"core", "lp", "equilibrium", "motion", "planar", "search"},
-    "margin": {"core", "equilibrium", "motion", "planar", "search", "degree"},
-    "box": {"core", "lp", "equilibrium", "motion", "planar", "search", "degree", "margin"},
-    "warnings": {"core", "equilibrium", "motion", "planar", "degree", "margin", "box"},
-    "resistance": {"core", "equilibrium", "planar", "search"},
-    "earlier": {"core", "lp", "equilibrium", "motion", "planar", "box"},
-    "certificate": {"core", "equilibrium", "planar", "margin", "box", "resistance", "earlier"},
-    "answers": {"core", "equilibrium", "planar", "search", "margin", "box", "warnings", "resistance", "certificate"},
-    "batch": {"core", "equilibrium", "earlier", "certificate", "answers"},
-    "crosscheck": {"core", "equilibrium", "planar", "degree", "margin", "box", "answers"},
-    "plot": {"core", "arrangement", "equilibrium", "planar", "degree", "box", "resistance"},
-    "page": {"core", "arrangement", "equilibrium", "degree", "margin", "box", "answers"},
+    "engine": {"core", "lp", "arrangement"},
+    "measures": {"core", "lp", "engine"},
+    "earlier": {"core", "lp", "engine"},
+    "certificate": {"core", "engine", "measures", "earlier"},
+    "interfaces": {"core", "arrangement", "engine", "measures", "earlier", "certificate"},
 }
+
+# The parts of a module, each a folder, in the order of the data: what each may include of the others. A public header is of
+# the part that has the source of its name, or the one that is named here.
+PARTS = {
+    "engine": {
+        "equilibrium": set(),
+        "motion": {"equilibrium"},
+        "search": {"equilibrium", "motion"},
+        "planar": {"equilibrium", "motion", "search"},
+        "degree": {"equilibrium", "motion", "search", "planar"},
+        "box": {"equilibrium", "motion", "search", "planar", "degree"},
+    },
+    "measures": {
+        "margin": set(),
+        "extent": {"margin"},
+        "resistance": set(),
+        "warnings": {"margin", "extent"},
+    },
+    "interfaces": {
+        "answers": set(),
+        "batch": {"answers"},
+        "crosscheck": {"answers"},
+        "plot": set(),
+        "page": {"answers"},
+        "cli": {"answers", "batch", "crosscheck", "plot", "page"},
+        "python": {"answers", "batch", "crosscheck", "plot", "page"},
+    },
+}
+HEADERS_ALONE = {"near_equilibria": "planar", "near_equilibrium": "search", "reals": "motion", "box_verdict": "box",
+                 "preload": "extent"}
+
+# Folders that may include the private headers of the engine's parts: "engine/<part>/<name>.hpp". Other modules have none that
+# others include.
+INSIDERS = ("engine/", "measures/", "earlier/", "interfaces/crosscheck/")
 
 
 def sources(folder):
@@ -45,19 +69,41 @@ def modules_included(text):
     return set(re.findall(r'#include "stickslip/([a-z]+)/', text))
 
 
+def part_of(module, name):
+    """The part that a public header is of."""
+    for part in PARTS[module]:
+        if os.path.exists(os.path.join(ROOT, module, part, name + ".cpp")):
+            return part
+    return HEADERS_ALONE[name]
+
+
 class Layout(unittest.TestCase):
     def test_includes_follow_the_data(self):
         for module, allowed in ALLOWED.items():
             count = 0
             for path, text in sources(module):
-                if path.startswith(os.path.join("certificate", "checker")):
+                if path.startswith(CHECKER):
                     continue
                 count += 1
                 self.assertLessEqual(modules_included(text) - {module}, allowed, path)
+                private = set(re.findall(r'#include "(engine|measures|interfaces)/', text)) - {module}
+                self.assertLessEqual(private, {"engine"} if path.startswith(INSIDERS) else set(), path)
             self.assertGreater(count, 1, module)
 
+    def test_parts_follow_the_data(self):
+        for module, parts in PARTS.items():
+            for path, text in sources(module):
+                folder, name = os.path.split(path)
+                if folder == f"{module}/include/stickslip/{module}":
+                    part = part_of(module, name[:-4])
+                else:
+                    part = path.split("/")[1]
+                found = set(re.findall(rf'#include "{module}/([a-z]+)/', text))
+                found |= {part_of(module, header) for header in re.findall(rf'#include "stickslip/{module}/([a-z_]+).hpp"', text)}
+                self.assertLessEqual(found - {part}, parts[part], path)
+
     def test_the_checker_stands_alone(self):
-        found = dict(sources(os.path.join("certificate", "checker")))
+        found = dict(sources(CHECKER))
         self.assertGreater(len(found), 10)
         for path, text in found.items():
             self.assertEqual(modules_included(text), set(), path)
@@ -71,40 +117,46 @@ class Layout(unittest.TestCase):
                 self.assertEqual(local, [], path)
 
     def test_private_headers_declare_in_a_namespace_of_their_own(self):
-        for module in ("core", "lp", "arrangement", "planar", "search", "degree", "margin", "box", "resistance", "earlier", "batch", "crosscheck", "plot", "page"):
-            private = {path: text for path, text in sources(os.path.join(module, "src"))
-                       if path.endswith(".hpp")}
-            self.assertGreater(len(private), 0, module)
-            for path, text in private.items():
-                self.assertEqual(set(re.findall(r"^namespace ([a-z_:]+) {", text, re.M)),
-                                 {f"stickslip::{module}_detail"}, path)
+        # Those of the engine that others use as well stand in `stickslip`.
+        folders = [(os.path.join(module, "src"), module) for module in ("core", "lp", "arrangement", "earlier")]
+        folders += [(os.path.join(module, part), part) for module in PARTS for part in PARTS[module] if part not in ("cli", "python")]
+        for folder, name in folders:
+            for path, text in sources(folder):
+                if not path.endswith(".hpp"):
+                    continue
+                namespaces = set(re.findall(r"^namespace ([a-z_:]+) {", text, re.M))
+                own = f"stickslip::{name}_detail"
+                if folder.startswith("engine"):
+                    self.assertLessEqual(namespaces, {own, "stickslip", f"{name}_detail"}, path)
+                else:
+                    self.assertEqual(namespaces, {own}, path)
 
     def test_what_compiles_slowly_is_in_named_files_only(self):
         for included, files in {
-                "<CGAL/": {"arrangement/src/cgal_enumerator.cpp", "resistance/src/plane_overlay.cpp"},
-                "<Eigen/(QR|SVD)>": {"motion/src/dense.cpp"},
+                "<CGAL/": {"arrangement/src/cgal_enumerator.cpp", "measures/resistance/plane_overlay.cpp"},
+                "<Eigen/(QR|SVD)>": {"engine/motion/dense.cpp"},
                 "<nlohmann/": {"core/src/json.cpp"},
-                "<CLI/": {"cli/command_line.cpp"},
-                "<httplib": {"cli/page/page_server.cpp"},
+                "<CLI/": {"interfaces/cli/command_line.cpp"},
+                "<httplib": {"interfaces/cli/page/page_server.cpp"},
                 "<boost/multiprecision": set()}.items():
-            users = {path for module in [*ALLOWED, "cli", "python"] for path, text in sources(module)
+            users = {path for module in ALLOWED for path, text in sources(module)
                      if re.search("#include " + included, text)}
             self.assertEqual(users, files, included)
 
     def test_files_are_opened_where_inputs_are_protected(self):
         """Every other file is read by InputFile and written by write_whole_file, which know."""
-        users = {path for module in [*ALLOWED, "cli"] for path, text in sources(module)
-                 if not path.startswith(os.path.join("certificate", "checker"))
+        users = {path for module in ALLOWED for path, text in sources(module)
+                 if not path.startswith(CHECKER)
                  and re.search(r"#include <fstream>|\b[io]?fstream\b|\bfopen\b", text)}
-        self.assertEqual(users, {"core/include/stickslip/core/file.hpp", "cli/many/batch.cpp"})
+        self.assertEqual(users, {"core/include/stickslip/core/file.hpp", "interfaces/cli/many/batch.cpp"})
 
     def test_no_type_is_defined_twice(self):
         # Two definitions of one name in a program are undefined behaviour unless the same, and
         # two names of one idea are hard to read even where they are not.
         places = {}
-        for module in [*ALLOWED, "cli"]:
+        for module in ALLOWED:
             for path, text in sources(module):
-                if path.startswith(os.path.join("certificate", "checker")):
+                if path.startswith((CHECKER, "interfaces/python")):
                     continue
                 for name in re.findall(r"^(?:class|struct|enum class) ([A-Z]\w*)[^;:]*(?: : [^;]*?)?\{", text, re.M):
                     places.setdefault(name, []).append(path)
@@ -113,7 +165,7 @@ class Layout(unittest.TestCase):
         self.assertEqual(twice, {})
 
     def test_every_source_names_its_licence(self):
-        for folder in [*ALLOWED, "cli", "python", "bench", "examples", "paper_examples", "tests", "conformance"]:
+        for folder in [*ALLOWED, "bench", "examples", "paper_examples", "tests"]:
             for path, text in sources(folder):
                 self.assertTrue(text.startswith("// SPDX-License-Identifier: "), path)
 

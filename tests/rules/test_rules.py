@@ -2,7 +2,7 @@
 """Every rule of certificate/FORMAT.md is made to fail, in each kind of proof where it can, and all checkers say so.
 
 corpus.py says what an entry is. Checkers that the environment does not name are left out: STICKSLIP_CHECK for
-stickslip-check, STICKSLIP_NODE for page/web/check.js, STICKSLIP_PROVED for stickslip-proved.
+stickslip-check, STICKSLIP_NODE for certificate/js/check.js, STICKSLIP_PROVED for stickslip-proved.
 """
 
 import json
@@ -261,7 +261,7 @@ class RulesTest(unittest.TestCase):
 
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js_on_several(self):
-        self.same_of_several(lambda entries: in_batch([batch.NODE, os.path.join(ROOT, "page", "check_node.js"), "--batch"], entries))
+        self.same_of_several(lambda entries: in_batch([batch.NODE, os.path.join(ROOT, "certificate", "js", "check_node.js"), "--batch"], entries))
 
     @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
     def test_stickslip_check_on_several(self):
@@ -275,7 +275,7 @@ class RulesTest(unittest.TestCase):
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js(self):
         entries = list(filter(judged_by_all, self.entries))
-        self.expect(entries, in_batch([batch.NODE, os.path.join(ROOT, "page", "check_node.js"), "--batch"], entries))
+        self.expect(entries, in_batch([batch.NODE, os.path.join(ROOT, "certificate", "js", "check_node.js"), "--batch"], entries))
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved(self):

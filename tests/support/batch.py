@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Asks certificate/check.py many questions in one process.
+"""Asks certificate/python/check.py many questions in one process.
 
   batch.py QUESTIONS REPLIES   answers a JSON Lines file, line by line
   batch.py --clear FOLDER      makes the folder, and empties it of *.jsonl
@@ -12,7 +12,7 @@ A question is {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, in a
 "expected": RESULT. Each character of a TEXT stands for the byte of its number, as files under test
 need not be UTF-8. An answer is what `check.py --json` prints.
 
-If the environment variable STICKSLIP_NODE names node, page/web/check.js goes through the spool, too.
+If the environment variable STICKSLIP_NODE names node, certificate/js/check.js goes through the spool, too.
 """
 
 import concurrent.futures
@@ -75,7 +75,7 @@ def clear(folder):
 
 def check_js(lines):
     """The number of questions that check.js answers in another way than expected."""
-    program = os.path.join(ROOT, "page", "check_node.js")
+    program = os.path.join(ROOT, "certificate", "js", "check_node.js")
     done = subprocess.run([NODE, program, "--batch"], input="".join(lines), capture_output=True,
                           text=True, check=True)
     answers = [json.loads(line) for line in done.stdout.splitlines()]

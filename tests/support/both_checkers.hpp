@@ -2,7 +2,7 @@
 /// \file
 /// The checkers of certificate/FORMAT.md, asked the same: the C++ checker through its library,
 /// check.py in batches, many files to one Python process (tests/support/batch.py), and so
-/// page/web/check.js in one process of node, and stickslip-proved.
+/// certificate/js/check.js in one process of node, and stickslip-proved.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/box/box_verdict.hpp"
-#include "stickslip/equilibrium/question.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/margin/margin.hpp"
+#include "stickslip/engine/box_verdict.hpp"
+#include "stickslip/engine/question.hpp"
+#include "stickslip/engine/verdict.hpp"
+#include "stickslip/measures/margin.hpp"
 
 namespace stickslip::test {
 

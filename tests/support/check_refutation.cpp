@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "engine/planar/region.hpp"
 #include "naive_region.hpp"
-#include "stickslip/planar/region.hpp"
 
 namespace stickslip::test {
 namespace {

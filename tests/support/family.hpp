@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "stickslip/equilibrium/question.hpp"
-#include "stickslip/margin/margin.hpp"
+#include "stickslip/engine/question.hpp"
+#include "stickslip/measures/margin.hpp"
 
 namespace stickslip::test {
 

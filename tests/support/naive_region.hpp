@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip::test {
 

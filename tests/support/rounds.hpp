@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How often a random test repeats, and which are left out under sanitizers, which look for errors
-/// of another kind and make each take twenty times as long.
+/// How often a random test repeats, and which are left out under sanitizers, which look for
+/// errors of another kind and make each take twenty times as long.
 #pragma once
 
 namespace stickslip::test {

@@ -3,7 +3,7 @@
 /// How much a certificate has to say of a witness's friction.
 #pragma once
 
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip::test {
 

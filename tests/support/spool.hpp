@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Questions for certificate/check.py, as tests/support/batch.py reads them.
+/// Questions for certificate/python/check.py, as tests/support/batch.py reads them.
 #pragma once
 
 #include <string>

@@ -5,8 +5,8 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/planar/decide.hpp"
-#include "stickslip/plot/grasp_plot.hpp"
+#include "stickslip/engine/decide.hpp"
+#include "stickslip/interfaces/grasp_plot.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

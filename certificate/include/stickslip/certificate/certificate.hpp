@@ -7,11 +7,11 @@
 #include <string>
 
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/question.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/margin/margin.hpp"
-#include "stickslip/margin/spatial_margin.hpp"
-#include "stickslip/resistance/region_proof.hpp"
+#include "stickslip/engine/question.hpp"
+#include "stickslip/engine/verdict.hpp"
+#include "stickslip/measures/margin.hpp"
+#include "stickslip/measures/region_proof.hpp"
+#include "stickslip/measures/spatial_margin.hpp"
 
 namespace stickslip {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/box/radius.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/engine/question.hpp"
+#include "stickslip/measures/radius.hpp"
 
 namespace stickslip {
 

@@ -41,7 +41,7 @@
 #include <vector>
 
 #include "stickslip/core/box.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
 

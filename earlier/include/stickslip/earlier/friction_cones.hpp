@@ -21,7 +21,7 @@
 #include <variant>
 
 #include "stickslip/core/box.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
 

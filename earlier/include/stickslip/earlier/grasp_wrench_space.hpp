@@ -30,7 +30,7 @@
 #include <vector>
 
 #include "stickslip/core/box.hpp"
-#include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/engine/problem.hpp"
 
 namespace stickslip {
 

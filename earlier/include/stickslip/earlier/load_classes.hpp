@@ -64,8 +64,8 @@
 
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/equilibrium/question.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/engine/question.hpp"
+#include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
 

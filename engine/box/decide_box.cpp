@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "box_prover.hpp"
+#include "engine/degree/prove_stable.hpp"
+#include "examples.hpp"
+#include "one_grasp.hpp"
+
+namespace stickslip {
+
+using namespace box_detail;
+
+namespace {
+
+/// Two grasps of a box with opposite verdicts, decided one by one.
+class ExampleSearch {
+ public:
+  ExampleSearch(const GraspBox& box, NormalLaw law, const SearchOptions& options,
+                SearchWork& work)
+      : box_(box), law_(law), options_(options), work_(work), examples_(box, law) {}
+
+  /// Unless two were found.
+  void try_at(const GraspBox& grasp) {
+    if (stable_ && unstable_) return;
+    ++work_.examples;
+    const std::optional<bool> stable = is_stable(grasp, law_, options_);
+    if (stable) (*stable ? stable_ : unstable_) = grasp;
+  }
+
+  /// The middle, and where the other verdict is likely: where the middle's equilibrium is lost
+  /// soonest, where all holds better or worse, and at the ends of single numbers.
+  void try_suspects() {
+    try_at(examples_.at(examples_.middle()));
+    if (stable_) try_without_equilibrium();
+    for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
+    if (!box_.is_one_planar_body()) return;  // a verdict takes a while
+    for (const Place& place : examples_.single_ends()) try_at(examples_.at(place));
+  }
+
+  /// At these parts of the way from low to high of each parameter.
+  void try_between(const RationalRow& parts) { try_at(examples_.between(parts)); }
+
+  std::optional<Fragile> found() const {
+    if (!stable_ || !unstable_) return std::nullopt;
+    return Fragile{*stable_, *unstable_};
+  }
+
+ private:
+  void try_without_equilibrium() {
+    const std::vector<NearEquilibrium> middles =
+        near_equilibria(GraspLaw(box_, law_).middle(), needs_enclosure(box_));
+    if (middles.empty()) return;
+    constexpr std::size_t kMostLost = 8;
+    std::size_t tried = 0;
+    for (const auto& [place, part] : examples_.without(middles.front())) {
+      if (tried++ < kMostLost) try_at(examples_.at(place));
+    }
+  }
+
+  const GraspBox& box_;
+  NormalLaw law_;
+  const SearchOptions& options_;
+  SearchWork& work_;
+  Examples examples_;
+  std::optional<GraspBox> stable_;
+  std::optional<GraspBox> unstable_;
+};
+
+/// What a search for a proof may take: more in space, where nothing else decides.
+ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
+                       std::size_t most_parts) {
+  const bool is_wide = !box.is_point();
+  std::size_t nodes = options.node_limit;
+  if (nodes == 0) {
+    constexpr std::size_t kInSpace = 20000;
+    constexpr std::size_t kWideInSpace = 1000;  // that it is neither is to be said soon
+    nodes = box.is_one_planar_body() ? 500 + 50 * box.contacts.size()
+            : is_wide                ? kWideInSpace
+                                     : kInSpace;
+  }
+  // Of a ball few walls are proposed, and each takes many nodes.
+  const std::size_t in_space = !is_wide ? 24 : box.ball ? 2 : 8;
+  const std::size_t walls = box.is_one_planar_body() ? 8 : in_space;
+  const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
+  return {nodes,
+          std::max<std::size_t>(nodes / walls, 1),
+          searches * nodes,
+          most_parts,
+          is_wide,
+          options.node_limit == 0};
+}
+
+/// A proof or none, and where parts seem to differ.
+BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& options,
+                  std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects) {
+  BoxDecision decision{Undecided{}};
+  const bool may_refine = box.is_point() && box.is_one_planar_body();
+  for (unsigned bits = options.bits;; bits *= 2) {
+    decision.bits = bits;
+    BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts),
+                     decision.work);
+    if (!box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
+      prover.try_exact_equilibria();
+    }
+    if (auto verdict = prover.prove()) {
+      std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
+      return decision;
+    }
+    decision.verdict = undecided_by(prover.report());
+    decision.within.reset();
+    if (const auto& tree = prover.near_tree()) decision.within = Unstable{*tree};
+    suspects = prover.suspects();
+    if (!may_refine || 2 * bits > options.most_bits) return decision;
+  }
+}
+
+}  // namespace
+
+namespace box_detail {
+
+BoxDecision prove_box(const GraspBox& box, NormalLaw law, const SearchOptions& options,
+                      std::size_t most_parts) {
+  std::array<std::optional<RationalRow>, 2> suspects;
+  return prove(box, law, options, most_parts, suspects);
+}
+
+}  // namespace box_detail
+
+WrenchBox loads_of(const GraspBox& box) {
+  WrenchBox loads = box.wrench;
+  if (!box.ball) return loads;
+  const BallPart ball = BallPart::all_of(box);
+  for (std::size_t j = 0; j < loads.size(); ++j) {
+    Row along(loads.size());
+    along[j] = 1;
+    loads[j].low -= ball.most_work(negated(along));
+    loads[j].high += ball.most_work(along);
+  }
+  return loads;
+}
+
+std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
+  SearchWork work;
+  auto proof = prove_by_degree(problem, work);
+  if (!proof) return std::nullopt;
+  work.parts = 1;
+  RationalRow near = proof->twist;
+  return BoxDecision{Stable{StabilityProof{std::move(*proof)}, std::move(near)}, work};
+}
+
+BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options) {
+  if (box.is_point()) return prove_box(box, law, options, 0);
+  SearchWork work;
+  ExampleSearch examples(box, law, options, work);
+  BoxDecision decision{Undecided{}};
+  constexpr std::size_t kMostParts = 32;
+  for (const std::size_t most_parts : {std::size_t{0}, kMostParts}) {
+    std::array<std::optional<RationalRow>, 2> suspects;
+    decision = prove(box, law, options, most_parts, suspects);
+    work += decision.work;
+    // Neither examples nor parts say more where only far motions are left.
+    if (decision.within) {
+      decision.work = work;
+      break;
+    }
+    if (std::holds_alternative<Undecided>(decision.verdict)) {
+      if (most_parts == 0) examples.try_suspects();
+      for (const auto& parts : suspects) {
+        if (parts) examples.try_between(*parts);
+      }
+      if (auto fragile = examples.found()) decision.verdict = std::move(*fragile);
+    }
+    decision.work = work;
+    if (!std::holds_alternative<Undecided>(decision.verdict)) break;
+  }
+  return decision;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// What is true of a region where doubles do not decide: of one grasp whose slips have one
+/// dimension, by exact linear programs.
+#pragma once
+
+#include <variant>
+
+#include "stickslip/engine/grasp_law.hpp"
+#include "stickslip/engine/motion_region.hpp"
+#include "stickslip/engine/verdict.hpp"
+
+namespace stickslip::box_detail {
+
+/// Returns a leaf that refutes the region, the contact to split, or an equilibrium in it. As
+/// contacts can be split only so often, a search that asks this ends. It takes a program with D
+/// rows and one for each contact for each strict function. The law is that of one grasp without
+/// irrational lengths; law.is_linear() is required.
+std::variant<TreeNode, ShareWitness> decide_exactly(const Law& law, const MotionRegion& region);
+
+}  // namespace stickslip::box_detail

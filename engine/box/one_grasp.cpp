@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "one_grasp.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "engine/degree/newton.hpp"
+#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/near_equilibria.hpp"
+
+namespace stickslip::box_detail {
+
+Rational power_of_two_above(const Rational& size) {
+  Rational power = 1;
+  while (power < size) power *= 2;
+  while (!size.is_zero() && power / 2 >= size) power /= 2;
+  return power;
+}
+
+Rational short_middle(const Rational& a, const Rational& b) {
+  const Rational exact = (a + b) / 2;
+  for (int bits = 4; bits <= 40; bits += 4) {
+    const Rational unit = (b - a) / (Integer(1) << static_cast<unsigned>(bits));
+    // The binary grain just below that unit.
+    const Integer scale =
+        Integer(1) + numerator(Rational(1) / unit) / denominator(Rational(1) / unit);
+    const Rational power = power_of_two_above(Rational(scale));
+    const Rational scaled = exact * power;
+    const Rational rounded = Rational(numerator(scaled) / denominator(scaled)) / power;
+    if (a < rounded && rounded < b) return rounded;
+  }
+  return exact;
+}
+
+Problem problem_of(const GraspLaw& point) {
+  const auto as_wrench = [](const RationalRow& row) { return Wrench{row[0], row[1], row[2]}; };
+  std::vector<ContactRow> rows;
+  for (const LawContact& c : point.contacts) {
+    const CornerRow& row = c.corners.front();
+    rows.push_back({as_wrench(row.normal), as_wrench(row.wrench_of({1})), c.friction.low,
+                    c.preload.low, c.stiffness.low});
+  }
+  const std::vector<Interval>& w = point.wrench;
+  return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law);
+}
+
+namespace {
+
+/// Equilibria at which all that presses and rubs sticks, which are proved at once, whatever the
+/// unit: the engine of the plane does not say of its own that they do.
+std::vector<NearEquilibrium> sticking_equilibria(const GraspLaw& point,
+                                                 const RoundedGrasp& grasp) {
+  constexpr std::size_t kFewContacts = 64;
+  if (point.contacts.size() > kFewContacts) return {};
+  std::vector<NearEquilibrium> result;
+  for (NearEquilibrium& found : Newton(grasp).solve_from(1)) {
+    bool sticks = true;
+    for (std::size_t i = 0; i < point.contacts.size(); ++i) {
+      const bool rubs = found.normal[i] > 0 && point.contacts[i].slopes[1] > 0;
+      sticks = sticks && (!rubs || found.sticks[i] != 0);
+    }
+    if (sticks) result.push_back(std::move(found));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
+  const RoundedGrasp grasp = rounded_middle(point);
+  if (!point.is_one_planar_body()) {
+    constexpr std::size_t kStarts = 3;
+    return Newton(grasp).solve_from(kStarts);
+  }
+  const Problem problem = problem_of(point);
+  constexpr std::size_t kMost = 4;  // of each kind
+  std::vector<NearEquilibrium> result = sticking_equilibria(point, grasp);
+  if (!has_enclosures && !has_long_equilibria(problem)) {
+    const Verdict verdict = decide_by_cones(problem);
+    const auto* stable = std::get_if<Stable>(&verdict);
+    if (stable == nullptr) return {};
+    result.push_back(near_equilibrium(problem, stable->witness(), grasp.length));
+    constexpr std::size_t kStarts = 40;
+    const std::size_t most = result.size() + kMost - 1;
+    for (const Witness& witness : find_equilibria(problem, kStarts)) {
+      if (result.size() == most) break;
+      result.push_back(near_equilibrium(problem, witness, grasp.length));
+    }
+  }
+  const std::size_t most = result.size() + kMost;
+  constexpr std::size_t kStarts = 12;
+  for (const std::size_t starts : {std::size_t{0}, kStarts}) {
+    for (NearEquilibrium& found : stickslip::near_equilibria(problem, starts, grasp.length)) {
+      if (result.size() <= most) result.push_back(std::move(found));
+    }
+  }
+  return result;
+}
+
+bool may_be_within(const Law& law, const NearEquilibrium& near) {
+  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
+    constexpr double kNearly = 1 + 1e-6;
+    const double d = near.motion[static_cast<Eigen::Index>(j)] / law.unit(j);
+    if (std::fabs(d) > kNearly * to_double(law.max_motion[j])) return false;
+  }
+  return true;
+}
+
+std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
+                              const SearchOptions& options) {
+  if (point.is_one_planar_body() && !needs_enclosure(point) && !point.is_bounded()) {
+    return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
+  }
+  return stickslip::is_stable(decide_box(point, law, options).verdict);
+}
+
+}  // namespace stickslip::box_detail

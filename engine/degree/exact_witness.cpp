@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact_witness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "engine/motion/dense.hpp"
+#include "mode_program.hpp"
+#include "stickslip/engine/exact_system.hpp"
+
+namespace stickslip {
+namespace {
+
+/// A number of these bits near x, which is about `size`.
+Rational near(double x, double size, int bits) {
+  if (!(size > 0) || !std::isfinite(size) || !std::isfinite(x)) return 0;
+  const double unit = std::ldexp(1.0, std::ilogb(size) - bits);
+  return rational_from_double(std::round(x / unit) * unit);
+}
+
+/// A basis of the motions with no slip at these contacts.
+std::vector<RationalRow> motions_without_slip(const GraspLaw& model,
+                                              const std::vector<std::size_t>& sticking) {
+  std::vector<RationalRow> slips;
+  for (const std::size_t i : sticking) {
+    for (const Row& row : model.contacts[i].corners.front().slip) {
+      slips.emplace_back(row.begin(), row.end());
+    }
+  }
+  return null_space(matrix_of(slips, model.motions));
+}
+
+/// Returns the multiples of these motions whose sum is nearest to one in doubles.
+Eigen::VectorXd multiples_near(const std::vector<RationalRow>& motions, const Reals& motion) {
+  Eigen::MatrixXd rounded(motion.size(), static_cast<Eigen::Index>(motions.size()));
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    for (std::size_t j = 0; j < motions[k].size(); ++j) {
+      rounded(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) =
+          to_double(motions[k][j]);
+    }
+  }
+  return least_squares(rounded, motion);
+}
+
+/// Not in the law's units.
+Reals unscaled(const GraspLaw& model, Reals motion) {
+  for (std::size_t j = 0; j < model.motions; ++j) {
+    motion[static_cast<Eigen::Index>(j)] /= model.unit(j);
+  }
+  return motion;
+}
+
+/// The wrench of a unit of an unknown of the balance, and a value that it may be near.
+struct BalanceTerm {
+  RationalRow wrench;
+  Rational value;
+  double spare;         ///< how far it may change; motions: at will
+  std::size_t contact;  ///< whose friction it is; of a motion none
+  RationalRow direction;
+};
+
+/// Independent columns carry what the values leave to balance; those with most to spare first.
+bool balance(std::vector<BalanceTerm>& terms, const RationalRow& rest) {
+  std::vector<std::size_t> order(terms.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return terms[a].spare > terms[b].spare;
+  });
+  std::vector<std::size_t> chosen;
+  std::vector<RationalRow> columns;
+  for (const std::size_t k : order) {
+    columns.push_back(terms[k].wrench);
+    if (rank_of(columns) == chosen.size()) {
+      columns.pop_back();
+      continue;
+    }
+    chosen.push_back(k);
+    if (columns.size() == rest.size()) break;
+  }
+  const std::optional<RationalRow> change =
+      solve_exactly(matrix_of_columns(columns, rest.size()), rest);
+  if (!change) return false;
+  for (std::size_t k = 0; k < chosen.size(); ++k) terms[chosen[k]].value += (*change)[k];
+  return true;
+}
+
+/// With friction rounded to these bits. What may move at will is at rest, or where it is in
+/// doubles: a body that nothing holds is at rest only if nothing pushes it there.
+std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
+                                            const NearEquilibrium& near_one, int bits,
+                                            bool is_at_rest) {
+  const std::size_t m = model.contacts.size();
+  std::vector<bool> closed;
+  for (std::size_t i = 0; i < m; ++i) {
+    closed.push_back(model.contacts[i].is_spring || near_one.normal[i] > 0);
+  }
+  std::vector<std::size_t> sticking;
+  for (std::size_t i = 0; i < m; ++i) {
+    const bool rubs = closed[i] && !model.contacts[i].friction.high.is_zero();
+    if (!rubs) continue;
+    if (near_one.sticks[i] == 0) return std::nullopt;  // the slip's length is irrational
+    sticking.push_back(i);
+  }
+  // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
+  // friction at each. Of the latter all but a few stay near what they are.
+  const std::vector<RationalRow> motions = motions_without_slip(model, sticking);
+  std::vector<BalanceTerm> terms;
+  RationalRow rest;  // what the values leave to balance
+  for (std::size_t j = 0; j < model.motions; ++j) rest.push_back(-model.wrench[j].low);
+  for (const RationalRow& motion : motions) {
+    terms.push_back({RationalRow(model.motions), 0, HUGE_VAL, m, motion});
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    if (!closed[i]) continue;
+    const LawContact& c = model.contacts[i];
+    const RationalRow& normal = c.corners.front().normal;
+    add_multiple(rest, -c.preload.low, normal);
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      const Rational rise = dot(normal, motions[k]);
+      add_multiple(terms[k].wrench, -(c.stiffness.low * rise), normal);
+    }
+  }
+  if (!is_at_rest) {
+    const Eigen::VectorXd multiples = multiples_near(motions, unscaled(model, near_one.motion));
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      BalanceTerm& term = terms[k];
+      term.value = near(multiples[static_cast<Eigen::Index>(k)],
+                        multiples.lpNorm<Eigen::Infinity>(), bits);
+      add_multiple(rest, -term.value, term.wrench);
+    }
+  }
+  for (const std::size_t i : sticking) {
+    const LawContact& c = model.contacts[i];
+    const CornerRow& row = c.corners.front();
+    const double most = c.slopes[0] * near_one.normal[i];
+    const Double3& f = near_one.friction[i];
+    for (std::size_t k = 0; k < c.directions.size(); ++k) {
+      const double size = c.direction_sizes[k];
+      BalanceTerm term{row.wrench_of(c.directions[k]), near(f[k] / size, most / size, bits),
+                       most - norm_of(f), i, c.directions[k]};
+      add_multiple(rest, -term.value, term.wrench);
+      terms.push_back(std::move(term));
+    }
+  }
+  if (!balance(terms, rest)) return std::nullopt;
+  ShareWitness witness{RationalRow(model.motions), {}};
+  std::vector<RationalRow> friction;
+  for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_numbers());
+  for (const BalanceTerm& term : terms) {
+    for (std::size_t k = 0; k < term.direction.size(); ++k) {
+      Rational& sum = term.contact == m ? witness.twist[k] : friction[term.contact][k];
+      sum += term.value * term.direction[k];
+    }
+  }
+  // Judged: the modes, and the cones.
+  for (std::size_t i = 0; i < m; ++i) {
+    const LawContact& c = model.contacts[i];
+    const Rational v =
+        c.preload.low - c.stiffness.low * dot(c.corners.front().normal, witness.twist);
+    if (c.is_spring) continue;
+    if (closed[i] ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
+    if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
+    if (c.squared_force(friction[i]).is_zero()) continue;
+    const Rational scale = c.friction.low * v;
+    if (scale.is_zero()) return std::nullopt;
+    for (Rational& entry : friction[i]) entry /= scale;
+    if (c.squared_force(friction[i]) > c.squared_length) return std::nullopt;
+    witness.shares.emplace_back(ContactId(i), friction[i]);
+  }
+  return witness;
+}
+
+}  // namespace
+
+std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
+  constexpr int kShort = 20;  // for people
+  constexpr int kLong = 30;   // near the borders of cones
+  if (model.is_linear()) return degree_detail::equilibrium_in_modes(model, near);
+  for (const bool is_at_rest : {true, false}) {
+    for (const int bits : {kShort, kLong}) {
+      if (auto witness = witness_in_bits(model, near, bits, is_at_rest)) return witness;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip

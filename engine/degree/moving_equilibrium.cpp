@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "moving_equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stickslip {
+namespace {
+
+/// How little friction that sticks yields, of the reach for all that there may be.
+constexpr double kYields = 1e-9;
+
+/// Of the law of one contact at an equilibrium of another grasp, in its mode: its wrench, its
+/// slip if it sticks, and then the friction that there may be.
+struct Part {
+  Reals wrench;
+  Eigen::VectorXd slip;
+  double most;
+};
+
+Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t contact) {
+  const double a = c.force(near.motion);
+  Part part{a * c.normal, {}, a * c.slope};
+  const Eigen::VectorXd s = c.slip * near.motion;
+  if (near.sticks[contact] != 0) {
+    part.slip = s;
+    part.wrench +=
+        c.slip.transpose() *
+        Eigen::Map<const Eigen::Vector3d>(near.friction[contact].data()).head(s.size());
+  } else if (s.norm() > 0) {
+    part.wrench -= a * c.slope / s.norm() * (c.slip.transpose() * s);
+  }
+  return part;
+}
+
+}  // namespace
+
+EquilibriumPath MovingEquilibrium::follow(const Place& to) const {
+  EquilibriumPath path;
+  NearEquilibrium now = start_;
+  const Place from = box_.middle();
+  double step = 0.5;
+  constexpr double kLeastStep = 1.0 / 128;
+  while (path.part < 1 && step >= kLeastStep) {
+    const double next = std::min(1.0, path.part + step);
+    const RoundedGrasp there = box_.at(from + next * (to - from));
+    if (auto found = Newton(there).follow(now)) {
+      now = std::move(*found);
+      path.part = next;
+      path.equilibria.push_back(now);
+      step *= 2;
+    } else {
+      step /= 2;
+    }
+  }
+  return path;
+}
+
+std::vector<LostWay> MovingEquilibrium::ways_out() const {
+  std::vector<LostWay> lost;
+  std::vector<Place> tried;
+  Place place = box_.middle();
+  NearEquilibrium here = start_;
+  double least = 2;
+  const auto look_along = [&](const Eigen::MatrixXd& moving, const Reals& out) {
+    const Place to = box_.farthest(moving.transpose() * out);
+    if (std::find(tried.begin(), tried.end(), to) != tried.end()) return false;
+    tried.push_back(to);
+    EquilibriumPath path = follow(to);
+    if (path.part == 1) return false;
+    lost.push_back({to, path.part});
+    if (!(path.part < least) || path.equilibria.empty()) return false;
+    least = path.part;
+    place = box_.middle() + path.part * (to - box_.middle());
+    here = std::move(path.equilibria.back());
+    return true;
+  };
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::MatrixXd moving = moves(place, here);
+    bool better = false;
+    for (const RoundedContact& c : box_.at(place).contacts) {
+      std::vector<Reals> ways{c.normal};
+      for (const auto& row : c.slip.rowwise()) ways.emplace_back(row.transpose());
+      for (const Reals& way : ways) {
+        for (const int sign : {1, -1}) better = look_along(moving, sign * way) || better;
+      }
+    }
+    if (!better) break;
+  }
+  std::sort(lost.begin(), lost.end(),
+            [](const LostWay& a, const LostWay& b) { return a.part < b.part; });
+  return lost;
+}
+
+/// Friction that sticks yields a very little to a larger share of what there may be: that moves
+/// nothing, but tells which way it will slip.
+Eigen::MatrixXd MovingEquilibrium::moves(const Place& place,
+                                         const NearEquilibrium& here) const {
+  NearEquilibrium near = here;
+  const RoundedGrasp grasp = box_.at(place);
+  const ModalEquations equations(grasp, near);
+  const std::size_t m = near.sticks.size();
+  std::vector<Eigen::Index> first;  // of a contact's slips
+  Eigen::Index slips = 0;
+  for (std::size_t i = 0; i < m; ++i) {
+    first.push_back(slips);
+    if (near.sticks[i] != 0) slips += grasp.contacts[i].slip.rows();
+  }
+  Eigen::MatrixXd result(near.motion.size(), place.size());
+  for (Eigen::Index n = 0; n < place.size(); ++n) {
+    Reals off = Reals::Zero(near.motion.size());
+    Eigen::VectorXd slip = Eigen::VectorXd::Zero(slips);
+    std::vector<double> most(m);  // by how much friction there may be more
+    const auto number = static_cast<std::size_t>(n);
+    const bool is_multiple = number == box_.numbers().size();
+    for (const double sign : {0.5, -0.5}) {
+      Place end = place;
+      end[n] = sign > 0 ? 1 : -1;
+      const auto add_contact = [&](std::size_t i) {
+        const Part part = part_of(box_.contact_at(i, end), near, i);
+        off += sign * part.wrench;
+        slip.segment(first[i], part.slip.size()) += sign * part.slip;
+        most[i] += sign * part.most;
+      };
+      if (is_multiple || box_.numbers()[number].parameter == Parameter::kWrench) {
+        off += sign * box_.load_at(end);
+      } else {
+        add_contact(box_.numbers()[number].index);
+      }
+      for (std::size_t i = 0; is_multiple && i < m; ++i) add_contact(i);
+    }
+    const Reals change = equations.motion_change(off, slip);
+    Eigen::VectorXd yields = equations.friction_change(off, change);
+    for (std::size_t i = 0; i < m; ++i) {
+      if (near.sticks[i] == 0) continue;
+      const RoundedContact& c = grasp.contacts[i];
+      const double all = c.slope * near.normal[i];
+      const double more = most[i] - c.slope * c.stiffness * c.normal.dot(change);
+      auto share = yields.segment(first[i], c.slip.rows());
+      share -= more / all *
+               Eigen::Map<const Eigen::Vector3d>(near.friction[i].data()).head(share.size());
+      share *= kYields * grasp.reach / all;
+    }
+    result.col(n) = change + equations.motion_change(Reals::Zero(off.size()), yields);
+  }
+  return result;
+}
+
+std::vector<Reals> MovingEquilibrium::extremes(const Eigen::MatrixXd& rows) const {
+  std::vector<Reals> result;
+  for (const auto& row : rows.rowwise()) {
+    for (const int sign : {1, -1}) {
+      Place place = box_.middle();
+      NearEquilibrium at = start_;
+      constexpr int kRounds = 3;
+      for (int round = 0; round < kRounds; ++round) {
+        const Place to = box_.farthest(sign * (row * moves(place, at)).transpose());
+        if (to == place) break;
+        EquilibriumPath path = follow(to);
+        for (const NearEquilibrium& e : path.equilibria) {
+          result.emplace_back(e.motion - start_.motion);
+        }
+        if (path.part < 1) break;
+        place = to;
+        at = std::move(path.equilibria.back());
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip

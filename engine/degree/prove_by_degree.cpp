@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "moving_equilibrium.hpp"
+#include "prove_stable.hpp"
+#include "stickslip/engine/exact_system.hpp"
+#include "wall_refuter.hpp"
+#include "walls.hpp"
+
+namespace stickslip {
+
+using namespace degree_detail;
+
+namespace {
+
+using Pull = Walls::Pull;
+
+/// In so many, forces on all walls tell which A is best.
+constexpr std::size_t kFewDimensions = 3;
+/// A wall of a parallelepiped has 2^(rank - 1) vertices, and one of a simplex rank.
+constexpr std::size_t kMostOfParallelepipeds = 6;
+/// \{ Of a tree that is worth a try.
+constexpr std::size_t kFewNodes = 40;
+constexpr std::size_t kSomeNodes = 300;
+/// \}
+
+/// Rule `degree-bound`, of verdicts: whether all of the body, up to free motions, is within the
+/// bound.
+bool is_within(const DegreeProof& proof, const RationalRow& bound) {
+  if (bound.empty()) return true;
+  const std::size_t rows = proof.walls.size();
+  // Of a parallelepiped how far each row's wall goes alone; of a simplex its vertices, at each
+  // of which all rows but one are 1.
+  std::vector<RationalRow> ways;
+  for (std::size_t k = 0; k < rows; ++k) {
+    RationalRow at(rows);
+    std::vector<RationalRow> across = proof.walls;
+    if (proof.is_simplex) {
+      // (Without row k the others are independent.)
+      across.erase(across.begin() + static_cast<std::ptrdiff_t>(k));
+      at.assign(rows - 1, 1);
+    } else {
+      at[k] = 1;
+    }
+    RationalMatrix gram(across.size(), across.size());
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      for (std::size_t l = 0; l < across.size(); ++l) gram(j, l) = dot(across[j], across[l]);
+    }
+    const auto u = solve_exactly(gram, at);
+    if (!u) return false;
+    ways.push_back(matrix_of_columns(across, bound.size()) * *u);
+  }
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    Rational sum = abs(proof.twist[j]);
+    for (const RationalRow& way : ways) {
+      if (proof.is_simplex) {
+        if (abs(Rational(proof.twist[j] + way[j])) > bound[j]) return false;
+      } else {
+        sum += abs(way[j]);
+      }
+    }
+    if (sum > bound[j]) return false;
+  }
+  return true;
+}
+
+/// One proposal of walls, grown until they are refuted.
+struct Attempt {
+  double size;               ///< as of Walls
+  std::size_t node_limit;    ///< of a tree
+  std::size_t most_growths;  ///< equilibria that go much farther are lost at a fold
+  std::size_t most_nodes;    ///< nothing is tried once there were so many in all
+  bool is_simplex = false;
+};
+
+/// What is to be proved stable.
+struct DegreeSubject {
+  RoundedGrasp grasp;   ///< in the middle, or the only one
+  ForceSpan span;       ///< of all grasps
+  NormalLaw law;        ///< of all contacts
+  const GraspLaw* box;  ///< nullptr: one grasp in the plane
+};
+
+class DegreeSearch {
+ public:
+  DegreeSearch(const DegreeSubject& about, WallRefuter& refuter, const DegreeLimits& limits,
+               SearchWork& work)
+      : about_(about), refuter_(refuter), limits_(limits), work_(work) {}
+
+  /// Every grasp of a box.
+  std::optional<DegreeProof> prove_box(const NearEquilibrium& near) {
+    return about_.span.rank() <= kFewDimensions ? prove_by_moves(near) : prove_by_size(near);
+  }
+  /// One grasp, near what may be an equilibrium.
+  std::optional<DegreeProof> prove_quickly(const NearEquilibrium& proposed);
+  /// Where that failed, near an equilibrium.
+  std::optional<DegreeProof> prove_one(const NearEquilibrium& near);
+
+ private:
+  std::optional<DegreeProof> prove_by_size(const NearEquilibrium& near);
+  std::optional<DegreeProof> prove_by_moves(const NearEquilibrium& near);
+  std::optional<DegreeProof> prove_in_mode(const NearEquilibrium& near, double size,
+                                           std::size_t node_limit);
+  std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near,
+                                            std::size_t node_limit);
+  std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near, double part,
+                                            double slip, std::size_t node_limit);
+  std::optional<DegreeProof> prove_with(Walls walls, const Attempt& attempt,
+                                        const std::vector<Pull>& pulls);
+  std::vector<std::size_t> open_walls(DegreeProof& proof, bool second, const Attempt& attempt);
+
+  const DegreeSubject& about_;
+  WallRefuter& refuter_;
+  const DegreeLimits& limits_;
+  SearchWork& work_;
+};
+
+/// All that matters is the size, where the equilibrium moves little.
+std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& near) {
+  constexpr double kLeastQuick = 1e-3;
+  const std::size_t limit = limits_.node_limit;
+  const std::size_t growths = limits_.is_wide ? 12 : 0;
+  const std::size_t most = limits_.most_nodes;
+  std::optional<std::vector<Reals>> moves;
+  std::vector<Attempt> attempts{
+      {3e-2, kFewNodes, 0, most},   {3e-3, kFewNodes, 0, most},
+      {3e-4, kFewNodes, 0, most},   {3e-5, kFewNodes, 0, most},
+      {3e-2, limit, growths, most}, {1e-3, limit, growths, most},
+      {3e-1, limit, growths, most}, {3e-2, limit, growths, most, true}};
+  if (about_.span.rank() > kMostOfParallelepipeds) {
+    attempts.pop_back();
+    for (Attempt& attempt : attempts) attempt.is_simplex = true;
+  }
+  for (const Attempt& attempt : attempts) {
+    if (attempt.node_limit == 0 || (limit == 0 && attempt.size < kLeastQuick)) break;
+    Walls walls(about_.grasp, about_.span, near, attempt.size, about_.box);
+    if (!walls.is_sound()) return std::nullopt;
+    if (limits_.is_wide && !moves) {
+      const RoundedBox rounded(*about_.box);
+      moves = MovingEquilibrium(rounded, near).extremes(walls.rows());
+    }
+    if (moves) walls.enclose(*moves);
+    if (auto proof = prove_with(std::move(walls), attempt, {Pull::kTwists})) return proof;
+  }
+  return limits_.is_wide ? std::nullopt : prove_smoothly(near, std::min(limit, kSomeNodes));
+}
+
+/// With walls across smooth forces, of one size after another.
+std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& near,
+                                                        std::size_t node_limit) {
+  if (node_limit == 0) return std::nullopt;
+  for (const auto& [force, slip] : {std::pair{0.03, 0.1},
+                                    {0.3, 1.0},
+                                    {0.3, 0.1},
+                                    {0.1, 1.0},
+                                    {0.1, 0.1},
+                                    {0.3, 0.01},
+                                    {0.03, 1.0},
+                                    {0.1, 10.0},
+                                    {0.1, 0.01},
+                                    {0.01, 1.0}}) {
+    if (auto proof = prove_smoothly(near, force, slip, node_limit)) return proof;
+  }
+  return std::nullopt;
+}
+
+/// Where a mode ends near the equilibrium, as of many contacts, walls across smooth forces are
+/// best, and what is proposed need not be exact.
+std::optional<DegreeProof> DegreeSearch::prove_quickly(const NearEquilibrium& proposed) {
+  const auto polished = Newton(about_.grasp).polish(proposed);
+  if (polished) {
+    if (auto proof = prove_in_mode(*polished, 3e-1, kFewNodes)) return proof;
+  }
+  return prove_smoothly(polished ? *polished : proposed, 0.03, 0.1, kSomeNodes);
+}
+
+std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) {
+  const std::size_t limit = limits_.node_limit;
+  for (const double size : {3e-1, 3e-2, 3e-3, 3e-4, 3e-5}) {
+    if (auto proof = prove_in_mode(near, size, kFewNodes)) return proof;
+  }
+  if (auto proof = prove_in_mode(near, 3e-1, limit)) return proof;
+  if (auto proof = prove_smoothly(near, limit)) return proof;
+  for (const double size : {3e-2, 1e-3}) {
+    if (auto proof = prove_in_mode(near, size, limit)) return proof;
+  }
+  return std::nullopt;
+}
+
+std::optional<DegreeProof> DegreeSearch::prove_in_mode(const NearEquilibrium& near, double size,
+                                                       std::size_t node_limit) {
+  Walls walls(about_.grasp, about_.span, near, size, about_.box);
+  if (!walls.is_sound()) return std::nullopt;
+  return prove_with(std::move(walls), {size, node_limit, 0, limits_.most_nodes},
+                    {Pull::kTwists, Pull::kStiff});
+}
+
+/// On the walls this part of all normal forces is left over; friction is smooth over this part
+/// of how far that moves springs.
+std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& near,
+                                                        double part, double slip,
+                                                        std::size_t node_limit) {
+  double force = 0;
+  double stiffness = 0;
+  for (std::size_t i = 0; i < about_.grasp.contacts.size(); ++i) {
+    const RoundedContact& c = about_.grasp.contacts[i];
+    force += std::fabs(near.normal[i]) * c.size;
+    stiffness += c.stiffness * c.size * c.size;
+  }
+  const double left = part * force;
+  const Eigen::MatrixXd answer =
+      Newton(about_.grasp).answer(near.motion, slip * left / stiffness);
+  Walls walls(about_.grasp, about_.span, near, answer, left);
+  if (!walls.is_sound()) return std::nullopt;
+  return prove_with(
+      std::move(walls),
+      {0, node_limit, 0, limits_.most_nodes, about_.span.rank() > kMostOfParallelepipeds},
+      {Pull::kAnswer});
+}
+
+/// Walls that fit the moves: where the equilibrium goes farthest, or as far as the first order
+/// says.
+std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& near) {
+  const RoundedBox rounded(*about_.box);
+  const RoundedGrasp grasp = rounded.at(rounded.middle());
+  const MovingEquilibrium moving(rounded, near);
+  const Eigen::MatrixXd each = moving.moves(rounded.middle(), near);
+  std::vector<Reals> first;
+  for (const auto& column : each.colwise()) first.emplace_back(column);
+  const Attempt attempt{1e-3, limits_.node_limit, 18, SIZE_MAX};
+  for (const bool first_order : {false, true}) {
+    Walls walls(grasp, about_.span, near, attempt.size, about_.box);
+    if (!walls.is_sound()) return std::nullopt;
+    walls.turn_to(first);
+    std::vector<Reals> moves = first;
+    if (first_order) {
+      // All at once, whichever way is farthest.
+      for (const auto& row : walls.rows().rowwise()) {
+        const Reals all = each * (row * each).transpose().cwiseSign();
+        moves.push_back(all);
+        moves.push_back(-all);
+      }
+    } else {
+      moves = moving.extremes(walls.rows());
+      walls.turn_to(moves);
+    }
+    if (!walls.is_sound()) continue;
+    walls.enclose(moves);
+    auto proof = prove_with(std::move(walls), attempt, {Pull::kFitted, Pull::kStiff});
+    if (proof) return proof;
+  }
+  return std::nullopt;
+}
+
+/// The walls that are not refuted; without growing, the first of them.
+std::vector<std::size_t> DegreeSearch::open_walls(DegreeProof& proof, bool second,
+                                                  const Attempt& attempt) {
+  std::vector<std::size_t> open;
+  for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
+    if (refuter_.refute(proof, wall, second, attempt.node_limit)) continue;
+    open.push_back(wall);
+    if (attempt.most_growths == 0) break;
+  }
+  return open;
+}
+
+std::optional<DegreeProof> DegreeSearch::prove_with(Walls walls, const Attempt& attempt,
+                                                    const std::vector<Pull>& pulls) {
+  constexpr std::size_t kMostPulled = 4;  // growing seldom mends what list 2 refuses
+  const bool is_one = about_.box == nullptr || about_.box->is_point();
+  std::size_t pulled = 0;
+  for (std::size_t growth = 0; growth <= attempt.most_growths; ++growth) {
+    if (work_.nodes > attempt.most_nodes) return std::nullopt;
+    ++work_.proofs;
+    DegreeProof proof = walls.proof(pulls.front(), attempt.is_simplex);
+    if (!has_rank(proof, about_.span.rank())) return std::nullopt;
+    if (about_.box != nullptr && !is_within(proof, about_.box->max_motion)) return std::nullopt;
+    if (about_.law == NormalLaw::kBilateral && !refuter_.all_are_closed(proof)) {
+      return std::nullopt;
+    }
+    std::vector<std::size_t> open;
+    if (!is_one) open = open_walls(proof, false, attempt);  // else list 2 is enough
+    if (open.empty()) {
+      const auto second_list = static_cast<std::ptrdiff_t>(proof.trees.size());
+      for (const Pull pull : pulls) {
+        if (pull != pulls.front()) {
+          proof.direction = walls.proof(pull, attempt.is_simplex).direction;
+          proof.trees.erase(proof.trees.begin() + second_list, proof.trees.end());
+          if (rank_of(proof.direction) != about_.span.rank()) continue;
+        }
+        std::vector<std::size_t> refused = open_walls(proof, true, attempt);
+        if (refused.empty()) return proof;
+        if (open.empty()) open = std::move(refused);
+      }
+      if (++pulled > kMostPulled) return std::nullopt;
+    }
+    for (const std::size_t wall : open) walls.grow(wall, attempt.is_simplex);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& middle,
+                                           const NearEquilibrium& near,
+                                           const DegreeLimits& limits, SearchWork& work) {
+  const DegreeSubject about{rounded_middle(middle), ForceSpan(box), box.law, &box};
+  if (!about.span.has_loads_of(box)) return std::nullopt;
+  LawRefuter refuter(box, middle, work);
+  return DegreeSearch(about, refuter, limits, work).prove_box(near);
+}
+
+std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& work) {
+  const DegreeSubject about{rounded_grasp(problem), ForceSpan(problem), problem.law(), nullptr};
+  if (!about.span.has_load_of(problem)) return std::nullopt;
+  CrowdWalls walls(problem);
+  CrowdRefuter refuter(walls, work);
+  constexpr std::size_t kMostNodes = 1000;
+  const DegreeLimits limits{kMostNodes, SIZE_MAX, false};
+  DegreeSearch search(about, refuter, limits, work);
+  const Newton newton(about.grasp);
+  std::vector<Reals> tried;
+  for (const std::size_t starts : {0, 1}) {
+    for (const NearEquilibrium& proposed : walls.near_equilibria(starts, about.grasp.length)) {
+      if (starts == 0) {
+        if (auto proof = search.prove_quickly(proposed)) return proof;
+      }
+      const auto followed = newton.follow(proposed);
+      const NearEquilibrium found = followed ? *followed : newton.settle(proposed);
+      const bool is_known = std::any_of(tried.begin(), tried.end(), [&](const Reals& motion) {
+        constexpr double kSame = 1e-6;
+        return (motion - found.motion).norm() <= kSame * motion.norm();
+      });
+      if (is_known) continue;
+      if (auto proof = search.prove_one(found)) return proof;
+      tried.push_back(found.motion);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Proofs that every grasp of a box is stable, around an equilibrium of its middle
+/// (certificate/FORMAT.md, section 6).
+#pragma once
+
+#include <optional>
+
+#include "newton.hpp"
+#include "stickslip/engine/proof.hpp"
+#include "stickslip/engine/search_work.hpp"
+
+namespace stickslip {
+
+/// What a proof may take.
+struct DegreeLimits {
+  std::size_t node_limit;  ///< of a wall's tree; 0: only what is quick is tried
+  std::size_t most_nodes;  ///< in space nothing is tried once there were so many in all
+  bool is_wide;            ///< the box is more than what encloses lengths
+};
+
+/// Tries to prove that every grasp in the box has an equilibrium near this one of its middle,
+/// which is `middle`; of a margin for all of its multiples. Adds to `work`.
+std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& middle,
+                                           const NearEquilibrium& near,
+                                           const DegreeLimits& limits, SearchWork& work);
+
+/// The same of one grasp in the plane, around an equilibrium of its own, however many contacts
+/// it has; not of a family.
+std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& work);
+
+/// A proof near an equilibrium of the middle that is at rest: nothing moves, and friction
+/// answers whatever load is left. Verified exactly by the rules of the format. O(contacts).
+std::optional<RestProof> prove_at_rest(const GraspLaw& box, const NearEquilibrium& middle);
+
+/// A proof near an equilibrium of the middle at which all contacts that press and rub stick,
+/// though it may move: contacts press a little more or less, and friction answers the rest.
+/// Verified exactly by the rules of the format. O(contacts).
+std::optional<StickingProof> prove_sticking(const GraspLaw& box, const NearEquilibrium& middle);
+
+}  // namespace stickslip

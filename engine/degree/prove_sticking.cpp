@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "answering_forces.hpp"
+#include "engine/motion/dense.hpp"
+#include "prove_stable.hpp"
+
+namespace stickslip {
+
+using namespace degree_detail;
+
+namespace {
+
+constexpr unsigned kRootBits = 64;  // of the format
+
+/// The numbers of one element that the rules compare, over the box at one multiple.
+struct PressedContact {
+  Interval separation;  ///< v at d0
+  Interval normal;      ///< a0
+  Rational slip;        ///< sigma
+  Rational spare{};     ///< s, once it is known
+};
+
+class StickingSearch {
+ public:
+  /// Proposes a motion in so many bits; 0: rest.
+  StickingSearch(const GraspLaw& box, const NearEquilibrium& middle, int bits)
+      : box_(box), middle_(middle), motions_(static_cast<Eigen::Index>(box.motions)) {
+    multiples_ = {0};
+    if (box.is_family) {
+      multiples_ = {box.multiples.low};
+      if (box.multiples.high && *box.multiples.high != box.multiples.low) {
+        multiples_.push_back(*box.multiples.high);
+      }
+    }
+    proof_.motion.resize(box.motions);
+    for (std::size_t j = 0; bits > 0 && j < box.motions; ++j) {
+      const double d = middle.motion[static_cast<Eigen::Index>(j)] / box.unit(j);
+      proof_.motion[j] = rational_in_bits(d, bits);
+    }
+  }
+
+  std::optional<StickingProof> find() {
+    if (!may_move() || !choose_contacts()) return std::nullopt;
+    for (const Rational& multiple : multiples_) measure_contacts(multiple);
+    if (!choose_answers()) return std::nullopt;
+    Rows off(box_.motions, RationalRow(box_.motions));
+    RationalRow rest(box_.motions);
+    measure(off, rest);
+    if (!choose_reach(off, rest)) return std::nullopt;
+    sum_up();
+    if (!choose_energy() || !holds() || !is_within_bound(off)) return std::nullopt;
+    return std::move(proof_);
+  }
+
+ private:
+  static constexpr double kFlat = 1e-9;  ///< of what is independent
+  static constexpr int kForceBits = 24;
+
+  bool moves() const {
+    return std::any_of(proof_.motion.begin(), proof_.motion.end(),
+                       [](const Rational& d) { return !d.is_zero(); });
+  }
+
+  /// Rule `sticking-motion`, but for the bilateral law.
+  bool may_move() const {
+    if (!moves()) return true;
+    return multiples_.size() == 1 &&
+           std::all_of(box_.contacts.begin(), box_.contacts.end(),
+                       [](const LawContact& c) { return c.tilt.is_zero(); });
+  }
+
+  /// Lists what presses; false if something that presses slips. Of many contacts all that carry
+  /// friction are listed, and few answer.
+  bool choose_contacts() {
+    for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
+      const LawContact& c = box_.contacts[i];
+      const double a = middle_.normal[i];
+      const bool rubs = c.slopes[1] > 0;
+      if (c.is_spring) {
+        if (c.stiffnesses[0] > 0) pressing_.push_back({i, std::fabs(a)});
+        continue;
+      }
+      if (!(a > 0)) {
+        if (box_.law == NormalLaw::kBilateral) return false;
+        continue;
+      }
+      const double spare = c.slopes[0] * a - norm_of(middle_.friction[i]);
+      if (rubs && middle_.sticks[i] == 0) return false;
+      if (rubs && !(spare > 0)) return false;
+      pressing_.push_back({i, a});
+      if (rubs) rubbing_.push_back({i, spare});
+      if (rubs && norm_of(middle_.friction[i]) > 0) {
+        proof_.friction.emplace_back(ContactId(i),
+                                     c.force_near(middle_.friction[i], kForceBits));
+      }
+    }
+    if (pressing_.empty()) return false;
+    if (box_.law == NormalLaw::kUnilateral) {
+      keep_best(rubbing_, [&](std::size_t i) { return slip_of(i); });
+      keep_best(pressing_, [&](std::size_t i) { return normal_of(i); });
+    }
+    return true;
+  }
+
+  struct Bearing {
+    std::size_t contact;
+    double spare;  ///< of friction, or of what presses
+  };
+
+  /// Keeps those with most to spare, as many as have full rank.
+  template <class RowsOf>
+  void keep_best(std::vector<Bearing>& bearing, const RowsOf& rows_of) const {
+    constexpr std::size_t kMany = 8;
+    if (bearing.size() <= kMany) return;
+    std::stable_sort(bearing.begin(), bearing.end(),
+                     [](const Bearing& a, const Bearing& b) { return a.spare > b.spare; });
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(motions_, motions_);
+    std::size_t taken = 0;
+    constexpr std::size_t kMost = 32;
+    while (taken < std::min(bearing.size(), kMost) &&
+           (taken < kMany || rank(sum, kFlat) < motions_)) {
+      const Eigen::MatrixXd rows = rows_of(bearing[taken++].contact);
+      sum += rows.transpose() * rows;
+    }
+    bearing.resize(taken);
+    std::sort(bearing.begin(), bearing.end(),
+              [](const Bearing& a, const Bearing& b) { return a.contact < b.contact; });
+  }
+
+  Eigen::MatrixXd normal_of(std::size_t contact) const {
+    return box_.contacts[contact].corners.front().normal_rounded.transpose();
+  }
+
+  Eigen::MatrixXd slip_of(std::size_t contact) const {
+    const std::vector<Reals>& rows = box_.contacts[contact].corners.front().slip_rounded;
+    Eigen::MatrixXd slip(static_cast<Eigen::Index>(rows.size()), motions_);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      slip.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
+    }
+    return slip;
+  }
+
+  /// H and G: a right inverse, in which what has more to spare answers more. A stiff contact
+  /// presses more for the same energy.
+  bool choose_answers() {
+    double stiffest = 0;
+    for (const Bearing& b : pressing_) {
+      stiffest =
+          std::max(stiffest, box_.contacts[b.contact].stiffnesses[0] *
+                                 box_.contacts[b.contact].size * box_.contacts[b.contact].size);
+    }
+    Eigen::Index columns = static_cast<Eigen::Index>(pressing_.size());
+    std::vector<Eigen::Index> first;  // column of each that rubs
+    for (const Bearing& b : rubbing_) {
+      first.push_back(columns);
+      columns += static_cast<Eigen::Index>(box_.contacts[b.contact].slip_dimension());
+    }
+    Eigen::MatrixXd wrenches(motions_, columns);
+    Eigen::VectorXd weights(columns);
+    double most = 0;  // that friction has to spare
+    for (const Bearing& b : rubbing_) most = std::max(most, b.spare);
+    for (std::size_t k = 0; k < pressing_.size(); ++k) {
+      const LawContact& c = box_.contacts[pressing_[k].contact];
+      const auto column = static_cast<Eigen::Index>(k);
+      wrenches.col(column) = normal_of(pressing_[k].contact).transpose();
+      const double part = c.stiffnesses[0] * c.size * c.size / stiffest;
+      const double size =
+          c.is_spring ? most
+                      : std::min(most > 0 ? most : pressing_[k].spare, pressing_[k].spare);
+      weights[column] = part * size * size;
+    }
+    for (std::size_t k = 0; k < rubbing_.size(); ++k) {
+      const Eigen::MatrixXd slip = slip_of(rubbing_[k].contact);
+      wrenches.middleCols(first[k], slip.rows()) = slip.transpose();
+      weights.segment(first[k], slip.rows()).setConstant(rubbing_[k].spare * rubbing_[k].spare);
+    }
+    if (!(weights.maxCoeff() > 0)) return false;
+    weights /= weights.maxCoeff();
+    const Eigen::MatrixXd gram = wrenches * weights.asDiagonal() * wrenches.transpose();
+    const Eigen::MatrixXd answers =
+        weights.asDiagonal() * wrenches.transpose() * pseudo_inverse(gram, kFlat);
+    if (!answers.allFinite()) return false;
+    for (std::size_t k = 0; k < pressing_.size(); ++k) {
+      StickingProof::Press press{ContactId(pressing_[k].contact), {}};
+      bool is_any = box_.law == NormalLaw::kBilateral;
+      for (std::size_t l = 0; l < box_.motions; ++l) {
+        const double a = answers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l));
+        press.forces.push_back(rational_in_bits(a / box_.unit(l), kForceBits));
+        is_any = is_any || a != 0;
+      }
+      if (is_any) proof_.presses.push_back(std::move(press));
+    }
+    for (std::size_t k = 0; k < rubbing_.size(); ++k) {
+      const std::size_t i = rubbing_[k].contact;
+      RestProof::Answer answer{ContactId(i), {}};
+      for (std::size_t l = 0; l < box_.motions; ++l) {
+        Double3 f{};
+        for (std::size_t j = 0; j < box_.contacts[i].slip_dimension(); ++j) {
+          f[j] =
+              answers(first[k] + static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)) /
+              box_.unit(l);
+        }
+        answer.forces.push_back(box_.contacts[i].force_near(f, kForceBits));
+      }
+      proof_.answers.push_back(std::move(answer));
+    }
+    return true;
+  }
+
+  /// v, a0 and sigma of all contacts, at a multiple.
+  void measure_contacts(const Rational& multiple) {
+    std::vector<PressedContact>& all = contacts_.emplace_back();
+    RationalRow x = proof_.motion;
+    x.emplace_back(1);
+    x.push_back(multiple);
+    const bool moves = this->moves();
+    for (const LawContact& c : box_.contacts) {
+      PressedContact pressed{};
+      if (moves) {
+        bool is_first = true;
+        for (std::size_t k = 0; k < c.separations.size(); ++k) {
+          Rational v = 0;
+          for (std::size_t j = 0; j < x.size(); ++j) v += Rational(c.separations[k][j]) * x[j];
+          v *= c.separation_factors[k];
+          if (is_first || v < pressed.separation.low) pressed.separation.low = v;
+          if (is_first || v > pressed.separation.high) pressed.separation.high = v;
+          is_first = false;
+        }
+        Rational square = 0;
+        for (const CornerRow& corner : c.corners) {
+          RationalRow s;
+          for (const Row& row : corner.slip) {
+            Rational entry = 0;
+            for (std::size_t j = 0; j < row.size(); ++j) entry += Rational(row[j]) * x[j];
+            s.push_back(entry / corner.slip_factor);
+          }
+          Rational here = 0;
+          for (std::size_t k = 0; k < s.size(); ++k) {
+            here += k == 3 ? Rational(c.spin_weight * s[k] * s[k]) : Rational(s[k] * s[k]);
+          }
+          square = std::max(square, here);
+        }
+        pressed.slip = short_sqrt(square, kRootBits).upper;
+      } else {
+        pressed.separation = preload_at(c, multiple);
+      }
+      pressed.normal = pressed.separation;
+      if (!c.is_spring) {
+        pressed.normal.low = std::max<Rational>(pressed.normal.low, 0);
+        pressed.normal.high = std::max<Rational>(pressed.normal.high, 0);
+      }
+      all.push_back(std::move(pressed));
+    }
+  }
+
+  /// max |W|, and max |M - 1| by rows.
+  void measure(Rows& off, RationalRow& rest) const {
+    for (std::size_t at = 0; at < multiples_.size(); ++at) {
+      WrenchRange sum = loads_at(box_, multiples_[at]);
+      auto next = proof_.friction.begin();
+      for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
+        const LawContact& c = box_.contacts[i];
+        RationalRow f(c.slip_numbers());
+        if (next != proof_.friction.end() && next->first.index() == i) f = (next++)->second;
+        add_wrenches(sum, c, f, ends_of(contacts_[at][i].normal));
+      }
+      for (std::size_t k = 0; k < sum.size(); ++k) rest[k] = std::max(rest[k], largest(sum[k]));
+    }
+    for (std::size_t l = 0; l < rest.size(); ++l) {
+      WrenchRange column(rest.size());
+      column[l] = point_interval(-1);
+      for (const StickingProof::Press& press : proof_.presses) {
+        const LawContact& c = box_.contacts[press.contact.index()];
+        add_wrenches(column, c, RationalRow(c.slip_numbers()), {press.forces[l]});
+      }
+      for (const RestProof::Answer& answer : proof_.answers) {
+        add_wrenches(column, box_.contacts[answer.contact.index()], answer.forces[l], {0});
+      }
+      for (std::size_t k = 0; k < rest.size(); ++k) off[k][l] = largest(column[k]);
+    }
+  }
+
+  /// Z, a little above the solution of Z = |W| + |M - 1| Z, and rule `sticking-reach`.
+  bool choose_reach(const Rows& off, const RationalRow& rest) {
+    Eigen::MatrixXd system = Eigen::MatrixXd::Identity(motions_, motions_);
+    Reals right(motions_);
+    constexpr double kLeast = 1e-14;  // of a typical force: all are to be above 0
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      right[row] = to_double(rest[k]) / box_.unit(k) + kLeast * box_.force;
+      for (std::size_t l = 0; l < rest.size(); ++l) {
+        system(row, static_cast<Eigen::Index>(l)) -=
+            to_double(off[k][l]) * box_.unit(l) / box_.unit(k);
+      }
+    }
+    const Reals reach = solution(system, right);
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      const double z = reach[static_cast<Eigen::Index>(k)];
+      if (!std::isfinite(z) || !(z > 0)) return false;
+      proof_.reach.push_back(rational_in_bits(z * box_.unit(k) * 1.0002, kForceBits));
+    }
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      if (!(rest[k] + dot(off[k], proof_.reach) < proof_.reach[k])) return false;
+    }
+    return true;
+  }
+
+  /// delta and phi.
+  void sum_up() {
+    press_.assign(box_.contacts.size(), 0);
+    friction_.assign(box_.contacts.size(), 0);
+    is_listed_.assign(box_.contacts.size(), 0);
+    rubs_.assign(box_.contacts.size(), 0);
+    for (const StickingProof::Press& press : proof_.presses) {
+      const std::size_t i = press.contact.index();
+      is_listed_[i] = 1;
+      for (std::size_t l = 0; l < box_.motions; ++l) {
+        press_[i] += abs(press.forces[l]) * proof_.reach[l];
+      }
+    }
+    for (const auto& [contact, f] : proof_.friction) {
+      const std::size_t i = contact.index();
+      is_listed_[i] = rubs_[i] = 1;
+      friction_[i] = length_above(box_.contacts[i], f);
+    }
+    for (const RestProof::Answer& answer : proof_.answers) {
+      const std::size_t i = answer.contact.index();
+      is_listed_[i] = rubs_[i] = 1;
+      for (std::size_t l = 0; l < box_.motions; ++l) {
+        friction_[i] += length_above(box_.contacts[i], answer.forces[l]) * proof_.reach[l];
+      }
+    }
+  }
+
+  Rational energy_of(std::size_t i, const PressedContact& at) const {
+    const LawContact& c = box_.contacts[i];
+    if (press_[i].is_zero() && at.slip.is_zero()) return 0;
+    const Rational slope = c.friction.high * short_sqrt(c.squared_length, kRootBits).upper;
+    Rational most = 0;
+    for (const Rational& k : ends_of(c.stiffness)) {
+      if (k.is_zero()) continue;
+      const Rational sum = press_[i] + slope * k * at.slip;
+      const Rational energy = sum * sum / (2 * k);
+      most = std::max(most, energy);
+    }
+    return most + (slope * at.normal.high + friction_[i]) * at.slip;
+  }
+
+  /// c, a little above what `sticking-energy` asks.
+  bool choose_energy() {
+    Rational most = 0;
+    double floor = HUGE_VAL;  // where nothing is off: so little that no contact feels it
+    for (const std::vector<PressedContact>& all : contacts_) {
+      Rational sum = 0;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        sum += energy_of(i, all[i]);
+        const LawContact& c = box_.contacts[i];
+        if (is_listed_[i] == 0 || c.is_spring) continue;
+        const double v = to_double(all[i].separation.low);
+        if (!(v > 0)) return false;
+        constexpr double kUnfelt = 1e-12;
+        floor = std::min(floor, kUnfelt * v * (v / c.stiffnesses[1]));
+      }
+      most = std::max(most, sum);
+    }
+    if (!(floor > 0)) return false;
+    const double least = std::isfinite(floor) ? floor * 1e-6 : 1;
+    proof_.energy = rational_in_bits(to_double(most) * 1.0001 + least, kForceBits);
+    return proof_.energy > most;
+  }
+
+  /// Rule `sticking-press`.
+  bool holds() {
+    for (std::vector<PressedContact>& all : contacts_) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const LawContact& c = box_.contacts[i];
+        if (is_listed_[i] == 0 || c.is_spring) continue;
+        const Rational loss = short_sqrt(2 * proof_.energy * c.stiffness.high, kRootBits).upper;
+        const Rational pressed = all[i].separation.low - loss;
+        if (pressed < 0) return false;
+        if (rubs_[i] == 0) continue;
+        const Rational slope = c.friction.low * short_sqrt(c.squared_length, kRootBits).lower;
+        all[i].spare = slope * pressed - friction_[i];
+        if (!(all[i].spare > 0)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Rule `sticking-bound`.
+  bool is_within_bound(const Rows& off) const {
+    if (box_.max_motion.empty()) return true;
+    RationalRow room;  // E
+    for (std::size_t l = 0; l < box_.motions; ++l) {
+      room.push_back(box_.max_motion[l] - abs(proof_.motion[l]));
+      if (!(room[l] > 0)) return false;
+    }
+    for (const std::vector<PressedContact>& all : contacts_) {
+      RationalRow moved(box_.motions);
+      for (const StickingProof::Press& press : proof_.presses) {
+        const LawContact& c = box_.contacts[press.contact.index()];
+        const Rational depth = short_sqrt(2 * proof_.energy / c.stiffness.low, kRootBits).upper;
+        for (std::size_t l = 0; l < moved.size(); ++l) moved[l] += abs(press.forces[l]) * depth;
+      }
+      for (const RestProof::Answer& answer : proof_.answers) {
+        const std::size_t i = answer.contact.index();
+        const Rational slip = proof_.energy / all[i].spare + all[i].slip;
+        for (std::size_t l = 0; l < moved.size(); ++l) {
+          moved[l] += length_above(box_.contacts[i], answer.forces[l]) * slip;
+        }
+      }
+      for (std::size_t l = 0; l < moved.size(); ++l) {
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[l] += off[k][l] * room[k];
+        if (moved[l] > room[l]) return false;
+      }
+    }
+    return true;
+  }
+
+  const GraspLaw& box_;
+  const NearEquilibrium& middle_;
+  Eigen::Index motions_;
+  std::vector<Rational> multiples_;                    ///< of a margin its ends
+  std::vector<std::vector<PressedContact>> contacts_;  ///< by multiple
+  std::vector<Bearing> pressing_;                      ///< whose normal forces answer
+  std::vector<Bearing> rubbing_;                       ///< whose friction answers
+  std::vector<Rational> press_;                        ///< delta, by contact
+  std::vector<Rational> friction_;                     ///< phi, by contact
+  std::vector<char> is_listed_;                        ///< by contact
+  std::vector<char> rubs_;                             ///< by contact
+  StickingProof proof_;
+};
+
+}  // namespace
+
+std::optional<StickingProof> prove_sticking(const GraspLaw& box,
+                                            const NearEquilibrium& middle) {
+  // A motion that is rounding alone is none. Several multiples are proved around no motion
+  // only.
+  constexpr double kStill = 1e-9;
+  const bool is_range = box.is_family && box.multiples.high != box.multiples.low;
+  if (is_range || middle.motion.norm() <= kStill * box.reach) {
+    if (auto proof = StickingSearch(box, middle, 0).find()) return proof;
+  }
+  constexpr int kDoubleBits = 53;
+  return StickingSearch(box, middle, kDoubleBits).find();
+}
+
+}  // namespace stickslip

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/engine/option_text.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+
+Rational number_option(const std::string& option, const std::string& value) {
+  try {
+    return parse_rational(value);
+  } catch (const NumberError& error) {
+    throw InputError("", option, error.what(), "write it as 2, -0.25, 1e-3 or 3/5");
+  }
+}
+
+std::vector<Rational> numbers_option(const std::string& option, const std::string& value) {
+  std::vector<Rational> numbers;
+  std::size_t start = 0;
+  while (start <= value.size()) {
+    const std::size_t comma = std::min(value.find(',', start), value.size());
+    numbers.push_back(number_option(option, value.substr(start, comma - start)));
+    start = comma + 1;
+  }
+  return numbers;
+}
+
+Wrench wrench_option(const std::string& option, const std::string& value) {
+  const std::vector<Rational> numbers = numbers_option(option, value);
+  if (numbers.size() != 3) {
+    throw InputError("", option,
+                     quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
+                     "give force x, force y and torque as in " + option + " 0,-11/10,0");
+  }
+  return wrench_of(numbers);
+}
+
+Rational accuracy_option(const std::string& value) {
+  const bool percent = !value.empty() && value.back() == '%';
+  const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));
+  const Rational accuracy = number_option("--accuracy", number) / (percent ? 100 : 1);
+  if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
+  throw InputError("", "--accuracy", "the value is " + value,
+                   "it is a part of the radius: give more than 0 and less than 100%");
+}
+
+InputError in_options(const InputError& error, const std::string& name) {
+  for (const std::string option :
+       {"--wrench", "--preload", "--direction", "--preload-direction"}) {
+    std::string place = option.substr(2);
+    std::replace(place.begin(), place.end(), '-', '_');
+    if (error.place() == place) return {"", option, error.problem(), error.remedy()};
+  }
+  if (error.place() == "case" || error.place() == "uncertain" || error.place() == "balanced") {
+    return {name, "--" + error.place(), error.problem(), error.remedy()};
+  }
+  return error.in_file(name);
+}
+
+Question ask_with_options(GraspFile file, const QuestionOptions& options,
+                          const std::string& name, bool takes_boxes) {
+  try {
+    Question question = ask(std::move(file), options);
+    // This refuses what problem_of() does but for a bound on motions, as the options are known
+    // here. That refuses nothing that is no box; and margins of a box are claims.
+    const bool is_box = question.box() != nullptr;
+    if (question.is_one_planar_body() && is_box && !takes_boxes && !question.is_margin()) {
+      problem_of(without_bound(question));
+    }
+    return question;
+  } catch (const InputError& error) {
+    if (error.place() == "max_motion" && options.max_motion) {
+      throw InputError("", "--max-motion", error.problem(), error.remedy());
+    }
+    throw in_options(error, name);
+  }
+}
+
+}  // namespace stickslip

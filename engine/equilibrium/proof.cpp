@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/engine/proof.hpp"
+
+#include <algorithm>
+
+namespace stickslip {
+
+std::size_t leaf_count(const Trees& trees) {
+  return static_cast<std::size_t>(std::count_if(trees.begin(), trees.end(), [](const auto& n) {
+    return std::holds_alternative<TwistLeaf>(n);
+  }));
+}
+
+namespace {
+
+template <class Proof>
+bool are_all(const StabilityProof& parts) {
+  return std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+    return std::holds_alternative<PartSplit>(part) || std::holds_alternative<Proof>(part);
+  });
+}
+
+}  // namespace
+
+bool are_at_rest(const StabilityProof& parts) {
+  return are_all<RestProof>(parts);
+}
+
+bool are_sticking(const StabilityProof& parts) {
+  return are_all<StickingProof>(parts);
+}
+
+}  // namespace stickslip

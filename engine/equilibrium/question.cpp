@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/engine/question.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "stickslip/core/contact_row.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+/// "box.x, box.y, box.turn, joint 0".
+std::string names_of(const Mechanism& mechanism) {
+  std::string names;
+  for (const std::string& name : coordinate_names(mechanism)) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+/// Throws InputError unless it has as many components as a wrench on the grasp.
+void check_size(const std::optional<RationalRow>& row, const char* place,
+                const AnyGrasp& grasp) {
+  const Mechanism* mechanism = mechanism_of(grasp);
+  const std::size_t size = wrench_of(grasp).size();
+  if (!row || row->size() == size) return;
+  throw InputError(
+      "", place, "it has " + std::to_string(row->size()) + " numbers",
+      mechanism != nullptr ? "there are several bodies: give " + std::to_string(size) +
+                                 ", a force or torque for each of " + names_of(*mechanism)
+      : in_space(grasp) ? "the grasp is in space: give force x, y, z and torque x, y, z"
+                        : "give force x, force y and torque, as 0,-11/10,0");
+}
+
+WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
+  const std::optional<std::string>& name = options.case_name;
+  check_size(options.wrench, "wrench", file.content);
+  check_size(options.direction, "direction", file.content);
+  if (options.wrench && name) {
+    throw InputError("", "case", "a wrench is given as well", "give one of them");
+  }
+  if (options.wrench) {
+    WrenchBox wrench;
+    for (const Rational& component : *options.wrench) {
+      wrench.push_back(point_interval(component));
+    }
+    return wrench;
+  }
+  if (!name && options.direction) return WrenchBox(options.direction->size());
+  if (!name && file.cases.empty()) {
+    return wrench_of(file.content);
+  }
+  std::vector<std::string> names;
+  for (const NamedLoad& load : file.cases) names.push_back(load.name);
+  return file.cases[case_named(names, name)].wrench;
+}
+
+bool all_zero(const std::vector<Rational>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](const Rational& value) { return value.is_zero(); });
+}
+
+bool is_certain(const WrenchBox& wrench) {
+  return std::all_of(wrench.begin(), wrench.end(),
+                     [](const Interval& w) { return w.is_point(); });
+}
+
+bool has_certain_contacts(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box == nullptr || GraspBox{box->contacts, {}, {}, {}, box->springs}.is_point();
+}
+
+/// Whether some contact that has a preload, or whose preload grows, has a normal of irrational
+/// length. `growth` is empty if none grows.
+bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& growth) {
+  for (std::size_t i = 0; i < grasp.size(); ++i) {
+    const Contact& c = grasp.contacts()[i];
+    const bool is_loaded = !c.preload.is_zero() || (!growth.empty() && !growth[i].is_zero());
+    if (is_loaded && !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y))
+      return true;
+  }
+  return false;
+}
+
+/// By element.
+std::vector<Rational> preloads_of(const AnyGrasp& grasp) {
+  std::vector<Rational> preloads;
+  if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
+    for (const Contact& c : one->grasp.contacts()) preloads.push_back(c.preload);
+  } else {
+    const auto& box = std::get<GraspBox>(grasp);
+    for (const UncertainContact& c : box.contacts) preloads.push_back(c.preload.low);
+    for (const Spring& spring : box.springs) preloads.push_back(spring.force.low);
+  }
+  return preloads;
+}
+
+AnyGrasp with_preload(AnyGrasp grasp, const Rational& preload) {
+  if (auto* one = std::get_if<LoadedGrasp>(&grasp)) {
+    one->grasp = one->grasp.with_preload(preload);
+  } else {
+    for (UncertainContact& c : std::get<GraspBox>(grasp).contacts) {
+      c.preload = point_interval(preload);
+    }
+  }
+  return grasp;
+}
+
+/// Neither preloads of contacts nor forces of springs.
+AnyGrasp without_preload(AnyGrasp grasp) {
+  grasp = with_preload(std::move(grasp), 0);
+  if (auto* box = std::get_if<GraspBox>(&grasp)) {
+    for (Spring& spring : box->springs) spring.force = {};
+  }
+  return grasp;
+}
+
+/// How many of the elements push only: contacts and ratchets, which stand first.
+std::size_t pushing_elements(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  if (box == nullptr) return std::get<LoadedGrasp>(grasp).grasp.size();
+  return box->contacts.size() + static_cast<std::size_t>(std::count_if(
+                                    box->springs.begin(), box->springs.end(),
+                                    [](const Spring& s) { return s.is_ratchet(); }));
+}
+
+/// One grasp in the plane if it is one that needs no box. `growth` is of preloads.
+AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
+  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
+    LoadedGrasp point = box.planar_middle();
+    if (!has_irrational_preload(point.grasp, growth)) return point;
+  }
+  return box;
+}
+
+/// Under this wrench, widened; in the plane one grasp if it is.
+AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
+               const Question& question) {
+  const Tolerances& uncertain = options.uncertain;
+  const std::optional<MotionBound>& bound = options.max_motion;
+  auto* one = std::get_if<LoadedGrasp>(&grasp);
+  if (one != nullptr && is_certain(wrench) && !uncertain.any() && !bound &&
+      !has_irrational_preload(one->grasp, question.preload_growth)) {
+    one->wrench = planar_middle(wrench);
+    return grasp;
+  }
+  GraspBox box = one != nullptr ? box_of(*one) : std::get<GraspBox>(std::move(grasp));
+  box.wrench = wrench;
+  box = box.widened(uncertain);
+  if (bound) {
+    const RationalRow growth = question.direction.value_or(RationalRow{});
+    box.max_motion = bound_of(grown(box, growth, question.preload_growth), *bound);
+  }
+  return simplest(std::move(box), question.preload_growth);
+}
+
+/// How much preloads grow, by those that there are without it.
+std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
+                                     const PreloadDirection& direction, std::size_t pushing) {
+  if (direction.scale) return preloads;
+  if (direction.rates.size() != preloads.size()) {
+    throw InputError("", "preload_direction",
+                     "there are " + std::to_string(direction.rates.size()) + " numbers for " +
+                         std::to_string(preloads.size()) +
+                         (pushing < preloads.size() ? " contacts and springs" : " contacts"),
+                     "give one for each, or the word scale for all in proportion");
+  }
+  for (std::size_t i = 0; i < pushing; ++i) {
+    if (direction.rates[i].sign() >= 0) continue;
+    throw InputError(
+        "", "preload_direction",
+        "the number of contact " + std::to_string(i) + " is " + to_string(direction.rates[i]),
+        "preloads grow, and do not fall: give 0 or more");
+  }
+  return direction.rates;
+}
+
+void require_growth(bool load_grows, const std::vector<Rational>& growth,
+                    const std::optional<PreloadDirection>& direction) {
+  if (load_grows || !all_zero(growth)) return;
+  if (!direction) {
+    throw InputError("", "direction", "the direction is 0",
+                     "give the wrench whose multiples are asked for, such as 0,1,0");
+  }
+  throw InputError(
+      "", "preload_direction",
+      direction->scale ? "there is no preload to scale" : "all of its numbers are 0",
+      direction->scale ? "give a preload, or how each one grows"
+                       : "give a number above 0 to a contact whose preload grows");
+}
+
+void require_certain(const Question& question) {
+  if (question.box() == nullptr || question.box()->is_point()) return;
+  throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
+                   "give one number for each; only whether the load is held can be asked of "
+                   "all grasps in a box");
+}
+
+}  // namespace
+
+const LoadedGrasp& Question::loaded() const {
+  const auto* one = std::get_if<LoadedGrasp>(&grasp);
+  require(one != nullptr, "one grasp in the plane");
+  return *one;
+}
+
+Question ask(GraspFile file, const QuestionOptions& options) {
+  Question question;
+  const WrenchBox wrench = wrench_asked(file, options);
+  question.law = options.law;
+  question.preload = options.preload;
+  question.assumed_stiffness = std::move(file.assumed_stiffness);
+  question.direction = options.direction;
+  question.preload_direction = options.preload_direction;
+  question.case_name = options.case_name.value_or("");
+  question.uncertain = options.uncertain;
+  AnyGrasp grasp = std::move(file.content);
+  if (options.preload) {
+    if (options.preload->sign() < 0) {
+      throw InputError("", "preload", "the value is " + to_string(*options.preload),
+                       "a preload is a normal force and must be 0 or more");
+    }
+    grasp = with_preload(std::move(grasp), *options.preload);
+  }
+  if (options.preload_direction) {
+    question.preload_growth =
+        preload_growth(preloads_of(grasp), *options.preload_direction, pushing_elements(grasp));
+    if (options.preload_direction->scale) grasp = without_preload(std::move(grasp));
+  }
+  if (question.is_margin()) {
+    require_growth(options.direction && !all_zero(*options.direction), question.preload_growth,
+                   options.preload_direction);
+    if (!is_certain(wrench) || question.uncertain.any() || !has_certain_contacts(grasp)) {
+      throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
+                       "give one number for each, or ask only whether the load is held");
+    }
+  }
+  if (options.uncertain.wrench) question.wrench_as_asked = wrench;
+  question.grasp = under(std::move(grasp), wrench, options, question);
+  return question;
+}
+
+Question without_bound(Question question) {
+  if (!question.is_bounded()) return question;
+  GraspBox box = std::get<GraspBox>(std::move(question.grasp));
+  box.max_motion.clear();
+  question.grasp = simplest(std::move(box), question.preload_growth);
+  return question;
+}
+
+void require_one_grasp(const Question& question) {
+  if (question.is_one_planar_body()) {
+    problem_of(question);
+  } else {
+    require_certain(question);
+  }
+}
+
+void require_one_body(const AnyGrasp& grasp, const std::string& what) {
+  if (mechanism_of(grasp) == nullptr) return;
+  throw InputError("", "", "the grasp has several bodies", what + " is for one body only");
+}
+
+Problem problem_of(const Question& question) {
+  require_one_body(question, "this");
+  if (question.is_bounded()) {
+    throw InputError("", "max_motion", "motions are bounded",
+                     "this is known without a bound only; ask with --max-motion none");
+  }
+  if (question.in_space()) {
+    throw InputError("", "", "the grasp is in space", "this is done in the plane only");
+  }
+  require_certain(question);
+  const LoadedGrasp* one = std::get_if<LoadedGrasp>(&question.grasp);
+  // A box that is certain has irrational lengths, at which Problem or contact_rows() throws.
+  const LoadedGrasp point = one != nullptr ? *one : question.box()->planar_middle();
+  Problem base(point, question.law);
+  if (!question.is_margin()) return base;
+  Growth growth;
+  if (question.direction) growth.load = wrench_of(*question.direction);
+  if (!question.preload_growth.empty()) {
+    const Grasp growing = point.grasp.with_preloads(question.preload_growth);
+    for (const ContactRow& row : contact_rows(growing)) growth.preloads.push_back(row.preload);
+  }
+  return base.along(growth);
+}
+
+}  // namespace stickslip

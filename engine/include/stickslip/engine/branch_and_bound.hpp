@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The fast engine: branch and bound over regions of motions instead of an enumeration of
+/// states.
+///
+/// A node is a region (region.hpp). A virtual twist that satisfies leaf-bound closes it; it is
+/// sought in double precision as the point of least norm of the wrenches that the region can
+/// produce (Wolfe, "Finding the nearest point in a polytope", 1976; Gilbert, Johnson, Keerthi,
+/// 1988), rounded to small integers, and confirmed by doubles with error bounds, or exactly
+/// where these do not decide. If there is none, the combination of wrenches that vanishes is a
+/// relaxed equilibrium; the contact that breaks the laws the most is split by its slip or
+/// separation plane. Candidates for an equilibrium are completed exactly and verified by
+/// substitution. When nothing is left to split, or double precision fails, the exact linear
+/// program of region_program.hpp decides. Where the tree grows beyond a few dozen nodes and
+/// Newton's method from rest had come to a balance, the motions near that are searched first.
+///
+/// Contacts are taken in groups that are alike, and in groups of these: where all of a group
+/// are open, closed, or slip in one direction on a region, that is found and added up at once,
+/// by boxes around the coefficients of their functions with bounds of what is rounded. The
+/// search takes the best edges in the middle of a group for those of all of it; where that
+/// leads nowhere it is done again precisely, and it only proposes.
+///
+/// *Guarantee.* Only planes that cut a region's relative interior are split (or touch it where
+/// no strict function bars touching), each at most once on a path, so the leaves other than
+/// void ones are no more than the cells of the arrangement of the 2m planes tau_i = 0, v_i = 0
+/// in Q^4, which is O(m^3), whatever the heuristics propose; and at a region that no plane cuts
+/// the exact program has no relaxation left. No tolerance decides a verdict.
+#pragma once
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "stickslip/engine/verdict.hpp"
+
+namespace stickslip {
+
+/// What the engine did; reproducible.
+struct ConeWork {
+  std::size_t nodes = 0;              ///< regions looked at, but for those near such a balance
+  std::size_t leaves = 0;             ///< virtual-work leaves
+  std::size_t voids = 0;              ///< void leaves
+  std::size_t slip_splits = 0;        ///< nodes split by slip, into three
+  std::size_t separation_splits = 0;  ///< nodes split by separation, into two
+  std::size_t depth = 0;              ///< of the deepest node
+  std::size_t searches = 0;           ///< searches for a virtual twist in double precision
+  std::size_t support_points = 0;  ///< evaluations of the bounds on all rays in these searches
+  /// Sum over the nodes of the groups of contacts, and single contacts, that were looked at:
+  /// what a node costs. It would be nodes * m if contacts were not taken in groups.
+  std::size_t visits = 0;
+  std::size_t filter_hits = 0;         ///< leaves confirmed by doubles with error bounds
+  std::size_t filter_misses = 0;       ///< leaves confirmed exactly
+  std::size_t exact_programs = 0;      ///< exact linear programs
+  std::size_t witness_attempts = 0;    ///< candidates for an equilibrium completed exactly
+  std::size_t largest_twist_bits = 0;  ///< of an integer in a leaf
+
+  /// Sums; maxima of depth and bits.
+  ConeWork& operator+=(const ConeWork& part);
+};
+
+/// How much the engine may do.
+struct ConeOptions {
+  std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
+};
+
+/// Deterministic: verdict, evidence and work. Undecided only when the node limit is reached.
+Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
+                        ConeWork* work = nullptr);
+
+/// Some of the equilibria, those with different motions; found by Newton's method from this
+/// many motions. Empty if the grasp is unstable, and maybe if not. Deterministic.
+std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts);
+
+/// An equilibrium of one member of a family.
+struct MarginPoint {
+  Rational multiple;  ///< l
+  Witness witness;    ///< for that multiple
+};
+
+/// A multiple in the family's range for which the grasp is stable, or a proof that there is
+/// none, by the same search with the multiple as one more unknown. Undecided only when the node
+/// limit is reached.
+std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
+                                                             const ConeOptions& options = {},
+                                                             ConeWork* work = nullptr);
+
+}  // namespace stickslip

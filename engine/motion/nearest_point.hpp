@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The point of least norm in the convex hull of points of R^n, kept as a combination of at
+/// most n + 1 of them: Wolfe's algorithm (Math. Programming 11, 1976), in double precision. It
+/// only proposes; what it finds is judged elsewhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+
+#include "stickslip/engine/reals.hpp"
+
+namespace stickslip {
+
+/// A point or direction in double precision.
+using Double3 = std::array<double, 3>;
+
+/// \{ How many points a hull may use: one more than there are coordinates.
+template <class Point>
+constexpr std::size_t kMostPointsOf = std::tuple_size_v<Point> + 1;
+template <>
+inline constexpr std::size_t kMostPointsOf<Reals> = kMostCoordinates + 1;
+/// \}
+
+/// The hull of the points added so far, by at most n + 1 of them. A Point is a std::array of n
+/// doubles, or Reals.
+template <class Point>
+class NearestPointOf {
+ public:
+  /// Adds a point and moves to the nearest point of the hull of the points now in use. Returns
+  /// false if rounding left no progress.
+  bool add(const Point& point);
+
+  const Point& nearest() const { return nearest_; }  ///< the point of least norm
+  std::size_t size() const { return size_; }         ///< number of points in use
+  /// The points in use, by the order number of their addition (from 0), and their weights.
+  /// \{ Of the k-th of them.
+  std::size_t order(std::size_t k) const { return order_[k]; }
+  double weight(std::size_t k) const { return weight_[k]; }
+  /// \}
+
+ private:
+  static constexpr std::size_t kMost = kMostPointsOf<Point>;
+
+  /// Weights of sum 1, of any sign, of the point of least norm in the affine hull.
+  bool affine_minimum(std::array<double, kMost>& weights) const;
+  void remove(std::size_t k);
+  void update_nearest();
+
+  std::array<Point, kMost> points_{};
+  std::array<double, kMost> weight_{};
+  std::array<std::size_t, kMost> order_{};
+  std::size_t size_ = 0;
+  std::size_t added_ = 0;
+  Point nearest_{};
+};
+
+extern template class NearestPointOf<Double3>;
+extern template class NearestPointOf<std::array<double, 6>>;
+extern template class NearestPointOf<Reals>;
+
+}  // namespace stickslip

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/interfaces/preload_answer.hpp"
+
+#include <algorithm>
+
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/interfaces/verdict_answer.hpp"
+
+namespace stickslip {
+namespace {
+
+const char* const kPreloadProducer = "stickslip " STICKSLIP_VERSION ", preload";
+
+using NamedFiles = std::vector<std::pair<std::string, ProvedFiles>>;
+
+void add_boxes(NamedFiles& files, const std::string& name, NormalLaw law,
+               const std::vector<ProvedPreloads>& boxes) {
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const auto& [box, proof] = boxes[k];
+    files.emplace_back(name + std::to_string(k),
+                       proof ? proved_box(box, law, *proof, kPreloadProducer)
+                             : proved_grasp(box, law, true, kPreloadProducer));
+  }
+}
+
+void add_range(NamedFiles& files, NormalLaw law, const PreloadRange& range) {
+  for (std::size_t k = 0; k < range.margins.size(); ++k) {
+    const auto& [question, margin] = range.margins[k];
+    const std::string certificate = std::visit(
+        [&question = question](const auto& known) {
+          return margin_certificate_text(question, known, kPreloadProducer);
+        },
+        margin);
+    files.emplace_back(
+        "range" + std::to_string(k),
+        ProvedFiles{
+            write_grasp(box_of(question.grasp)), certificate, {}, question.preload_direction});
+  }
+  add_boxes(files, "range", law, range.boxes);
+}
+
+/// What all answers begin with.
+Json question_json(const Question& question) {
+  Json json;
+  json["name"] = question.description().name;
+  add_units(json, question.description().units);
+  if (const Mechanism* mechanism = question.mechanism()) {
+    json["coordinates"] = coordinate_names(*mechanism);
+  }
+  json["normal_law"] = to_string(question.law);
+  return json;
+}
+
+/// The multiples, and whether each preload may vary for itself between the first and the last.
+void add_range(Json& json, const PreloadRange& range) {
+  Json& multiples = json["multiples"] = Json::array();
+  for (const auto& [low, high] : range.multiples) {
+    multiples.push_back({number_json(low), high ? number_json(*high) : Json()});
+  }
+  json["each_for_itself"] = !range.boxes.empty();
+}
+
+void add_unbalanced(Json& json, const std::vector<ModelWarning>& warnings) {
+  json["warnings"] = warnings_json(warnings);
+}
+
+Rational sum_of(const RationalRow& preloads) {
+  Rational sum = 0;
+  for (const Rational& preload : preloads) sum += preload;
+  return sum;
+}
+
+}  // namespace
+
+std::vector<GraspBox> loads_of(const std::vector<Question>& questions,
+                               const std::string& file) {
+  std::vector<GraspBox> loads;
+  for (const Question& question : questions) {
+    loads.push_back(box_of(question.grasp));
+    GraspBox centre = loads.back();
+    centre.ball.reset();
+    if (!centre.is_point()) {
+      throw InputError(file, "", "some numbers are uncertain",
+                       "the best preloads are those of one grasp: give one number for each; "
+                       "loads may be in a ball, as in --uncertain wrench=ball:1/2");
+    }
+    if (centre.contacts.empty()) {
+      throw InputError(file, "contacts", "there are none",
+                       "the best preloads are those of contacts: give one or more");
+    }
+  }
+  return loads;
+}
+
+std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law) {
+  held.ball.reset();
+  QuestionOptions options;
+  options.law = law;
+  std::vector<ModelWarning> warnings;
+  const Answer answer = answer_to(ask({std::move(held)}, options), {});
+  for (const ModelWarning& warning : answer.warnings.value_or(std::vector<ModelWarning>())) {
+    if (warning.trap == ModelTrap::kUnbalancedPreload) warnings.push_back(warning);
+  }
+  return warnings;
+}
+
+Json preload_json(const std::vector<Question>& questions, const LeastPreload& least) {
+  Json json = question_json(questions.front());
+  const NormalLaw law = questions.front().law;
+  Json& loads = json["loads"] = Json::array();
+  for (const Question& question : questions) {
+    const GraspBox load = box_of(question.grasp);
+    Json& entry = loads.emplace_back(Json::object());
+    if (!question.case_name.empty()) entry["case"] = question.case_name;
+    entry["wrench"] = wrench_json(load.wrench);
+    if (load.ball) entry["ball"] = ball_json(*load.ball);
+    if (load.is_bounded()) entry["max_motion"] = number_json(load.max_motion);
+  }
+  json["preloads"] = least.preloads ? number_json(*least.preloads) : Json();
+  json["sum"] = least.preloads ? number_json(sum_of(*least.preloads)) : Json();
+  json["bound"] = number_json(least.bound);
+  json["limit"] = number_json(least.limit);
+  add_range(json, least.range);
+  json["boxes"] = least.refused.size();
+  if (least.preloads) add_unbalanced(json, unbalanced(least.held.front().box, law));
+  return json;
+}
+
+Json preload_json(const Question& question, const Rational& budget, const BallPreload& found) {
+  const Quality& quality = found.quality;
+  Json json = question_json(question);
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  json["wrench"] = wrench_json(quality.ball.wrench);
+  json["ball"] = ball_json(*quality.ball.ball);
+  json["ball"].erase("radius");
+  if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
+  json["budget"] = number_json(budget);
+  const bool holds = quality.stable == true;
+  json["preloads"] = holds ? number_json(found.preloads) : Json();
+  json["sum"] = holds ? number_json(sum_of(found.preloads)) : Json();
+  json["proved"] = number_json(quality.proved);
+  json["not_resisted_at"] = quality.refuted ? number_json(*quality.refuted) : Json();
+  json["bound"] = found.bound ? number_json(*found.bound) : Json();
+  add_range(json, found.range);
+  json["boxes"] = found.refused.size();
+  if (holds) add_unbalanced(json, unbalanced(quality.ball, question.law));
+  return json;
+}
+
+NamedFiles proved_preload(NormalLaw law, const LeastPreload& least) {
+  NamedFiles files;
+  add_boxes(files, "held", law, least.held);
+  add_range(files, law, least.range);
+  add_boxes(files, "bound", law, least.refused);
+  return files;
+}
+
+NamedFiles proved_preload(const Question& question, const BallPreload& found) {
+  NamedFiles files;
+  if (found.quality.stable == true) files = proved_quality(question, found.quality);
+  add_range(files, question.law, found.range);
+  add_boxes(files, "bound", question.law, found.refused);
+  return files;
+}
+
+}  // namespace stickslip

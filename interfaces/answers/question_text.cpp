@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/interfaces/question_text.hpp"
+
+#include "stickslip/core/error.hpp"
+#include "stickslip/engine/option_text.hpp"
+
+namespace stickslip {
+QuestionOptions question_options(const QuestionText& text) {
+  QuestionOptions options;
+  if (!text.wrench.empty()) options.wrench = numbers_option("--wrench", text.wrench);
+  if (!text.case_name.empty()) options.case_name = text.case_name;
+  if (!text.preload.empty()) options.preload = number_option("--preload", text.preload);
+  if (!text.direction.empty())
+    options.direction = numbers_option("--direction", text.direction);
+  if (text.preload_direction == "scale") {
+    options.preload_direction = PreloadDirection{true, {}};
+  } else if (!text.preload_direction.empty()) {
+    options.preload_direction =
+        PreloadDirection{false, numbers_option("--preload-direction", text.preload_direction)};
+  }
+  if (!text.uncertain.empty()) {
+    try {
+      options.uncertain = parse_tolerances(text.uncertain);
+    } catch (const InputError& error) {
+      throw InputError("", "--uncertain", error.problem(), error.remedy());
+    }
+  }
+  if (!text.max_motion.empty()) {
+    try {
+      options.max_motion = parse_motion_bound(text.max_motion);
+    } catch (const InputError& error) {
+      throw InputError("", "--max-motion", error.problem(), error.remedy());
+    }
+  }
+  options.law = text.normal_law == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+  return options;
+}
+
+}  // namespace stickslip

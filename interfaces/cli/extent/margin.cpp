@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/measures/margin.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "class_margin.hpp"
+#include "commands.hpp"
+#include "margin_text.hpp"
+#include "question_options.hpp"
+#include "space_margin.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/engine/decide.hpp"
+#include "stickslip/interfaces/margin_answer.hpp"
+#include "terminal.hpp"
+#include "warnings.hpp"
+
+namespace stickslip {
+namespace {
+
+struct MarginArguments {
+  QuestionArguments question;
+  std::string certificate;
+  std::string accuracy = "1/1000";
+  std::size_t node_limit = 0;
+  NumberOptions output;
+  bool least = false;
+  bool asks_class = false;
+  bool friction = false;
+  std::string inertia = "0,0,1";
+  bool no_warnings = false;
+};
+
+std::string multiples_text(const Margin& margin, NumberText& text) {
+  std::vector<std::string> parts;
+  for (const MarginInterval& interval : margin.resisted) {
+    parts.push_back(multiples_text(interval.low, interval.high, text));
+  }
+  return joined(parts);
+}
+
+void print_text(const Question& question, const Margin& margin, NumberText& text) {
+  std::cout << head_text(question, text);
+  if (margin.resisted.empty()) {
+    std::cout << "No l is resisted.\n";
+  } else if (question.preload_direction) {
+    const MarginInterval& first = margin.resisted.front();
+    const bool at_all = first.low.is_zero() && !first.high;
+    std::cout << "Holds at "
+              << (at_all ? "every multiple" : "multiples " + multiples_text(margin, text))
+              << (question.preload_direction->scale && !question.direction ? " of the preloads"
+                                                                           : "")
+              << ".\n";
+  } else {
+    for (const MarginInterval& interval : margin.resisted) {
+      std::cout << "Resisted: l in [" << text(interval.low) << ", "
+                << (interval.high ? text(*interval.high) + "]" : "oo)") << '\n';
+    }
+  }
+  std::size_t nodes = 0;
+  for (const Trees& gap : margin.gaps) nodes += gap.size();
+  const auto count = [](std::size_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  const auto proofs = static_cast<std::size_t>(
+      std::count_if(margin.segments.begin(), margin.segments.end(),
+                    [](const MarginSegment& segment) { return segment.proof.has_value(); }));
+  const std::size_t modes = margin.segments.size() - proofs;
+  std::cout << "\nProved ";
+  if (modes > 0 || proofs == 0)
+    std::cout << "by equilibria in " << count(modes, "contact mode");
+  if (proofs > 0) {
+    std::cout << (modes > 0 ? " and " : "") << "by degree over " << count(proofs, "range");
+  }
+  std::cout << (margin.gaps.empty() ? ", with nothing left to refute"
+                                    : ", and by trees of " + count(nodes, "node") +
+                                          " that nothing else is resisted")
+            << ".\nNormal law: " << law_text(question.law) << ".\n"
+            << units_text(question) << text.note();
+}
+
+void print_least(const Margin& margin, NumberText& text) {
+  const std::optional<Rational> smallest = least(margin);
+  if (!smallest) {
+    std::cout << "None: no multiple holds.\n";
+    return;
+  }
+  std::cout << text(*smallest) << '\n';
+  if (margin.resisted.front().high) {
+    std::cout << "Not all above it: holds at multiples " << multiples_text(margin, text)
+              << ".\n";
+  }
+  std::cout << text.note();
+}
+
+Rational accuracy_of(const MarginArguments& arguments) {
+  const Rational accuracy = number_option("--accuracy", arguments.accuracy);
+  if (accuracy.sign() <= 0) {
+    throw InputError("", "--accuracy", "the value is " + arguments.accuracy,
+                     "give a number above 0, such as 1/1000");
+  }
+  return accuracy;
+}
+
+/// Classes are those of one grasp whose lengths are rational, and know no bound.
+void require_exact(const Question& question, const std::string& file) {
+  if (!question.has_claims()) return;
+  try {
+    problem_of(question);
+  } catch (const InputError& error) {
+    throw in_options(error, file);
+  }
+}
+
+int margin_by_claims(const Question& question, const MarginArguments& arguments) {
+  SpatialMarginOptions search;
+  search.accuracy = accuracy_of(arguments);
+  search.search.node_limit = arguments.node_limit;
+  return answer_margin_in_space(question, {arguments.certificate, search, arguments.output,
+                                           arguments.least, !arguments.no_warnings});
+}
+
+int margin(const MarginArguments& arguments) {
+  const Question question = arguments.question.any_question();
+  if (arguments.asks_class) {
+    require_one_body(question, "a class of loads");
+    if (question.in_space()) {
+      throw InputError("", "--class", "the grasp is in space",
+                       "classes are known of grasps in the plane");
+    }
+    require_exact(question, arguments.question.name_of_file());
+    return answer_class_margin(question,
+                               {arguments.inertia, arguments.friction, accuracy_of(arguments)},
+                               arguments.output);
+  }
+  if (!question.is_margin()) {
+    throw InputError(
+        "", "", "no direction is given",
+        "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
+        "--preload-direction scale");
+  }
+  if (question.has_claims()) return margin_by_claims(question, arguments);
+  ConeOptions options;
+  options.node_limit = arguments.node_limit;
+  MarginWork work;
+  Progress progress;
+  const auto result =
+      find_margin(problem_of(question), options, &work, [&](const MarginWork& so_far) {
+        progress.show("searching range " + std::to_string(so_far.ranges) + ", contact mode " +
+                      std::to_string(so_far.modes));
+      });
+  progress.clear();
+  if (const auto* undecided = std::get_if<Undecided>(&result)) {
+    std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
+    return kUndecidedWithinLimit;
+  }
+  const auto& found = std::get<Margin>(result);
+  if (!arguments.certificate.empty()) {
+    write_whole_file(arguments.certificate,
+                     margin_certificate_text(question, found, "stickslip " STICKSLIP_VERSION));
+  }
+  Warnings warnings;
+  if (!arguments.no_warnings) warnings = model_warnings(question, found);
+  NumberText text(arguments.output);
+  if (arguments.output.json) {
+    std::cout << finished(margin_json(question, found, work, warnings), arguments.output.floats)
+                     .dump(1)
+              << '\n';
+  } else if (arguments.least) {
+    print_least(found, text);
+  } else {
+    print_text(question, found, text);
+  }
+  if (!arguments.output.json) print(warnings);
+  return arguments.least && found.resisted.empty() ? kAnswerUnstable : kDone;
+}
+
+}  // namespace
+
+void add_margin_command(Command& app, int& exit_code) {
+  auto arguments = std::make_shared<MarginArguments>();
+  Command* command = app.add_subcommand(
+      "margin",
+      "How much of a load is resisted, or with how much preload? The exact set, with a proof");
+  arguments->question.add_with_directions_to(*command);
+  arguments->question.add_max_motion_to(*command);
+  CommandOption* least = command->add_flag(
+      "--least", arguments->least,
+      "Print the least multiple that is resisted, such as of the preloads that "
+      "hold a load");
+  CommandOption* certificate =
+      command
+          ->add_option("--certificate", arguments->certificate,
+                       "Write a proof for stickslip-check with the same directions "
+                       "(certificate/FORMAT.md)")
+          ->type_name("FILE");
+  CommandOption* asks_class =
+      command
+          ->add_flag("--class", arguments->asks_class,
+                     "Ask which multiples of the load must move, must hold or are open under "
+                     "rigid contacts, as compare does")
+          ->excludes(least)
+          ->excludes(certificate);
+  command
+      ->add_flag(
+          "--friction", arguments->friction,
+          "With --class, and without directions: ask which factors of all friction are of "
+          "which class")
+      ->needs(asks_class);
+  command
+      ->add_option("--inertia", arguments->inertia,
+                   "Of the object, for --class: the centre of mass and the squared radius of "
+                   "gyration about it")
+      ->type_name("X,Y,G2")
+      ->capture_default_str()
+      ->needs(asks_class);
+  command
+      ->add_option("--accuracy", arguments->accuracy,
+                   "Where ends are not exact: which part of a multiple may stay undecided at "
+                   "one. With --friction: which part of a factor, where what must hold ends")
+      ->type_name("PART")
+      ->capture_default_str();
+  add_node_limit_option(*command, arguments->node_limit);
+  arguments->output.add_to(*command);
+  add_no_warnings_option(*command, arguments->no_warnings);
+  command->footer(footer_text(
+      "With --direction the load grows, with --preload-direction the preloads do, with both "
+      "both.\n"
+      "The answer is a list of closed intervals of l; one without an upper end ends in null "
+      "in\n"
+      "JSON. More preload can break a grasp: there may be gaps (docs/loads.md).\n"
+      "In space, of several bodies, within a bound of motions, and where a preloaded contact "
+      "has a normal\n"
+      "of irrational length, ends are known to a part of 1/1000 (--accuracy), and what is "
+      "refuted is listed\n"
+      "as well (docs/space.md).\n",
+      kExitCodesWithLimit + ";\nwith --least 20 if no multiple is resisted",
+      "stickslip margin fig1.json --preload 1 --direction 0,1,0\n"
+      "  $ stickslip margin fig1.json --preload 1 --wrench 0,1/2,0 --preload-direction scale "
+      "--least"));
+  command->callback([arguments, &exit_code] { exit_code = margin(*arguments); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// How `margin` answers a question whose answer is a list of claims.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "question_options.hpp"
+#include "stickslip/measures/spatial_margin.hpp"
+
+namespace stickslip {
+
+struct SpaceMarginArguments {
+  std::string certificate;
+  SpatialMarginOptions search;
+  NumberOptions output;
+  bool least;
+  bool warnings;  ///< look for traps of the model
+};
+
+/// The exit code.
+int answer_margin_in_space(const Question& question, const SpaceMarginArguments& arguments);
+
+}  // namespace stickslip

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "commands.hpp"
+#include "question_options.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/interfaces/grasp_plot.hpp"
+#include "stickslip/interfaces/states_plot.hpp"
+#include "stickslip/interfaces/verdict_answer.hpp"
+
+namespace stickslip {
+namespace {
+
+/// With exact forces, however long.
+std::string picture_of(const Question& question) {
+  return plot_grasp(
+      question,
+      answer_to(question, {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false}).verdict);
+}
+
+void add_grasp_plot(Command& plot, int& exit_code) {
+  struct Arguments {
+    QuestionArguments question;
+    std::string output = "-";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  Command* command = plot.add_subcommand("grasp",
+                                         "The verdict: contacts, cones, load, and the forces "
+                                         "and motion that hold it; in space from "
+                                         "three sides");
+  arguments->question.add_to(*command);
+  add_output_option(*command, arguments->output, "SVG file");
+  command->footer(
+      footer_text("", kExitCodes, "stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg"));
+  command->callback([arguments, &exit_code] {
+    write_whole_file(arguments->output, picture_of(arguments->question.any_question()));
+    exit_code = kDone;
+  });
+}
+
+void add_states_plot(Command& plot, int& exit_code) {
+  struct Arguments {
+    std::string file;
+    std::string output = "-";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  Command* command = plot.add_subcommand(
+      "states", "The slip states: the sphere of motions, cut by one great circle a contact");
+  add_grasp_argument(*command, arguments->file);
+  add_output_option(*command, arguments->output, "SVG file");
+  command->footer(footer_text("", kExitCodes, "stickslip plot states fig1.json -o states.svg"));
+  command->callback([arguments, &exit_code] {
+    const GraspFile file = read_grasp_file(arguments->file);
+    write_whole_file(arguments->output, plot_states(file.loaded().grasp));
+    exit_code = kDone;
+  });
+}
+
+}  // namespace
+
+void add_plot_command(Command& app, int& exit_code) {
+  Command* command = app.add_subcommand(
+      "plot",
+      "Draw a grasp, its slip states, its resistible wrenches or its quality: SVG for print "
+      "and screen");
+  command->require_subcommand();
+  command->footer(
+      footer_text("", kExitCodesWithLimit, "stickslip plot grasp fig1.json -o fig1.svg"));
+  add_grasp_plot(*command, exit_code);
+  add_states_plot(*command, exit_code);
+  add_region_plot(*command, exit_code);
+  add_quality_plot(*command, exit_code);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lost_loads.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "engine/box/one_grasp.hpp"
+#include "engine/degree/newton.hpp"
+
+namespace stickslip::extent_detail {
+
+using namespace box_detail;
+
+LostLoads::LostLoads(const GraspBox& centre, const GraspBox& box, NormalLaw law,
+                     const Rational& accuracy, const Rational& limit, NearEquilibrium at_centre)
+    : centre_(centre),
+      box_(box),
+      law_(law),
+      accuracy_(accuracy),
+      limit_(limit),
+      at_centre_(std::move(at_centre)),
+      last_(at_centre_) {}
+
+std::optional<LostLoads> LostLoads::of(const GraspBox& centre, const GraspBox& box,
+                                       NormalLaw law, const Rational& accuracy,
+                                       const Rational& limit) {
+  std::vector<NearEquilibrium> known = near_equilibria(GraspLaw(centre, law).middle(), true);
+  if (known.empty()) return std::nullopt;
+  return LostLoads(centre, box, law, accuracy, limit, std::move(known.front()));
+}
+
+bool LostLoads::contains(const Suspect& load) const {
+  for (const int beyond : {0, 4, 16}) {
+    if (has_equilibrium({load.place, load.factor * (1 + Rational(beyond, 1000))})) return false;
+  }
+  return true;
+}
+
+bool LostLoads::has_equilibrium(const Suspect& load) const {
+  const GraspBox box = box_.scaled(centre_, load.factor);
+  const GraspBox grasp = Examples(box, law_).at(load.place);
+  const RoundedGrasp rounded = rounded_middle(GraspLaw(grasp, law_).middle());
+  const Newton newton(rounded);
+  std::optional<NearEquilibrium> found = newton.follow(last_);
+  if (!found) found = newton.follow(at_centre_);
+  if (!found) {
+    constexpr std::size_t kStarts = 3;
+    std::vector<NearEquilibrium> all = newton.solve_from(kStarts);
+    if (!all.empty()) found = std::move(all.front());
+  }
+  if (found) last_ = std::move(*found);
+  return found.has_value();
+}
+
+std::optional<Suspect> LostLoads::first_along(const Place& place) const {
+  last_ = at_centre_;
+  constexpr int kDoublings = 12;
+  Suspect load{place, limit_ / (1 << kDoublings)};
+  while (load.factor < limit_ && !contains(load)) load.factor *= 2;
+  if (!(load.factor < limit_)) return std::nullopt;
+  return load;
+}
+
+void LostLoads::draw_in(Suspect& load) const {
+  Rational low = 0;
+  Rational& high = load.factor;
+  for (Rational step = accuracy_ / 4; step < 1; step *= 4) {
+    const Rational nearer = short_middle(high * (1 - step), high * (1 - step / 2));
+    if (!contains({load.place, nearer})) {
+      low = nearer;
+      break;
+    }
+    high = nearer;
+  }
+  const Rational least = limit_ / (1 << 20);
+  while (high - low > accuracy_ / 8 * high && high > least) {
+    const Rational middle = short_middle(low, high);
+    (contains({load.place, middle}) ? high : low) = middle;
+  }
+}
+
+}  // namespace stickslip::extent_detail

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preload_boxes.hpp"
+
+#include <algorithm>
+
+#include "engine/box/one_grasp.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::extent_detail {
+
+using namespace box_detail;
+namespace {
+
+template <class Row>
+GraspBox preloaded(GraspBox grasp, const Row& preloads) {
+  require(preloads.size() == grasp.contacts.size(), "a preload for each contact");
+  for (std::size_t i = 0; i < preloads.size(); ++i) {
+    if constexpr (std::is_same_v<Row, PreloadBox>) {
+      grasp.contacts[i].preload = preloads[i];
+    } else {
+      grasp.contacts[i].preload = point_interval(preloads[i]);
+    }
+  }
+  return grasp;
+}
+
+template <class Function>
+RationalRow corner(const PreloadBox& box, Function number) {
+  RationalRow row;
+  for (const Interval& side : box) row.push_back(number(side));
+  return row;
+}
+
+}  // namespace
+
+RationalRow preloads_of(const GraspBox& grasp) {
+  RationalRow preloads;
+  for (const UncertainContact& c : grasp.contacts) preloads.push_back(c.preload.low);
+  return preloads;
+}
+
+GraspBox with_preloads(GraspBox grasp, const RationalRow& preloads) {
+  return preloaded(std::move(grasp), preloads);
+}
+
+GraspBox with_preloads(GraspBox grasp, const PreloadBox& preloads) {
+  return preloaded(std::move(grasp), preloads);
+}
+
+Rational sum_of(const RationalRow& row) {
+  Rational sum = 0;
+  for (const Rational& number : row) sum += number;
+  return sum;
+}
+
+RationalRow low_corner(const PreloadBox& box) {
+  return corner(box, [](const Interval& side) { return side.low; });
+}
+
+RationalRow high_corner(const PreloadBox& box) {
+  return corner(box, [](const Interval& side) { return side.high; });
+}
+
+RationalRow middle_of(const PreloadBox& box) {
+  return corner(box, [](const Interval& side) { return side.middle(); });
+}
+
+PreloadBox below_sum(PreloadBox box, const Rational& most) {
+  const Rational left = most - sum_of(low_corner(box));
+  require(left.sign() >= 0, "preloads of that sum");
+  for (Interval& side : box) side.high = std::min<Rational>(side.high, side.low + left);
+  return box;
+}
+
+std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box) {
+  const auto widest = std::max_element(
+      box.begin(), box.end(),
+      [](const Interval& a, const Interval& b) { return a.high - a.low < b.high - b.low; });
+  const auto side = static_cast<std::size_t>(widest - box.begin());
+  std::pair<PreloadBox, PreloadBox> parts{box, box};
+  parts.first[side].high = parts.second[side].low = widest->middle();
+  return parts;
+}
+
+Rational size_of(const WrenchBox& wrench) {
+  Rational most = 0;
+  for (const Interval& component : wrench) most = std::max<Rational>(most, abs(component.low));
+  return power_of_two_above(most);
+}
+
+bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options) {
+  if (point.is_one_planar_body()) return is_stable(point, law, options) == true;
+  const GraspLaw middle = GraspLaw(point, law).middle();
+  const auto found = near_equilibria(middle, needs_enclosure(point));
+  return std::any_of(found.begin(), found.end(),
+                     [&](const NearEquilibrium& near) { return may_be_within(middle, near); });
+}
+
+SearchOptions of_many(SearchOptions options, const GraspBox& grasp) {
+  constexpr std::size_t kInSpace = 1000;
+  if (options.node_limit == 0 && !grasp.is_one_planar_body()) options.node_limit = kInSpace;
+  return options;
+}
+
+bool may_refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
+                const SearchOptions& options) {
+  for (const RationalRow& preloads : {middle_of(box), high_corner(box), low_corner(box)}) {
+    if (seems_held(with_preloads(load, preloads), law, options)) return false;
+  }
+  return true;
+}
+
+std::optional<ProvedPreloads> refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
+                                     const SearchOptions& options) {
+  ProvedPreloads refused{with_preloads(load, box)};
+  BoxDecision decision = prove_box(refused.box, law, options, 0);
+  if (!std::holds_alternative<Unstable>(decision.verdict)) return std::nullopt;
+  refused.proof = std::move(decision);
+  return refused;
+}
+
+}  // namespace stickslip::extent_detail

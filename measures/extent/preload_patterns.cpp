@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preload_patterns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::extent_detail {
+
+using namespace box_detail;
+namespace {
+
+/// A side of a friction cone: what its contact exerts with a normal force of 1.
+struct ConeSide {
+  std::size_t contact;
+  std::array<Rational, 3> wrench;
+};
+
+[[noreturn]] void fail_balanced(const std::string& problem, const std::string& remedy) {
+  throw InputError("", "balanced", problem, remedy);
+}
+
+std::vector<ConeSide> cone_sides(const GraspBox& grasp) {
+  std::vector<ConeSide> sides;
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const UncertainContact& c = grasp.contacts[i];
+    const auto length = exact_sqrt(dot(c.normal, c.normal));
+    if (!length) {
+      fail_balanced("the normal of contact " + std::to_string(i) + " has an irrational length",
+                    "stickslip snap makes normals of rational length");
+    }
+    for (const int sign : {1, -1}) {
+      const Rational mu = sign * c.friction.low;
+      const Rational x = (c.normal[0] - mu * c.normal[1]) / *length;
+      const Rational y = (c.normal[1] + mu * c.normal[0]) / *length;
+      sides.push_back({i, {x, y, c.position[0].low * y - c.position[1].low * x}});
+      if (mu.is_zero()) break;
+    }
+  }
+  return sides;
+}
+
+/// Forces along the sides of cones, 0 or more.
+struct SideForces {
+  RationalRow forces;
+  std::uint64_t support;  ///< those that are not 0, a bit each
+};
+
+std::uint64_t support_of(const RationalRow& forces) {
+  std::uint64_t support = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (!forces[k].is_zero()) support |= std::uint64_t{1} << k;
+  }
+  return support;
+}
+
+/// The extreme ones among forces that balance: those of which no other has a smaller support.
+std::vector<SideForces> extreme(std::vector<SideForces> all) {
+  std::sort(all.begin(), all.end(),
+            [](const SideForces& a, const SideForces& b) { return a.support < b.support; });
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](const SideForces& a, const SideForces& b) {
+                          return a.support == b.support;
+                        }),
+            all.end());
+  std::vector<SideForces> result;
+  for (const SideForces& one : all) {
+    const bool is_minimal = std::none_of(all.begin(), all.end(), [&](const SideForces& other) {
+      return other.support != one.support && (other.support & ~one.support) == 0;
+    });
+    if (is_minimal) result.push_back(one);
+  }
+  return result;
+}
+
+/// One equation of balance after the other: of two forces on either side of it the sum on it.
+std::vector<SideForces> balanced_forces(const std::vector<ConeSide>& sides) {
+  std::vector<SideForces> found;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    RationalRow one(sides.size());
+    one[k] = 1;
+    found.push_back({std::move(one), std::uint64_t{1} << k});
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    std::vector<SideForces> next;
+    RationalRow off;
+    for (const SideForces& f : found) {
+      Rational sum = 0;
+      for (std::size_t k = 0; k < sides.size(); ++k) sum += f.forces[k] * sides[k].wrench[j];
+      if (sum.is_zero()) next.push_back(f);
+      off.push_back(std::move(sum));
+    }
+    for (std::size_t a = 0; a < found.size(); ++a) {
+      for (std::size_t b = 0; b < found.size(); ++b) {
+        if (off[a].sign() <= 0 || off[b].sign() >= 0) continue;
+        RationalRow sum(sides.size());
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+          sum[k] = off[a] * found[b].forces[k] - off[b] * found[a].forces[k];
+        }
+        const std::uint64_t support = support_of(sum);
+        next.push_back({std::move(sum), support});
+      }
+    }
+    found = extreme(std::move(next));
+  }
+  return found;
+}
+
+}  // namespace
+
+PreloadPatterns::PreloadPatterns(const GraspBox& grasp, bool balanced)
+    : are_contacts_(!balanced), contacts_(grasp.contacts.size()) {
+  if (!balanced) {
+    for (std::size_t i = 0; i < contacts_; ++i) {
+      patterns_.emplace_back(contacts_);
+      patterns_.back()[i] = 1;
+    }
+    return;
+  }
+  if (!grasp.is_one_planar_body()) {
+    fail_balanced("there are several bodies, or the grasp is in space",
+                  "preloads that balance are sought of one body in the plane");
+  }
+  constexpr std::size_t kMostContacts = 8;
+  if (contacts_ > kMostContacts) {
+    fail_balanced(
+        "there are " + std::to_string(contacts_) + " contacts",
+        "preloads that balance are sought of at most " + std::to_string(kMostContacts));
+  }
+  const std::vector<ConeSide> sides = cone_sides(grasp);
+  for (const SideForces& f : balanced_forces(sides)) {
+    RationalRow preloads(contacts_);
+    Rational sum = 0;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      preloads[sides[k].contact] += f.forces[k];
+      sum += f.forces[k];
+    }
+    for (Rational& preload : preloads) preload /= sum;
+    if (std::find(patterns_.begin(), patterns_.end(), preloads) == patterns_.end()) {
+      patterns_.push_back(std::move(preloads));
+    }
+  }
+}
+
+RationalRow PreloadPatterns::preloads(const RationalRow& weights) const {
+  require(weights.size() == size(), "a weight for each pattern");
+  if (are_contacts_) return weights;
+  RationalRow sum(contacts_);
+  for (std::size_t k = 0; k < size(); ++k) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[k] * patterns_[k][i];
+  }
+  return sum;
+}
+
+}  // namespace stickslip::extent_detail

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/measures/quality.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/box/one_grasp.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+/// The largest force of the load and of preloads, rounded up to a power of two; 1 if all are 0.
+Rational typical_force(const GraspBox& grasp) {
+  Rational most = 0;
+  const auto consider = [&](const Interval& force) {
+    most = std::max<Rational>(most, abs(force.low));
+  };
+  for (const Interval& component : grasp.wrench) consider(component);
+  for (const UncertainContact& c : grasp.contacts) consider(c.preload);
+  for (const Spring& spring : grasp.springs) consider(spring.force);
+  return box_detail::power_of_two_above(most);
+}
+
+bool is_without_forces(const GraspBox& grasp) {
+  const auto is_zero = [](const Interval& force) { return force == Interval{}; };
+  return std::all_of(grasp.wrench.begin(), grasp.wrench.end(), is_zero) &&
+         std::all_of(grasp.contacts.begin(), grasp.contacts.end(),
+                     [&](const UncertainContact& c) { return is_zero(c.preload); }) &&
+         std::all_of(grasp.springs.begin(), grasp.springs.end(),
+                     [&](const Spring& spring) { return is_zero(spring.force); });
+}
+
+}  // namespace
+
+Quality find_quality(const GraspBox& grasp, NormalLaw law, LoadBall shape,
+                     const QualityOptions& options,
+                     const std::function<void(const Quality&)>& progress) {
+  require(grasp.is_point(), "the quality of one grasp");
+  Quality quality;
+  quality.scales = !grasp.is_bounded() && is_without_forces(grasp);
+  shape.radius = typical_force(grasp);
+  RadiusOptions of_radius = options.radius;
+  of_radius.only_stable = true;
+  if (quality.scales) of_radius.most = 1;
+  if (options.at_most) of_radius.most = *options.at_most / shape.radius;
+  quality.ball = grasp;
+  quality.ball.ball = shape;
+  quality.ball.check();
+  const auto take = [&](const Radius& found) {
+    quality.stable = found.stable;
+    quality.limit = found.limit * shape.radius;
+    if (found.stable != true) return;
+    quality.proved = found.proved * shape.radius;
+    if (found.refuted) quality.refuted = *found.refuted * shape.radius;
+  };
+  quality.radii = find_radius(grasp, quality.ball, law, of_radius, [&](const Radius& so_far) {
+    take(so_far);
+    if (progress) progress(quality);
+  });
+  take(quality.radii);
+  return quality;
+}
+
+}  // namespace stickslip

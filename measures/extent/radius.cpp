@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/measures/radius.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/box/examples.hpp"
+#include "engine/box/one_grasp.hpp"
+#include "lost_loads.hpp"
+#include "suspects.hpp"
+
+namespace stickslip {
+
+using namespace box_detail;
+using namespace extent_detail;
+
+namespace {
+
+/// The largest factor that leaves the box valid, or `most`.
+Rational valid_limit(const GraspBox& centre, const GraspBox& box, const Rational& most) {
+  Rational limit = most;
+  // Where an end must stay above 0, and not reach it.
+  const Rational inside(1023, 1024);
+  const auto keep = [&](const Rational& at, const Rational& low, bool may_reach) {
+    if (low >= at) return;
+    const Rational factor = at / (at - low);
+    limit = std::min(limit, may_reach ? factor : Rational(factor * inside));
+  };
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    const UncertainContact& c = box.contacts[i];
+    const UncertainContact& at = centre.contacts[i];
+    keep(at.friction.low, c.friction.low, true);
+    keep(at.preload.low, c.preload.low, true);
+    keep(at.stiffness.low, c.stiffness.low, false);
+    if (!c.slope.is_zero()) limit = std::min(limit, Rational(inside / c.slope));
+  }
+  for (std::size_t i = 0; i < box.springs.size(); ++i) {
+    const Spring& spring = box.springs[i];
+    const Spring& at = centre.springs[i];
+    keep(at.stiffness.low, spring.stiffness.low, !spring.is_ratchet());
+    if (spring.is_ratchet()) keep(at.force.low, spring.force.low, true);
+  }
+  return limit;
+}
+
+/// Longer numbers are longer than all that doubles spell.
+constexpr std::size_t kLongBits = 4096;
+
+bool is_long(const Rational& x) {
+  return !x.is_zero() && std::max(msb(abs(numerator(x))), msb(denominator(x))) > kLongBits;
+}
+
+/// The double nearest to a long number, unless that is 0 or beyond them; all others as they
+/// are.
+Rational shortened(const Rational& x) {
+  if (!is_long(x)) return x;
+  const double near = to_double(x);
+  return std::isfinite(near) && near != 0 ? rational_from_double(near) : x;
+}
+
+/// Each number so, which keeps their order; nothing if that changes none.
+std::optional<GraspBox> shortened(GraspBox box) {
+  bool is_changed = false;
+  const auto shorten = [&](Rational& x) {
+    Rational near = shortened(x);
+    is_changed = is_changed || near != x;
+    x = std::move(near);
+  };
+  for_each_number(box, [&](Interval& x) {
+    shorten(x.low);
+    shorten(x.high);
+  });
+  for (UncertainContact& c : box.contacts) {
+    for (Rational& x : c.normal) shorten(x);
+    shorten(c.slope);
+  }
+  return is_changed ? std::optional(std::move(box)) : std::nullopt;
+}
+
+class RadiusSearch {
+ public:
+  RadiusSearch(const GraspBox& centre, const GraspBox& box, NormalLaw law,
+               const RadiusOptions& options, const std::function<void(const Radius&)>& progress)
+      : centre_(centre), box_(box), law_(law), options_(options), progress_(progress) {}
+
+  Radius run() {
+    result_.limit = valid_limit(centre_, box_, options_.most);
+    result_.stable = is_stable(centre_, law_, options_.box);
+    if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
+    refute();
+    prove(0);
+    // In space a proof of the whole takes all nodes that there are.
+    if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
+    return result_;
+  }
+
+  /// The same, of what another search found for numbers near these: a few proofs in place of
+  /// many.
+  Radius confirm(const RadiusSearch& near) {
+    result_.limit = valid_limit(centre_, box_, options_.most);
+    result_.stable = is_stable(centre_, law_, options_.box);
+    if (!result_.stable || result_.stable != near.result_.stable) return result_;
+    const Rational step = options_.accuracy / 8;
+    const Radius& found = near.result_;
+    if (found.refuted) {
+      for (const int steps : {0, 1, 4, 16}) {
+        const Rational factor = *found.refuted * (1 + steps * step);
+        if (factor <= result_.limit && differs(near.example_place_, factor)) break;
+      }
+    }
+    if (found.proved.is_zero()) return result_;
+    for (const Rational& part : {Rational(1), 1 - 4 * step, Rational(3, 4), Rational(1, 2)}) {
+      const Rational factor = found.proved * part;
+      const bool may_hold = factor < bound() || (!result_.refuted && factor == bound());
+      if (may_hold && (try_to_prove(factor, 0) || try_to_prove(factor, kMostParts))) break;
+    }
+    return result_;
+  }
+
+ private:
+  static constexpr std::size_t kMostParts = 16;
+
+  /// Whether the grasp at a place of the box of this factor has the other verdict; if so, it is
+  /// remembered when the factor is smaller than what was known.
+  bool differs(const Place& place, const Rational& factor) {
+    const GraspBox box = box_.scaled(centre_, factor);
+    GraspBox grasp = Examples(box, law_).at(place);
+    const std::optional<bool> stable = is_stable(grasp, law_, seeking());
+    if (!stable || stable == result_.stable) return false;
+    if (!result_.refuted || factor < *result_.refuted) {
+      result_.refuted = factor;
+      result_.example = std::move(grasp);
+      example_place_ = place;
+      report();
+    }
+    return true;
+  }
+
+  /// Suspects near the centre, and then those at the edge of the box that these give.
+  void refute() {
+    if (*result_.stable) follow();
+    if (box_.ball) {
+      if (*result_.stable) refute_ball();
+      return;
+    }
+    if (result_.refuted) return;
+    suspect(std::min(Rational(1, 8), result_.limit));
+    if (result_.refuted) {
+      suspect(*result_.refuted);
+    } else {
+      suspect(std::min(Rational(1), result_.limit));
+    }
+    try_all_corners();
+  }
+
+  /// To where an equilibrium of the centre is lost.
+  void follow() {
+    const std::vector<NearEquilibrium> here =
+        near_equilibria(GraspLaw(centre_, law_).middle(), needs_enclosure(centre_));
+    if (here.empty()) return;
+    Rational size(1, 16);
+    for (;;) {
+      size = std::min(Rational(4 * size), bound());
+      const GraspBox box = box_.scaled(centre_, size);
+      const auto lost = Examples(box, law_).without(here.front());
+      std::size_t tried = 0;
+      for (const auto& [place, part] : lost) {
+        constexpr std::size_t kMostTried = 4;
+        if (tried++ == kMostTried) break;
+        const Rational near = size * rational_from_double(std::min(1.0, part + 1.0 / 64));
+        if (near < bound() && differs(place, near)) close_in(place, 0, near);
+      }
+      if (size == bound() || !lost.empty()) return;
+    }
+  }
+
+  /// Of few numbers.
+  void try_all_corners() {
+    const std::size_t numbers = Examples(box_, law_).middle().size();
+    constexpr std::size_t kFew = 6;
+    if (numbers > kFew) return;
+    for (std::size_t corner = 0; corner < std::size_t{1} << numbers; ++corner) {
+      Place place;
+      for (std::size_t n = 0; n < numbers; ++n)
+        place.push_back((corner >> n & 1) == 0 ? -1 : 1);
+      const Rational near = bound() * (1 - options_.accuracy / 4);
+      if (differs(place, near)) close_in(place, 0, near);
+    }
+  }
+
+  /// To where this corner begins to differ, which it does at `high`.
+  void close_in(const Place& place, Rational low, Rational high) {
+    // At a centre on a threshold every factor has a counterexample.
+    const Rational kLeast(1, 1 << 20);
+    while (high - low > options_.accuracy / 8 * high && high > kLeast) {
+      const Rational middle = short_middle(low, high);
+      (differs(place, middle) ? high : low) = middle;
+    }
+  }
+
+  /// Seeks a load of a ball that is too much, as near as may be: along axes and between them;
+  /// then it turns to where the border is nearer.
+  void refute_ball() {
+    if (!box_.is_one_planar_body() && seek_in_doubles()) return;
+    const std::vector<Place> starts = Examples(box_, law_).ball_directions();
+    Rational farthest = bound();
+    constexpr int kMostSizes = 6;
+    for (int size = 0; size < kMostSizes; ++size) {
+      for (const Place& place : starts) {
+        const Rational near = std::min(farthest, bound()) * (1 - options_.accuracy / 4);
+        if (differs(place, near)) close_in(place, 0, near);
+      }
+      if (result_.refuted) break;
+      farthest /= 4;
+    }
+    turn_to_normals();
+    if (turn_nearby()) turn_to_normals();
+  }
+
+  /// Where a decision takes long: doubles say which load is worth one. False if they know of no
+  /// equilibrium of the centre.
+  bool seek_in_doubles() {
+    const auto lost = LostLoads::of(centre_, box_, law_, options_.accuracy, result_.limit);
+    if (!lost) return false;
+    std::vector<Suspect> suspects;
+    for (const Place& place : Examples(box_, law_).ball_directions()) {
+      if (auto found = lost->first_along(place)) suspects.push_back(std::move(*found));
+    }
+    std::stable_sort(suspects.begin(), suspects.end(),
+                     [](const Suspect& a, const Suspect& b) { return a.factor < b.factor; });
+    constexpr std::size_t kMostTried = 16;
+    constexpr std::size_t kMostDescents = 3;
+    std::size_t tried = 0;
+    std::size_t descents = 0;
+    for (Suspect& suspect : suspects) {
+      if (tried++ == kMostTried || descents == kMostDescents) break;
+      if (result_.refuted && suspect.factor > 2 * bound()) break;
+      lost->draw_in(suspect);
+      if (!confirm(suspect, 2 * bound())) continue;
+      ++descents;
+      descend(*lost, suspect);
+    }
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds && result_.refuted; ++round) {
+      const Rational before = *result_.refuted;
+      for (const Place& place : along_normals()) {
+        Suspect suspect{place, bound() * (1 - options_.accuracy / 4)};
+        if (!lost->contains(suspect)) continue;
+        lost->draw_in(suspect);
+        if (confirm(suspect, bound())) descend(*lost, suspect);
+      }
+      if (*result_.refuted == before) break;
+    }
+    return true;
+  }
+
+  /// Turns it by smaller and smaller steps to where it is nearer; what is not confirmed is
+  /// forgotten.
+  void descend(const LostLoads& lost, Suspect suspect) {
+    for (int steps = 2; steps <= 64; steps *= 2) {
+      const Suspect before = suspect;
+      constexpr int kMostRounds = 12;
+      bool found = true;
+      for (int round = 0; found && round < kMostRounds; ++round) {
+        found = false;
+        for (const Place& place :
+             Examples(box_, law_).turned(suspect.place, Rational(1, steps))) {
+          Suspect nearer{place, suspect.factor * (1 - options_.accuracy / 4)};
+          if (!lost.contains(nearer)) continue;
+          lost.draw_in(nearer);
+          suspect = std::move(nearer);
+          found = true;
+        }
+      }
+      const bool is_turned = suspect.place != before.place;
+      if (is_turned && suspect.factor < bound() && !confirm(suspect, bound())) suspect = before;
+    }
+  }
+
+  /// Whether it, or another a little beyond it, is decided to be too much.
+  bool confirm(const Suspect& suspect, const Rational& most) {
+    for (const Rational& beyond : {Rational(0), Rational(1, 4), Rational(2)}) {
+      const Rational factor = suspect.factor * (1 + beyond * options_.accuracy);
+      if (!(factor < most)) return false;
+      if (differs(suspect.place, factor)) return true;
+    }
+    return false;
+  }
+
+  /// What a decision of one grasp may take.
+  SearchOptions seeking() const {
+    SearchOptions options = options_.box;
+    constexpr std::size_t kNodes = 2000;
+    const bool takes_long = box_.ball && !box_.is_one_planar_body();
+    if (takes_long && options.node_limit == 0) options.node_limit = kNodes;
+    return options;
+  }
+
+  /// Whether some way near that of the nearest load that is too much leads to one that is
+  /// nearer.
+  bool turn_nearby() {
+    bool is_nearer = false;
+    for (int steps = 2; result_.example && steps <= 32; steps *= 2) {
+      constexpr int kMostRounds = 6;
+      bool found = true;
+      for (int round = 0; found && round < kMostRounds; ++round) {
+        found = false;
+        for (const Place& place :
+             Examples(box_, law_).turned(example_place_, Rational(1, steps))) {
+          const Rational near = bound() * (1 - options_.accuracy / 4);
+          if (!differs(place, near)) continue;
+          close_in(place, 0, near);
+          found = is_nearer = true;
+          break;
+        }
+      }
+    }
+    return is_nearer;
+  }
+
+  /// Of a ball of loads: along the normals of the border at the nearest load that is known to
+  /// be too much, which are the virtual twists that refute it.
+  void turn_to_normals() {
+    constexpr int kMostRounds = 12;
+    for (int round = 0; round < kMostRounds && result_.example; ++round) {
+      const Rational before = *result_.refuted;
+      for (const Place& place : along_normals()) {
+        const Rational near = bound() * (1 - options_.accuracy / 4);
+        if (differs(place, near)) close_in(place, 0, near);
+      }
+      if (*result_.refuted == before) return;
+    }
+  }
+
+  /// Those first along which the border is nearest, if it is flat.
+  std::vector<Place> along_normals() const {
+    const Verdict verdict = decide_box(*result_.example, law_, seeking()).verdict;
+    const auto* unstable = std::get_if<Unstable>(&verdict);
+    if (unstable == nullptr) return {};
+    const BallPart ball = BallPart::all_of(box_);
+    std::vector<std::pair<double, Row>> ways;
+    for (const TreeNode& node : unstable->tree) {
+      const auto* leaf = std::get_if<TwistLeaf>(&node);
+      if (leaf == nullptr || is_zero(leaf->twist)) continue;
+      Row way = negated(leaf->twist);
+      Rational work = 0;
+      for (std::size_t j = 0; j < way.size(); ++j) {
+        work += Rational(way[j]) * (result_.example->wrench[j].low - box_.wrench[j].low);
+      }
+      const Rational most = ball.most_work(way);
+      if (most.sign() > 0 && work.sign() > 0) {
+        ways.emplace_back(to_double(work / most), std::move(way));
+      }
+    }
+    std::sort(ways.begin(), ways.end());
+    ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+    constexpr std::size_t kMostTried = 8;
+    if (ways.size() > kMostTried) ways.resize(kMostTried);
+    std::vector<Place> places;
+    const Examples examples(box_, law_);
+    for (const auto& [near, way] : ways) {
+      const Place along = examples.loaded_along({way.begin(), way.end()}, example_place_);
+      places.push_back(along);
+      if (box_.is_one_planar_body()) continue;
+      places.push_back(examples.between_loads(example_place_, along));
+    }
+    return places;
+  }
+
+  void suspect(const Rational& size) {
+    const GraspBox box = box_.scaled(centre_, size);
+    for (const Place& place : extent_detail::suspects(Examples(box, law_), *result_.stable)) {
+      // Outwards to the first box where this corner differs, and then inwards to its edge.
+      Rational low = 0;
+      Rational high = std::min(size, bound());
+      bool found = differs(place, high);
+      while (!found && high < bound()) {
+        low = high;
+        high = std::min(Rational(2 * high), bound());
+        found = differs(place, high);
+      }
+      if (found) close_in(place, low, high);
+    }
+  }
+
+  /// No factor from here on is of interest.
+  Rational bound() const { return result_.refuted ? *result_.refuted : result_.limit; }
+
+  bool try_to_prove(const Rational& factor, std::size_t parts) {
+    BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
+    if (is_stable(decision.verdict) != result_.stable) return false;
+    result_.proved = factor;
+    result_.proof = std::move(decision);
+    report();
+    return true;
+  }
+
+  /// From near the bound downwards, and then by bisection between the largest that is proved
+  /// and the bound. Boxes without a proof may be part of larger ones that have one: it may miss
+  /// some, and what it finds is proved.
+  void prove(std::size_t parts) {
+    Rational high = bound();
+    if (!result_.refuted) {
+      if (result_.proved == high || try_to_prove(high, parts)) return;
+    } else {
+      const Rational near = high * (1 - options_.accuracy / 2);
+      if (result_.proved.is_zero() && try_to_prove(short_middle(near, high), parts)) return;
+      // A smaller box may have no proof where a larger one has. While much is open that is
+      // worth the tries.
+      const bool is_much_open = 3 * result_.proved < 2 * bound();
+      Rational least_failed = high;
+      for (const int percent : {95, 90, 80, 65}) {
+        const Rational below = bound() * Rational(percent, 100);
+        if (!is_much_open || below <= result_.proved) break;
+        const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
+        if (try_to_prove(factor, parts)) {
+          if (!box_.is_one_planar_body()) high = least_failed;
+          break;
+        }
+        least_failed = factor;
+      }
+    }
+    constexpr int kMostSteps = 10;
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (high - result_.proved <= options_.accuracy * high) return;
+      const Rational middle = short_middle(result_.proved, high);
+      if (!try_to_prove(middle, parts)) high = middle;
+    }
+  }
+
+  void report() const {
+    if (progress_) progress_(result_);
+  }
+
+  const GraspBox& centre_;
+  const GraspBox& box_;
+  NormalLaw law_;
+  const RadiusOptions& options_;
+  const std::function<void(const Radius&)>& progress_;
+  Radius result_;
+  Place example_place_;  ///< of result_.example
+};
+
+}  // namespace
+
+Radius find_radius(const GraspBox& centre, const GraspBox& box, NormalLaw law,
+                   const RadiusOptions& options,
+                   const std::function<void(const Radius&)>& progress) {
+  RadiusSearch search(centre, box, law, options, progress);
+  const std::optional<GraspBox> near_box = shortened(box);
+  if (!near_box) return search.run();
+  const GraspBox near_centre = shortened(centre).value_or(centre);
+  const std::function<void(const Radius&)> nothing_yet;
+  RadiusSearch near(near_centre, *near_box, law, options, nothing_yet);
+  near.run();
+  return search.confirm(near);
+}
+
+}  // namespace stickslip

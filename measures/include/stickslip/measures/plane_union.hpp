@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The union of convex cells in a plane, exactly: the regularised part as areas with their
+/// borders, and what is thinner. As a set of points the union is closed, and is described in
+/// one way only, whatever cells it came from.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stickslip/measures/plane_cell.hpp"
+
+namespace stickslip {
+
+/// A connected piece of an area's border with the area to its left and no vertex between two
+/// edges of one direction. Closed: vertices in cyclic order from the least one;
+/// counterclockwise around the outside, clockwise around a hole. A border through a point where
+/// an area touches itself has that vertex twice. Open: from infinity (in direction `from`, seen
+/// from the first vertex) through the vertices to infinity (in direction `to`); a whole line
+/// has as its vertex the point nearest to the origin.
+struct Outline {
+  std::vector<PlanePoint> vertices;  ///< at least one
+  /// \{ The directions of an open outline's ends; nothing for a closed one.
+  std::optional<PlaneDirection> from;
+  std::optional<PlaneDirection> to;
+  /// \}
+
+  bool is_closed() const { return !from; }  ///< as against open
+  /// In order.
+  std::vector<PlaneEdge> edges() const;
+
+  /// The same border.
+  friend bool operator==(const Outline& a, const Outline& b) {
+    return a.vertices == b.vertices && a.from == b.from && a.to == b.to;
+  }
+};
+
+/// A connected open set and its border. Areas that share no more than points are two. Outlines:
+/// the outside, if the area is bounded; then the open ones; then the holes. Without any outline
+/// it is the whole plane.
+struct PlaneArea {
+  std::vector<Outline> outlines;  ///< in the order stated above
+
+  /// The same set of points.
+  friend bool operator==(const PlaneArea& a, const PlaneArea& b) {
+    return a.outlines == b.outlines;
+  }
+};
+
+/// A closed set of points in a plane.
+struct PlaneUnion {
+  std::vector<PlaneArea> areas;  ///< the interior, in its connected parts
+  /// Segments, rays and lines outside of the areas (of their closure), each as long as
+  /// possible; two may cross.
+  std::vector<PlaneCell> curves;
+  std::vector<PlanePoint> points;  ///< outside of all the above
+
+  /// No point is in it.
+  bool is_empty() const { return areas.empty() && curves.empty() && points.empty(); }
+  /// Every point is in it.
+  bool is_whole_plane() const { return areas.size() == 1 && areas.front().outlines.empty(); }
+  /// O(edges) exact operations.
+  bool contains(const PlanePoint& point) const;
+
+  /// The same set of points.
+  friend bool operator==(const PlaneUnion& a, const PlaneUnion& b) {
+    return a.areas == b.areas && a.curves == b.curves && a.points == b.points;
+  }
+};
+
+/// Exact, and independent of the order of the cells. With n edges of cells and k vertices of
+/// their overlay, O((n + k) log n) exact predicates (Bentley and Ottmann 1979, in CGAL's
+/// Arrangement_2).
+PlaneUnion unite(const std::vector<PlaneCell>& cells);
+
+/// The part in [low_x, high_x] x [low_y, high_y], for drawing: of areas the interior.
+PlaneUnion clip_to_box(const PlaneUnion& region, const PlanePoint& low, const PlanePoint& high);
+
+}  // namespace stickslip

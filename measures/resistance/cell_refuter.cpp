@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_refuter.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "engine/planar/region_program.hpp"
+#include "engine/search/law_forces.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::resistance_detail {
+namespace {
+
+LoadHull hull_of(const LoadCell& cell, const WrenchPlane& plane) {
+  LoadHull hull;
+  for (const HomogeneousPoint& g : cell.closure().generators) {
+    const bool at_infinity = is_at_infinity(g);
+    const Rational scale = at_infinity ? Rational(1) : Rational(1) / Rational(g[2]);
+    const Wrench w = scale * (Rational(g[0]) * plane.u() + Rational(g[1]) * plane.v()) +
+                     (at_infinity ? Wrench{} : plane.origin());
+    LoadGenerator load{{w.x, w.y, w.torque}, {}};
+    for (const LoadFunction& f : cell.strict()) {
+      load.strict.push_back(scale * Rational(dot(f, g)));
+    }
+    (at_infinity ? hull.directions : hull.corners).push_back(std::move(load));
+  }
+  return hull;
+}
+
+/// Of the points of a region with all loads of a hull.
+std::vector<LoadedGenerator> loaded_generators(const MotionRegion& region,
+                                               const LoadHull& hull) {
+  std::vector<LoadedGenerator> result;
+  const auto add = [&](const Row& x, const LoadGenerator& load, const Rational& times) {
+    LoadedGenerator& g = result.emplace_back();
+    for (std::size_t j = 0; j < x.size(); ++j) g.x[j] = Rational(x[j]);
+    for (std::size_t j = 0; j < 3; ++j) g.load[j] = times * load.load[j];
+    for (const Rational& value : load.strict) g.positive.push_back(times * value);
+    g.positive.push_back(g.x[3]);
+  };
+  for (const Row& x : region.points()) {
+    for (const LoadGenerator& corner : hull.corners) {
+      add(x, corner, Rational(x[3]));
+      if (x[3].is_zero()) break;
+    }
+  }
+  for (const LoadGenerator& direction : hull.directions) add(Row(5), direction, 1);
+  return result;
+}
+
+}  // namespace
+
+CellRefuter::CellRefuter(const Problem& problem, const WrenchPlane& plane,
+                         const RegionProofOptions& options, RegionProofWork& work)
+    : problem_(problem),
+      plane_(plane),
+      options_(options),
+      work_(work),
+      law_(planar_law(problem.with_wrench({}))),
+      root_(MotionRegion::root(law_)) {}
+
+/// By the exact program.
+TreeNode CellRefuter::decide(const MotionRegion& region) {
+  ++work_.programs;
+  std::vector<std::optional<Sign>> slips;
+  for (std::size_t i = 0; i < problem_.size(); ++i) slips.push_back(region.slip_sign(i));
+  const auto outcome =
+      solve_loaded_region(problem_, slips, loaded_generators(region, *law_.hull));
+  if (const auto* leaf = std::get_if<TwistLeaf>(&outcome)) return *leaf;
+  const auto& point = std::get<RelaxedPoint>(outcome);
+  require(point.broken.has_value(), "a load outside of all pieces is resisted");
+  return std::visit([](const auto& split) { return TreeNode(split); }, *point.broken);
+}
+
+bool CellRefuter::refute(const LoadCell& cell, std::vector<RegionNode>& tree) {
+  law_.hull = hull_of(cell, plane_);
+  law_.complete_loads();
+  SearchWork work;
+  const std::size_t limit = options_.node_limit != 0 ? options_.node_limit - work_.nodes
+                                                     : std::numeric_limits<std::size_t>::max();
+  LawSearch search(law_, nullptr, limit, work);
+  search.on_doubt([&](const MotionRegion& region) { return decide(region); });
+  Trees found;
+  const bool refuted = search.refute(root_, found);
+  work_.nodes += work.nodes;
+  if (options_.progress) options_.progress(work_);
+  if (refuted) tree.insert(tree.end(), found.begin(), found.end());
+  return refuted;
+}
+
+}  // namespace stickslip::resistance_detail

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Trees that refute all loads of a cell at once (region_proof.hpp).
+#pragma once
+
+#include <vector>
+
+#include "load_cell.hpp"
+#include "stickslip/engine/law.hpp"
+#include "stickslip/engine/motion_region.hpp"
+#include "stickslip/measures/region_proof.hpp"
+
+namespace stickslip::resistance_detail {
+
+/// One search after another, with a common limit.
+class CellRefuter {
+ public:
+  /// All must outlive this.
+  CellRefuter(const Problem& problem, const WrenchPlane& plane,
+              const RegionProofOptions& options, RegionProofWork& work);
+
+  /// Appends a tree about a cell none of whose loads is resisted; nothing and false at the
+  /// limit.
+  bool refute(const LoadCell& cell, std::vector<RegionNode>& tree);
+
+ private:
+  TreeNode decide(const MotionRegion& region);
+
+  const Problem& problem_;
+  const WrenchPlane& plane_;
+  const RegionProofOptions& options_;
+  RegionProofWork& work_;
+  Law law_;  ///< whose loads are those of one cell after another
+  MotionRegion root_;
+};
+
+}  // namespace stickslip::resistance_detail

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an equilibrium is lost, on a grasp that says so in closed form.
+#include "engine/degree/moving_equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/degree/prove_stable.hpp"
+#include "stickslip/engine/grasp_law.hpp"
+
+namespace stickslip {
+namespace {
+
+/// At the left and the right of a body, with friction of 2/5 to 3/5.
+GraspBox two_pads(const Interval& preload, WrenchBox load) {
+  GraspBox box;
+  for (const int side : {-1, 1}) {
+    UncertainContact c;
+    c.position = {point_interval(side), point_interval(0)};
+    c.normal = {-side, 0};
+    c.friction = {Rational(2, 5), Rational(3, 5)};
+    c.preload = preload;
+    box.contacts.push_back(c);
+  }
+  box.wrench = std::move(load);
+  return box;
+}
+
+// Two pads press from the left and the right, with 1, and carry a weight of 1/2: nothing moves,
+// and each of them has half of the load. They let go where 1/4 (1 + s) is all that there may
+// be, 1/2 (1 - s/5) (1 - s/10): at this part s of the way to less friction, less preload and
+// more load.
+TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
+  GraspBox box = two_pads({Rational(9, 10), Rational(11, 10)}, {{}, {-1, 0}, {}});
+  box.check();
+  const double expected = (0.8 - std::sqrt(0.6)) / 0.04;
+  for (const bool in_space : {false, true}) {
+    if (in_space) {
+      for (UncertainContact& c : box.contacts) {
+        c.position.push_back(point_interval(0));
+        c.normal.emplace_back(0);
+      }
+      box.wrench = {{}, {-1, 0}, {}, {}, {}, {}};
+    }
+    const GraspLaw law(box, NormalLaw::kUnilateral);
+    const RoundedBox rounded(law);
+    const std::vector<NearEquilibrium> found =
+        Newton(rounded.at(rounded.middle())).solve_from(3);
+    ASSERT_FALSE(found.empty());
+    const std::vector<LostWay> ways = MovingEquilibrium(rounded, found.front()).ways_out();
+    ASSERT_FALSE(ways.empty());
+    EXPECT_LE(ways.front().part, expected);
+    EXPECT_GE(ways.front().part, expected - 1.0 / 64);
+    // Of friction, that of the pad which lets go.
+    std::size_t undecided = 0;
+    for (std::size_t n = 0; n < rounded.numbers().size(); ++n) {
+      const double to = ways.front().to[static_cast<Eigen::Index>(n)];
+      const bool is_friction = rounded.numbers()[n].parameter == Parameter::kFriction;
+      undecided += is_friction && to == 0 ? 1 : 0;
+      EXPECT_TRUE(to == -1 || (is_friction && to == 0)) << n << ": " << to;
+    }
+    EXPECT_EQ(undecided, 1U);
+  }
+}
+
+// Two pads press with 1, and each carries half of the load by friction of at least 2/5: at rest
+// for all frictions up to 4/5. The load is a tenth less at its other end, where friction is
+// stated: at either end of the load, or of the multiples of a margin.
+TEST(AtRest, IsProvedUpToWhereTheLeastFrictionEnds) {
+  constexpr NormalLaw kLaw = NormalLaw::kUnilateral;
+  const Rational part(1, 10);
+  for (const auto& [load, is_proved] :
+       {std::pair{Rational(79, 100), true}, {Rational(81, 100), false}}) {
+    const auto pads = [](const Rational& least, const Rational& most) {
+      return two_pads(point_interval(1), {{}, {-most, -least}, {}});
+    };
+    const GraspLaw gentle(pads(load - part, load - part), kLaw);
+    const RoundedBox rounded(gentle);
+    const std::vector<NearEquilibrium> found =
+        Newton(rounded.at(rounded.middle())).solve_from(3);
+    ASSERT_FALSE(found.empty());
+    const auto margin = [&](const GraspBox& at_0, int growth, const MultipleRange& range) {
+      return GraspLaw(at_0, kLaw, kDefaultBits, GrowthRates{{0, growth, 0}, {}}).within(range);
+    };
+    for (const GraspLaw& law :
+         {GraspLaw(pads(load - part, load), kLaw), margin(pads(0, 0), -1, {load - part, load}),
+          margin(pads(load, load), 1, {0, part})}) {
+      EXPECT_EQ(prove_at_rest(law, found.front()).has_value(), is_proved) << load;
+    }
+    // Friction answers no torque where the pads may be anywhere.
+    for (const Rational& most : {Rational(load - part), Rational(load)}) {
+      GraspBox wide = pads(load - part, most);
+      for (UncertainContact& c : wide.contacts) c.position[0] = {-9, 9};
+      EXPECT_FALSE(prove_at_rest(GraspLaw(wide, kLaw), found.front()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -18,7 +18,7 @@ install(TARGETS stickslip stickslip-check)
 if(STICKSLIP_BUILD_PROVED)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/stickslip-proved TYPE BIN)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
+install(FILES ${PROJECT_SOURCE_DIR}/certificate/python/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/stickslip)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC RENAME copyright)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md

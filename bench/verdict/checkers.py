@@ -17,7 +17,7 @@ import tempfile
 from collections import defaultdict
 from statistics import median
 
-CHECK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "certificate", "check.py")
+CHECK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "certificate", "python", "check.py")
 
 
 def timed(words, runs):

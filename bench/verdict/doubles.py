@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-CHECK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "certificate", "check.py")
+CHECK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "certificate", "python", "check.py")
 LOADS = {
     ("round", "stable"): (0.3, 0.2, 0.0007), ("round", "unstable"): (3, 2, 1),
     ("arc", "stable"): (0.1, -1, 0.001), ("arc", "unstable"): (0.1, 1, 0.001),

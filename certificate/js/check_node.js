@@ -5,7 +5,7 @@
 'use strict';
 
 const fs = require('fs');
-const {check} = require('./web/check.js');
+const {check} = require('./check.js');
 
 const HELP = `check_node.js GRASP CERTIFICATE [options]
 

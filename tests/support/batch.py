@@ -26,7 +26,7 @@ import traceback
 PROVED = os.environ.get("STICKSLIP_PROVED")
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 NODE = os.environ.get("STICKSLIP_NODE")
-sys.path.insert(0, os.path.join(ROOT, "certificate"))
+sys.path.insert(0, os.path.join(ROOT, "certificate", "python"))
 
 import check  # noqa: E402
 

@@ -8,7 +8,7 @@ const vm = require('node:vm');
 const {test} = require('node:test');
 
 const ROOT = path.join(__dirname, '..', '..', '..');
-const SCRIPT = path.join(ROOT, 'page', 'web', 'check.js');
+const SCRIPT = path.join(ROOT, 'certificate', 'js', 'check.js');
 const {check, for_tests} = require(SCRIPT);
 const {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, Contact, pressures, plane_bound} = for_tests;
 

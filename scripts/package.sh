@@ -29,7 +29,7 @@ mv "$work"/deb/*.deb "$folder"
 
 if compgen -G "$build/python/stickslip/_core.*.so" >/dev/null; then
   # Of a copy, so that what pip writes beside the sources stays away from them.
-  cp -r "$root/python" "$work/python"
+  cp -r "$root/interfaces/python" "$work/python"
   python=$(sed -n 's/^_\?Python3_EXECUTABLE:[^=]*=//p' "$build/CMakeCache.txt" | head -n 1)
   export STICKSLIP_BUILD_DIR=$build
   step "Wheel of the Python module" wheel "$python" -m pip wheel --no-build-isolation --no-index --no-deps \

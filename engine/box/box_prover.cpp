@@ -175,8 +175,10 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   const bool may_be_far =
       box.max_motion.empty() && !box.far_motion.empty() && box.may_be_rounded();
   search_all(false, may_be_far);
+  const bool ended_by_limit = end_ == SearchEnd::kNodes;
   const bool is_lost = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
-                       end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
+                       end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist ||
+                       (ended_by_limit && limits_.is_default);
   if (!refuted && !holds && may_be_far && is_lost) {
     // All motions are searched together again where near ones take long as well.
     constexpr std::size_t kNearNodes = 400;
@@ -187,7 +189,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     near.on_candidate(take);
     refuted = refute_near_first(box, near);
     if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
-    if (!refuted && !holds && near.end() == SearchEnd::kNodes) search_all(false, false);
+    const bool is_near_lost = near.end() == SearchEnd::kNodes;
+    if (!refuted && !holds && is_near_lost && !ended_by_limit) search_all(false, false);
   }
   const bool in_doubt =
       end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist || end_ == SearchEnd::kDepth;

@@ -483,6 +483,10 @@ class PageAnswer {
 
   void map(Json& found) const {
     refuse_several(question_, "`stickslip map` finds it");
+    if (question_.is_bounded() && !question_.in_space()) {
+      throw NotToBeHad{"motions are bounded, and the page has this without a bound; "
+                       "`stickslip map` finds it"};
+    }
     const LoadedGrasp& one = one_grasp(centre());
     if (one.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
     const GraspBox grasp = box_of(one);

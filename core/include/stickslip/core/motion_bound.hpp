@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Bounds of motions: questions about equilibria of the size of the problem alone
-/// (certificate/FORMAT.md, section 1, *max motion*).
+/// Bounds of motions, for questions about equilibria whose motions are of the size of the
+/// problem alone (certificate/FORMAT.md, section 1, *max motion*).
 #pragma once
 
 #include <optional>
@@ -13,15 +13,17 @@
 
 namespace stickslip {
 
-/// A bound of motions as somebody asks for it.
+/// A bound of motions in the form in which somebody asks for it.
 struct MotionBound {
-  /// One for each coordinate of motions; or two, a length and an angle; empty: no bound.
+  /// A number for each coordinate of motions; or two, a length and an angle; or none for no
+  /// bound.
   RationalRow numbers{};
-  /// In place of numbers: this many times the natural motion of the grasp.
+  /// The factor of the natural motion of the grasp, instead of numbers.
   std::optional<Rational> factor{};
 };
 
-/// The factor at which motions are far larger than any that forces of the load's size explain.
+/// The factor of the natural motion above which motions are far larger than any that forces of
+/// the load's size explain.
 inline constexpr int kFarMotion = 1000;
 
 /// Reads "0.01,0.02", "1000x" or "none". Throws InputError with the place "max_motion".

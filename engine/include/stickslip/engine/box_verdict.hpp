@@ -20,7 +20,9 @@ namespace stickslip {
 
 /// The answer about a box of grasps, and the work to find it.
 struct BoxDecision {
-  Verdict verdict;               ///< the verdict; about exact motions only in space
+  /// The verdict. Only in space or about several bodies it may state an exact equilibrium, a
+  /// ShareWitness.
+  Verdict verdict;
   SearchWork work{};             ///< the work to find it
   unsigned bits = kDefaultBits;  ///< the bits of the proof's enclosures
   /// A proof that none of the grasps is stable within natural_bound(box, kFarMotion). There is

@@ -9,12 +9,13 @@
 namespace stickslip {
 namespace {
 
-/// A vector of the plane as one in space.
+/// Returns a vector of the plane, or of space, as one in space.
 Vector3 in_three(const RationalRow& a) {
   return {a[0], a[1], a.size() == 3 ? a[2] : Rational(0)};
 }
 
-/// Of the body that is pressed beside the other, in space, from the motion of one or a state.
+/// Returns, in space, the twist of the body that is pressed beside the other one. `d` is the
+/// motion of the one body, or a state.
 RationalRow relative_twist(const GraspBox& grasp, const UncertainContact& c,
                            const RationalRow& d) {
   if (!grasp.mechanism) return d;

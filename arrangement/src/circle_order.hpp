@@ -35,7 +35,7 @@ namespace stickslip::arrangement_detail {
 /// of its own, in which everything is allocated once.
 class CircleOrder {
  public:
-  /// Requires at least two circles, at most kMaxCircles.
+  /// Makes an order. Requires at least two circles, at most kMaxCircles.
   explicit CircleOrder(const FilteredNormals& normals);
 
   static constexpr std::size_t kMaxCircles = std::size_t{1} << 20;
@@ -51,7 +51,7 @@ class CircleOrder {
   /// Iterates over the other circles through point q < h.
   const std::uint32_t* begin(std::size_t q) const { return order_.data() + point_begin_[q]; }
   const std::uint32_t* end(std::size_t q) const { return order_.data() + point_begin_[q + 1]; }
-  /// How many circles pass through point q, this one included.
+  /// Returns how many circles pass through point q, this one included.
   std::size_t multiplicity(std::size_t q) const {
     return point_begin_[q + 1] - point_begin_[q] + 1;
   }

@@ -42,7 +42,7 @@ class FilteredNormals {
 
   std::size_t size() const { return exact_.size(); }
 
-  /// The normals in doubles, by coordinate and then by circle.
+  /// Returns the normals in doubles, by coordinate and then by circle.
   const std::array<std::vector<double>, 3>& approximate() const { return approximate_; }
 
   const IntegerVector3& exact(std::size_t i) const { return exact_[i]; }

@@ -79,7 +79,8 @@ Vector2 nearby_unit(const Target<Vector2>& target) {
   Fraction low{0, 1};
   Fraction high{1, 1};
   const auto accepted = [&](const Fraction& t) { return target.accepts(t.on_circle()); };
-  // Whether t lies below the parameter of the direction (never equal: that is irrational).
+  // `below(t)` says whether t lies below the parameter of the direction (never equal: that is
+  // irrational).
   const auto below = [&](const Fraction& t) {
     return determinant(t.on_circle(), target.direction()).sign() > 0;
   };

@@ -71,7 +71,7 @@ std::vector<SpatialForce> forces_of(
     const std::size_t i = contact.index();
     const Rational most = grasp.contacts[i].friction.low * forces[i].normal;
     const RationalRow& n = grasp.contacts[i].normal;
-    // In the plane a share is of the normal turned by +90 degrees.
+    // A share in the plane is a multiple of the normal turned by +90 degrees.
     const Vector3 along = share.size() == 1 ? Vector3{-share[0] * n[1], share[0] * n[0], 0}
                                             : Vector3{share[0], share[1], share[2]};
     if (share.size() == 4) forces[i].moment = most * share[3];

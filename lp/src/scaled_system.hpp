@@ -31,8 +31,9 @@ class ScaledSystem {
   bool has_objective() const { return has_objective_; }
   Domain domain(Index variable) const { return domains_[variable]; }
 
-  /// Rows 0..m-1 are (g_i, h_i); row m, if has_objective(), is the objective scaled to coprime
-  /// integers by a positive factor, and 0. Column n holds the h_i.
+  /// Gives access to the scaled integers. Rows 0..m-1 are (g_i, h_i). Row m, if
+  /// has_objective(), is the objective scaled to coprime integers by a positive factor, and 0.
+  /// Column n holds the h_i. Entries are in small() if is_small(), else in big().
   bool is_small() const { return big_.empty(); }
   std::int64_t small(Index row, Index column) const {
     return small_[std::size_t{row} * (std::size_t{n_} + 1) + column];

@@ -160,8 +160,8 @@ class Json {
   /// Sets all members of another object in this one.
   void update(Json other);
 
-  /// How to treat texts that are not UTF-8: refuse them, or write U+FFFD in place of the wrong
-  /// bytes.
+  /// The treatment of texts that are not UTF-8: they are refused, or written with U+FFFD in
+  /// place of the wrong bytes.
   enum class Utf8 { kRequired, kReplaced };
   /// Returns the text of the value, on one line without blanks. With `indent` >= 0 each value
   /// is on a line of its own, with so many blanks before it for each level. Throws

@@ -64,7 +64,7 @@ struct Body {
   std::vector<RationalRow> weights{};  ///< the points at which weights of its file pull at it
 };
 
-/// How fast each link turns: a link and a number that is not 0.
+/// The rates of links: pairs of a link and how fast it turns, a number that is not 0.
 using LinkRates = std::vector<std::pair<std::size_t, Rational>>;
 
 /// A joint: one coordinate by which links turn.

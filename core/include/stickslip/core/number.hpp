@@ -156,7 +156,7 @@ class Operators {
 /// An integer of any length. A moved-from Integer is 0.
 class Integer : public core_detail::Operators<Integer> {
  public:
-  /// \{ 0, a copy, and a machine's integer.
+  /// \{ Makes 0, a copy, or an integer of the machine.
   Integer() noexcept : z_(core_detail::zero_without_memory()) {}
   Integer(const Integer& other) noexcept : Integer() {
     if (other.z_._mp_size != 0) set(other);
@@ -195,7 +195,8 @@ class Integer : public core_detail::Operators<Integer> {
   }
   /// \}
 
-  /// \{ The number in the form that functions of GMP take, to read, and to read and write.
+  /// \{ Returns the number in the form that functions of GMP take, to read, or to read and
+  /// write.
   mpz_srcptr gmp() const { return &z_; }
   mpz_ptr mutable_gmp() { return &z_; }
   /// \}
@@ -268,12 +269,12 @@ class Integer : public core_detail::Operators<Integer> {
   Integer& operator<<=(unsigned long bits) noexcept;
   Integer& operator>>=(unsigned long bits) noexcept;
   /// \}
-  /// \{ *this becomes the next integer, and the one before.
+  /// \{ *this becomes the next integer, or the one before.
   Integer& operator++() noexcept { return *this += 1; }
   Integer& operator--() noexcept { return *this -= 1; }
   /// \}
 
-  /// \{ The results of the operators above, as values.
+  /// \{ Return the results of the operators above, as values.
   friend Integer operator+(const Integer& a, const Integer& b) noexcept;
   friend Integer operator-(const Integer& a, const Integer& b) noexcept;
   friend Integer operator*(const Integer& a, const Integer& b) noexcept;
@@ -305,7 +306,7 @@ class Integer : public core_detail::Operators<Integer> {
 /// Rational is 0. A denominator of 1 mostly owns no memory.
 class Rational : public core_detail::Operators<Rational> {
  public:
-  /// \{ 0, a copy, and an integer.
+  /// \{ Makes 0, a copy, or an integer.
   Rational() noexcept : q_(zero()) {}
   Rational(const Rational& other) noexcept;
   Rational(Rational&& other) noexcept : q_(other.q_) { other.q_ = zero(); }
@@ -342,8 +343,8 @@ class Rational : public core_detail::Operators<Rational> {
   }
   /// \}
 
-  /// \{ The number in the form that functions of GMP take, to read, and to read and write. A
-  /// fraction that is written has to be in lowest terms.
+  /// \{ Returns the number in the form that functions of GMP take, to read, or to read and
+  /// write. A fraction that is written has to be in lowest terms.
   mpq_srcptr gmp() const { return &q_; }
   mpq_ptr mutable_gmp() {
     own();
@@ -385,7 +386,7 @@ class Rational : public core_detail::Operators<Rational> {
   /// *this becomes the quotient. Throws std::overflow_error if b is 0.
   Rational& operator/=(const Rational& b);
 
-  /// \{ The results of the operators above, as values.
+  /// \{ Return the results of the operators above, as values.
   friend Rational operator+(const Rational& a, const Rational& b) noexcept;
   friend Rational operator-(const Rational& a, const Rational& b) noexcept;
   friend Rational operator*(const Rational& a, const Rational& b) noexcept;

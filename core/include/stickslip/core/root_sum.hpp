@@ -45,7 +45,7 @@ class RootSum {
   /// bit brings them closer by a factor of 2.
   std::pair<Rational, Rational> between(unsigned bits) const;
 
-  /// \{ Sums, differences and comparisons, all exact.
+  /// \{ Adds, negates, subtracts and compares sums exactly.
   RootSum& operator+=(const RootSum& other);
   RootSum operator-() const;
   friend RootSum operator+(RootSum a, const RootSum& b) { return a += b; }

@@ -103,12 +103,12 @@ struct SignRange {
   bool zero = false;      ///< on some ray or on all of the cone
   bool positive = false;  ///< on some ray or line
 
-  /// \{ Whether the function is >= 0, <= 0 or 0 on all of the cone.
+  /// \{ Returns whether the function is >= 0, <= 0 or 0 on all of the cone.
   bool is_nonnegative() const { return !negative; }
   bool is_nonpositive() const { return !positive; }
   bool is_zero() const { return !negative && !positive; }
   /// \}
-  /// Whether the plane cuts the cone's relative interior.
+  /// Returns whether the plane cuts the cone's relative interior.
   bool is_mixed() const { return negative && positive; }
 };
 

@@ -17,13 +17,13 @@ namespace stickslip {
 class RationalMatrix {
  public:
   RationalMatrix() = default;
-  /// A matrix of zeros.
+  /// Makes a matrix of zeros.
   RationalMatrix(std::size_t rows, std::size_t columns)
       : rows_(rows), columns_(columns), entries_(rows * columns) {}
 
   std::size_t rows() const { return rows_; }        ///< the number of rows
   std::size_t columns() const { return columns_; }  ///< the number of columns
-  /// \{ The entry in this row and column, both counted from 0.
+  /// \{ Returns the entry in this row and column, both counted from 0.
   Rational& operator()(std::size_t row, std::size_t column) {
     return entries_[row * columns_ + column];
   }

@@ -18,7 +18,7 @@
 
 namespace stickslip {
 
-/// How much load and preloads grow per unit of a margin's multiple.
+/// The growth of load and preloads per unit of a margin's multiple.
 struct GrowthRates {
   RationalRow load{};                ///< u; empty: 0
   std::vector<Rational> preloads{};  ///< P^u by element, contacts first; empty: none grows

@@ -113,7 +113,7 @@ class MotionRegion : public StrictCone {
   void find_sign(SlipCone& cone, std::size_t contact) const;
   void find_sides(SlipCone& cone, std::size_t contact) const;
   void find_solid(SlipCone& cone, std::size_t contact) const;
-  /// StrictCone::bars, or a strict slip is 0 on all of them.
+  /// Returns whether StrictCone::bars() does, or whether a strict slip is 0 on all of them.
   bool bars_all(const std::vector<std::size_t>& zeros) const;
   Rational most_work(std::size_t contact, const Row& y) const;
   ExactSlip exact_slip(std::size_t contact, std::size_t generator, std::size_t corner) const;

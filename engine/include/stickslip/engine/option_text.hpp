@@ -26,9 +26,10 @@ Rational accuracy_option(const std::string& value);
 /// Returns an error of ask() in the words of the command line, about the grasp `name`.
 InputError in_options(const InputError& error, const std::string& name);
 
-/// ask(), and in the plane the rows that every answer needs: errors are in the words of the
-/// command line, and those of a contact name the grasp `name`. Refuses a box in the plane
-/// unless the command takes them.
+/// Returns the question of ask(), with errors in the words of the command line; those of a
+/// contact name the grasp `name`. Unless `takes_boxes` is set, it refuses a box of one body in
+/// the plane as problem_of() does, except a margin, and except a grasp that is a box only
+/// because motions are bounded.
 Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes = false);
 

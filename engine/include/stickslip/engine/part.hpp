@@ -30,7 +30,8 @@ enum class Parameter {
   kTurnV       ///< e_v
 };
 
-/// "x", "y", "turn", "friction", "preload", "stiffness", "wrench", "z", "turn_u", "turn_v".
+/// Returns "x", "y", "turn", "friction", "preload", "stiffness", "wrench", "z", "turn_u" or
+/// "turn_v".
 const char* to_string(Parameter parameter);
 
 /// A parameter of one contact, or a component of the wrench.

@@ -13,13 +13,13 @@
 
 namespace stickslip {
 
-/// How the preloads grow with the multiple of a margin: all in proportion, or each at a rate of
-/// its own.
+/// The growth of preloads with the multiple of a margin: all in proportion, or each at a rate
+/// of its own.
 struct PreloadDirection {
-  /// All preloads grow in proportion, from no preload.
+  /// Whether all preloads grow in proportion, from no preload.
   bool scale = false;
-  /// Unless `scale` is set, the rate of each element, contacts first; >= 0 for contacts and
-  /// ratchets. The preloads grow from those that are given.
+  /// The rate of each element, contacts first, unless `scale` is set. It is >= 0 for contacts
+  /// and ratchets. The preloads grow from those that are given.
   std::vector<Rational> rates{};
 };
 
@@ -57,25 +57,27 @@ struct Question {
   Tolerances uncertain{};                      ///< the tolerances that were asked for
   std::optional<WrenchBox> wrench_as_asked{};  ///< the wrench before a tolerance widened it
 
-  /// Whether the question is about a margin.
+  /// Returns whether the question is about a margin.
   bool is_margin() const { return direction || preload_direction; }
-  /// Whether the grasp has three coordinates.
+  /// Returns whether the grasp has three coordinates.
   bool in_space() const { return stickslip::in_space(grasp); }
-  /// The mechanism of several bodies; null if there is one body.
+  /// Returns the mechanism of several bodies; null if there is one body.
   const Mechanism* mechanism() const { return mechanism_of(grasp); }
-  /// Whether motions are bounded, which GraspBox::max_motion says.
+  /// Returns whether motions are bounded, which GraspBox::max_motion says.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
-  /// Whether this is a margin whose answer is a list of claims (certificate/FORMAT.md, section
-  /// 5), and not exactly the multiples that are resisted. Only a margin of one grasp in the
-  /// plane is exact.
+  /// Returns whether this is a margin whose answer is a list of claims (certificate/FORMAT.md,
+  /// section 5), and not exactly the multiples that are resisted. Only a margin of one grasp in
+  /// the plane is exact.
   bool has_claims() const { return is_margin() && box() != nullptr; }
-  /// Whether there is one body, in the plane. More can be asked about it than about all others.
+  /// Returns whether there is one body, in the plane. More can be asked about it than about all
+  /// others.
   bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
-  /// The name, outline and units of the grasp.
+  /// Returns the name, outline and units of the grasp.
   const GraspDescription& description() const { return description_of(grasp); }
-  /// The grasp of a question about one grasp in the plane. Throws ContractError for any other.
+  /// Returns the grasp of a question about one grasp in the plane. Throws ContractError for any
+  /// other.
   const LoadedGrasp& loaded() const;
-  /// The box, or nullptr if the grasp is a LoadedGrasp, a single one in the plane.
+  /// Returns the box, or nullptr if the grasp is a LoadedGrasp, a single one in the plane.
   const GraspBox* box() const { return std::get_if<GraspBox>(&grasp); }
 };
 

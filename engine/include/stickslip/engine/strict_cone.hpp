@@ -14,17 +14,18 @@
 
 namespace stickslip {
 
-/// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
+/// The separation of a contact on a region: closed (v_i >= 0), open (v_i <= 0) or either.
 enum class Separation { kClosed, kOpen, kMixed };
 
 /// The signs of a linear function on a region.
 struct PlaneSigns {
   bool positive = false;  ///< above 0 somewhere
   bool negative = false;  ///< below 0 somewhere
-  /// For a function of one sign: some strict function is 0 wherever this one is.
+  /// Whether some strict function is 0 wherever this one is. It is set only for a function of
+  /// one sign.
   bool zeros_barred = false;
 
-  /// Whether parts of the region are strictly on both sides of the plane.
+  /// Returns whether parts of the region are strictly on both sides of the plane.
   bool cuts() const { return positive && negative; }
 };
 

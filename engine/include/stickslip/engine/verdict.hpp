@@ -41,7 +41,7 @@ struct ShortWitness {
   /// ContactId. Shares of 0 are left out.
   std::vector<std::pair<ContactId, Rational>> shares;
 
-  /// Exact.
+  /// Compares exactly.
   friend bool operator==(const ShortWitness& a, const ShortWitness& b) {
     return a.twist == b.twist && a.shares == b.shares;
   }
@@ -70,12 +70,12 @@ std::optional<std::string> find_violation(const Problem& problem, const Witness&
 struct Stable {
   /// An equilibrium of one grasp, or a proof that one exists.
   std::variant<Witness, ShareWitness, StabilityProof> proof;
-  /// For people, the motion of an equilibrium. With a StabilityProof it is near an equilibrium
+  /// The motion of an equilibrium, for people. With a StabilityProof it is near an equilibrium
   /// of the grasp in the middle of the first part that was proved. With a ShareWitness it is
   /// that of the witness.
   RationalRow motion{};
 
-  /// The witness. Requires a grasp in the plane that was decided without degree.
+  /// Returns the witness. Requires a grasp in the plane that was decided without degree.
   const Witness& witness() const { return std::get<Witness>(proof); }
 };
 /// No equilibrium exists, for any grasp that was asked about.

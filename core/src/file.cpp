@@ -67,7 +67,7 @@ bool write_all(int descriptor, std::string_view content) {
 /// Returns the file that is to be replaced: the one to which `path` leads through any number of
 /// links. If that does not exist yet, it is the file that the last link names.
 std::string behind_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the kernel follows
+  constexpr int kMostLinks = 40;  // the kernel follows so many
   fs::path file = path;
   std::error_code error;
   for (int links = 0; fs::is_symlink(file, error); ++links) {

@@ -94,7 +94,7 @@ std::string escape(char c) {
 
 void core_detail::append_json_string(std::string& to, const std::string& text, bool replaces) {
   to += '"';
-  std::size_t done = 0;  // what stands before it is written
+  std::size_t done = 0;  // all bytes before it are written
   for (std::size_t at = 0; at < text.size();) {
     const Character character = character_at(text, at);
     std::string instead;

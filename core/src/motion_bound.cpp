@@ -21,7 +21,7 @@ Rational in_two_digits(const Rational& value) {
   Rational unit = 1;
   while (unit * 10 > value) unit /= 10;
   while (unit * 100 <= value) unit *= 10;
-  const Rational digits = value / unit;  // from 10 to below 100
+  const Rational digits = value / unit;  // 10 <= digits < 100
   const Integer below = numerator(digits) / denominator(digits);
   return Rational(Rational(below) == digits ? below : Integer(below + 1)) * unit;
 }

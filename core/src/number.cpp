@@ -81,7 +81,7 @@ std::string spell_decimal(Integer digits, long unit) {
     ++unit;
   }
   std::string text = digits.str();
-  const long exponent = static_cast<long>(text.size()) - 1 + unit;  // of the first digit
+  const long exponent = static_cast<long>(text.size()) - 1 + unit;  // the first digit
   if (exponent < -4 || exponent >= 6) {
     if (text.size() > 1) text.insert(1, ".");
     return text + "e" + std::to_string(exponent);
@@ -101,7 +101,7 @@ Integer units_below(const Rational& square, long unit) {
 /// Returns the least u for which floor(sqrt(square) / 10^u) has at most `digits` digits; it
 /// then has just as many. Requires square > 0.
 long unit_for(const Rational& square, long digits) {
-  const auto length = [](const Integer& n) {  // in decimal digits, or one more
+  const auto length = [](const Integer& n) {  // the number of decimal digits, or one more
     return static_cast<long>(mpz_sizeinbase(n.gmp(), 10));
   };
   // The search starts from a unit that is too small by a few powers of ten.

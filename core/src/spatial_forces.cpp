@@ -48,7 +48,7 @@ std::vector<SpatialForce> forces_of(
     const UncertainContact& c = grasp.contacts[i];
     const Vector3 n = in_three(c.normal);
     const Rational square = dot(n, n);
-    const Rational weight = c.torsion * c.torsion / square;  // of a spin in |s|^2
+    const Rational weight = c.torsion * c.torsion / square;  // the weight of a spin in |s|^2
     RationalRow position;
     for (const Interval& coordinate : c.position) position.push_back(coordinate.low);
     const RationalRow twist = relative_twist(grasp, c, d);

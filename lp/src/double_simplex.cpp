@@ -18,7 +18,7 @@
 namespace stickslip::lp_detail {
 namespace {
 
-constexpr double kZeroCoefficient = 1e-9;  // of rows scaled to largest coefficient 1
+constexpr double kZeroCoefficient = 1e-9;  // for rows scaled to largest coefficient 1
 constexpr double kFeasible = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -236,7 +236,7 @@ class DoubleSimplex {
   std::size_t width_;
   std::vector<double> cells_;
   std::vector<Row> rows_;
-  std::vector<Column> columns_;  // from 1, as the cells
+  std::vector<Column> columns_;  // indexed from 1, like the cells
   double* cost_ = nullptr;
   double* weight_ = nullptr;
   long pivots_left_;

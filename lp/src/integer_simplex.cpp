@@ -306,7 +306,7 @@ class Run {
       if (d_.nonbasic(j) < n) continue;
       multipliers[d_.nonbasic(j) - n] = -Tier::to_integer(d_.at(row, j));
     }
-    if (d_.constant_sign(row) > 0) {  // of an equation; the combination must be negative
+    if (d_.constant_sign(row) > 0) {  // an equation; the combination must be negative
       for (Rational& multiplier : multipliers) multiplier = -multiplier;
     }
     result_ = make_infeasible(system_, std::move(multipliers));

@@ -108,10 +108,11 @@ struct SweepWork {
   }
 };
 
-/// Counts the cells without visiting them, in O(m) memory a thread. No face is traced, so V - E
-/// + F = 2 is no check here: it is how F follows from V and E. Another check is made: a vertex
-/// on t circles is found independently from each of them, so for every t the number of (circle,
-/// vertex) pairs must be t times the number of vertices counted at their lowest circle.
+/// Counts the cells without visiting them, in O(m) memory a thread. No face is traced: F
+/// follows from V and E by V - E + F = 2, which therefore checks nothing. Another check is
+/// made: a vertex on t circles is found independently from each of them, so for every t the
+/// number of (circle, vertex) pairs must be t times the number of vertices counted at their
+/// lowest circle.
 ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigned threads = 1,
                               SweepWork* work = nullptr);
 

@@ -54,9 +54,9 @@ struct Turn {
 };
 
 /// Returns the turns of a contact, which all happen at once. In the plane there is one, by
-/// (-n_y, n_x) and the slope. In space there are two, u and v of certificate/FORMAT.md, section
-/// 6. Every normal of the contact is among n + e_u u + e_v v, and so are some others, whose
-/// tangent is up to 1.42 times the slope.
+/// (-n_y, n_x) and the slope. In space there are two, u and v, as section 6 of
+/// certificate/FORMAT.md has them. Every normal of the contact is among n + e_u u + e_v v, and
+/// so are some others, whose tangent is up to 1.42 times the slope.
 std::vector<Turn> turns_of(const UncertainContact& contact);
 /// Returns n + the sum of e_j direction_j.
 RationalRow turned(RationalRow normal, const std::vector<Turn>& turns, const RationalRow& e);

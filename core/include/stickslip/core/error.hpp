@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// The two kinds of error: bad input from a user (InputError, with place and remedy) and a
-/// broken contract inside a program (ContractError). Both are checked in every build type.
-/// Functions that words of messages come from are here as well.
+/// broken contract inside a program (ContractError). Both are checked in every build type. The
+/// functions that put together the words of messages are here as well.
 #pragma once
 
 #include <stdexcept>

@@ -30,9 +30,9 @@ struct NamedLoad {
 /// The content of a grasp file, in the plane or in space.
 struct GraspFile {
   /// The contacts and the load; in a file with cases, the load that they have in common. Places
-  /// on the outline have become positions and normals, and loads at points a wrench. In the
-  /// plane it is a box if some number is an interval, a normal has a slope, or motions are
-  /// bounded.
+  /// on the outline have become positions and normals, and loads at points a wrench. A grasp of
+  /// one body in the plane is a box only if some number is an interval, a normal has a slope,
+  /// or motions are bounded; any other grasp is always a box.
   AnyGrasp content;
   /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};

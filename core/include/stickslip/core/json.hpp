@@ -40,7 +40,7 @@ std::string member_path(const std::string& path, const std::string& key);
 /// Returns element `index` below `path`: "contacts" and 0 give "contacts[0]".
 std::string element_path(const std::string& path, std::size_t index);
 
-/// Returns the path as an error names it. The root, whose path is empty, has a name as well.
+/// Returns the path as an error names it: "top level" for the root, whose path is empty.
 std::string place_name(const std::string& path);
 
 /// \{ Limits on what is read, so that hostile input ends in an error and not after an hour.

@@ -34,16 +34,17 @@ MotionBound parse_motion_bound(std::string_view text);
 /// and for a factor where the grasp has no natural motion.
 RationalRow bound_of(const GraspBox& box, const MotionBound& asked);
 
-/// Returns `factor` times the natural motion of the grasp, rounded up to two digits: how far
-/// load and preloads together press the softest contact, delta = (|w| + sum of P) / k, and for
-/// rotations delta over the spread of the contacts. A translation is that of the origin, and so
-/// is larger where the origin is far away. Frames turn its axes; units do not matter. Nothing
-/// if there is no contact, or neither load nor preload. O(contacts).
+/// Returns `factor` times the natural motion of the grasp, rounded up to two digits. The
+/// natural motion is how far load and preloads together press the softest contact or spring,
+/// delta = (|w| + sum of P) / k, and for rotations delta over the spread of the contacts. A
+/// translation is that of the origin, and so is larger where the origin is far away. Frames
+/// turn its axes; units do not matter. Returns nothing if there is no contact, or neither load
+/// nor preload. O(contacts).
 std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& factor);
 
-/// Returns the grasp with a load and preloads that are larger by these: the member 1 of a
-/// margin. The preloads are those of contacts and then the forces of springs. Empty rows add
-/// nothing.
+/// Returns the grasp with a load and preloads that are larger by these, which is the member 1
+/// of a margin. The preloads are those of contacts and then the forces of springs. Empty rows
+/// add nothing.
 GraspBox grown(GraspBox box, const RationalRow& load, const std::vector<Rational>& preloads);
 
 }  // namespace stickslip

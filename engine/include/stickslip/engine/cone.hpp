@@ -55,7 +55,7 @@ class ConeOf {
   explicit ConeOf(Multiples multiples = Multiples::kZero,
                   std::size_t coordinates = kCoordinates<Vector>);
 
-  /// Returns primitive generators, both ways.
+  /// Returns the lines, each as one primitive vector.
   const std::vector<Vector>& lines() const { return lines_; }
   /// Returns the extreme rays modulo the lines.
   const std::vector<RayOf<Vector>>& rays() const { return rays_; }

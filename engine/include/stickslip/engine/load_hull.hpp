@@ -18,8 +18,8 @@ struct LoadGenerator {
   Reals rounded{};     ///< the load in the law's units; scaled to length 1 if a direction
 };
 
-/// The set that corners and directions generate, without the points where a strict function is
-/// 0. Strict functions are linear and nowhere negative.
+/// The set that corners and directions generate, without the points where a strict function
+/// vanishes. Strict functions are linear and nowhere negative.
 struct LoadHull {
   std::vector<LoadGenerator> corners;     ///< the corners, at least one
   std::vector<LoadGenerator> directions;  ///< the directions, which are not 0

@@ -66,8 +66,8 @@ struct Question {
   /// Returns whether motions are bounded, which GraspBox::max_motion says.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
   /// Returns whether this is a margin whose answer is a list of claims (certificate/FORMAT.md,
-  /// section 5), and not exactly the multiples that are resisted. Only a margin of one grasp in
-  /// the plane is exact.
+  /// section 5), and not exactly the multiples that are resisted. Only a margin whose grasp is
+  /// no box is exact.
   bool has_claims() const { return is_margin() && box() != nullptr; }
   /// Returns whether there is one body, in the plane. More can be asked about it than about all
   /// others.

@@ -85,7 +85,7 @@ Vector2 nearby_unit(const Target<Vector2>& target) {
     return determinant(t.on_circle(), target.direction()).sign() > 0;
   };
   if (accepted(low)) return low.on_circle();
-  // `high` is never accepted: t <= tan(22.5 degrees) is nearer to 0 than to 1.
+  // `high` is not accepted either, as t <= tan(22.5 degrees) is nearer to 0 than to 1.
   for (bool upward = false;; upward = !upward) {
     Fraction& moving = upward ? low : high;
     const Fraction& end = upward ? high : low;

@@ -39,11 +39,11 @@ class ArrangementStructure::Builder {
   }
 
  private:
-  /// What is kept of a circle's order until the vertices are numbered.
+  /// The part of a circle's order that is kept until the vertices are numbered.
   struct CircleRecord {
     std::uint32_t half_points = 0;
-    /// For each point of the first half whose lowest circle this is: the point, the number t of
-    /// circles, and these by slope.
+    /// The data of each point of the first half whose lowest circle this is: the point, the
+    /// number t of circles, and these by slope.
     std::vector<std::uint32_t> owned_points;
     std::size_t owned_count = 0;
   };
@@ -112,7 +112,7 @@ class ArrangementStructure::Builder {
     s_.counts_.vertices = s_.outgoing_.size();
   }
 
-  /// The vertex at point q of circle i, or at its antipode, with its circles in slopes_.
+  /// Makes the vertex at point q of circle i, or at its antipode, with its circles in slopes_.
   void make_vertex(std::size_t i, std::uint32_t q, bool is_antipode) {
     const auto vertex = static_cast<std::uint32_t>(s_.outgoing_.size());
     const std::size_t t = slopes_.size();
@@ -137,9 +137,9 @@ class ArrangementStructure::Builder {
     }
   }
 
-  /// Which point of circle c is point q of circle i (or its antipode), where they cross.
-  /// On its first half circle i meets c at side(i, c) * (n_i x n_c), and circle c meets i at
-  /// side(c, i) * (n_c x n_i).
+  /// Returns the point of circle c that is point q of circle i (or its antipode), where they
+  /// cross. On its first half circle i meets c at side(i, c) * (n_i x n_c), and circle c meets
+  /// i at side(c, i) * (n_c x n_i).
   std::uint32_t point_on(std::size_t c, std::size_t i, std::uint32_t q,
                          bool is_antipode) const {
     bool on_second_half = is_antipode;

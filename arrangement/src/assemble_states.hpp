@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What every enumerator does last: sorts the states, completes the counts, and checks them.
+/// The last step of every enumerator: it sorts the states, completes the counts, and checks
+/// them.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,8 @@ namespace stickslip::arrangement_detail {
 /// by the table of slip_states.hpp.
 void complete_counts(ArrangementCounts& counts, const GreatCircles& circles);
 
-/// States over the same planes, packed: a quarter of the memory of so many SlipStates.
+/// A list of states over the same planes, packed: a quarter of the memory of so many
+/// SlipStates.
 class StateList {
  public:
   explicit StateList(std::size_t planes);
@@ -24,14 +26,14 @@ class StateList {
     words_.insert(words_.end(), signs.words(), signs.words() + width_);
   }
   void add(const SlipState& state);
-  /// The signs of the planes from those of circles.normals[c].d.
+  /// Adds the signs of the planes, given those of circles.normals[c].d.
   void add_over_planes(const GreatCircles& circles, const SlipState& of_circles);
 
   std::size_t size() const { return words_.size() / width_; }
-  /// Valid until the next is added.
+  /// Returns a state, which is valid until the next one is added.
   PackedSigns operator[](std::size_t i) const { return {&words_[i * width_], planes_}; }
 
-  /// As their texts sort ('+' < '-' < '0'), each once.
+  /// Returns the states as their texts sort ('+' < '-' < '0'), each once.
   std::vector<SlipState> sorted() const;
 
  private:
@@ -43,9 +45,9 @@ class StateList {
   std::vector<PackedSigns::Word> words_;
 };
 
-/// The slip states: those of the cells, and all-stick. Throws ContractError when the complete
-/// `counts` contradict one another or the number of states: Euler, antipodal pairs, and the
-/// relation of cells to states that slip_states.hpp states.
+/// Returns the slip states: those of the cells, and all-stick. Throws ContractError when the
+/// complete `counts` contradict one another or the number of states: Euler, antipodal pairs,
+/// and the relation of cells to states that slip_states.hpp states.
 SlipStates assemble_states(StateList cells, const ArrangementCounts& counts);
 
 }  // namespace stickslip::arrangement_detail

@@ -48,12 +48,12 @@ namespace {
 
 constexpr std::size_t kUnset = static_cast<std::size_t>(-1);
 
-/// What every arc carries: the circle that it is a part of.
+/// The label of every arc: the circle that it is a part of.
 struct ArcLabel {
   std::size_t circle = kUnset;
 };
 
-/// Two arcs overlap only if they are of one circle.
+/// Merges the labels of overlapping arcs, which are always of one circle.
 struct MergeLabels {
   ArcLabel operator()(const ArcLabel& a, const ArcLabel& b) const {
     require(a.circle == b.circle, "cgal enumerator: arcs of two circles overlap");
@@ -61,7 +61,7 @@ struct MergeLabels {
   }
 };
 
-/// What every face carries: the place of its signs.
+/// The label of every face: the place of its signs.
 struct FaceRow {
   std::size_t row = kUnset;
 };
@@ -88,8 +88,8 @@ class Breaker : public CGAL::Arr_observer<Sphere> {
   }
 };
 
-/// Exact for any size. Through the exact type, so that the kernel's lazy number is a leaf and
-/// not a history of additions.
+/// Converts an integer of any size exactly. It goes through the exact type, so that the
+/// kernel's lazy number is a leaf and not a history of additions.
 Kernel::FT to_kernel(const Integer& value) {
   using Exact = Kernel::FT::ET;
   constexpr unsigned kDigitBits = 24;
@@ -117,17 +117,19 @@ std::size_t circle_of(Halfedge edge) {
   return edge->curve().data().circle;
 }
 
-/// Whether the halfedge runs as its arc does, hence counterclockwise about the arc's normal.
+/// Returns whether the halfedge runs as its arc does, hence counterclockwise about the arc's
+/// normal.
 bool is_counterclockwise(Halfedge edge) {
   return (edge->direction() == CGAL::ARR_LEFT_TO_RIGHT) == edge->curve().is_directed_right();
 }
 
-/// The sign that the circle of the halfedge has on the face to its left.
+/// Returns the sign that the circle of the halfedge has on the face to its left.
 Sign sign_to_the_left(Halfedge edge) {
   return is_counterclockwise(edge) ? Sign::kPositive : Sign::kNegative;
 }
 
-/// A vertex where circles cross, not a point where one circle was cut.
+/// Returns whether circles cross at the vertex; it may also be a point where one circle was
+/// cut.
 bool is_crossing(Vertex vertex) {
   const auto first = vertex->incident_halfedges();
   auto edge = first;
@@ -219,7 +221,7 @@ class CellReader {
     faces_ = std::move(oriented);
   }
 
-  /// Against the two faces beside the edge.
+  /// Checks an edge against the two faces beside it.
   void check_edge(Halfedge edge) const {
     const std::size_t c = circle_of(edge);
     const PackedSigns left = signs_to_the_left(edge);
@@ -238,8 +240,8 @@ class CellReader {
             "cgal enumerator: the faces beside an edge differ in more than its circle");
   }
 
-  /// Checks every edge, the artificial ones included.
-  /// An edge of the arrangement is a chain of CGAL's edges; it is counted where it starts, in
+  /// Checks every edge, the artificial ones included, and returns the number of edges of the
+  /// arrangement. Each of these is a chain of CGAL's edges; it is counted where it starts, in
   /// the counterclockwise direction. A circle that crosses no other is one closed edge.
   std::size_t read_edges() {
     std::size_t count = 0;
@@ -279,7 +281,7 @@ class CellReader {
     return count;
   }
 
-  /// Adds the vertex's signs; gives the number of circles through it.
+  /// Adds the vertex's signs, and returns the number of circles through it.
   std::size_t add_vertex(Vertex vertex) {
     const auto first = vertex->incident_halfedges();
     SlipState signs = signs_to_the_left(first).unpack();

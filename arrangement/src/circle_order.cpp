@@ -33,12 +33,12 @@ constexpr double kUnit = 0x1p-53;
 constexpr double kSideBound = 16 * kUnit;
 constexpr double kOrderBound = 640 * kUnit;
 
-// A sort key: the angle in steps of 2^-43, above the number of the circle.
+// A sort key has the angle in steps of 2^-43 above the number of the circle.
 constexpr unsigned kCircleBits = 20;
 constexpr double kAngleSteps = 0x1p42;
 static_assert(CircleOrder::kMaxCircles == std::size_t{1} << kCircleBits);
 
-/// Grows with the angle from 0 to pi, in [0, 2]. Requires y >= 0.
+/// Returns a number in [0, 2] that grows with the angle from 0 to pi. Requires y >= 0.
 double pseudo_angle(double x, double y) {
   const double size = std::abs(x) + y;
   return size > 0 ? 1 - x / size : 1;
@@ -79,7 +79,8 @@ void CircleOrder::sort(std::size_t i) {
   require(cut_into_points(), "sweep: the order of crossings contradicts itself");
 }
 
-/// Also puts the circles through the start into order_, and the keys of the others into keys_.
+/// Finds all sides. It also puts the circles through the start into order_, and the keys of the
+/// others into keys_.
 void CircleOrder::set_sides() {
   const auto& n = normals_->approximate();
   const std::size_t k = normals_->size();
@@ -117,8 +118,8 @@ void CircleOrder::set_sides() {
   }
 }
 
-/// Circle j passes through n_i x n_r: it is crossed there from + to - iff n_i x n_j is a
-/// positive multiple.
+/// Finds the side of a circle j that passes through n_i x n_r: it is crossed there from + to -
+/// iff n_i x n_j is a positive multiple.
 void CircleOrder::set_side_at_start(std::size_t j) {
   const Sign sign = signs_.cross_coordinate(circle_, j, start_axis_) * start_axis_sign_;
   side_[j] = static_cast<std::int8_t>(to_int(sign));
@@ -131,7 +132,7 @@ void CircleOrder::sort_by_key() {
   }
 }
 
-/// Confirms every adjacent pair. False as soon as one is in the wrong order.
+/// Confirms every adjacent pair. Returns false as soon as one is in the wrong order.
 bool CircleOrder::cut_into_points() {
   point_begin_.resize(2);
   for (std::size_t p = point_begin_[1] + 1; p < order_.size(); ++p) {
@@ -145,8 +146,8 @@ bool CircleOrder::cut_into_points() {
   return true;
 }
 
-/// An insertion sort by exact comparisons is right whatever the keys were, and fast when they
-/// were nearly right. When they were not, an ordinary sort starts afresh.
+/// Sorts again. An insertion sort by exact comparisons is right whatever the keys were, and
+/// fast when they were nearly right. When they were not, an ordinary sort starts afresh.
 void CircleOrder::repair() {
   const std::size_t first = point_begin_[1];
   std::size_t moves_left = 4 * keys_.size() + 64;
@@ -169,8 +170,8 @@ void CircleOrder::repair() {
       [this](std::uint32_t a, std::uint32_t b) { return compare(a, b) == Sign::kPositive; });
 }
 
-/// + if the point of a comes before that of b, 0 if it is the same. Neither passes through the
-/// start.
+/// Returns + if the point of a comes before that of b, and 0 if it is the same. Requires that
+/// neither circle passes through the start.
 Sign CircleOrder::compare(std::uint32_t a, std::uint32_t b) {
   const double determinant = x_[a] * y_[b] - x_[b] * y_[a];
   if (std::abs(determinant) > kOrderBound) {

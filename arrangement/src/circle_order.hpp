@@ -31,10 +31,11 @@
 
 namespace stickslip::arrangement_detail {
 
-/// One for each thread; everything is allocated once.
+/// The order of the crossings on a circle, for one circle after the other. Each thread has one
+/// of its own, in which everything is allocated once.
 class CircleOrder {
  public:
-  /// Requires at least two circles, at most kMaxCircles.
+  /// Makes an order. Requires at least two circles, at most kMaxCircles.
   explicit CircleOrder(const FilteredNormals& normals);
 
   static constexpr std::size_t kMaxCircles = std::size_t{1} << 20;
@@ -42,30 +43,31 @@ class CircleOrder {
   /// Computes the order on circle i. O(k log k) exact signs, whatever the doubles say.
   void sort(std::size_t i);
 
-  /// What follows is about the circle sorted last.
+  /// All following functions are about the circle sorted last.
 
-  /// The number h of points on half the circle; after them come their antipodes.
+  /// Returns the number h of points on half the circle; after them come their antipodes.
   std::size_t half_points() const { return point_begin_.size() - 1; }
 
-  /// The other circles through point q < h.
+  /// Iterates over the other circles through point q < h.
   const std::uint32_t* begin(std::size_t q) const { return order_.data() + point_begin_[q]; }
   const std::uint32_t* end(std::size_t q) const { return order_.data() + point_begin_[q + 1]; }
-  /// How many circles pass through point q, this one included.
+  /// Returns how many circles pass through point q, this one included.
   std::size_t multiplicity(std::size_t q) const {
     return point_begin_[q + 1] - point_begin_[q] + 1;
   }
 
-  /// Whether no circle through point q has a lower number than this one.
+  /// Returns whether no circle through point q has a lower number than this one.
   bool is_lowest(std::size_t q) const {
     return std::all_of(begin(q), end(q), [this](std::uint32_t j) { return j > circle_; });
   }
 
-  /// +1 or -1: the sign of circle j before it is crossed on the first half.
+  /// Returns +1 or -1, the sign of circle j before it is crossed on the first half.
   int side(std::size_t j) const { return side_[j]; }
 
-  /// All circles through point q < h, this one included, by the slope of their counterclockwise
-  /// directions there: a before b iff n_a x n_b is a positive multiple of the point. At the
-  /// antipode the order is the reverse. Valid until the next call.
+  /// Returns all circles through point q < h, this one included, by the slope of their
+  /// counterclockwise directions there: a comes before b iff n_a x n_b is a positive multiple
+  /// of the point. At the antipode the order is the reverse. The result is valid until the next
+  /// call.
   const std::vector<std::uint32_t>& by_slope(std::size_t q);
 
   SweepWork& work() { return signs_.work(); }
@@ -82,9 +84,9 @@ class CircleOrder {
   ExactSigns signs_;
   std::size_t circle_ = 0;
   std::size_t reference_ = 0;           ///< r
-  std::size_t start_axis_ = 0;          ///< a coordinate of n_i x n_r that is not 0,
-  Sign start_axis_sign_ = Sign::kZero;  ///< and its sign
-  std::vector<double> x_, y_;           ///< of the point of j, in a frame of the circle's plane
+  std::size_t start_axis_ = 0;          ///< a coordinate of n_i x n_r that is not 0
+  Sign start_axis_sign_ = Sign::kZero;  ///< the sign of that coordinate
+  std::vector<double> x_, y_;  ///< the point of circle j, in a frame of the circle's plane
   std::vector<std::int8_t> side_;
   std::vector<std::uint64_t> keys_;
   std::vector<std::uint32_t> order_;
@@ -92,10 +94,10 @@ class CircleOrder {
   std::vector<std::uint32_t> slopes_;
 };
 
-/// A loop over the circles on several threads. Calls work(scratch, i) for i < count, where each
-/// thread has a scratch of its own, made by make(). Then calls finish(scratch) for each of
-/// them, on this thread and in no particular order: what it does must commute. `threads` = 0
-/// takes all that the machine has, and with 1 everything happens on this thread, in order.
+/// Runs a loop over the circles on several threads. Calls work(scratch, i) for i < count, where
+/// each thread has a scratch of its own, made by make(). Then calls finish(scratch) for each of
+/// them, on this thread and in no particular order, so that these calls must commute. `threads`
+/// = 0 takes all that the machine has, and with 1 everything happens on this thread, in order.
 template <class Make, class Work, class Finish>
 void over_circles(std::size_t count, unsigned threads, Make make, Work work, Finish finish) {
   if (threads == 1 || count < 2) {

@@ -19,12 +19,13 @@ constexpr int kFirstS = 7;
 
 constexpr unsigned kInt128ProductBits = 124;
 
-/// The two coordinates other than c, in cyclic order.
+/// Returns the coordinate after c in cyclic order.
 constexpr std::size_t after(std::size_t c) {
   return c == 2 ? 0 : c + 1;
 }
 
-/// value = mantissa * 2^exponent, 1/2 <= |mantissa| < 1, truncated to 53 bits: within 2^-53.
+/// A number mantissa * 2^exponent near a value, with 1/2 <= |mantissa| < 1, truncated to 53
+/// bits: within 2^-53.
 struct Floating {
   double mantissa = 0;
   long exponent = 0;
@@ -45,7 +46,7 @@ Floating to_floating(Int128 value) {
   return {mantissa, exponent};
 }
 
-/// Scales so that the largest entry has the exponent 0. Smaller entries have smaller errors;
+/// Scales such that the largest entry has the exponent 0. Smaller entries have smaller errors;
 /// those that underflow are off by less than 2^-1073.
 std::array<double, 3> scaled(const std::array<Floating, 3>& v) {
   long largest = 0;

@@ -20,8 +20,8 @@
 
 namespace stickslip::arrangement_detail {
 
-/// A vector (1, s, s^2) that lies on no circle. A normal is orthogonal to that of at most two
-/// s, so one of the first 2k + 1 is found. Throws ContractError if a normal is zero.
+/// Returns a vector (1, s, s^2) that lies on no circle. A normal is orthogonal to that of at
+/// most two s, so one of the first 2k + 1 is found. Throws ContractError if a normal is zero.
 IntegerVector3 find_pole(const std::vector<IntegerVector3>& normals);
 
 /// The normals Mn of distinct circles, in the same order, for an integer matrix M with
@@ -37,21 +37,22 @@ std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3
 
 class FilteredNormals {
  public:
-  /// The normals, each reversed if need be, so that all are positive on the pole (find_pole).
+  /// Takes the normals, and reverses some so that all are positive on the pole (find_pole).
   explicit FilteredNormals(std::vector<IntegerVector3> normals);
 
   std::size_t size() const { return exact_.size(); }
 
-  /// By coordinate, then by circle.
+  /// Returns the normals in doubles, by coordinate and then by circle.
   const std::array<std::vector<double>, 3>& approximate() const { return approximate_; }
 
   const IntegerVector3& exact(std::size_t i) const { return exact_[i]; }
-  /// Whether the pole has the sign - on the circle as it was given.
+  /// Returns whether the pole has the sign - on the circle as it was given.
   bool is_reversed(std::size_t i) const { return reversed_[i]; }
 
   using Small = std::array<std::int64_t, 3>;
   const Small& small(std::size_t i) const { return small_[i]; }
-  /// Of the largest entry; kTooLong if some entry does not fit `small`.
+  /// Returns the number of bits of the largest entry; kTooLong if some entry does not fit
+  /// `small`.
   unsigned bits(std::size_t i) const { return bits_[i]; }
   static constexpr unsigned kTooLong = 1000;
 
@@ -63,20 +64,21 @@ class FilteredNormals {
   std::array<std::vector<double>, 3> approximate_;
 };
 
-/// Exact signs, with scratch numbers that are allocated once. One for each thread.
+/// Finds exact signs, with scratch numbers that are allocated once. There is one for each
+/// thread.
 class ExactSigns {
  public:
   explicit ExactSigns(const FilteredNormals& normals) : normals_(&normals) {}
 
-  /// sign det(n_i, n_j, n_k)
+  /// Returns sign det(n_i, n_j, n_k).
   Sign determinant(std::size_t i, std::size_t j, std::size_t k);
 
-  /// The sign of one coordinate of n_i x n_j. Not filtered: asked only where circles meet in
-  /// one point, and for one coordinate of one crossing a circle.
+  /// Returns the sign of one coordinate of n_i x n_j. It is not filtered: it is asked only
+  /// where circles meet in one point, and for one coordinate of one crossing a circle.
   Sign cross_coordinate(std::size_t i, std::size_t j, std::size_t coordinate);
 
-  /// A positive multiple of n_i x n_j with entries in [-1, 1], the largest at least 1/2, each
-  /// within u = 2^-53. Requires distinct circles.
+  /// Returns a positive multiple of n_i x n_j with entries in [-1, 1], the largest at least
+  /// 1/2, each within u = 2^-53. Requires distinct circles.
   std::array<double, 3> cross(std::size_t i, std::size_t j);
 
   SweepWork& work() { return work_; }

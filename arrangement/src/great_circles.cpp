@@ -11,8 +11,8 @@
 namespace stickslip {
 namespace {
 
-/// The primitive integer vector on the line of `v` whose first nonzero entry is positive,
-/// and the side of it on which `v` lies. Requires v != 0.
+/// Returns the primitive integer vector on the line of `v` whose first nonzero entry is
+/// positive, and the side of it on which `v` lies. Requires v != 0.
 std::pair<IntegerVector3, Sign> primitive_representative(const Vector3& v) {
   IntegerVector3 result = primitive_multiple(v);
   Sign side = Sign::kZero;
@@ -24,8 +24,8 @@ std::pair<IntegerVector3, Sign> primitive_representative(const Vector3& v) {
   return {std::move(result), side};
 }
 
-/// Grows the rank one normal at a time: the first direction, then the first independent
-/// pair's cross product, are all that later normals have to be compared with.
+/// Returns the rank. It grows one normal at a time: later normals have to be compared only with
+/// the first direction, and then with the cross product of the first independent pair.
 int rank_of_distinct(const std::vector<IntegerVector3>& normals) {
   if (normals.size() < 2) return static_cast<int>(normals.size());
   const IntegerVector3 axis = cross(normals[0], normals[1]);

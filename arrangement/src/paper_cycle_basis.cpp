@@ -18,7 +18,7 @@ using Bits = boost::dynamic_bitset<>;
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// Numbers the edges outside a spanning forest.
+/// A spanning forest, and numbers for the edges outside it.
 struct SpanningForest {
   explicit SpanningForest(const DualPolyhedron& graph)
       : components(boost::num_vertices(graph)), cotree(boost::num_edges(graph), kNone) {
@@ -42,15 +42,15 @@ struct SpanningForest {
 
   std::size_t components;
   std::size_t cotree_size = 0;
-  std::vector<std::size_t> cotree;  ///< by edge: its number, or kNone for a forest edge
+  std::vector<std::size_t> cotree;  ///< the number of an edge, or kNone for a forest edge
 };
 
 using Edge = boost::graph_traits<DualPolyhedron>::edge_descriptor;
 
-/// Shortest paths from (v, 0) to (v, 1) in the graph of nodes 2v + parity.
+/// Searches shortest paths from (v, 0) to (v, 1) in the graph of nodes 2v + parity.
 class ParitySearch {
  public:
-  /// The edges of `witness` change the parity.
+  /// Makes a search in which the edges of `witness` change the parity.
   ParitySearch(const DualPolyhedron& graph, const SpanningForest& forest, const Bits& witness)
       : graph_(2 * boost::num_vertices(graph)),
         colors_(boost::num_vertices(graph_)),
@@ -66,7 +66,7 @@ class ParitySearch {
     }
   }
 
-  /// The number of edges of the path; kNone if there is none.
+  /// Returns the number of edges of the path; kNone if there is none.
   std::size_t run(std::size_t vertex, std::size_t& edges_scanned) {
     const std::size_t goal = 2 * vertex + 1;
     std::fill(colors_.begin(), colors_.end(), boost::white_color);
@@ -77,7 +77,7 @@ class ParitySearch {
     return colors_[goal] == boost::white_color ? kNone : distance_[goal];
   }
 
-  /// Of the path that run(vertex) found. Checks that no vertex is repeated.
+  /// Returns the edges of the path that run(vertex) found. Checks that no vertex is repeated.
   std::vector<std::size_t> edges_of_path(std::size_t vertex) const {
     std::vector<std::size_t> edges;
     std::vector<bool> is_met(colors_.size() / 2, false);
@@ -92,7 +92,8 @@ class ParitySearch {
   }
 
  private:
-  /// Seems empty once the goal is the next to be taken out: the search ends there.
+  /// A queue that seems empty once the goal is the next to be taken out, so that the search
+  /// ends there.
   class QueueUpTo : public boost::queue<std::size_t> {
    public:
     explicit QueueUpTo(std::size_t goal) : goal_(goal) {}
@@ -137,7 +138,7 @@ std::vector<std::size_t> shortest_odd_cycle(ParitySearch& search, std::size_t ve
     }
   }
   require(shortest != kNone, "minimum_cycle_basis: no cycle has an odd part in the witness");
-  // Again, for its path: only of the shortest walk is it known that it is a cycle.
+  // The search runs again for its path: only the shortest walk is known to be a cycle.
   ++result.path_searches;
   search.run(start, result.edges_scanned);
   return search.edges_of_path(start);

@@ -32,7 +32,7 @@
 
 namespace stickslip::arrangement_detail {
 
-/// Edges carry the indices 0 .. E - 1.
+/// The graph. Its edges carry the indices 0 .. E - 1.
 using DualPolyhedron =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                           boost::property<boost::edge_index_t, std::size_t>>;
@@ -44,8 +44,9 @@ struct CycleBasis {
   std::size_t edges_scanned = 0;
 };
 
-/// Requires a graph without loops. Deterministic: the order of vertices and edges decides
-/// between cycles of equal length. Throws ContractError if a cycle found is not simple.
+/// Returns a minimum cycle basis. Requires a graph without loops. Deterministic: the order of
+/// vertices and edges decides between cycles of equal length. Throws ContractError if a cycle
+/// found is not simple.
 CycleBasis minimum_cycle_basis(const DualPolyhedron& graph);
 
 }  // namespace stickslip::arrangement_detail

@@ -20,7 +20,7 @@ namespace {
 
 // Step 1: Algorithm 1 of the paper.
 
-/// side n.d - t, over the variables (d, t).
+/// Returns the row of side n.d - t, over the variables (d, t).
 std::vector<Rational> margin_row(const Vector3& normal, Sign side) {
   std::vector<Rational> row(normal.begin(), normal.end());
   if (side == Sign::kNegative) {
@@ -30,8 +30,8 @@ std::vector<Rational> margin_row(const Vector3& normal, Sign side) {
   return row;
 }
 
-/// Whether some d has s_j n_j.d > 0 for the signs of `region`, and side n_i.d > 0 for the
-/// plane i that comes next. The largest margin t is bounded by the row t <= 1.
+/// Returns whether some d has s_j n_j.d > 0 for the signs of `region`, and side n_i.d > 0 for
+/// the plane i that comes next. The largest margin t is bounded by the row t <= 1.
 bool has_component(const std::vector<Vector3>& normals, const SlipState& region, Sign side,
                    PaperWork& work) {
   LinearProgram program;
@@ -54,7 +54,7 @@ bool has_component(const std::vector<Vector3>& normals, const SlipState& region,
 
 // Step 2: all pairs of regions at Hamming distance 1.
 
-/// The place where two states differ, if there is exactly one.
+/// Returns the place where two states differ, if there is exactly one.
 std::optional<std::size_t> only_difference(const SlipState& a, const SlipState& b) {
   std::optional<std::size_t> place;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -75,7 +75,7 @@ DualPolyhedron make_dual(std::size_t regions, const std::vector<PaperFacet>& fac
   return dual;
 }
 
-/// Requires at least one edge.
+/// Returns the line of these edges. Requires at least one edge.
 PaperLine make_line(std::vector<std::size_t> edges, const std::vector<SlipState>& regions,
                     const std::vector<PaperFacet>& facets) {
   // Facets are ordered by their first region, the lower of the two.
@@ -98,8 +98,8 @@ std::vector<std::size_t> symmetric_sum(const std::vector<std::vector<std::size_t
   return sum;
 }
 
-/// Whether an element of the cycle space is one simple cycle: two edges at each vertex that it
-/// meets, and in one piece.
+/// Returns whether an element of the cycle space is one simple cycle: two edges at each vertex
+/// that it meets, and in one piece.
 bool is_one_cycle(const std::vector<std::size_t>& edges, std::size_t regions,
                   const std::vector<PaperFacet>& facets) {
   DualPolyhedron graph(regions);

@@ -32,7 +32,7 @@ namespace {
 
 using Word = PackedSigns::Word;
 
-/// Where the digits of each circle's planes stand in packed signs, and what they are when the
+/// The places of the digits of each circle's planes in packed signs, and their values when the
 /// circle, oriented to the pole as in FilteredNormals, has a given sign.
 class SignLayout {
  public:
@@ -91,7 +91,7 @@ class SignLayout {
   std::vector<Part> parts_;
 };
 
-/// Vertices by their number of circles, on half of each circle.
+/// The numbers of vertices by their number of circles, on half of each circle.
 class Census {
  public:
   explicit Census(std::size_t circles) : met_(circles + 1, 0), owned_(circles + 1, 0) {}
@@ -123,8 +123,8 @@ class Census {
   }
 
  private:
-  std::vector<std::size_t> met_;    ///< (circle, vertex) pairs
-  std::vector<std::size_t> owned_;  ///< vertices, at their lowest circle
+  std::vector<std::size_t> met_;    ///< the number of (circle, vertex) pairs
+  std::vector<std::size_t> owned_;  ///< the number of vertices, counted at their lowest circle
 };
 
 /// Gives out the cells that belong to one circle after the other.
@@ -136,7 +136,7 @@ class CellWalk {
         visitor_(visitor),
         words_(PackedSigns::words_for(layout.planes()), 0) {}
 
-  /// The face of the pole and its antipode, or whatever there is without a crossing.
+  /// Visits the face of the pole and its antipode or, without a crossing, all cells.
   void visit_poles() {
     set_all(1);
     give(CellKind::kFace);
@@ -204,7 +204,8 @@ ArrangementCounts counts_of(const GreatCircles& circles, const Census& census) {
 
 using FourSigns = std::array<Sign, 4>;
 
-/// The signs that each byte of digits spells. Some bytes have a digit 3, and are never met.
+/// Returns the signs that each byte of digits spells. Some bytes have a digit 3, and are never
+/// met.
 std::array<FourSigns, 256> signs_of_bytes() {
   constexpr Sign kSignOfDigit[] = {Sign::kPositive, Sign::kNegative, Sign::kZero, Sign::kZero};
   std::array<FourSigns, 256> result{};

@@ -125,7 +125,7 @@ constexpr Tolerated kTolerated[] = {
   throw InputError("", "uncertain", problem, remedy);
 }
 
-/// A number of a ball's words.
+/// Reads a number in the text of a ball; `name` is its name in errors.
 Rational ball_number(const std::string& name, std::string_view text) {
   try {
     return parse_rational(text);
@@ -135,7 +135,7 @@ Rational ball_number(const std::string& name, std::string_view text) {
   }
 }
 
-/// What stands after "ball:".
+/// Reads the text of a ball that follows "ball:".
 LoadBall parse_ball(std::string_view text) {
   const auto next = [&] {
     const std::size_t colon = std::min(text.find(':'), text.size());

@@ -57,7 +57,7 @@ std::string quote(std::string_view text) {
   const bool cut = text.size() > kShown;
   if (cut) {
     std::size_t end = kShown;
-    // Never through the middle of a UTF-8 character.
+    // The cut is never in the middle of a UTF-8 character.
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
     text = text.substr(0, end);
   }

@@ -26,10 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files that must not be written over, by what they are and not by what they are called.
+/// The files that must not be written over, known by device and inode, not by name.
 struct ProtectedFiles {
   std::mutex mutex;
-  bool inputs = false;                                   ///< all that are opened
+  bool inputs = false;  ///< whether every file that is opened is protected
   std::map<std::pair<dev_t, ino_t>, std::string> roles;  ///< "the input g.json"
 };
 
@@ -64,10 +64,10 @@ bool write_all(int descriptor, std::string_view content) {
   return true;
 }
 
-/// What `path` is a link to, through any number of links: the file that is to be replaced.
-/// Where there is none yet, the file that the last link names.
+/// Returns the file that is to be replaced: the one to which `path` leads through any number of
+/// links. If that does not exist yet, it is the file that the last link names.
 std::string behind_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the kernel follows
+  constexpr int kMostLinks = 40;  // the kernel follows so many
   fs::path file = path;
   std::error_code error;
   for (int links = 0; fs::is_symlink(file, error); ++links) {
@@ -79,7 +79,7 @@ std::string behind_links(const std::string& path) {
   return file.string();
 }
 
-/// Standard output or error if that is this file, as /dev/stdout is.
+/// Returns the descriptor of standard output or error if that is this file, as /dev/stdout is.
 std::optional<int> standard_stream(const struct stat& file) {
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat stream {};
@@ -91,7 +91,7 @@ std::optional<int> standard_stream(const struct stat& file) {
   return std::nullopt;
 }
 
-/// A device or pipe (/dev/null), which cannot be replaced by renaming.
+/// Writes to a device or pipe (/dev/null), which cannot be replaced by renaming.
 void write_into(const std::string& path, std::string_view content) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   const bool good = descriptor >= 0 && write_all(descriptor, content);
@@ -106,8 +106,8 @@ struct TemporaryFile {
   int descriptor;
 };
 
-/// Beside `file`, named as target_of_temporary reads it. Private if the file that it is to
-/// replace may be.
+/// Makes a new file beside `file`, with a name that target_of_temporary reads. With
+/// `is_private` only its owner may use it, as the file that it is to replace may be private.
 TemporaryFile make_temporary(const std::string& file, bool is_private) {
   static std::atomic<unsigned> count{0};
   const mode_t mode = is_private ? 0600 : 0666;
@@ -119,7 +119,7 @@ TemporaryFile make_temporary(const std::string& file, bool is_private) {
   }
 }
 
-/// To those of the file that is replaced.
+/// Sets the permissions to those of the file that is replaced.
 bool set_permissions(int descriptor, const struct stat& replaced) {
   // Only root may give a file away; otherwise it belongs to who wrote it.
   const bool given = ::fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0;
@@ -127,7 +127,7 @@ bool set_permissions(int descriptor, const struct stat& replaced) {
   return ::fchmod(descriptor, replaced.st_mode & mode) == 0;
 }
 
-/// How many threads are writing, and whether others may begin.
+/// The number of threads that are writing, and whether others may begin.
 struct Writes {
   std::mutex mutex;
   std::condition_variable changed;
@@ -135,7 +135,7 @@ struct Writes {
   bool stopped = false;
 };
 
-/// Never destroyed: threads may write while the program ends.
+/// Returns the one object, which is never destroyed: threads may write while the program ends.
 Writes& writes() {
   static auto* const all = new Writes;
   return *all;

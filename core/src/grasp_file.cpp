@@ -22,16 +22,16 @@ namespace stickslip {
 
 using namespace core_detail;
 
-/// A number; or an interval, which is rare and kept apart.
+/// A number as it is written. An interval is rare, and so kept apart.
 struct WrittenNumber {
   Rational middle{};
-  std::shared_ptr<const Interval> interval{};  ///< unless it is one number
+  std::shared_ptr<const Interval> interval{};  ///< the interval; null if it is one number
 
   Interval ends() const { return interval ? *interval : point_interval(middle); }
 };
 
 struct WrittenContact {
-  /// What "defaults" may give.
+  /// The properties that "defaults" may give.
   struct Properties {
     std::optional<WrittenNumber> friction;
     std::optional<WrittenNumber> stiffness;
@@ -39,15 +39,16 @@ struct WrittenContact {
     std::shared_ptr<const Rational> torsion{};  ///< in version 3
   };
 
-  std::optional<PlaceOnOutline> place;  ///< in place of position and normal
+  /// The place on the outline, if that is written and not position and normal.
+  std::optional<PlaceOnOutline> place;
   WrittenNumber x;
   WrittenNumber y;
   WrittenNumber z;  ///< in space only
   Vector2 normal;
   Rational normal_z{};            ///< in space only
-  std::optional<Rational> slope;  ///< of the normal, unless it is 0
+  std::optional<Rational> slope;  ///< the slope of the normal, unless it is 0
   Properties own;
-  /// "of" and "by", which may be empty; null without either.
+  /// The names in "of" and "by", each of which may be empty; null if neither is written.
   std::shared_ptr<const std::pair<std::string, std::string>> bodies;
 };
 
@@ -78,7 +79,7 @@ void read_position(const JsonNode& node, const std::string& path, IntervalReader
   contact.y = read_written(position.children[1], element_path(place, 1), read);
 }
 
-/// [x, y], or {"direction": [x, y], "slope": E}; in space with [x, y, z].
+/// Reads [x, y], or {"direction": [x, y], "slope": E}; in space with [x, y, z].
 void read_normal(const JsonNode& node, const std::string& path, IntervalReader& read,
                  bool in_space, WrittenContact& contact) {
   const JsonNode& normal =
@@ -106,7 +107,8 @@ void read_normal(const JsonNode& node, const std::string& path, IntervalReader& 
   if (contact.slope->is_zero()) contact.slope.reset();
 }
 
-/// A contact is in space, or not, as the first one is.
+/// Reads position and normal in space. (All contacts are in space, or none: the first one says
+/// which.)
 void read_place_in_space(const JsonNode& node, const std::string& path, IntervalReader& read,
                          WrittenContact& contact) {
   const JsonNode& position = member(node, path, "position", "add \"position\": [x, y, z]");
@@ -173,7 +175,8 @@ WrittenContact read_contact(const JsonNode& node, const std::string& path, Inter
   return contact;
 }
 
-/// The contact, with 1 and 0 for what is not given.
+/// Returns the contact with the middles of its numbers, and with 1 for a stiffness and 0 for
+/// other numbers that are not given.
 Contact middle_of(WrittenContact c) {
   const auto value = [](std::optional<WrittenNumber>& number, int otherwise) {
     return number ? std::move(number->middle) : Rational(otherwise);
@@ -193,7 +196,7 @@ bool is_certain(const WrittenContact& c) {
   return certain;
 }
 
-/// Its intervals; checked, with errors at `path`.
+/// Returns the contact with its intervals, checked, with errors at `path`.
 UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std::string& path) {
   const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
     return number ? number->ends() : point_interval(otherwise);
@@ -216,7 +219,7 @@ UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std:
   return contact;
 }
 
-/// `in_space`: as the contacts are.
+/// Reads "defaults". `in_space` says whether the contacts are in space.
 Properties read_defaults(const JsonNode& root, IntervalReader& read, bool in_space = false) {
   const JsonNode* node = root.find("defaults");
   if (node == nullptr) return {};
@@ -255,7 +258,7 @@ std::string read_name(const JsonNode& root) {
   return node->text;
 }
 
-/// The version of the file, 1 to 3.
+/// Returns the version of the file, 1 to 3.
 int read_format(const JsonNode& root) {
   const std::string remedy = std::string("write \"format\": \"") + kVersion1 + "\" or \"" +
                              kVersion2 + "\", or of several bodies \"" + kVersion3 + "\"";
@@ -277,7 +280,7 @@ std::string newer_format() {
   return std::string("write \"format\": \"") + kVersion2 + "\", which has it";
 }
 
-/// What version 1 does not have.
+/// Throws InputError for a key that version 1 does not have.
 [[noreturn]] void fail_as_newer(const std::string& path, const std::string& key) {
   fail_at(path, "unknown key " + quote(key), newer_format());
 }
@@ -308,7 +311,7 @@ void check_members(const JsonNode& root, bool version2) {
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
 }
 
-/// The load; of cases, what is common to them.
+/// Reads the load; in a file with cases, the load that they have in common.
 WrenchBox read_whole_load(const JsonNode& root, bool in_space, IntervalReader& read,
                           const std::string& remedy) {
   const std::optional<WrenchBox> load = read_load(root, "", {in_space}, read);
@@ -376,7 +379,7 @@ void put_on_outline(std::vector<WrittenContact>& contacts, const std::vector<Pol
   }
 }
 
-/// Of one body: what only files of several have.
+/// Refuses members that only files of several bodies have.
 void refuse_bodies(const std::vector<WrittenContact>& contacts, const Properties& defaults) {
   const auto refuse = [](const std::string& place, const std::string& key) {
     fail_at(place, "unknown key \"" + key + "\"",
@@ -391,7 +394,7 @@ void refuse_bodies(const std::vector<WrittenContact>& contacts, const Properties
   }
 }
 
-/// Which bodies a contact is between.
+/// Sets the bodies that a contact is between.
 void put_between(UncertainContact& contact, const WrittenContact& written,
                  const Mechanism& mechanism, const std::string& path) {
   if (!written.bodies || written.bodies->first.empty()) {
@@ -440,7 +443,7 @@ std::string read_all(std::istream& in, const std::string& file) {
   while (in) {
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-    // parse_grasp has the message; what matters here is to stop.
+    // It is enough to stop here; parse_grasp has the message.
     if (text.size() > kMaxJsonBytes) break;
   }
   if (in.bad()) throw InputError(file, "", "reading failed", "is it a readable file?");
@@ -453,7 +456,8 @@ std::size_t case_named(const std::vector<std::string>& cases,
                        const std::optional<std::string>& name) {
   const auto found = std::find(cases.begin(), cases.end(), name);
   if (found != cases.end()) return static_cast<std::size_t>(found - cases.begin());
-  // The names, of many the first; and which may have been meant.
+  // The remedy names the cases, the first of them if there are many, and the one that may have
+  // been meant.
   constexpr std::size_t kMostNamed = 12;
   std::string choice = did_you_mean(name.value_or(""), cases) + "its cases are ";
   for (std::size_t i = 0; i < std::min(cases.size(), kMostNamed); ++i) {
@@ -491,8 +495,8 @@ void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
     in_space_ =
         position != nullptr && position->kind == Kind::kArray && position->children.size() == 3;
   }
-  // Places within the contact, put below its own only when needed: to spell the paths of all
-  // numbers would take as long as to read them.
+  // Errors name places within the contact, and the path of the contact is put before them only
+  // when needed: to spell the paths of all numbers would take as long as to read them.
   const std::string path = element_path("contacts", index);
   contacts_.push_back(within(path, [&] { return read_contact(node, "", read, in_space_); }));
   if (first_interval_.empty() && !interval.empty()) first_interval_ = path + "." + interval;
@@ -655,7 +659,7 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
 
 namespace {
 
-/// What `finish` makes of the text, with `file` in errors.
+/// Returns what `finish` makes of the text. Errors name `file`.
 template <class Finish>
 GraspFile parse_with(std::string_view text, const std::string& file, const Finish& finish) {
   try {

@@ -29,7 +29,7 @@ Integer::Integer(const std::string& digits) : Integer() {
 }
 
 std::string Integer::str() const {
-  std::string text(mpz_sizeinbase(&z_, 10) + 2, '\0');  // with a sign and an end
+  std::string text(mpz_sizeinbase(&z_, 10) + 2, '\0');  // room for a sign and an end
   mpz_get_str(text.data(), 10, &z_);
   text.resize(std::strlen(text.c_str()));
   return text;

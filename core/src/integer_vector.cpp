@@ -17,14 +17,15 @@ mpz_srcptr denominator_of(const Rational& value) {
   return mpq_denref(value.gmp());
 }
 
-/// What primitive_multiple() needs of its fractions.
+/// The numbers that primitive_multiple() needs of all its fractions.
 template <class Number>
 struct CommonParts {
   Number numerators;    ///< their greatest common divisor; 0 if all are 0
   Number denominators;  ///< their least common multiple
 };
 
-/// If all of it fits into machine words, as it mostly does.
+/// Returns these numbers if they and the fractions fit into machine words, as they mostly do;
+/// else nothing.
 std::optional<CommonParts<mp_limb_t>> short_parts(const Rational* a, std::size_t n) {
   CommonParts<mp_limb_t> parts{0, 1};
   for (std::size_t j = 0; j < n; ++j) {
@@ -69,7 +70,8 @@ void make_primitive(Integer* a, std::size_t n) {
 }
 
 void primitive_multiple(const Rational* a, Integer* result, std::size_t n) {
-  // Of fractions p_j / q_j in lowest terms: (p_j / gcd of all p) (lcm of all q / q_j).
+  // The result for fractions p_j / q_j in lowest terms is (p_j / gcd of all p) (lcm of all q /
+  // q_j).
   if (const auto parts = short_parts(a, n)) {
     if (parts->numerators == 0) return;
     for (std::size_t j = 0; j < n; ++j) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The intervals of a grasp file: {"min": A, "max": B}.
+/// Reads the intervals of a grasp file: {"min": A, "max": B}.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ class IntervalReader {
  public:
   explicit IntervalReader(std::string& first) : first_(first) {}
 
-  /// A number, or an interval whose ends are in order.
+  /// Returns a number, or an interval whose ends are in order.
   Interval number(const JsonNode& node, const std::string& path);
-  /// `length` of them; `form` describes them, "an array of two numbers [x, y]".
+  /// Returns `length` of them; `form` describes them, "an array of two numbers [x, y]".
   std::vector<Interval> numbers(const JsonNode& node, const std::string& path,
                                 std::size_t length, const char* form);
-  /// Something at this place, which is no number, stands for an interval.
+  /// Notes that something at this place, which is no number, stands for an interval.
   void note(const std::string& path);
 
  private:

@@ -20,7 +20,7 @@ namespace {
 using ParsedJson = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                         std::uint64_t, long double>;
 
-/// "line:column" of a byte, columns counted in characters.
+/// Returns "line:column" of a byte, columns counted in characters.
 std::string position_of(std::string_view text, std::size_t offset) {
   std::size_t line = 1;
   std::size_t column = 1;
@@ -54,7 +54,7 @@ bool contains(const std::string& text, const char* part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The parser's own words, without its name, its position and the bytes it choked on.
+/// Returns the parser's own words, without its name, its position and the bytes it choked on.
 std::string essence(std::string message) {
   const std::size_t start = message.find(" - ");
   if (start != std::string::npos) message.erase(0, start + 3);
@@ -63,7 +63,7 @@ std::string essence(std::string message) {
   return message;
 }
 
-/// A bracket at `at` may have been unexpected because of the comma before it.
+/// Throws InputError if the bracket at `at` was unexpected because of a comma before it.
 void refuse_trailing_comma(std::string_view text, std::size_t at) {
   if (at == 0 || at >= text.size() || (text[at] != ']' && text[at] != '}')) return;
   const std::size_t comma = text.find_last_not_of(" \t\r\n", at - 1);
@@ -72,7 +72,8 @@ void refuse_trailing_comma(std::string_view text, std::size_t at) {
                    "remove it: no comma follows the last element");
 }
 
-/// `read`: how many bytes the parser had read, the offending one included.
+/// Throws the InputError of a syntax error. `read` is the number of bytes that the parser had
+/// read, the offending one included.
 [[noreturn]] void fail_syntax(std::string_view text, std::size_t read, bool out_of_range,
                               const std::string& parser_message) {
   const std::size_t at = std::min(read == 0 ? 0 : read - 1, text.size());
@@ -108,7 +109,7 @@ void refuse_trailing_comma(std::string_view text, std::size_t at) {
     remedy = text[at] == ',' ? "remove the comma: nothing follows the object"
                              : "one JSON object is expected, and nothing behind it";
   }
-  // Where the parser names an unexpected token there is no need to repeat it.
+  // A token that the parser names as unexpected need not be repeated.
   const bool bare =
       word.empty() && problem == "invalid literal" && at < text.size() && is_ascii(text[at]);
   const std::string_view shown = bare ? text.substr(at, 1) : std::string_view(word);
@@ -177,12 +178,13 @@ class Builder : public nlohmann::json_sax<ParsedJson> {
  private:
   struct Open {
     JsonNode node;
-    std::size_t count;  ///< of children so far, streamed ones included
+    std::size_t count;  ///< children so far, streamed ones included
     std::size_t nodes_before;
-    const JsonStream* elements;  ///< nullptr: they are kept
+    const JsonStream* elements;  ///< the stream that takes the elements; null if they are kept
   };
 
-  /// The path of the value at hand when the first `depth` open containers are around it.
+  /// Returns the path of the value at hand when the first `depth` open containers are around
+  /// it.
   std::string path(std::size_t depth) const {
     std::string result;
     for (std::size_t i = 0; i < depth; ++i) {
@@ -193,7 +195,7 @@ class Builder : public nlohmann::json_sax<ParsedJson> {
     return result;
   }
 
-  /// The stream of the array that begins here, or nullptr.
+  /// Returns the stream of the array that begins here, or nullptr.
   const JsonStream* stream() const {
     const auto leads_here = [&](const JsonStream& stream) {
       return std::equal(stream.keys.begin(), stream.keys.end(), open_.begin(), open_.end(),
@@ -206,8 +208,8 @@ class Builder : public nlohmann::json_sax<ParsedJson> {
     return found == streams_.end() ? nullptr : &*found;
   }
 
-  /// Whether the value at hand has the limit for itself: a member of the text's object, or a
-  /// streamed element.
+  /// Returns whether the value at hand has the limit for itself: a member of the text's object,
+  /// or a streamed element.
   bool begins_place() const {
     return !open_.empty() &&
            (open_.back().elements != nullptr ||
@@ -239,8 +241,8 @@ class Builder : public nlohmann::json_sax<ParsedJson> {
     count_node();
     const JsonStream* const elements = kind == JsonNode::Kind::kArray ? stream() : nullptr;
     open_.push_back({{kind, {}, {}, {}}, 0, nodes_before, elements});
-    // As many as most have: grown from one, the lists of contacts' members cost much of
-    // reading.
+    // Room for as many as most have is reserved at once: lists that grew one by one took much
+    // of the time of reading contacts.
     JsonNode& node = open_.back().node;
     if (kind == JsonNode::Kind::kObject) {
       node.keys.reserve(kUsualMembers);
@@ -279,11 +281,11 @@ class Builder : public nlohmann::json_sax<ParsedJson> {
   std::string_view text_;
   const std::vector<JsonStream>& streams_;
   std::vector<Open> open_;
-  std::size_t nodes_ = 0;  ///< of the place at hand
+  std::size_t nodes_ = 0;  ///< the values so far of the place at hand
   JsonNode root_;
 };
 
-/// Builds a Json of what a program wrote itself.
+/// Builds a Json from a text that a program wrote itself.
 class ValueBuilder : public nlohmann::json_sax<ParsedJson> {
  public:
   Json take_root() { return std::move(root_); }
@@ -339,7 +341,7 @@ class ValueBuilder : public nlohmann::json_sax<ParsedJson> {
   }
 
   std::vector<Json> open_;
-  std::vector<std::string> keys_;  ///< of each that is open, the last
+  std::vector<std::string> keys_;  ///< the last key of each open object
   Json root_;
 };
 

@@ -13,8 +13,8 @@ namespace {
   throw std::logic_error(std::string("a JSON value is not what it is taken for: ") + what);
 }
 
-/// A part of a text: a character of UTF-8, or bytes that begin none, or that
-/// begin one which does not end.
+/// A part of a text: a character of UTF-8, or bytes that begin none, or bytes that begin one
+/// which does not end.
 struct Character {
   std::size_t bytes;
   bool is_whole;
@@ -56,7 +56,7 @@ std::string hex(unsigned char byte, const char* digits) {
   return {digits[byte >> 4], digits[byte & 0xF]};
 }
 
-/// The escape of an ASCII character, empty if it needs none.
+/// Returns the escape of an ASCII character; an empty string if it needs none.
 std::string escape(char c) {
   switch (c) {
     case '"':
@@ -94,7 +94,7 @@ std::string escape(char c) {
 
 void core_detail::append_json_string(std::string& to, const std::string& text, bool replaces) {
   to += '"';
-  std::size_t done = 0;  // what stands before it is written
+  std::size_t done = 0;  // all bytes before it are written
   for (std::size_t at = 0; at < text.size();) {
     const Character character = character_at(text, at);
     std::string instead;

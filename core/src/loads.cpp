@@ -11,10 +11,10 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-/// How loads are written.
+/// The form in which loads are written.
 struct LoadForms {
-  std::size_t coordinates;  ///< of a point
-  std::size_t components;   ///< of a wrench
+  std::size_t coordinates;  ///< the coordinates of a point
+  std::size_t components;   ///< the components of a wrench
   const char* point;
   const char* point_in_words;
   const char* wrench;
@@ -58,7 +58,8 @@ RationalRow force_at(RationalRow f, const RationalRow& p) {
   return f;
 }
 
-/// Along the last axis, downwards, unless it has a direction of its own.
+/// Returns the force of a weight. It pulls along the last axis, downwards, unless it has a
+/// direction of its own.
 RationalRow read_weight(const JsonNode& load, const std::string& path, const LoadForms& forms) {
   const std::string place = member_path(path, "weight");
   const Rational weight = read_number(*load.find("weight"), place);
@@ -116,7 +117,7 @@ void add(WrenchBox& sum, std::size_t component, const Interval& interval) {
   sum[component].high += interval.high;
 }
 
-/// A load on one of several bodies, added to a generalised force.
+/// Adds a load on one of several bodies to a generalised force.
 void add_load(WrenchBox& sum, const JsonNode& load, const std::string& path,
               const Mechanism& mechanism, IntervalReader& read) {
   const LoadForms& written = forms(mechanism.in_space);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The loads of a grasp file: wrenches, forces at points, torques and weights, summed exactly
-/// to wrenches about the origin.
+/// Reads the loads of a grasp file: wrenches, forces at points, torques and weights, summed
+/// exactly to wrenches about the origin.
 #pragma once
 
 #include <optional>
@@ -15,36 +15,37 @@
 
 namespace stickslip::core_detail {
 
-/// What loads are on.
+/// The body or bodies that loads act on.
 struct LoadSpace {
   bool in_space;
-  const Mechanism* mechanism = nullptr;  ///< unless it is one body
+  /// The mechanism of several bodies; null if there is one body.
+  const Mechanism* mechanism = nullptr;
 
-  /// How many numbers a load comes to.
+  /// Returns how many numbers a load comes to.
   std::size_t components() const {
     return mechanism != nullptr ? mechanism->coordinates() : in_space ? 6 : 3;
   }
 };
 
-/// What an object gives as "wrench" or as "loads"; nothing if it has neither.
+/// Returns the load that an object gives as "wrench" or as "loads"; nothing if it has neither.
 std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& path,
                                    const LoadSpace& space, IntervalReader& read);
 
-/// A case: its name, and its load with the common one.
+/// A case: its name, and its load together with the common one.
 struct ReadCase {
   std::string name;
   WrenchBox load;
 };
-/// The elements of "cases"; none if there is no such key.
+/// Returns the elements of "cases"; none if there is no such key.
 std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
                                  const LoadSpace& space, IntervalReader& read);
 
-/// Where the weights of loads, also those of cases, pull at which body. Requires that all these
-/// were read.
+/// Returns the points at which weights pull, in the common loads and in those of cases, each
+/// with the index of its body. Requires that all these loads were read.
 std::vector<std::pair<std::size_t, RationalRow>> weight_points(const JsonNode& root,
                                                                const Mechanism& mechanism);
 
-/// Whether some component is no number.
+/// Returns whether some component is an interval and not one number.
 bool is_uncertain(const WrenchBox& wrench);
 
 }  // namespace stickslip::core_detail

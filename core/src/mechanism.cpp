@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kPlanarTwist = 3;
 constexpr std::size_t kSpatialTwist = 6;
 
-/// The twist of a unit of turning or sliding.
+/// Returns the twist of a unit of turning or sliding.
 RationalRow twist_of(const Link& link) {
   const RationalRow& g = link.axis;
   const RationalRow& c = link.at;

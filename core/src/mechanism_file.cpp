@@ -19,7 +19,7 @@ const char* vector_form(bool in_space) {
   return in_space ? "an array of three numbers [x, y, z]" : "an array of two numbers [x, y]";
 }
 
-/// The elements of a list that may be missing.
+/// Returns the elements of a list that may be missing.
 const std::vector<JsonNode>& elements_of(const JsonNode& root, const char* key) {
   static const std::vector<JsonNode> kNone;
   const JsonNode* list = root.find(key);
@@ -107,7 +107,7 @@ Body read_one_body(const JsonNode& node, const std::string& path, bool in_space,
   return body;
 }
 
-/// {"link": number, ...}, none of them 0.
+/// Reads {"link": number, ...}, where no number is 0.
 LinkRates read_rates(const JsonNode& object, const std::string& path, const char* key,
                      const Mechanism& mechanism) {
   const std::string place = member_path(path, key);

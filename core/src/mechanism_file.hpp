@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What a grasp file of version 3 says of several bodies.
+/// Reads the several bodies of a grasp file of version 3.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,11 @@
 
 namespace stickslip::core_detail {
 
-/// "bodies" and "joints", checked. Throws InputError.
+/// Returns the mechanism that "bodies" and "joints" describe, checked. Throws InputError.
 Mechanism read_mechanism(const JsonNode& root, bool in_space);
 
-/// "ratchets", those of "joints" that have one, and "tendons", in this order.
+/// Returns the springs: "ratchets", then the springs of those "joints" that have one, and then
+/// "tendons".
 std::vector<Spring> read_springs(const JsonNode& root, const Mechanism& mechanism,
                                  IntervalReader& read);
 

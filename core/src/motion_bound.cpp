@@ -16,18 +16,18 @@ Rational most_of(const Interval& interval) {
   return std::max<Rational>(abs(interval.low), abs(interval.high));
 }
 
-/// The least number of two decimal digits that is not below this one, which is above 0.
+/// Returns the least number of two decimal digits that is not below this one, which is above 0.
 Rational in_two_digits(const Rational& value) {
   Rational unit = 1;
   while (unit * 10 > value) unit /= 10;
   while (unit * 100 <= value) unit *= 10;
-  const Rational digits = value / unit;  // from 10 to below 100
+  const Rational digits = value / unit;  // 10 <= digits < 100
   const Integer below = numerator(digits) / denominator(digits);
   return Rational(Rational(below) == digits ? below : Integer(below + 1)) * unit;
 }
 
-/// How the contacts lie: the middle of the box around them, half of its widest side, and the
-/// largest coordinate of a contact.
+/// The spread of the contacts: the middle of the box around them, half of its widest side, and
+/// the largest coordinate of a contact.
 struct Spread {
   RationalRow centre;
   Rational half{0};
@@ -55,7 +55,7 @@ Spread spread_of(const GraspBox& box) {
   return spread;
 }
 
-/// The torque of the load about the centre of the contacts, of one body.
+/// Returns the torque of the load of one body about the centre of the contacts.
 RationalRow torque_about(const RationalRow& centre, const WrenchBox& wrench) {
   RationalRow w;
   for (const Interval& component : wrench) w.push_back(component.middle());

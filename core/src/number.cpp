@@ -26,7 +26,8 @@ bool is_digit(char c) {
   throw NumberError(quote(text) + " is not a number such as 2, -0.25, 1e-3 or 3/5");
 }
 
-/// Takes digits from the front of `rest` and appends them to `digits`.
+/// Takes digits from the front of `rest`, appends them to `digits`, and returns how many there
+/// were.
 std::size_t take_digits(std::string_view& rest, std::string& digits) {
   std::size_t count = 0;
   while (count < rest.size() && is_digit(rest[count])) ++count;
@@ -35,7 +36,7 @@ std::size_t take_digits(std::string_view& rest, std::string& digits) {
   return count;
 }
 
-/// True and removed from `rest` if it starts with '-'; a '+' is removed as well.
+/// Takes a sign from the front of `rest`. Returns true if it is '-'.
 bool take_sign(std::string_view& rest) {
   if (rest.empty() || (rest.front() != '-' && rest.front() != '+')) return false;
   const bool negative = rest.front() == '-';
@@ -67,20 +68,20 @@ Integer power_of_ten(long exponent) {
   return stickslip::pow(Integer(10), static_cast<unsigned>(exponent));
 }
 
-/// value * 10^exponent.
+/// Returns value * 10^exponent.
 Rational shifted(const Rational& value, long exponent) {
   const Integer power = power_of_ten(std::abs(exponent));
   return exponent < 0 ? value / power : value * power;
 }
 
-/// digits * 10^unit > 0, with an exponent if it is below 1e-4 or from 1e6 on.
+/// Spells digits * 10^unit > 0, with an exponent if it is below 1e-4 or from 1e6 on.
 std::string spell_decimal(Integer digits, long unit) {
   while (digits % 10 == 0) {
     digits /= 10;
     ++unit;
   }
   std::string text = digits.str();
-  const long exponent = static_cast<long>(text.size()) - 1 + unit;  // of the first digit
+  const long exponent = static_cast<long>(text.size()) - 1 + unit;  // the first digit
   if (exponent < -4 || exponent >= 6) {
     if (text.size() > 1) text.insert(1, ".");
     return text + "e" + std::to_string(exponent);
@@ -91,18 +92,19 @@ std::string spell_decimal(Integer digits, long unit) {
   return text;
 }
 
-/// floor(sqrt(square) / 10^unit).
+/// Returns floor(sqrt(square) / 10^unit).
 Integer units_below(const Rational& square, long unit) {
   const Rational scaled = shifted(square, -2 * unit);
   return sqrt(Integer(numerator(scaled) / denominator(scaled)));
 }
 
-/// The unit of which sqrt(square) > 0 holds a number of at most `digits` digits, and no fewer.
+/// Returns the least u for which floor(sqrt(square) / 10^u) has at most `digits` digits; it
+/// then has just as many. Requires square > 0.
 long unit_for(const Rational& square, long digits) {
-  const auto length = [](const Integer& n) {  // in decimal digits, or one more
+  const auto length = [](const Integer& n) {  // the number of decimal digits, or one more
     return static_cast<long>(mpz_sizeinbase(n.gmp(), 10));
   };
-  // From a unit that is too small, by a few powers of ten.
+  // The search starts from a unit that is too small by a few powers of ten.
   long unit = (length(numerator(square)) - length(denominator(square))) / 2 - digits - 1;
   while (units_below(square, unit) >= power_of_ten(digits)) ++unit;
   return unit;
@@ -112,7 +114,7 @@ bool is_root(const Integer& units, long unit, const Rational& square) {
   return shifted(units * units, 2 * unit) == square;
 }
 
-/// The decimal of to_readable_string. `square` is that of the number, and not 0.
+/// Returns the decimal of to_readable_string. `square` is the square of the number, and not 0.
 std::string readable_decimal(bool negative, const Rational& square) {
   const long unit = unit_for(square, 6);
   const Integer units = (units_below(4 * square, unit) + 1) / 2;  // rounded
@@ -201,7 +203,7 @@ double to_double(const Rational& value) {
   using Double = std::numeric_limits<double>;
   mpz_srcptr num = mpq_numref(value.gmp());
   mpz_srcptr den = mpq_denref(value.gmp());
-  // Of two doubles, whose quotient the machine rounds once, and to nearest unless it is told
+  // The machine rounds the quotient of two doubles once, and to nearest unless it is told
   // otherwise.
   if (FLT_EVAL_METHOD == 0 && mpz_sizeinbase(num, 2) <= Double::digits &&
       mpz_sizeinbase(den, 2) <= Double::digits) {
@@ -209,7 +211,8 @@ double to_double(const Rational& value) {
   }
   mpfr_t rounded;
   mpfr_init2(rounded, Double::digits);
-  // With the exponents of doubles, so that a subnormal is rounded once, to the digits it has.
+  // The exponents are limited to those of doubles, so that a subnormal is rounded once, to the
+  // digits it has.
   const mpfr_exp_t before = mpfr_get_emin();
   mpfr_set_emin(Double::min_exponent - Double::digits + 1);
   const int direction = mpfr_set_q(rounded, value.gmp(), MPFR_RNDN);
@@ -223,7 +226,8 @@ double to_double(const Rational& value) {
 std::optional<Rational> exact_sqrt(const Rational& value) {
   require(value.sign() >= 0, "exact_sqrt of a negative number");
   mpq_srcptr square = value.gmp();
-  // Lowest terms: the root is rational iff both parts are squares, and then in lowest terms.
+  // The fraction is in lowest terms: its root is rational iff both parts are squares, and is
+  // then in lowest terms as well.
   if (mpz_perfect_square_p(mpq_numref(square)) == 0 ||
       mpz_perfect_square_p(mpq_denref(square)) == 0) {
     return std::nullopt;

@@ -15,8 +15,8 @@ bool holds_numbers(const Json& value) {
          (value.is_array() && std::any_of(value.begin(), value.end(), holds_numbers));
 }
 
-/// Not by parse_rational(): it limits what people write, and answers have longer numbers and
-/// larger exponents.
+/// Returns the double nearest to a decimal or fraction. It does not use parse_rational(), which
+/// limits what people write: answers have longer numbers and larger exponents.
 double nearest_double(const std::string& text) {
   if (text.find_first_of(".e") == std::string::npos) return to_double(Rational(text));
   double nearest = 0;

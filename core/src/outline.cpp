@@ -18,7 +18,7 @@ const Vector2& next(const Ring& ring, std::size_t i) {
   return ring[i + 1 == ring.size() ? 0 : i + 1];
 }
 
-/// Positive if the ring runs counterclockwise.
+/// Returns twice the area of a ring, positive if it runs counterclockwise.
 Rational doubled_area(const Ring& ring) {
   Rational area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {

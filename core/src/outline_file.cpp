@@ -13,13 +13,13 @@ using Kind = JsonNode::Kind;
 constexpr const char* kForm =
     "a list of polygons [[ring, hole, ...], ...]; a ring is [[x, y], ...]";
 
-/// Of arrays, first elements within first elements.
+/// Returns how deep arrays are nested, looking at first elements only.
 int depth_of(const JsonNode& node) {
   if (node.kind != Kind::kArray) return 0;
   return 1 + (node.children.empty() ? 0 : depth_of(node.children.front()));
 }
 
-/// The elements of the array, each read with its path.
+/// Returns the elements of the array, each read with its path.
 template <class Read>
 auto read_list(const JsonNode& node, const std::string& path, const char* form, Read read) {
   expect(node, Kind::kArray, path, form);
@@ -43,7 +43,8 @@ Polygon read_polygon(const JsonNode& node, const std::string& path) {
   return read_list(node, path, kForm, read_ring);
 }
 
-/// A whole number from 0 to below `count`; `range` says so.
+/// Returns a whole number from 0 to below `count`. Throws InputError for any other; `range`
+/// says so.
 std::size_t read_index(const Rational& value, std::size_t count, const std::string& path,
                        const std::string& range) {
   if (denominator(value) != 1 || value.sign() < 0 || value >= count) {

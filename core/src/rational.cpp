@@ -21,12 +21,12 @@ bool is_one(mpz_srcptr value) {
 
 /// A fraction whose parts are below 2^63.
 struct ShortFraction {
-  std::uint64_t size;  ///< of the numerator
+  std::uint64_t size;  ///< the absolute value of the numerator
   std::uint64_t denominator;
   bool negative;
 };
 
-/// False, and `to` unchanged, where a part is longer.
+/// Reads a fraction; returns false, and leaves `to` unchanged, if a part is longer.
 bool read_short(mpq_srcptr value, ShortFraction& to) {
   mpz_srcptr num = mpq_numref(value);
   mpz_srcptr den = mpq_denref(value);
@@ -49,7 +49,7 @@ void write(mpz_ptr to, DoubleWord size, bool negative) {
   to->_mp_size = negative ? -limbs : limbs;
 }
 
-/// A 1 that owns no memory stays so.
+/// Writes a denominator. A 1 that owns no memory stays so.
 void write_denominator(mpz_ptr to, DoubleWord value) {
   if (value != 1 || !is_one(to)) write(to, value, false);
 }
@@ -157,7 +157,7 @@ void Rational::add(const Rational& a, const Rational& b, bool negative) noexcept
   ShortFraction p;
   ShortFraction q;
   if (read_short(&a.q_, p) && read_short(&b.q_, q)) {
-    // Only what both denominators have in common can be a factor of the sum and of its
+    // Only a common factor of both denominators can be a factor of the sum and of its
     // denominator.
     const std::uint64_t common = std::gcd(p.denominator, q.denominator);
     const std::uint64_t rest = q.denominator / common;

@@ -31,8 +31,8 @@ std::optional<Rational> RootSum::rational() const {
 
 std::optional<Rational> RootSum::rational_square() const {
   if (terms_.empty()) return Rational(0);
-  // Of two or three terms the roots of the products in pairs are irrational, and so are their
-  // quotients: they do not cancel.
+  // A sum of two or three terms has an irrational square: the roots of the products in pairs
+  // are irrational, and so are their quotients, so that they do not cancel.
   require(terms_.size() <= 3, "rational_square of more than three roots");
   if (terms_.size() > 1) return std::nullopt;
   return terms_[0].factor * terms_[0].factor * terms_[0].radicand;
@@ -79,7 +79,7 @@ int RootSum::sign() const {
                   [first](const Term& term) { return term.factor.sign() == first; })) {
     return first;
   }
-  // Ends, as the sum is not 0.
+  // The loop ends, as the sum is not 0.
   for (unsigned bits = kFirstBits;; bits *= 2) {
     const auto [low, high] = between(bits);
     if (low.sign() > 0) return 1;
@@ -96,8 +96,8 @@ DecimalEnclosure enclose(const RootSum& value, int digits) {
   if (value.terms().size() == 1) {
     return enclose_sqrt(value.terms()[0].factor, value.terms()[0].radicand, digits);
   }
-  // Irrational: it is strictly between two neighbouring decimals, and so are both bounds once
-  // they are close enough.
+  // The sum is irrational, so it is strictly between two neighbouring decimals, and so are both
+  // bounds once they are close enough.
   for (unsigned bits = kFirstBits;; bits *= 2) {
     const auto [low, high] = value.between(bits);
     if (low.sign() != high.sign()) continue;
@@ -112,8 +112,8 @@ std::string to_readable_string(const RootSum& value) {
   if (value.terms().size() == 1) {
     return to_readable_string(value.terms()[0].factor, value.terms()[0].radicand);
   }
-  // Irrational: it is rounded as both bounds are once they are close enough, and neither is a
-  // number of few digits then.
+  // The sum is irrational. Once both bounds are close enough they round as it does, and then
+  // neither is a number of few digits.
   for (unsigned bits = kFirstBits;; bits *= 2) {
     const auto [low, high] = value.between(bits);
     std::string text = to_readable_string(low);

@@ -8,14 +8,14 @@
 namespace stickslip::core_detail {
 namespace {
 
-/// x / scale and y / scale.
+/// A vector (x / scale, y / scale).
 struct ShortVector {
   std::int64_t x;
   std::int64_t y;
   std::int64_t scale;
 };
 
-/// If all three are below 2^31.
+/// Returns the vector in this form if x, y and scale are below 2^31; else nothing.
 std::optional<ShortVector> short_vector(const Vector2& v) {
   constexpr std::size_t kBits = 31;
   mpq_srcptr x = v.x.gmp();

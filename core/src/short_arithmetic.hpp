@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Exact arithmetic by words of the machine where numbers are short, as most are that people
-/// write: several times faster than with numbers of any length.
+/// write. It is several times faster than with numbers of any length.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ static_assert(sizeof(unsigned long) == sizeof(std::uint64_t) && GMP_NUMB_BITS ==
 
 namespace stickslip::core_detail {
 
-/// numerator / denominator; the denominator is not 0.
+/// Returns numerator / denominator. Requires that the denominator is not 0.
 Rational short_fraction(std::uint64_t numerator, std::uint64_t denominator);
 
-/// a.x b.y - a.y b.x, of numbers of any length.
+/// Returns a.x b.y - a.y b.x, for numbers of any length.
 Rational determinant(const Vector2& a, const Vector2& b);
 
 }  // namespace stickslip::core_detail

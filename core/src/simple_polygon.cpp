@@ -11,8 +11,8 @@ namespace {
 struct RingEdge {
   const Vector2* from;
   const Vector2* to;
-  std::size_t number;    ///< in the polygon
-  std::size_t previous;  ///< of its neighbours
+  std::size_t number;    ///< its number in the polygon
+  std::size_t previous;  ///< the number of its neighbour before it
   std::size_t next;
 
   const Rational& low_x() const { return std::min(from->x, to->x); }
@@ -34,7 +34,7 @@ std::vector<RingEdge> sides_of(const Polygon& polygon) {
   return sides;
 }
 
-/// On which side of the line from a to b: left is +.
+/// Returns the side of the line from a to b on which p is: + on the left.
 int side_of(const Vector2& a, const Vector2& b, const Vector2& p) {
   return Rational((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)).sign();
 }
@@ -44,7 +44,7 @@ bool ranges_overlap(const RingEdge& a, const RingEdge& b) {
          b.low_y() <= a.high_y();
 }
 
-/// `next` begins where `side` ends: whether it goes back along it.
+/// Returns whether `next`, which begins where `side` ends, goes back along it.
 bool turns_back(const RingEdge& side, const RingEdge& next) {
   const Vector2& a = *side.from;
   const Vector2& b = *side.to;
@@ -53,16 +53,18 @@ bool turns_back(const RingEdge& side, const RingEdge& next) {
          Rational((b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y)).sign() < 0;
 }
 
-/// Of sides whose ranges overlap.
+/// Returns whether two edges meet in more than the common end of neighbours. Requires that
+/// their ranges overlap.
 bool meet(const RingEdge& a, const RingEdge& b) {
   if (a.next == b.number) return turns_back(a, b);
   if (b.next == a.number) return turns_back(b, a);
-  // Neither lies on one side of the other's line. On one line, their ranges decide.
+  // They meet if neither lies on one side of the other's line. If both are on one line, their
+  // ranges decide.
   return side_of(*a.from, *a.to, *b.from) * side_of(*a.from, *a.to, *b.to) <= 0 &&
          side_of(*b.from, *b.to, *a.from) * side_of(*b.from, *b.to, *a.to) <= 0;
 }
 
-/// Of a point that is on no side of the ring.
+/// Returns whether a point is inside the ring. Requires that it is on no edge of the ring.
 bool is_inside(const Vector2& p, const Ring& ring) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {

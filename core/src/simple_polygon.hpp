@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Whether rings are a polygon with holes.
+/// Checks that rings are a polygon with holes.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace stickslip::core_detail {
 
-/// Throws InputError at `path`, unless no two edges of the rings meet but neighbours where one
-/// ends and the other begins, and every hole lies inside the outer ring and outside of all
-/// other holes. Requires rings of three vertices or more, each unlike the next. Takes time
-/// proportional to the pairs of edges whose ranges of x overlap.
+/// Throws InputError at `path` unless the rings are simple: no two edges meet, except
+/// neighbours where one ends and the other begins, and every hole lies inside the outer ring
+/// and outside of all other holes. Requires rings of three vertices or more, each unlike the
+/// next. Takes time proportional to the pairs of edges whose ranges of x overlap.
 void check_simple(const Polygon& polygon, const std::string& path);
 
 }  // namespace stickslip::core_detail

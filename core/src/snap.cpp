@@ -20,7 +20,7 @@ Rational dot(const Vector2& a, const Vector2& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-/// A direction of the plane or of space, whose length is irrational.
+/// A direction in the plane or in space whose length is irrational.
 template <class Vector>
 class Target {
  public:
@@ -32,15 +32,15 @@ class Target {
 
   const Vector& direction() const { return direction_; }
 
-  /// Of a unit vector: |u - n/L| <= tolerance <=> u.n >= L (1 - tolerance^2/2), squared: no
-  /// root is taken.
+  /// Returns whether a unit vector u is near enough: |u - n/L| <= tolerance <=> u.n >= L (1 -
+  /// tolerance^2/2). Both sides are squared, so that no root is taken.
   bool accepts(const Vector& u) const {
     const Rational projection = dot(u, direction_);
     return projection.sign() > 0 && projection * projection >= threshold_;
   }
 
-  /// |u - n/L|^2 = 2 s^2 / (1 + c) with s, c the sine and cosine between u and n; s^2 L^2 is
-  /// exact, so a few digits suffice at any tolerance.
+  /// Returns an upper bound of |u - n/L|. Its square is 2 s^2 / (1 + c) with s, c the sine and
+  /// cosine between u and n; s^2 L^2 is exact, so a few digits suffice at any tolerance.
   std::string distance_bound(const Vector& u) const {
     const Rational c = dot(u, direction_);
     const Rational s_squared = length_squared_ - c * c;
@@ -58,7 +58,7 @@ struct Fraction {
   Integer num;
   Integer den;
 
-  /// The unit vector of the circle's parametrisation at t = num/den.
+  /// Returns the unit vector of the circle's parametrisation at t = num/den.
   Vector2 on_circle() const {
     const Integer a = num * num;
     const Integer b = den * den;
@@ -70,21 +70,22 @@ Fraction mediant(const Fraction& fixed, const Integer& times, const Fraction& en
   return {fixed.num + times * end.num, fixed.den + times * end.den};
 }
 
-/// The simplest fraction whose unit vector is accepted, of a direction in the first octant,
-/// 0 <= y <= x. It lies on the Stern-Brocot path to the
-/// target's own irrational parameter, because that parameter is inside the accepted interval.
-/// Steps in one direction are taken by doubling and bisection, so a parameter of 1e-20 costs
-/// 67 steps and not 1e20.
+/// Returns the unit vector of the simplest fraction whose vector is accepted. Requires a
+/// direction in the first octant, 0 <= y <= x. The fraction lies on the Stern-Brocot path to
+/// the target's own irrational parameter, because that parameter is inside the accepted
+/// interval. Steps in one direction are taken by doubling and bisection, so a parameter of
+/// 1e-20 costs 67 steps and not 1e20.
 Vector2 nearby_unit(const Target<Vector2>& target) {
   Fraction low{0, 1};
   Fraction high{1, 1};
   const auto accepted = [&](const Fraction& t) { return target.accepts(t.on_circle()); };
-  // Whether t lies below the parameter of the direction (never equal: that is irrational).
+  // `below(t)` says whether t lies below the parameter of the direction (never equal: that is
+  // irrational).
   const auto below = [&](const Fraction& t) {
     return determinant(t.on_circle(), target.direction()).sign() > 0;
   };
   if (accepted(low)) return low.on_circle();
-  // Not so `high`: t <= tan(22.5 degrees) is nearer to 0 than to 1.
+  // `high` is not accepted either, as t <= tan(22.5 degrees) is nearer to 0 than to 1.
   for (bool upward = false;; upward = !upward) {
     Fraction& moving = upward ? low : high;
     const Fraction& end = upward ? high : low;
@@ -109,14 +110,14 @@ Vector2 nearby_unit(const Target<Vector2>& target) {
   }
 }
 
-/// Of a number >= 0.
+/// Returns the whole part of a number >= 0.
 Integer whole_part(const Rational& value) {
   return numerator(value) / denominator(value);
 }
 
-/// Of a direction with 0 <= x, y <= z > 0. The entries s = x/(|n| + z) and t are rounded to
-/// multiples of 1/2, 1/4, ... until the point of the sphere is accepted: a distance of h in
-/// each moves it by less than 3 h.
+/// Returns an accepted unit vector for a direction with 0 <= x, y <= z > 0. The entries s =
+/// x/(|n| + z) and t are rounded to multiples of 1/2, 1/4, ... until the point of the sphere is
+/// accepted: a distance of h in each moves it by less than 3 h.
 Vector3 nearby_unit(const Target<Vector3>& target) {
   const Vector3& n = target.direction();
   const Rational x = n[0] / n[2];
@@ -142,7 +143,8 @@ Rational with_sign_of(const Rational& magnitude, const Rational& sign) {
   return sign.sign() < 0 ? Rational(-magnitude) : magnitude;
 }
 
-/// The unit vector near n, and how far it is away at most; nothing if n has a rational length.
+/// Returns the unit vector near n, and how far it is away at most; nothing if n has a rational
+/// length.
 std::optional<std::pair<Vector2, std::string>> snapped(const Vector2& n,
                                                        const Rational& tolerance) {
   if (exact_sqrt(dot(n, n))) return std::nullopt;
@@ -187,7 +189,7 @@ void set_normal(UncertainContact& c, const Vector3& n) {
   c.normal.assign(n.begin(), n.end());
 }
 
-/// Of contacts of the plane or of space.
+/// Snaps the normals of contacts in the plane or in space, and returns the replaced ones.
 template <class Contact>
 auto snap_contacts(std::vector<Contact>& contacts, const Rational& tolerance) {
   if (tolerance.sign() <= 0 || tolerance >= 1) {

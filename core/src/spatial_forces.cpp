@@ -9,12 +9,13 @@
 namespace stickslip {
 namespace {
 
-/// A vector of the plane as one in space.
+/// Returns a vector of the plane, or of space, as one in space.
 Vector3 in_three(const RationalRow& a) {
   return {a[0], a[1], a.size() == 3 ? a[2] : Rational(0)};
 }
 
-/// Of the body that is pressed beside the other, in space, from the motion of one or a state.
+/// Returns, in space, the twist of the body that is pressed beside the other one. `d` is the
+/// motion of the one body, or a state.
 RationalRow relative_twist(const GraspBox& grasp, const UncertainContact& c,
                            const RationalRow& d) {
   if (!grasp.mechanism) return d;
@@ -47,7 +48,7 @@ std::vector<SpatialForce> forces_of(
     const UncertainContact& c = grasp.contacts[i];
     const Vector3 n = in_three(c.normal);
     const Rational square = dot(n, n);
-    const Rational weight = c.torsion * c.torsion / square;  // of a spin in |s|^2
+    const Rational weight = c.torsion * c.torsion / square;  // the weight of a spin in |s|^2
     RationalRow position;
     for (const Interval& coordinate : c.position) position.push_back(coordinate.low);
     const RationalRow twist = relative_twist(grasp, c, d);
@@ -70,7 +71,7 @@ std::vector<SpatialForce> forces_of(
     const std::size_t i = contact.index();
     const Rational most = grasp.contacts[i].friction.low * forces[i].normal;
     const RationalRow& n = grasp.contacts[i].normal;
-    // In the plane a share is of the normal turned by +90 degrees.
+    // A share in the plane is a multiple of the normal turned by +90 degrees.
     const Vector3 along = share.size() == 1 ? Vector3{-share[0] * n[1], share[0] * n[0], 0}
                                             : Vector3{share[0], share[1], share[2]};
     if (share.size() == 4) forces[i].moment = most * share[3];

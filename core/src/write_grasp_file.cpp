@@ -16,8 +16,8 @@ using namespace core_detail;
 
 namespace {
 
-/// Exact: an integer that every JSON reader keeps, else a string. Throws InputError for a
-/// number that parse_rational would not read back.
+/// Returns the exact number: an integer that every JSON reader keeps, else a string. Throws
+/// InputError for a number that parse_rational would not read back.
 std::string write_number(const Rational& value) {
   constexpr std::int64_t kExactInDouble = std::int64_t{1} << 53;
   std::string text = to_string(value);
@@ -65,7 +65,7 @@ std::string write_intervals(const std::vector<Interval>& intervals) {
   return write_list(intervals, ", ", write_interval);
 }
 
-/// Of a case, what its load adds to the common one.
+/// Returns the load that a case adds to the common one.
 WrenchBox own_load(WrenchBox load, const WrenchBox& common) {
   for (std::size_t j = 0; j < load.size(); ++j) {
     load[j].low -= common[j].low;
@@ -84,7 +84,7 @@ std::string member(const char* key, const std::string& value) {
   return std::string(", \"") + key + "\": " + value;
 }
 
-/// \{ Of several bodies.
+/// \{ Writes the members of several bodies.
 std::string write_name(const std::string& name) {
   return json_string(name, "name");
 }
@@ -123,7 +123,8 @@ std::string write_one_body(const Mechanism& mechanism, const Body& body) {
   return text + "}";
 }
 
-/// Those of this kind; a joint's stand beside its `turns`.
+/// Writes the list of springs of this kind. (The spring of a joint stands beside the joint's
+/// `turns`.)
 std::string write_springs(const GraspBox& box, Spring::Kind kind, const char* list) {
   std::string text;
   for (const Spring& spring : box.springs) {
@@ -163,7 +164,8 @@ std::string write_mechanism(const GraspBox& box) {
 }
 /// \}
 
-/// Without a stiffness if that is assumed. `bodies`: between which it is.
+/// Writes a contact, without its stiffness if that is assumed. `bodies` has the members that
+/// say which bodies it is between.
 std::string write_contact(const UncertainContact& c, std::size_t i,
                           const std::vector<ContactId>& assumed_stiffness,
                           const std::string& bodies = "") {
@@ -205,7 +207,7 @@ std::string write_contacts(const GraspFile& file) {
   return text;
 }
 
-/// What stands behind the contacts.
+/// Writes the end of the file, after the contacts: the load and the cases.
 std::string write_loads(const WrenchBox& common, const std::vector<NamedLoad>& cases) {
   std::string text = "],\n \"wrench\": " + write_intervals(common);
   const char* separator = ",\n \"cases\": [\n";

@@ -18,7 +18,7 @@
 namespace stickslip::lp_detail {
 namespace {
 
-constexpr double kZeroCoefficient = 1e-9;  // of rows scaled to largest coefficient 1
+constexpr double kZeroCoefficient = 1e-9;  // for rows scaled to largest coefficient 1
 constexpr double kFeasible = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -82,7 +82,7 @@ class DoubleSimplex {
       for (std::size_t j = 1; j <= active_columns_; ++j) {
         double score = std::abs(row[j]);
         if (!(score > kZeroCoefficient)) continue;
-        // Free variables first; else one that enters with a value >= 0.
+        // Free variables go first; then those that enter with a value >= 0.
         if (columns_[j].domain == Domain::kFree) {
           score += 1e6;
         } else if ((row[j] > 0) != (row[0] > 0)) {
@@ -106,8 +106,8 @@ class DoubleSimplex {
     return true;
   }
 
-  /// Dual simplex for an invented cost, positive on every column >= 0 (all about 1, distinct
-  /// so that ratios do not tie).
+  /// Runs the dual simplex method for an invented cost, positive on every column >= 0 (all
+  /// about 1, distinct so that ratios do not tie).
   bool reach_feasibility() {
     weight_[0] = 0;
     for (std::size_t j = 1; j <= active_columns_; ++j) {
@@ -147,7 +147,7 @@ class DoubleSimplex {
     }
   }
 
-  /// Primal simplex, steepest coefficient.
+  /// Runs the primal simplex method, by the steepest coefficient.
   bool reach_optimality() {
     if (!system_.has_objective()) return true;
     for (;;) {
@@ -190,7 +190,7 @@ class DoubleSimplex {
     return false;
   }
 
-  /// False when the limit is reached or the numbers have left the range of double.
+  /// Returns false when the limit is reached or the numbers have left the range of double.
   bool pivot(std::size_t r, std::size_t c) {
     if (pivots_left_-- == 0) return false;
     ++pivots_;
@@ -224,7 +224,7 @@ class DoubleSimplex {
   void retire_column(std::size_t c) {
     const std::size_t last = active_columns_--;
     std::swap(columns_[c], columns_[last]);
-    // What stood in column c is not needed again.
+    // The old entries of column c are not needed again.
     for (std::size_t i = 0; i < active_rows_; ++i) rows_[i].cells[c] = rows_[i].cells[last];
     cost_[c] = cost_[last];
     weight_[c] = weight_[last];
@@ -236,7 +236,7 @@ class DoubleSimplex {
   std::size_t width_;
   std::vector<double> cells_;
   std::vector<Row> rows_;
-  std::vector<Column> columns_;  // from 1, as the cells
+  std::vector<Column> columns_;  // indexed from 1, like the cells
   double* cost_ = nullptr;
   double* weight_ = nullptr;
   long pivots_left_;

@@ -27,12 +27,12 @@ class SquareSystem {
   explicit SquareSystem(std::size_t size)
       : size_(size), width_(size + 1), cells_(size * (size + 1)) {}
 
-  /// Column size() is the right-hand side.
+  /// The entry in this row and column; column size() is the right-hand side.
   Value& at(std::size_t row, std::size_t column) { return cells_[row * width_ + column]; }
   std::size_t size() const { return size_; }
 
-  /// After step s: columns 0..s are p times the identity, p the determinant of the leading
-  /// block, and the other entries are minors (Bareiss 1968).
+  /// Solves the system. After step s, columns 0..s are p times the identity, p is the
+  /// determinant of the leading block, and the other entries are minors (Bareiss 1968).
   Outcome solve(typename Tier::BitMeter& meter) {
     denominator_ = 1;
     Value factor;
@@ -168,8 +168,9 @@ class Confirmation {
     return Outcome::kDone;
   }
 
-  /// witness = sum y_a s_a + ..., so (its slack, or nothing for a variable) - sum y_a s_a is
-  /// the combination, up to the sign that makes its constant negative.
+  /// Makes the evidence that the rows contradict each other. As witness = sum y_a s_a + ...,
+  /// the combination is (its slack, or nothing for a variable) - sum y_a s_a, up to the sign
+  /// that makes its constant negative.
   Outcome run_infeasible() {
     const Index n = system_.variable_count();
     const bool is_slack = proposal_.witness >= n;
@@ -235,7 +236,8 @@ class Confirmation {
   typename Tier::BitMeter meter_;
 };
 
-/// Nothing on overflow; otherwise whether the evidence verified, and then `result`.
+/// Returns nothing on overflow; otherwise whether the evidence verified, and then `result` is
+/// set.
 template <class Tier>
 std::optional<bool> confirm_in(const LinearProgram& program, const ScaledSystem& system,
                                const Proposal& proposal, LpWork& work, LpResult& result) {

@@ -53,7 +53,7 @@ class Dictionary {
     std::iota(basic_.begin(), basic_.end(), system.variable_count());
   }
 
-  /// Fills in the scaled rows; false if they do not fit this tier.
+  /// Fills in the scaled rows. Returns false if they do not fit this tier.
   bool load(const ScaledSystem& system) {
     for (Index i = 0; i < rows_; ++i) {
       for (Index j = 0; j < columns_; ++j) {
@@ -65,7 +65,7 @@ class Dictionary {
     return true;
   }
 
-  /// The same dictionary in larger integers.
+  /// Makes the same dictionary in larger integers.
   template <class Smaller>
   explicit Dictionary(const Dictionary<Smaller>& from)
       : rows_(from.rows_),
@@ -90,7 +90,7 @@ class Dictionary {
     return cells_[std::size_t{row} * columns_ + column];
   }
   const Value& constant(Index row) const { return at(row, column_count()); }
-  /// The row after the basic ones.
+  /// The cost of a column, in the row after the basic ones.
   const Value& cost(Index column) const { return at(row_count(), column); }
   int sign(Index row, Index column) const { return Tier::sign(at(row, column)); }
   int constant_sign(Index row) const { return Tier::sign(constant(row)); }
@@ -149,13 +149,13 @@ class Run {
  public:
   using Value = typename Tier::Value;
 
-  /// `start` is the nonbasic set to begin with; emptied once it has been reached.
+  /// Takes the nonbasic set `start` to begin with, and empties it once it has been reached.
   Run(const LinearProgram& program, const ScaledSystem& system, std::vector<Index>& start,
       Dictionary<Tier>& dictionary, LpWork& work)
       : program_(program), system_(system), start_(start), d_(dictionary), work_(work) {}
 
-  /// Nothing when an integer outgrew the tier: the dictionary is then valid and the method
-  /// can continue from it in the next.
+  /// Returns nothing when an integer outgrew the tier. The dictionary is then valid, and the
+  /// method can continue from it in the next tier.
   std::optional<LpResult> solve() {
     if (!go_to_start() || !remove_equations()) return std::nullopt;
     if (!result_ && !reach_feasibility()) return std::nullopt;
@@ -175,7 +175,7 @@ class Run {
   Domain basic_domain(Index row) const { return system_.domain(d_.basic(row)); }
   Domain nonbasic_domain(Index column) const { return system_.domain(d_.nonbasic(column)); }
 
-  /// Makes the start's nonbasic set nonbasic, as far as it is a basis at all. Gaussian
+  /// Makes the start's nonbasic set nonbasic, as far as it is a basis at all, by Gaussian
   /// elimination: at most min(m, n) pivots.
   bool go_to_start() {
     if (start_.empty()) return true;
@@ -269,7 +269,7 @@ class Run {
     return true;
   }
 
-  /// The row of least ratio, of least number among equals.
+  /// Returns the row of least ratio, of least number among equals.
   Index blocking_row(Index entering, int direction) const {
     Index best = kNone;
     for (Index i = 0; i < d_.row_count(); ++i) {
@@ -306,7 +306,7 @@ class Run {
       if (d_.nonbasic(j) < n) continue;
       multipliers[d_.nonbasic(j) - n] = -Tier::to_integer(d_.at(row, j));
     }
-    if (d_.constant_sign(row) > 0) {  // of an equation; the combination must be negative
+    if (d_.constant_sign(row) > 0) {  // an equation; the combination must be negative
       for (Rational& multiplier : multipliers) multiplier = -multiplier;
     }
     result_ = make_infeasible(system_, std::move(multipliers));
@@ -345,7 +345,8 @@ class Run {
   std::optional<LpResult> result_;
 };
 
-/// Runs in this tier; on overflow continues in the next. `dictionary` is loaded.
+/// Runs in this tier, and on overflow continues in the next. Requires that `dictionary` is
+/// loaded.
 template <class Tier>
 LpResult run_from(const LinearProgram& program, const ScaledSystem& system,
                   std::vector<Index>& start, Dictionary<Tier>& dictionary, LpWork& work) {

@@ -28,7 +28,7 @@ namespace stickslip::lp_detail {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;
 
-/// Signed 256-bit integer, as much of it as the 128-bit tier needs.
+/// A signed 256-bit integer, as much of it as the 128-bit tier needs.
 struct Int256 {
   UInt128 low;
   Int128 high;
@@ -47,7 +47,7 @@ inline Int256 multiply(Int128 a, Int128 b) {
   const UInt128 p10 = a1 * b0;
   const UInt128 middle = (p00 >> 64) + (p01 & mask) + (p10 & mask);
   UInt128 high = a1 * b1 + (p01 >> 64) + (p10 >> 64) + (middle >> 64);
-  // From the product of the two's complements to the product of the numbers.
+  // This turns the product of the two's complements into the product of the numbers.
   if (a < 0) high -= ub;
   if (b < 0) high -= ua;
   return {(middle << 64) | (p00 & mask), static_cast<Int128>(high)};
@@ -233,7 +233,7 @@ struct GmpTier {
     return true;
   }
 
-  /// `out` may be one of the operands.
+  /// Computes (a b - c d) / e. `out` may be one of the operands.
   static bool fused(const Value& a, const Value& b, const Value& c, const Value& d,
                     const Divisor& e, Value& out) {
     mpz_ptr scratch = e.scratch.mutable_gmp();

@@ -16,8 +16,8 @@ bool is_nonzero(const std::vector<Rational>& values) {
                      [](const Rational& value) { return !value.is_zero(); });
 }
 
-/// Scales numerators[k] / denominators[k] to coprime integers by one positive factor, in
-/// place. False when 64 bits do not suffice.
+/// Scales numerators[k] / denominators[k] to coprime integers by one positive factor, in place.
+/// Returns false when 64 bits do not suffice.
 bool make_coprime_small(std::vector<std::int64_t>& numerators,
                         const std::vector<std::int64_t>& denominators) {
   std::int64_t multiple = 1;
@@ -44,13 +44,13 @@ bool make_coprime_small(std::vector<std::int64_t>& numerators,
   return true;
 }
 
-/// mantissa * 2^(exponent - reference), without the traps of a huge exponent.
+/// Returns mantissa * 2^(exponent - reference), without the traps of a huge exponent.
 double scaled_double(double mantissa, long exponent, long reference) {
   const long shift = std::clamp(exponent - reference, -4000L, 4000L);
   return std::ldexp(mantissa, static_cast<int>(shift));
 }
 
-/// Most factors are 1 or -1, which need no gcd.
+/// Multiplies by a factor. Most factors are 1 or -1, which need no gcd.
 void multiply(Rational& value, const Rational& factor) {
   if (factor == 1) return;
   if (factor == -1) {
@@ -60,7 +60,7 @@ void multiply(Rational& value, const Rational& factor) {
   }
 }
 
-/// The positive multiple of `values` that is a vector of coprime integers.
+/// Replaces `values` by their positive multiple that is a vector of coprime integers.
 void make_coprime(std::vector<Rational>& values) {
   Integer multiple = 1;
   Integer divisor = 0;

@@ -16,10 +16,10 @@
 
 namespace stickslip::lp_detail {
 
-/// Variables of the simplex method are numbered: x_0..x_{n-1}, then s_0..s_{m-1}.
+/// The number of a variable of the simplex method: x_0..x_{n-1} come first, then s_0..s_{m-1}.
 using Index = std::uint32_t;
 
-/// What a variable may be: any number, >= 0, or 0 only (slack of an equation).
+/// The values that a variable may have: any number, >= 0, or 0 only (the slack of an equation).
 enum class Domain : std::uint8_t { kFree, kNonNegative, kZero };
 
 class ScaledSystem {
@@ -31,8 +31,9 @@ class ScaledSystem {
   bool has_objective() const { return has_objective_; }
   Domain domain(Index variable) const { return domains_[variable]; }
 
-  /// Rows 0..m-1 are (g_i, h_i); row m, if has_objective(), is the objective scaled to coprime
-  /// integers by a positive factor, and 0. Column n holds the h_i.
+  /// Gives access to the scaled integers. Rows 0..m-1 are (g_i, h_i). Row m, if
+  /// has_objective(), is the objective scaled to coprime integers by a positive factor, and 0.
+  /// Column n holds the h_i. Entries are in small() if is_small(), else in big().
   bool is_small() const { return big_.empty(); }
   std::int64_t small(Index row, Index column) const {
     return small_[std::size_t{row} * (std::size_t{n_} + 1) + column];
@@ -45,10 +46,12 @@ class ScaledSystem {
     return is_small() ? Tier::load(small(row, column), to) : Tier::load(big(row, column), to);
   }
 
-  /// The factor f_i of a row, or that of the objective for row m. 1 for a row of zeros.
+  /// Returns the factor f_i of a row, or that of the objective for row m. It is 1 for a row of
+  /// zeros.
   Rational factor(Index row) const;
 
-  /// Row divided by its largest coefficient, approximately; constant first. For proposals.
+  /// Writes a row divided by its largest coefficient, approximately, with the constant first.
+  /// It serves proposals.
   void approximate_row(Index row, double* constant_then_coefficients) const;
 
  private:
@@ -63,14 +66,15 @@ class ScaledSystem {
   std::vector<Integer> big_;  // used for all rows as soon as one entry exceeds 64 bits
 };
 
-// From integers about the scaled rows to the evidence about the rows as given.
+// These functions turn integers about the scaled rows into evidence about the rows as given.
 
-/// `multipliers` (one per row, or none for 0): the scaled objective is
-/// sum multipliers_i (g_i.x + h_i) + terms in variables >= 0 + constant.
+/// Returns the evidence of an optimum. `multipliers` (one per row, or none for 0) say that the
+/// scaled objective is sum multipliers_i (g_i.x + h_i) + terms in variables >= 0 + constant.
 Optimal make_optimal(const LinearProgram& program, const ScaledSystem& system,
                      std::vector<Rational> point, std::vector<Rational> multipliers);
 
-/// sum multipliers_i (g_i.x + h_i) = (terms that are <= 0) + a negative constant.
+/// Returns the evidence of a contradiction: sum multipliers_i (g_i.x + h_i) = (terms that are
+/// <= 0) + a negative constant.
 Infeasible make_infeasible(const ScaledSystem& system, std::vector<Rational> multipliers);
 
 Unbounded make_unbounded(std::vector<Rational> point, std::vector<Rational> ray);

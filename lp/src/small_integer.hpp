@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Reading GMP numbers that fit a machine word, without a library call or a copy.
+/// Reads GMP numbers that fit a machine word, without a library call or a copy.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline mpz_srcptr denominator_of(const Rational& value) {
   return mpq_denref(value.gmp());
 }
 
-/// False, and `to` unchanged, unless |from| < 2^63.
+/// Reads a number. Returns false, and leaves `to` unchanged, unless |from| < 2^63.
 inline bool read_small(mpz_srcptr from, std::int64_t& to) {
   if (mpz_size(from) > 1) return false;
   const mp_limb_t magnitude = mpz_getlimbn(from, 0);  // 0 when there is no limb

@@ -12,7 +12,7 @@
 
 namespace stickslip::lp_detail {
 
-/// A basis, and what it is thought to prove.
+/// A basis, and the outcome that it is thought to prove.
 struct Proposal {
   enum class Kind {
     kNone,        ///< gave up; the basis is only a place to start from
@@ -23,20 +23,21 @@ struct Proposal {
   Kind kind = Kind::kNone;
   std::vector<Index> nonbasic;  ///< n variables, by the numbering of ScaledSystem
   Index witness = 0;
-  /// kInfeasible: sign of the witness's value; kUnbounded: +1 to rise, -1 to fall.
+  /// The sign of the witness's value for kInfeasible; +1 to rise and -1 to fall for kUnbounded.
   int direction = 0;
 };
 
-/// Always ends (the number of pivots is limited). Adds to work.double_pivots.
+/// Returns a proposal. It always ends, as the number of pivots is limited. Adds to
+/// work.double_pivots.
 Proposal propose(const ScaledSystem& system, LpWork& work);
 
-/// The evidence that a proposed basis gives if it verifies, else nothing. Starts in
-/// `first_tier` arithmetic; updates `work`.
+/// Returns the evidence that a proposed basis gives if it verifies, else nothing. It starts in
+/// `first_tier` arithmetic and updates `work`.
 std::optional<LpResult> confirm(const LinearProgram& program, const ScaledSystem& system,
                                 const Proposal& proposal, LpTier first_tier, LpWork& work);
 
-/// Solves from the basis with nonbasic set `start` (or from scratch when that is empty), in
-/// `first_tier` arithmetic or larger. Updates `work`.
+/// Solves exactly from the basis with nonbasic set `start` (or from scratch when that is
+/// empty), in `first_tier` arithmetic or larger. Updates `work`.
 LpResult solve_exactly(const LinearProgram& program, const ScaledSystem& system,
                        std::vector<Index> start, LpTier first_tier, LpWork& work);
 

@@ -19,7 +19,7 @@ __extension__ typedef __int128 Int128;
 /// A rational vector of fixed length as integers over one positive denominator.
 class IntegerVector {
  public:
-  /// (values, zeros up to `length`, last).
+  /// Loads (values, zeros up to `length`, last).
   void load(const std::vector<Rational>& values, std::size_t length, const Rational& last) {
     length_ = length + 1;
     is_small_ = load_small(values, last);
@@ -31,11 +31,11 @@ class IntegerVector {
   std::int64_t small(std::size_t k) const { return small_[k]; }
   Integer big(std::size_t k) const { return is_small_ ? Integer(small_[k]) : big_[k]; }
   Integer denominator() const { return is_small_ ? Integer(small_denominator_) : denominator_; }
-  /// Requires !is_small().
+  /// Returns an entry. Requires !is_small().
   const Integer& big_entry(std::size_t k) const { return big_[k]; }
   bool is_integral() const { return is_small_ ? small_denominator_ == 1 : denominator_ == 1; }
 
-  /// sum += factor * entry k, without a temporary.
+  /// Adds factor * entry k to sum, without a temporary.
   void add_multiple(std::size_t k, const Integer& factor, Integer& sum) const {
     mpz_ptr to = sum.mutable_gmp();
     mpz_srcptr by = factor.gmp();
@@ -97,7 +97,7 @@ class IntegerVector {
   Integer denominator_ = 1;
 };
 
-/// sum += a b; false on overflow.
+/// Adds a b to sum. Returns false on overflow.
 bool add_product(Int128& sum, std::int64_t a, std::int64_t b) {
   return !__builtin_add_overflow(sum, static_cast<Int128>(a) * b, &sum);
 }
@@ -136,7 +136,8 @@ Verification fails(LpCondition condition, std::size_t index = 0) {
   return {false, condition, index};
 }
 
-/// x satisfies all rows, with right-hand sides multiplied by `scale` (1: a point, 0: a ray).
+/// Checks that x satisfies all rows, with right-hand sides multiplied by `scale` (1: a point,
+/// 0: a ray).
 Verification check_primal(const LinearProgram& program, const std::vector<Rational>& x,
                           int scale, LpCondition sign_condition, LpCondition row_condition) {
   const std::size_t n = program.variable_count();
@@ -158,8 +159,8 @@ Verification check_primal(const LinearProgram& program, const std::vector<Ration
   return {};
 }
 
-/// sum_i y_i (a_i, b_i) - (c, value), up to one positive factor; the second part only if
-/// `value` is given.
+/// The signs of sum_i y_i (a_i, b_i) - (c, value), up to one positive factor. The second part
+/// is there only if `value` is given.
 class Combination {
  public:
   Combination(const LinearProgram& program, const std::vector<Rational>& y,
@@ -172,7 +173,7 @@ class Combination {
     sum_up();
   }
 
-  /// Entry n is that of the right-hand sides.
+  /// Returns the sign in a column; column n is that of the right-hand sides.
   int sign(std::size_t column) const { return signs_[column]; }
 
  private:
@@ -182,7 +183,7 @@ class Combination {
   };
 
   void add(const std::vector<Rational>& coefficients, const Rational& rhs, const Rational& y) {
-    // With integers A = R a, the term y a is (y / R) A.
+    // The coefficients a are loaded as integers A = R a, so the term y a is (y / R) A.
     row_.load(coefficients, n_, rhs);
     terms_.push_back({&coefficients, &rhs});
     weights_.push_back(row_.is_integral() ? y : Rational(y / Rational(row_.denominator())));
@@ -223,8 +224,8 @@ class Combination {
   std::vector<int> signs_;
 };
 
-/// y is admissible, and yA - c (c only if `value` is given) is 0 for free variables and <= 0
-/// for variables >= 0; then `rhs_sign` is the sign of y.b - value.
+/// Checks that y is admissible, and that yA - c (c only if `value` is given) is 0 for free
+/// variables and <= 0 for variables >= 0. Then `rhs_sign` is the sign of y.b - value.
 Verification check_dual(const LinearProgram& program, const std::vector<Rational>& y,
                         const Rational* value, int& rhs_sign) {
   if (y.size() != program.row_count()) return fails(LpCondition::kLength);
@@ -244,7 +245,7 @@ Verification check_dual(const LinearProgram& program, const std::vector<Rational
   return {};
 }
 
-/// Sign of c.x - value.
+/// Returns the sign of c.x - value.
 int objective_sign(const LinearProgram& program, const std::vector<Rational>& x,
                    const Rational& value) {
   IntegerVector objective;

@@ -32,86 +32,88 @@
 
 namespace stickslip {
 
-/// \{ A cell of an arrangement, or one of the two directions of an edge.
+/// \{ The id of a cell of an arrangement, or of one of the two directions of an edge.
 using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using HalfedgeId = Id<struct HalfedgeTag>;
 using FaceId = Id<struct FaceTag>;
 /// \}
 
-/// The cells of an arrangement and their incidences. Where an id is asked for, it must be one
-/// of this arrangement.
+/// The cells of an arrangement and their incidences. Functions that take an id require that it
+/// is one of this arrangement.
 class ArrangementStructure {
  public:
-  /// O(m + k^2 log k). Throws ContractError if a normal is zero, if there are more than
-  /// kMaxCircles circles, or if an internal check fails: every crossing of two circles must be
-  /// found from both, every point of a circle must be filled by one vertex, and the faces that
-  /// are traced must give V - E + F = 2.
+  /// Builds the arrangement in O(m + k^2 log k). Throws ContractError if a normal is zero, if
+  /// there are more than kMaxCircles circles, or if an internal check fails: every crossing of
+  /// two circles must be found from both, every point of a circle must be filled by one vertex,
+  /// and the faces that are traced must give V - E + F = 2.
   explicit ArrangementStructure(const std::vector<Vector3>& plane_normals,
                                 unsigned threads = 1);
 
-  /// Most distinct circles that there may be.
+  /// The most distinct circles that there may be.
   static constexpr std::size_t kMaxCircles = 32768;
 
-  const GreatCircles& circles() const { return circles_; }     ///< the planes, merged
-  const ArrangementCounts& counts() const { return counts_; }  ///< of the cells and the states
+  /// Returns the circles of the planes, merged.
+  const GreatCircles& circles() const { return circles_; }
+  /// Returns the counts of cells and states.
+  const ArrangementCounts& counts() const { return counts_; }
 
-  /// \{ How many there are: ids are below this.
+  /// \{ Returns how many there are; ids are below this.
   std::size_t vertices() const { return counts_.vertices; }
   std::size_t edges() const { return counts_.edges; }
   std::size_t halfedges() const { return 2 * counts_.edges; }
   std::size_t faces() const { return counts_.faces; }
   /// \}
 
-  // Incidences. O(1).
+  // The following are incidences, each found in O(1).
 
-  /// Of the two halfedges, the one that runs counterclockwise about the pole's side.
+  /// Returns the halfedge of the edge that runs counterclockwise about the pole's side.
   static HalfedgeId first_halfedge(EdgeId edge) { return HalfedgeId(2 * edge.index()); }
-  /// The edge that the halfedge runs along.
+  /// Returns the edge that the halfedge runs along.
   static EdgeId edge(HalfedgeId halfedge) { return EdgeId(halfedge.index() / 2); }
-  /// The other halfedge of the same edge.
+  /// Returns the other halfedge of the same edge.
   static HalfedgeId twin(HalfedgeId halfedge) { return HalfedgeId(halfedge.index() ^ 1); }
 
-  /// The next halfedge around the face to the left.
+  /// Returns the next halfedge around the face to the left.
   HalfedgeId next(HalfedgeId halfedge) const { return HalfedgeId(next_[halfedge.index()]); }
-  /// The next halfedge with the same origin, clockwise.
+  /// Returns the next halfedge with the same origin, clockwise.
   HalfedgeId clockwise(HalfedgeId halfedge) const { return next(twin(halfedge)); }
-  /// The face to the left.
+  /// Returns the face to the left.
   FaceId face(HalfedgeId halfedge) const { return FaceId(face_[halfedge.index()]); }
-  /// \{ \brief Where the halfedge starts, and where it ends. Throws ContractError when there is
-  /// no vertex.
+  /// \{ \brief Returns the vertex where the halfedge starts, or where it ends. Throws
+  /// ContractError when there is no vertex.
   VertexId origin(HalfedgeId halfedge) const;
   VertexId target(HalfedgeId halfedge) const { return origin(twin(halfedge)); }
   /// \}
 
-  /// The circle that the edge lies on.
+  /// Returns the circle that the edge lies on.
   CircleId circle(EdgeId edge) const { return CircleId(circle_of_edge_[edge.index()]); }
-  /// The sign of circles().normals[circle] on the face to the left.
+  /// Returns the sign of circles().normals[circle] on the face to the left.
   Sign sign_to_the_left(HalfedgeId halfedge) const;
 
-  /// A halfedge that starts at the vertex.
+  /// Returns a halfedge that starts at the vertex.
   HalfedgeId outgoing(VertexId vertex) const { return HalfedgeId(outgoing_[vertex.index()]); }
-  /// A positive multiple of the point of the sphere where the vertex is. Exact.
+  /// Returns a positive multiple of the point of the sphere where the vertex is. Exact.
   IntegerVector3 ray(VertexId vertex) const;
-  /// A halfedge with the face to its left; none for the one face of no circle.
+  /// Returns a halfedge with the face to its left; none for the one face of no circle.
   std::optional<HalfedgeId> boundary(FaceId face) const;
 
-  /// \{ \brief The antipodal map d -> -d. O(1). Without circles the one face is its own
-  /// antipode; the one edge of one circle is its own.
+  /// \{ \brief Returns the image under the antipodal map d -> -d, in O(1). Without circles the
+  /// one face is its own antipode, and with one circle so is its one edge.
   VertexId antipode(VertexId vertex) const { return VertexId(vertex.index() ^ 1); }
   EdgeId antipode(EdgeId edge) const;
   FaceId antipode(FaceId face) const;
   /// \}
 
-  /// \{ \brief The signs of all planes on a cell, from the order of crossings on one of its
-  /// circles. O(m + k), more where many circles are concurrent: one step for each circle
-  /// through a vertex that is passed.
+  /// \{ \brief Returns the signs of all planes on a cell, from the order of crossings on one of
+  /// its circles. Takes O(m + k), and more where many circles are concurrent: one step for each
+  /// circle through a vertex that is passed.
   SlipState signs(VertexId vertex) const;
   SlipState signs(EdgeId edge) const;
   SlipState signs(FaceId face) const;
   /// \}
 
-  /// Heap memory for the cells and incidences, without the normals.
+  /// Returns the heap memory for the cells and incidences, without the normals.
   std::size_t memory_bytes() const;
 
  private:
@@ -123,21 +125,23 @@ class ArrangementStructure {
   bool side(std::size_t circle, std::size_t other) const {
     return side_[circle * circles_.normals.size() + other];
   }
-  /// By circle, oriented to the pole.
+  /// Returns the signs on an edge by circle, each oriented to the pole.
   std::vector<Sign> circle_signs(EdgeId edge) const;
   SlipState over_planes(const std::vector<Sign>& circle_signs) const;
 
   GreatCircles circles_;
   ArrangementCounts counts_;
-  std::vector<bool> reversed_;  ///< by circle: the pole has the sign - on circles_.normals
-  std::vector<bool> side_;      ///< k x k: whether CircleOrder::side is +1
-  std::vector<std::uint32_t> first_edge_;  ///< by circle; edges follow in its order
+  /// Whether the pole has the sign - on circles_.normals[c], by circle c.
+  std::vector<bool> reversed_;
+  std::vector<bool> side_;  ///< k x k: whether CircleOrder::side is +1
+  /// The first edge of a circle; the others follow in its order.
+  std::vector<std::uint32_t> first_edge_;
   std::vector<std::uint16_t> circle_of_edge_;
-  std::vector<std::uint32_t> origin_;    ///< by edge, of its first halfedge
-  std::vector<std::uint32_t> next_;      ///< by halfedge
-  std::vector<std::uint32_t> face_;      ///< by halfedge
-  std::vector<std::uint32_t> outgoing_;  ///< by vertex
-  std::vector<std::uint32_t> boundary_;  ///< by face
+  std::vector<std::uint32_t> origin_;    ///< the origin of the first halfedge of an edge
+  std::vector<std::uint32_t> next_;      ///< the next halfedge of a halfedge
+  std::vector<std::uint32_t> face_;      ///< the face of a halfedge
+  std::vector<std::uint32_t> outgoing_;  ///< a halfedge that starts at a vertex
+  std::vector<std::uint32_t> boundary_;  ///< a halfedge with a face to its left
 };
 
 }  // namespace stickslip

@@ -31,69 +31,69 @@
 
 namespace stickslip {
 
-/// What the steps did. Reproducible: the same planes give the same counts.
+/// The work of the steps. Reproducible: the same planes give the same counts.
 struct PaperWork {
-  std::size_t linear_programs = 0;  ///< Step 1
-  std::size_t pivots = 0;           ///< of these, in double precision and exact
-  std::size_t pairs_compared = 0;   ///< Step 2
-  std::size_t path_searches = 0;    ///< Step 3: one for each basis cycle and region
-  std::size_t edges_scanned = 0;    ///< Step 3: in these searches
+  std::size_t linear_programs = 0;  ///< linear programs of Step 1
+  std::size_t pivots = 0;           ///< pivots of these, in double precision and exact
+  std::size_t pairs_compared = 0;   ///< pairs of regions compared in Step 2
+  std::size_t path_searches = 0;    ///< searches of Step 3, one for each basis cycle and region
+  std::size_t edges_scanned = 0;    ///< edges scanned in these searches
 };
 
-/// Two regions that differ in one plane.
+/// A facet: two regions that differ in one plane.
 struct PaperFacet {
-  std::size_t first = 0;   ///< index of a region; first < second
-  std::size_t second = 0;  ///< index of the other
-  std::size_t plane = 0;   ///< the one in which they differ
-  SlipState state;         ///< that of both, with 0 for `plane`
+  std::size_t first = 0;   ///< the index of a region; first < second
+  std::size_t second = 0;  ///< the index of the other
+  std::size_t plane = 0;   ///< the plane in which they differ
+  SlipState state;         ///< the state of both, with 0 for `plane`
 };
 
-/// A cycle of the dual, or a sum of cycles.
+/// A line: a cycle of the dual, or a sum of cycles.
 struct PaperLine {
-  std::vector<std::size_t> facets;  ///< indices, increasing
-  SlipState state;                  ///< from the region of the lowest index on it
+  std::vector<std::size_t> facets;  ///< the indices of its facets, increasing
+  SlipState state;                  ///< its state, from the region of the lowest index on it
 };
 
-/// What Step 3 gives.
+/// The result of Step 3.
 struct PaperLines {
-  std::vector<PaperLine> basis;  ///< E - V + components of them
+  std::vector<PaperLine> basis;  ///< the cycles of the basis, E - V + components of them
   /// The symmetric sum of the basis; nothing when that is empty.
   std::optional<PaperLine> last;
   bool last_is_one_cycle = false;  ///< otherwise its state depends on the region taken
-  std::size_t components = 0;      ///< of the dual graph; 1 for a polyhedron
+  std::size_t components = 0;      ///< the components of the dual graph; 1 for a polyhedron
 
-  /// How many lines there are, `last` included.
+  /// Returns how many lines there are, `last` included.
   std::size_t size() const { return basis.size() + (last ? 1 : 0); }
 };
 
-/// What the three steps give.
+/// The result of the three steps.
 struct PaperEnumeration {
-  std::vector<SlipState> regions;  ///< in the order of Algorithm 1
-  std::vector<PaperFacet> facets;  ///< by pairs of regions
-  PaperLines lines;                ///< of Step 3
+  std::vector<SlipState> regions;  ///< the regions, in the order of Algorithm 1
+  std::vector<PaperFacet> facets;  ///< the facets, in the order of pairs of regions
+  PaperLines lines;                ///< the lines of Step 3
   /// Every state of a region, facet or line once, sorted as SlipStates::states is. All-stick
   /// stands there only if the steps give it.
   std::vector<SlipState> states;
-  PaperWork work;  ///< of all steps
+  PaperWork work;  ///< the work of all steps
 
-  /// The paper's #(S): regions, facets and lines, equal states counted apart.
+  /// Returns the paper's #(S): regions, facets and lines, equal states counted apart.
   std::size_t cells() const { return regions.size() + facets.size() + lines.size(); }
 };
 
-/// Steps 1 to 3, on the planes as they are given: nothing is merged. Throws ContractError if a
-/// normal is zero, or if a check that is made in every build type fails (an LP that is not
+/// Runs Steps 1 to 3 on the planes as they are given: nothing is merged. Throws ContractError
+/// if a normal is zero, or if a check that is made in every build type fails (an LP that is not
 /// solved to its optimum, a basis cycle that is not a simple cycle). Deterministic.
 PaperEnumeration enumerate_slip_states_paper(const std::vector<Vector3>& plane_normals);
 
 // The steps one by one.
 
-/// Step 1. Counters are added to `work` if it is given, as in the other steps.
+/// Runs Step 1. Counters are added to `work` if it is given, as in the other steps.
 std::vector<SlipState> paper_regions(const std::vector<Vector3>& plane_normals,
                                      PaperWork* work = nullptr);
-/// Step 2. Requires states of equal length without 0, all different.
+/// Runs Step 2. Requires states of equal length without 0, all different.
 std::vector<PaperFacet> paper_facets(const std::vector<SlipState>& regions,
                                      PaperWork* work = nullptr);
-/// Step 3. Requires what the steps before it made.
+/// Runs Step 3. Requires regions and facets as the steps before it made them.
 PaperLines paper_lines(const std::vector<SlipState>& regions,
                        const std::vector<PaperFacet>& facets, PaperWork* work = nullptr);
 

@@ -25,31 +25,31 @@
 
 namespace stickslip {
 
-/// The sign of n_i.d for each plane i: +, - or 0 (stick).
+/// A slip state: the sign of n_i.d for each plane i, which is +, - or 0 (stick).
 using SlipState = std::vector<Sign>;
 
-/// "+0-": one character a plane.
+/// Returns "+0-" or the like, one character a plane.
 std::string to_string(const SlipState& state);
 
-/// Counts of the arrangement of the distinct circles on the sphere.
-/// A single circle is one closed curve without a vertex: vertices 0, edges 1, faces 2, so
-/// that cells = 3; no circle leaves one face. Otherwise vertices - edges + faces = 2.
+/// The counts of the arrangement of the distinct circles on the sphere. A single circle is one
+/// closed curve without a vertex: vertices 0, edges 1, faces 2, so that cells = 3. No circle
+/// leaves one face. Otherwise vertices - edges + faces = 2.
 struct ArrangementCounts {
   std::size_t planes = 0;           ///< m, as they were given
   std::size_t circles = 0;          ///< k, the distinct ones
-  int rank = 0;                     ///< of the planes' normals, 0..3
+  int rank = 0;                     ///< the rank of the planes' normals, 0..3
   std::size_t vertices = 0;         ///< V; the paper's lines
   std::size_t edges = 0;            ///< E; the paper's facets
   std::size_t faces = 0;            ///< F; the paper's regions
   std::size_t distinct_states = 0;  ///< sign vectors, all-stick included
 
-  /// The paper's #(S) of Table II.
+  /// Returns the paper's #(S) of Table II.
   std::size_t cells() const { return vertices + edges + faces; }
 };
 
 /// The result of an enumeration.
 struct SlipStates {
-  ArrangementCounts counts;  ///< of the cells and the states
+  ArrangementCounts counts;  ///< the counts of the cells and the states
   /// Every slip state once, all-stick included, sorted as their to_string() sorts
   /// ('+' < '-' < '0').
   std::vector<SlipState> states;
@@ -62,22 +62,24 @@ struct SlipStates {
 /// made on it in every build type.
 SlipStates enumerate_slip_states_cgal(const std::vector<Vector3>& plane_normals);
 
-/// kAuto is kCgal, the reference, up to kMostContactsForCgal planes, kSweep beyond.
+/// The enumerators: kAuto is kCgal, the reference, up to kMostContactsForCgal planes, and
+/// kSweep beyond.
 enum class Enumerator { kAuto, kCgal, kSweep, kPaper };
 
-/// Up to here CGAL takes some ten milliseconds (bench/README.md).
+/// The most planes for which CGAL is taken: up to here it takes some ten milliseconds
+/// (bench/README.md).
 inline constexpr std::size_t kMostContactsForCgal = 40;
 
-/// What an enumerator found, and which one it was.
+/// The result of an enumerator, and which one it was.
 struct Enumeration {
-  const char* engine;  ///< the one that ran: "cgal", "sweep" or "paper"
+  const char* engine;  ///< the name of the enumerator: "cgal", "sweep" or "paper"
   SlipStates found;    ///< counts; the sweep gives the states only if they are to be listed
 };
 
-/// By any enumerator. The paper's three steps are reported as what they find: lines as
-/// vertices, facets as edges, regions as faces, and all-stick only if a step gives it
-/// (paper_enumerator.hpp). `threads` serve the sweep's counts; 0 is one a core. Throws
-/// ContractError if a normal is zero.
+/// Enumerates the slip states with any enumerator. The three steps of kPaper are reported by
+/// the cells that they find: lines as vertices, facets as edges, regions as faces, and
+/// all-stick only if a step gives it (paper_enumerator.hpp). `threads` serve the sweep's
+/// counts; 0 is one a core. Throws ContractError if a normal is zero.
 Enumeration enumerate_slip_states(const std::vector<Vector3>& plane_normals,
                                   Enumerator enumerator, bool list, unsigned threads = 0);
 

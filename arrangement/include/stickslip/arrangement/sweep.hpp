@@ -45,37 +45,38 @@ class PackedSigns {
   using Word = std::uint64_t;                       ///< holds the digits
   static constexpr std::size_t kSignsPerWord = 32;  ///< at two bits each
 
-  /// At least one word, also for no plane.
+  /// Returns the number of words for so many planes: at least one, also for no plane.
   static constexpr std::size_t words_for(std::size_t planes) {
     return planes == 0 ? 1 : (planes + kSignsPerWord - 1) / kSignsPerWord;
   }
-  /// How far left the digit of `plane` stands in its word.
+  /// Returns how far left the digit of `plane` stands in its word.
   static constexpr unsigned shift_of(std::size_t plane) {
     return static_cast<unsigned>(2 * (kSignsPerWord - 1 - plane % kSignsPerWord));
   }
 
-  /// That of a sign.
+  /// Returns the digit of a sign.
   static constexpr Word digit(Sign sign) {
     return sign == Sign::kPositive ? 0 : sign == Sign::kNegative ? 1 : 2;
   }
 
-  /// Of words_for(planes) words at `words`, which must outlive the view.
+  /// Makes a view of words_for(planes) words at `words`, which must outlive the view.
   PackedSigns(const Word* words, std::size_t planes) : words_(words), planes_(planes) {}
 
-  std::size_t size() const { return planes_; }  ///< number of planes
-  /// The sign of `plane`, which must be below size(). O(1).
+  std::size_t size() const { return planes_; }  ///< the number of planes
+  /// Returns the sign of `plane`, which must be below size(). O(1).
   Sign operator[](std::size_t plane) const {
     constexpr Sign kSignOfDigit[] = {Sign::kPositive, Sign::kNegative, Sign::kZero};
     return kSignOfDigit[(words_[plane / kSignsPerWord] >> shift_of(plane)) & 3];
   }
 
-  const Word* words() const { return words_; }                   ///< the digits, word_count()
-  std::size_t word_count() const { return words_for(planes_); }  ///< at least 1
+  const Word* words() const { return words_; }  ///< the digits, word_count()
+  /// Returns the number of words, at least 1.
+  std::size_t word_count() const { return words_for(planes_); }
 
-  /// A copy that owns its signs. O(size()).
+  /// Returns a copy that owns its signs. O(size()).
   SlipState unpack() const;
 
-  /// The same planes and the same signs.
+  /// Compares the planes and their signs.
   friend bool operator==(const PackedSigns& a, const PackedSigns& b) {
     return a.planes_ == b.planes_ && std::equal(a.words_, a.words_ + a.word_count(), b.words_);
   }
@@ -88,16 +89,16 @@ class PackedSigns {
 /// A vertex, edge or face of the arrangement: 0-, 1- or 2-dimensional on the sphere.
 enum class CellKind : std::uint8_t { kVertex, kEdge, kFace };
 
-/// How many exact signs were asked for, by what decided them.
+/// The number of exact signs that were asked for, by what decided them.
 struct SweepWork {
   std::uint64_t by_double = 0;  ///< the error bound sufficed
   std::uint64_t by_int128 = 0;  ///< 128-bit integers sufficed
   std::uint64_t by_gmp = 0;     ///< integers of any length were needed
-  /// Circles whose order in double precision was so wrong that they were sorted again by
-  /// exact comparisons only: bounds the work at O(k log k) exact signs a circle.
+  /// The circles whose order in double precision was so wrong that they were sorted again by
+  /// exact comparisons only. This bounds the work at O(k log k) exact signs a circle.
   std::uint64_t exact_sorts = 0;
 
-  /// The counts of both together.
+  /// Adds the counts of another sweep.
   SweepWork& operator+=(const SweepWork& other) {
     by_double += other.by_double;
     by_int128 += other.by_int128;
@@ -107,14 +108,15 @@ struct SweepWork {
   }
 };
 
-/// Counts without visiting, in O(m) memory a thread. No face is traced, so V - E + F = 2 is
-/// no check here: it is how F follows from V and E. What is checked: a vertex on t circles is
-/// found independently from each of them, so for every t the number of (circle, vertex) pairs
-/// must be t times the number of vertices counted at their lowest circle.
+/// Counts the cells without visiting them, in O(m) memory a thread. No face is traced: F
+/// follows from V and E by V - E + F = 2, which therefore checks nothing. Another check is
+/// made: a vertex on t circles is found independently from each of them, so for every t the
+/// number of (circle, vertex) pairs must be t times the number of vertices counted at their
+/// lowest circle.
 ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigned threads = 1,
                               SweepWork* work = nullptr);
 
-/// Takes a cell: its signs are valid during the call.
+/// A function that takes a cell. Its signs are valid during the call.
 using CellVisitor = std::function<void(CellKind, const PackedSigns&)>;
 
 /// Calls `visitor` for every cell of the sphere exactly once, in a fixed order, with the signs
@@ -124,8 +126,8 @@ using CellVisitor = std::function<void(CellKind, const PackedSigns&)>;
 ArrangementCounts visit_cells(const std::vector<Vector3>& plane_normals,
                               const CellVisitor& visitor, SweepWork* work = nullptr);
 
-/// The same result as enumerate_slip_states_cgal, in the same order. The states take O(m^3)
-/// memory; to count or to stream them, use the functions above.
+/// Returns the same result as enumerate_slip_states_cgal, in the same order. The states take
+/// O(m^3) memory; to count or to stream them, use the functions above.
 SlipStates enumerate_slip_states_sweep(const std::vector<Vector3>& plane_normals,
                                        SweepWork* work = nullptr);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Long work that whoever asked for it may break off.
+/// Lets whoever asked for long work break it off.
 ///
-/// Work that takes long calls throw_if_cancelled() again and again: for each node, mode, circle
-/// and pivot. Nothing happens unless a Cancellation is in force on the thread.
+/// Long work calls throw_if_cancelled() again and again: for each node, mode, circle and pivot.
+/// Nothing happens unless a Cancellation is in force on the thread.
 #pragma once
 
 #include <atomic>
@@ -14,24 +14,24 @@
 
 namespace stickslip {
 
-/// Thrown where work is broken off.
+/// The exception that ends work when it is broken off.
 class Cancelled : public std::exception {
  public:
-  /// "cancelled"
+  /// Returns "cancelled".
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// As long as this lives, the work of the thread that made it may be broken off.
+/// A way to break off the work of the thread that made it, for as long as it lives.
 class Cancellation {
  public:
-  /// `wanted` is called on the thread that made this, at most every 50 ms, and no more once it
-  /// has said true.
+  /// Takes a function that says whether the work is to end. It is called on the thread that
+  /// made this, at most every 50 ms, and no more once it has returned true.
   explicit Cancellation(std::function<bool()> wanted);
   ~Cancellation();
   Cancellation(const Cancellation&) = delete;
   Cancellation& operator=(const Cancellation&) = delete;
 
-  /// What is in force on this thread; null if nothing is.
+  /// Returns the Cancellation in force on this thread; null if there is none.
   static Cancellation* current();
 
   /// Throws Cancelled if the work is to end.
@@ -45,11 +45,11 @@ class Cancellation {
   Cancellation* outer_;
 };
 
-/// In force on this thread too, as long as this lives: for the tasks of parallel work, which
-/// take `shared` from Cancellation::current() of the thread that starts them.
+/// Puts a Cancellation in force on this thread too, for as long as this lives. The tasks of
+/// parallel work use it with Cancellation::current() of the thread that starts them.
 class SharedCancellation {
  public:
-  /// Nothing is in force if it is null.
+  /// Puts `shared` in force; nothing is in force if it is null.
   explicit SharedCancellation(Cancellation* shared);
   ~SharedCancellation();
   SharedCancellation(const SharedCancellation&) = delete;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Files to read, and files written whole or not at all.
+/// Reads files, and writes files whole or not at all.
 #pragma once
 
 #include <chrono>
@@ -15,12 +15,12 @@ namespace stickslip {
 /// A file open for reading.
 class InputFile {
  public:
-  /// "-" is standard input. Throws InputError naming `path` for a directory and for what cannot
-  /// be opened; `expected` is what the remedy asks for, "a grasp file".
+  /// Opens a file; "-" is standard input. Throws InputError naming `path` for a directory and
+  /// for a file that cannot be opened. The remedy asks for `expected`, "a grasp file".
   InputFile(const std::string& path, const std::string& expected);
 
-  std::istream& stream();                            ///< reads from its beginning
-  const std::string& name() const { return name_; }  ///< for errors; "<stdin>" of "-"
+  std::istream& stream();                            ///< the content, from its beginning
+  const std::string& name() const { return name_; }  ///< the name for errors; "<stdin>" for "-"
 
  private:
   std::string name_;
@@ -28,41 +28,42 @@ class InputFile {
   std::ifstream file_;
 };
 
-/// For a program that answers one command and ends: from now on every InputFile is protected
-/// (protect_file), and none may be opened that is standard output or error as well.
+/// Protects every InputFile from now on (protect_file), and lets none be opened that is
+/// standard output or error as well. It is for a program that answers one command and ends.
 void protect_inputs();
 
-/// Lets no write_whole_file replace this file, under any of its names; `role` says in errors
-/// what it is, "input". Only regular files need this; of others, and of files that do not
-/// exist, nothing is remembered.
+/// Lets no write_whole_file replace this file, under any of its names. In errors `role` says
+/// what it is, "input". Only regular files need this: nothing is remembered of others, or of
+/// files that do not exist.
 void protect_file(const std::string& path, const std::string& role);
 
-/// For what writes by other means than write_whole_file. Throws InputError naming `path` and
-/// the protected file that this is.
+/// Throws InputError naming `path` and the protected file if `path` is a protected file. It is
+/// for code that writes by other means than write_whole_file.
 void require_unprotected(const std::string& path);
 
-/// What is thrown when `path` cannot be written, for the reason that `error`, an errno, gives.
+/// Returns the error to throw when `path` cannot be written, for the reason that `error`, an
+/// errno, gives.
 InputError cannot_write(const std::string& path, int error);
 
 /// Makes the folder that an option names, if it is not there. Throws InputError naming both.
 void make_folder(const std::string& option, const std::string& folder);
 
 /// Writes a temporary file beside `path` and renames it: at every moment `path` is what it was
-/// before or all of `content`. Replaces an existing file, with its permissions; where `path` is
-/// a symbolic link, the file that it leads to. "-" is standard output, written directly, as are
-/// devices and pipes. Throws InputError naming `path` when the file is protected or cannot be
-/// written.
+/// before or all of `content`. An existing file is replaced and keeps its permissions. If
+/// `path` is a symbolic link, the file that it leads to is replaced. Standard output ("-"),
+/// devices and pipes are written directly. Throws InputError naming `path` when the file is
+/// protected or cannot be written.
 ///
 /// A signal that ends the program in the meantime leaves the temporary file behind, unless the
 /// program waits for the end of the write as the command line does (stop_file_writes).
 void write_whole_file(const std::string& path, std::string_view content);
 
-/// Of the name of a temporary file of write_whole_file, that of the file which it was to
-/// become; of any other name nothing.
+/// Returns the name of the file that a temporary file of write_whole_file was to become, given
+/// the temporary name; an empty string for any other name.
 std::string target_of_temporary(const std::string& name);
 
-/// While one lives, a file is being written, or several that belong together. May nest within a
-/// thread. Once writes are stopped the constructor does not return.
+/// A file, or several that belong together, are being written while one of these lives. They
+/// may nest within a thread. Once writes are stopped, the constructor does not return.
 class FileWrite {
  public:
   FileWrite();
@@ -71,9 +72,9 @@ class FileWrite {
   FileWrite& operator=(const FileWrite&) = delete;
 };
 
-/// For a program that is about to end: lets no FileWrite begin, and waits until none lives, but
-/// not longer than `at_most`, should a disk not answer. Must not be called by a thread that
-/// holds one, nor by a signal handler.
+/// Lets no FileWrite begin, and waits until none lives, but not longer than `at_most`, in case
+/// a disk does not answer. It is for a program that is about to end, and must not be called by
+/// a thread that holds a FileWrite, nor by a signal handler.
 void stop_file_writes(std::chrono::seconds at_most);
 
 }  // namespace stickslip

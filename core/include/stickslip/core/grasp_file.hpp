@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Reading and writing grasp files (formats "stickslip-grasp/1" to "stickslip-grasp/3",
+/// Reads and writes grasp files (formats "stickslip-grasp/1" to "stickslip-grasp/3",
 /// docs/grasp_file.md).
 ///
-/// Numbers are exact: a JSON number is the decimal it spells, taken from its own
-/// characters, never through a double; a string may be "3/5", "-0.25" or "1e-3".
+/// Numbers are exact: a JSON number is the decimal it spells, taken from its own characters,
+/// never through a double; a string may be "3/5", "-0.25" or "1e-3".
 #pragma once
 
 #include <optional>
@@ -18,38 +18,41 @@
 namespace stickslip {
 
 struct JsonNode;
-/// A contact in which "defaults" may have to be filled in.
+/// A contact as it is written, without the members that "defaults" give.
 struct WrittenContact;
 
 /// A load with a name: a question of its own.
 struct NamedLoad {
   std::string name;  ///< not empty
-  WrenchBox wrench;  ///< all of it, with what is common to all cases
+  WrenchBox wrench;  ///< the whole load, with the part that is common to all cases
 };
 
-/// What a grasp file says, in the plane or in space.
+/// The content of a grasp file, in the plane or in space.
 struct GraspFile {
-  /// The contacts; and the load, of cases what is common to them. Places on the outline and
-  /// loads at points are positions, normals and a wrench. A box in the plane if some number of
-  /// these is an interval.
+  /// The contacts and the load; in a file with cases, the load that they have in common. Places
+  /// on the outline have become positions and normals, and loads at points a wrench. A grasp of
+  /// one body in the plane is a box only if some number is an interval, a normal has a slope,
+  /// or motions are bounded; any other grasp is always a box.
   AnyGrasp content;
   /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};
-  std::vector<NamedLoad> cases{};  ///< with different names; none: `content` has the only load
+  /// The cases, whose names differ. If there is none, `content` has the only load.
+  std::vector<NamedLoad> cases{};
 
-  /// Requires one grasp in the plane.
+  /// Returns the one grasp in the plane. Throws ContractError if `content` is a box.
   const LoadedGrasp& loaded() const;
-  /// What is known of the grasp for people.
+  /// Returns the description of the grasp for people.
   const GraspDescription& description() const { return description_of(content); }
 };
 
-/// Whether a reader takes files with intervals. What does not answer for all grasps in a box
-/// must not: it would take the middle for the answer. Where they are refused, so are bounds of
-/// motions of grasps in the plane, unless they alone are taken.
+/// The intervals that a reader takes. Code that does not answer for all grasps in a box must
+/// refuse intervals: it would take the middle for the answer. With kRefused a bound of the
+/// motions of a grasp in the plane is refused as well; with kOnlyBounds only intervals are
+/// refused.
 enum class Intervals { kRefused, kOnlyBounds, kAllowed };
 
-/// The index of a case of a file, by the names of all. Throws InputError with the place "case"
-/// if it has none of that name, and if no name is given.
+/// Returns the index of a case, given the names of all cases of a file. Throws InputError with
+/// the place "case" if there is no case of that name, or if no name is given.
 std::size_t case_named(const std::vector<std::string>& cases,
                        const std::optional<std::string>& name);
 
@@ -63,12 +66,14 @@ class StreamedGrasp {
   StreamedGrasp(const StreamedGrasp&) = delete;
   StreamedGrasp& operator=(const StreamedGrasp&) = delete;
 
-  void add_contact(std::size_t index, const JsonNode& node);  ///< the sink of the stream
-  /// Whether the contacts so far are in space, or, if there are none, the wrench.
+  /// Reads a contact. This is the sink of the stream.
+  void add_contact(std::size_t index, const JsonNode& node);
+  /// Returns whether the contacts so far are in space, or the wrench if there are no contacts.
   bool in_space(const JsonNode& grasp) const;
-  /// The object whose contacts were streamed. Refuses one in space.
+  /// Returns the grasp, given the object whose contacts were streamed. Refuses a grasp in space
+  /// and one of several bodies.
   GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
-  /// The same of any.
+  /// Returns a grasp of any kind.
   GraspFile finish_any(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
 
  private:
@@ -77,37 +82,37 @@ class StreamedGrasp {
 
   std::vector<WrittenContact> contacts_;
   bool in_space_ = false;
-  std::string first_interval_;  ///< its place; empty if there is none
+  std::string first_interval_;  ///< the path of the first interval; empty if there is none
 };
 
 /// Reads one grasp in the plane. `file` is the name used in errors. Throws InputError with
-/// file, JSON path or line:column, what is wrong, and what would be right; so for intervals
-/// that are refused, and for a grasp in space.
+/// file, JSON path or line:column, what is wrong, and what would be right. It does so, too, for
+/// intervals that are refused, for a grasp in space, and for several bodies.
 GraspFile parse_grasp(std::string_view text, const std::string& file,
                       Intervals intervals = Intervals::kRefused);
 
-/// Reads a file; "-" is standard input. Throws InputError as parse_grasp, and when the file
-/// cannot be read.
+/// Reads one grasp in the plane from a file; "-" is standard input. Throws InputError as
+/// parse_grasp does, and when the file cannot be read.
 GraspFile read_grasp_file(const std::string& path, Intervals intervals = Intervals::kRefused);
 
-/// \{ The same, in the plane or in space, of one body or several.
+/// \{ Reads a grasp of any kind: in the plane or in space, of one body or several.
 GraspFile parse_any_grasp(std::string_view text, const std::string& file,
                           Intervals intervals = Intervals::kAllowed);
 GraspFile read_any_grasp_file(const std::string& path,
                               Intervals intervals = Intervals::kAllowed);
 /// \}
 
-/// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the
-/// same grasp, and the same grasp gives the same bytes. Loads are written as the wrench that
-/// they sum to, and contacts with their positions and normals. Integers below 2^53 are written
-/// as JSON numbers, all others as strings "3/5", so that no JSON reader rounds them. Throws
-/// InputError for what a file cannot hold: a name that is not UTF-8, a number longer than
-/// kMaxNumberLength.
+/// Returns the grasp as a file's text, one contact a line, ending in a newline. Reading it
+/// gives the same grasp, and the same grasp gives the same bytes. Loads are written as the
+/// wrench that they sum to, and contacts with their positions and normals. Integers below 2^53
+/// are written as JSON numbers, all others as strings "3/5", so that no JSON reader rounds
+/// them. Throws InputError for what a file cannot hold: a name that is not UTF-8, or a number
+/// longer than kMaxNumberLength.
 std::string write_grasp(const AnyGrasp& content);
 /// \copydoc write_grasp
 std::string write_grasp(const LoadedGrasp& content);
-/// The same with the cases and intervals, and without the stiffnesses that were assumed:
-/// reading it gives `file` again.
+/// Returns the text with the cases and intervals, and without the stiffnesses that were
+/// assumed. Reading it gives `file` again.
 std::string write_grasp_file(const GraspFile& file);
 
 }  // namespace stickslip

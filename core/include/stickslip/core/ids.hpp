@@ -11,11 +11,11 @@ namespace stickslip {
 template <class Tag>
 class Id {
  public:
-  /// Never implicit: a plain number has no kind.
+  /// Makes the id of an index. It is never implicit, as a plain number has no kind.
   constexpr explicit Id(std::size_t index) : index_(index) {}
-  constexpr std::size_t index() const { return index_; }  ///< from 0
+  constexpr std::size_t index() const { return index_; }  ///< the index, from 0
 
-  /// \{ By index.
+  /// \{ Compares by index.
   friend constexpr bool operator==(Id a, Id b) { return a.index_ == b.index_; }
   friend constexpr bool operator!=(Id a, Id b) { return a.index_ != b.index_; }
   friend constexpr bool operator<(Id a, Id b) { return a.index_ < b.index_; }
@@ -25,9 +25,9 @@ class Id {
   std::size_t index_;
 };
 
-/// A contact of a grasp, by its place in the grasp file.
+/// The id of a contact of a grasp, its place in the grasp file.
 using ContactId = Id<struct ContactTag>;
-/// One of the distinct great circles of an arrangement.
+/// The id of one of the distinct great circles of an arrangement.
 using CircleId = Id<struct CircleTag>;
 
 }  // namespace stickslip

@@ -15,27 +15,28 @@ namespace stickslip {
 
 namespace core_detail {
 
-/// primitive() of these n integers, in place.
+/// Divides n integers by their greatest common divisor, in place (primitive()).
 void make_primitive(Integer* a, std::size_t n);
-/// primitive_multiple() of n fractions; `result` is 0 before.
+/// Writes primitive_multiple() of n fractions to `result`, which is 0 before.
 void primitive_multiple(const Rational* a, Integer* result, std::size_t n);
-/// in_doubles() of n integers.
+/// Writes in_doubles() of n integers to `result`.
 void round_to_one(const Integer* a, double* result, std::size_t n);
 
 }  // namespace core_detail
 
-/// n integers.
+/// A vector of n integers.
 template <std::size_t n>
 using IntegerVector = std::array<Integer, n>;
-/// A plane by its normal, or a motion up to a positive factor, in coordinates (x, y, r).
+/// A vector of three integers: a plane by its normal, or a motion up to a positive factor, in
+/// coordinates (x, y, r).
 using IntegerVector3 = IntegerVector<3>;
-/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h, l) of the plane, or a point x
-/// itself.
+/// \{ The coefficients of a linear function of x = (d_x, d_y, d_r, h, l) in the plane, or a
+/// point x itself.
 using IntegerVector5 = IntegerVector<5>;
 using Vector5 = std::array<Rational, 5>;
 /// \}
 
-/// The sum of a_j b_j, of numbers of any kind.
+/// Returns the sum of a_j b_j, for numbers of any kind.
 template <class Number, std::size_t n>
 Number dot(const std::array<Number, n>& a, const std::array<Number, n>& b) {
   Number sum = 0;
@@ -43,7 +44,7 @@ Number dot(const std::array<Number, n>& a, const std::array<Number, n>& b) {
   return sum;
 }
 
-/// Of integers without a temporary for each product.
+/// Returns the sum of a_j b_j for integers, without a temporary for each product.
 template <std::size_t n>
 Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   Integer sum;
@@ -53,13 +54,13 @@ Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   return sum;
 }
 
-/// a x b, of integers or rationals, right-handed: (1, 0, 0) x (0, 1, 0) = (0, 0, 1).
+/// Returns a x b, right-handed: (1, 0, 0) x (0, 1, 0) = (0, 0, 1).
 template <class Number>
 std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Whether every entry is 0.
+/// Returns whether every entry is 0.
 template <std::size_t n>
 bool is_zero(const IntegerVector<n>& a) {
   for (const Integer& entry : a) {
@@ -68,21 +69,21 @@ bool is_zero(const IntegerVector<n>& a) {
   return true;
 }
 
-/// -a.
+/// Returns -a.
 template <std::size_t n>
 IntegerVector<n> negated(IntegerVector<n> a) {
   for (Integer& entry : a) entry = -entry;
   return a;
 }
 
-/// a divided by the greatest common divisor of its entries; 0 stays 0.
+/// Returns a divided by the greatest common divisor of its entries; 0 stays 0.
 template <std::size_t n>
 IntegerVector<n> primitive(IntegerVector<n> a) {
   core_detail::make_primitive(a.data(), n);
   return a;
 }
 
-/// The primitive integer vector that is a positive multiple of `a`; 0 stays 0.
+/// Returns the primitive integer vector that is a positive multiple of `a`; 0 stays 0.
 template <std::size_t n>
 IntegerVector<n> primitive_multiple(const std::array<Rational, n>& a) {
   IntegerVector<n> result;
@@ -90,8 +91,8 @@ IntegerVector<n> primitive_multiple(const std::array<Rational, n>& a) {
   return result;
 }
 
-/// The primitive integer vector nearest to a multiple of `a` with entries of this many bits; 0
-/// for 0 and for what is not finite.
+/// Returns the primitive integer vector nearest to a multiple of `a` whose entries have about
+/// this many bits; 0 for 0 and if an entry is not finite.
 template <std::size_t n>
 IntegerVector<n> in_bits(const std::array<double, n>& a, int bits) {
   double largest = 0;
@@ -108,10 +109,10 @@ IntegerVector<n> in_bits(const std::array<double, n>& a, int bits) {
   return primitive(std::move(result));
 }
 
-/// a over a power of two, with its largest entry between 1/2 and 1, so that neither squares nor
-/// sums of products overflow, whatever the bits: each entry within two unit roundoffs, or
-/// within 2^-1073 where it is so small beside the largest that it underflows. Exact for entries
-/// of at most 53 bits; 0 stays 0.
+/// Returns a over a power of two such that the largest entry is between 1/2 and 1. So neither
+/// squares nor sums of products overflow, however long the entries are. Each entry is off by at
+/// most two unit roundoffs, or by 2^-1073 where it is so small beside the largest that it
+/// underflows. Entries of at most 53 bits are exact; 0 stays 0.
 template <std::size_t n>
 std::array<double, n> in_doubles(const IntegerVector<n>& a) {
   std::array<double, n> result;

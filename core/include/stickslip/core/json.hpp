@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A JSON text as a small tree in which numbers keep their own characters, and values taken out
-/// of it. What is given a `path`, a JSON path, throws InputError there; that of the root is
-/// empty.
+/// A JSON text as a small tree in which numbers keep their own characters, and functions that
+/// take values out of it. A function with a parameter `path`, a JSON path, throws InputError at
+/// that place. The path of the root is empty.
 #pragma once
 
 #include <cstddef>
@@ -23,67 +23,71 @@ struct JsonNode {
   /// The six kinds of value.
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
-  Kind kind = Kind::kNull;         ///< says which of the following are in use
-  std::string text;                ///< of a number, its characters; of a string, its content
-  std::vector<std::string> keys;   ///< of an object, one per child, all different
-  std::vector<JsonNode> children;  ///< of an array or an object
+  Kind kind = Kind::kNull;         ///< the kind, which says which of the following are in use
+  std::string text;                ///< the characters of a number, or the content of a string
+  std::vector<std::string> keys;   ///< the keys of an object, one per child, all different
+  std::vector<JsonNode> children;  ///< the values of an array or an object
 
-  /// The value of `key`, or nullptr.
+  /// Returns the value of `key`, or nullptr.
   const JsonNode* find(std::string_view key) const;
 };
 
-/// The node in words, for messages: `the string "abc"`, `an array of 3 values`.
+/// Returns the node in words, for messages: `the string "abc"`, `an array of 3 values`.
 std::string describe(const JsonNode& node);
 
-/// `key` below `path`: "contacts[0]" and "normal" give "contacts[0].normal".
+/// Returns `key` below `path`: "contacts[0]" and "normal" give "contacts[0].normal".
 std::string member_path(const std::string& path, const std::string& key);
-/// Element `index` below `path`: "contacts" and 0 give "contacts[0]".
+/// Returns element `index` below `path`: "contacts" and 0 give "contacts[0]".
 std::string element_path(const std::string& path, std::size_t index);
 
-/// The path as an error's place: that of the root has no characters of its own.
+/// Returns the path as an error names it: "top level" for the root, whose path is empty.
 std::string place_name(const std::string& path);
 
-/// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
+/// \{ Limits on what is read, so that hostile input ends in an error and not after an hour.
 inline constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
 inline constexpr std::size_t kMaxJsonDepth = 32;
-/// Values in one member of the top level but for streamed elements, and in each of these.
+/// The most values in one member of the top level, without streamed elements, and in each of
+/// these.
 inline constexpr std::size_t kMaxJsonNodes = std::size_t{1} << 16;
-/// Members of one object.
+/// The most members of one object.
 inline constexpr std::size_t kMaxJsonKeys = 32;
 /// \}
 
 /// An array that may be long: its elements are handed over one by one as they are parsed, and
 /// are not kept in the tree.
 struct JsonStream {
-  std::vector<std::string> keys;  ///< that lead to it from the top level: "claim", "forces"
-  std::function<void(std::size_t index, const JsonNode& element)> sink;  ///< takes them
+  /// The keys that lead to the array from the top level: "claim", "forces".
+  std::vector<std::string> keys;
+  /// Takes the elements.
+  std::function<void(std::size_t index, const JsonNode& element)> sink;
 };
 
 /// Parses one JSON value. Throws InputError with a line:column for bad syntax, and with a JSON
-/// path for a repeated key and beyond the limits; what a sink throws is passed on.
+/// path for a repeated key and beyond the limits. What a sink throws is passed on.
 JsonNode parse_json(std::string_view text, const std::vector<JsonStream>& streams = {});
 
-/// A string as JSON writes it, quotes included. Throws InputError at `path` if it is not UTF-8.
+/// Returns a string as JSON writes it, quotes included. Throws InputError at `path` if it is
+/// not UTF-8.
 std::string json_string(const std::string& text, const std::string& path);
 
-/// The lines of a JSON Lines file one at a time; memory holds one, of at most kMaxJsonBytes.
+/// Reads a JSON Lines file one line at a time. Memory holds one line, of at most kMaxJsonBytes.
 class TextLines {
  public:
-  /// Reads from `in`, which must outlive this; so many lines and bytes stood before.
+  /// Reads from `in`, which must outlive this. So many lines and bytes were read before.
   explicit TextLines(std::istream& in, std::size_t lines_before = 0,
                      std::uintmax_t bytes_before = 0)
       : in_(in), number_(lines_before), end_(bytes_before) {}
 
-  /// The next line that is not blank, false at the end. Throws InputError for a line that is
-  /// too long, which has been skipped, so that next() may be called again; number() is its
-  /// number.
+  /// Reads the next line that is not blank into `line`; returns false at the end. Throws
+  /// InputError for a line that is too long. That line has then been skipped: next() may be
+  /// called again, and number() is its number.
   bool next(std::string& line);
 
-  /// Of the last line read, from 1, blank ones counted.
+  /// Returns the number of the last line read, from 1, blank ones counted.
   std::size_t number() const { return number_; }
 
-  std::uintmax_t begin() const { return begin_; }  ///< of the last line read: where it begins
-  std::uintmax_t end() const { return end_; }      ///< and where the next one does
+  std::uintmax_t begin() const { return begin_; }  ///< the first byte of the last line read
+  std::uintmax_t end() const { return end_; }      ///< the first byte of the next line
 
  private:
   std::istream& in_;
@@ -92,11 +96,11 @@ class TextLines {
   std::uintmax_t end_;
 };
 
-/// Throws the InputError.
+/// Throws InputError at `path`.
 [[noreturn]] void fail_at(const std::string& path, std::string problem, std::string remedy);
 
-/// What `read` returns; its errors, unless they are about another file, are about the value at
-/// `path`, in which their own places begin.
+/// Returns what `read` returns. If `read` throws an InputError that names no file, its place is
+/// taken to begin at the value at `path`, and the error is thrown with the whole path.
 template <class Read>
 auto within(const std::string& path, Read read) {
   try {
@@ -108,26 +112,29 @@ auto within(const std::string& path, Read read) {
   }
 }
 
-/// The node has this kind; `expected` says so in words.
+/// Throws InputError unless the node has this kind; `expected` says the kind in words.
 void expect(const JsonNode& node, JsonNode::Kind kind, const std::string& path,
             const char* expected);
 
-/// An object without keys other than these; a near miss is told what was meant.
+/// Throws InputError unless the node is an object without keys other than these. For a near
+/// miss the error says which key may have been meant.
 void expect_object(const JsonNode& node, const std::string& path,
                    const std::vector<std::string>& allowed);
 
-/// An array of `length` values; `form` describes it, "an array of two numbers [x, y]".
+/// Throws InputError unless the node is an array of `length` values; `form` describes it, "an
+/// array of two numbers [x, y]".
 void expect_array(const JsonNode& node, const std::string& path, std::size_t length,
                   const char* form);
 
-/// The value of a required key.
+/// Returns the value of a required key. Throws InputError with this remedy if there is none.
 const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,
                        const char* remedy);
 
-/// A JSON number or a string that parse_rational reads.
+/// Returns the number of a node that is a JSON number or a string that parse_rational reads.
 Rational read_number(const JsonNode& node, const std::string& path);
 
-/// `length` numbers; `form` describes them, "an array of two numbers [x, y]".
+/// Returns `length` numbers of an array; `form` describes them, "an array of two numbers [x,
+/// y]".
 std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
                                   std::size_t length, const char* form);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// JSON that is written: answers, reports, pages. A text that is read becomes a JsonNode
+/// JSON to write: answers, reports, pages. A text that is read becomes a JsonNode
 /// (core/json.hpp).
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace stickslip {
 
-/// A text in a JSON tree is not UTF-8, and cannot be written.
+/// The error that a text in a JSON tree is not UTF-8 and cannot be written.
 class JsonTextError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -35,7 +35,7 @@ class Json {
  public:
   struct Member;
 
-  /// \{ \brief null, a truth value, a number or a string.
+  /// \{ \brief Makes null, a truth value, a number or a string.
   Json() noexcept = default;
   Json(std::nullptr_t) noexcept {}
   template <class T, std::enable_if_t<std::is_arithmetic_v<T>, int> = 0>
@@ -58,15 +58,15 @@ class Json {
   Json(std::string_view text) : Json(std::string(text)) {}
   Json(const char* text) : Json(std::string(text)) {}
   /// \}
-  /// An object if each value is an array of a string and one more value; else an array. The
-  /// values move.
+  /// Makes an object if each value is an array of a string and one more value; else an array.
+  /// The values move.
   Json(std::initializer_list<Json> values);
-  /// An array of what the range holds.
+  /// Makes an array of the values of a range.
   template <class Range, IfRange<Range> = 0>
   Json(const Range& range) : Json(array()) {
     for (const auto& value : range) push_back(value);
   }
-  /// \{ A copy, and what another value was, which becomes null.
+  /// \{ Makes a copy, or takes another value, which becomes null.
   Json(const Json& other);
   Json(Json&& other) noexcept : kind_(other.kind_), word_(other.word_) {
     other.kind_ = Kind::kNull;
@@ -82,18 +82,19 @@ class Json {
     if (kind_ >= Kind::kString) release();
   }
 
-  /// An array of these values, which move.
+  /// Returns an array of these values, which move.
   static Json array(std::initializer_list<Json> values = {});
-  /// An object without members.
+  /// Returns an object without members.
   static Json object();
-  /// An exact number by its digits. It stands in a tree until finished() (core/number_text.hpp)
-  /// writes it as a string; until then it cannot be written.
+  /// Returns an exact number by its digits. It stands in a tree until finished()
+  /// (core/number_text.hpp) writes it as a string; until then it cannot be written.
   static Json exact(std::string digits);
-  /// The value that a JSON text spells. Numbers become machine's numbers. The text is a
-  /// program's own: std::logic_error if it is no JSON.
+  /// Returns the value that a JSON text spells. Numbers become numbers of the machine. Throws
+  /// ContractError if the text is no JSON: only texts that a program wrote itself may be
+  /// parsed.
   static Json parse(std::string_view text);
 
-  /// \{ Whether the value is of this kind; is_true() of `true` alone.
+  /// \{ Returns whether the value is of this kind; is_true() is true for `true` alone.
   bool is_null() const { return kind_ == Kind::kNull; }
   bool is_true() const { return kind_ == Kind::kBoolean && word_.boolean; }
   bool is_string() const { return kind_ == Kind::kString; }
@@ -102,31 +103,31 @@ class Json {
   bool is_object() const { return kind_ == Kind::kObject; }
   /// \}
 
-  /// The content of a string, or the digits of an exact number.
+  /// Returns the content of a string, or the digits of an exact number.
   const std::string& text() const;
-  /// A natural number, such as a count.
+  /// Returns the value of a natural number, such as a count.
   std::size_t count() const;
 
-  /// The number of values of an array, or members of an object; 0 for null, else 1.
+  /// Returns the number of values of an array, or of members of an object; 0 for null, else 1.
   std::size_t size() const;
-  /// Whether size() is 0.
+  /// Returns whether size() is 0.
   bool empty() const { return size() == 0; }
 
-  /// \{ The values of an array; of anything else, none.
+  /// \{ Iterates over the values of an array; anything else has none.
   const Json* begin() const;
   const Json* end() const;
   /// \}
-  /// Adds a value to an array, which null becomes. O(1), on average.
+  /// Adds a value to an array; null becomes an array. O(1), on average.
   void push_back(Json value);
-  /// Adds a value to an array, which null becomes, and returns it.
+  /// Adds a value to an array and returns it; null becomes an array.
   template <class Value>
   Json& emplace_back(Value&& value) {
     push_back(Json(std::forward<Value>(value)));
     return back();
   }
-  /// The last value of an array that has one.
+  /// Returns the last value of an array that has one.
   Json& back();
-  /// \{ A value of an array.
+  /// \{ Returns a value of an array.
   template <class Index, std::enable_if_t<std::is_integral_v<Index>, int> = 0>
   Json& operator[](Index index) {
     return const_cast<Json&>(at(static_cast<std::size_t>(index)));
@@ -137,18 +138,19 @@ class Json {
   }
   /// \}
 
-  /// The members of an object; of anything else, none.
+  /// Returns the members of an object; anything else has none.
   const std::vector<Member>& members() const;
-  /// The value of a member, or nullptr. O(members), as all that follow.
+  /// Returns the value of a member, or nullptr. It takes O(members), as do all functions that
+  /// follow.
   const Json* find(std::string_view key) const;
-  /// Whether there is a member of this name.
+  /// Returns whether there is a member of this name.
   bool contains(std::string_view key) const { return find(key) != nullptr; }
-  /// \{ The value of a member that is there.
+  /// \{ Returns the value of a member that is there.
   const Json& at(std::string_view key) const;
   const Json& operator[](const char* key) const { return at(std::string_view(key)); }
   /// \}
-  /// \{ The value of a member of an object, which null becomes; null, and the last one, if it
-  /// was not there.
+  /// \{ Returns the value of a member of an object; null becomes an object. If there is no such
+  /// member, it is added as the last one, with the value null.
   Json& operator[](std::string_view key);
   Json& operator[](const std::string& key) { return (*this)[std::string_view(key)]; }
   Json& operator[](const char* key) { return (*this)[std::string_view(key)]; }
@@ -158,10 +160,12 @@ class Json {
   /// Sets all members of another object in this one.
   void update(Json other);
 
-  /// Texts that are not UTF-8: refused, or written with U+FFFD in place of what is not.
+  /// The treatment of texts that are not UTF-8: they are refused, or written with U+FFFD in
+  /// place of the wrong bytes.
   enum class Utf8 { kRequired, kReplaced };
-  /// The text of the value, on one line without blanks; with `indent` >= 0, each value on a
-  /// line of its own, with so many blanks before it for each level. Throws JsonTextError.
+  /// Returns the text of the value, on one line without blanks. With `indent` >= 0 each value
+  /// is on a line of its own, with so many blanks before it for each level. Throws
+  /// JsonTextError for a text that is not UTF-8, unless these are replaced.
   std::string dump(int indent = -1, Utf8 utf8 = Utf8::kRequired) const;
 
  private:
@@ -191,8 +195,8 @@ class Json {
   const Json& at(std::size_t index) const;
   std::vector<Json>& values();
 
-  // Mutable, as values that stand in a std::initializer_list are constant, and move
-  // nevertheless.
+  // They are mutable because values in a std::initializer_list are constant and have to be
+  // moved nevertheless.
   mutable Kind kind_ = Kind::kNull;
   mutable Word word_{};
 };
@@ -200,7 +204,7 @@ class Json {
 /// A member of an object: `for (const auto& [key, value] : json.members())`.
 struct Json::Member {
   std::string key;  ///< its name
-  Json value;       ///< what it holds
+  Json value;       ///< its value
 };
 
 }  // namespace stickslip

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Several bodies: those that move freely, links on hinges and slides, the joints that turn
-/// them, and springs (certificate/FORMAT.md, section 14).
+/// A mechanism of several bodies: bodies that move freely, links on hinges and slides, the
+/// joints that turn them, and springs (certificate/FORMAT.md, section 14).
 ///
 /// All are in one frame. A *state* z has the motion of each body that is no link, a twist about
 /// the origin, in the order of bodies, and then one coordinate for each joint. A link moves as
-/// the body that it is on and as its joints turn it.
+/// the body that it is on, and besides as its joints turn it.
 #pragma once
 
 #include <cstddef>
@@ -25,104 +25,105 @@ struct Interval {
   Rational low{0};   ///< the least
   Rational high{0};  ///< the greatest
 
-  /// One number.
+  /// Returns whether the interval is one number.
   bool is_point() const { return low == high; }
-  /// (low + high) / 2.
+  /// Returns (low + high) / 2.
   Rational middle() const { return (low + high) / 2; }
-  /// low <= x <= high.
+  /// Returns whether low <= x <= high.
   bool contains(const Rational& x) const { return low <= x && x <= high; }
-  /// The same two ends.
+  /// Compares the two ends.
   friend bool operator==(const Interval& a, const Interval& b) {
     return a.low == b.low && a.high == b.high;
   }
 };
 
-/// The interval of one number.
+/// Returns the interval of one number.
 inline Interval point_interval(const Rational& x) {
   return {x, x};
 }
 
-/// A body by its index in Mechanism::bodies; nothing: the ground.
+/// The index of a body in Mechanism::bodies; nothing is the ground.
 using BodyIndex = std::optional<std::size_t>;
 
-/// How a body is held by the one that it is on.
+/// A hinge or slide by which the body that it is on holds another one.
 struct Link {
-  bool slides = false;  ///< along `axis`; else it turns
-  RationalRow at{};     ///< of a hinge a point of its axis
-  RationalRow axis{};   ///< of a slide, and of a hinge in space; not 0. A unit of a joint
-                        ///< turns or moves by its length. Empty of a hinge in the plane
-  BodyIndex on{};       ///< stands before it
+  bool slides = false;  ///< whether the body slides along `axis`; else it turns
+  RationalRow at{};     ///< a point of the axis of a hinge
+  /// The axis of a slide, or of a hinge in space; not 0. A unit of a joint turns or moves the
+  /// link by its length. It is empty for a hinge in the plane.
+  RationalRow axis{};
+  BodyIndex on{};  ///< the body that holds it, which stands before it
 };
 
 /// One of several bodies.
 struct Body {
   std::string name;                    ///< not empty, not "ground", unlike all others
   std::optional<Link> link{};          ///< nothing: it moves freely
-  std::vector<Polygon> outline{};      ///< in the plane; may be empty
-  std::shared_ptr<const Mesh> mesh{};  ///< in space; may be null
-  std::vector<RationalRow> weights{};  ///< where weights of its file pull at it: points of it
+  std::vector<Polygon> outline{};      ///< the outline of a body in the plane; may be empty
+  std::shared_ptr<const Mesh> mesh{};  ///< the surface of a body in space; may be null
+  std::vector<RationalRow> weights{};  ///< the points at which weights of its file pull at it
 };
 
-/// Numbers != 0 for links: how fast each turns.
+/// The rates of links: pairs of a link and how fast it turns, a number that is not 0.
 using LinkRates = std::vector<std::pair<std::size_t, Rational>>;
 
-/// One coordinate, by which links turn.
+/// A joint: one coordinate by which links turn.
 struct Joint {
   std::string name;  ///< may be empty
-  LinkRates turns;   ///< per unit
+  LinkRates turns;   ///< how fast it turns links, per unit
 };
 
-/// Bodies and joints. O(D) for each link to follow.
+/// Bodies and joints. Functions take O(D) for each link that they follow.
 struct Mechanism {
-  bool in_space = false;        ///< of three coordinates
-  std::vector<Body> bodies{};   ///< links after those that they are on
-  std::vector<Joint> joints{};  ///< each turns a link, and each link is turned
+  bool in_space = false;        ///< whether there are three coordinates
+  std::vector<Body> bodies{};   ///< the bodies, links after those that they are on
+  std::vector<Joint> joints{};  ///< the joints; each turns a link, and each link is turned
 
-  /// D, the number of coordinates of states.
+  /// Returns D, the number of coordinates of states.
   std::size_t coordinates() const;
-  /// The first coordinate of a body that is no link.
+  /// Returns the first coordinate of a body that is no link.
   std::size_t first_coordinate(std::size_t body) const;
-  /// That of a joint.
+  /// Returns the coordinate of a joint.
   std::size_t joint_coordinate(std::size_t joint) const;
-  /// J of a body, of 3 rows in the plane and 6 in space: its twist as functions of states.
+  /// Returns J of a body, its twist as functions of states: 3 rows in the plane, 6 in space.
   std::vector<RationalRow> motion_of(BodyIndex body) const;
-  /// J_of - J_by.
+  /// Returns J_of - J_by, the motion of one body beside another.
   std::vector<RationalRow> motion_between(BodyIndex of, BodyIndex by) const;
-  /// The sum of r_b times how each link turns, as a function of states.
+  /// Returns the sum of r_b times how each link b turns, as a function of states.
   RationalRow row_of(const LinkRates& over) const;
-  /// "box.x", "box.turn" or the like; of a joint its name, or "joint 0".
+  /// Returns "box.x", "box.turn" or the like, or for a joint its name or "joint 0".
   std::string coordinate_name(std::size_t coordinate) const;
-  /// Whether it is an angle and not a length.
+  /// Returns whether the coordinate is an angle and not a length.
   bool is_rotation(std::size_t coordinate) const;
-  /// "ground", or the body's name.
+  /// Returns the body's name, or "ground".
   std::string name_of(BodyIndex body) const;
-  /// The one of this name. Throws InputError at `path` if there is none.
+  /// Returns the body of this name. Throws InputError at `path` if there is none.
   std::size_t body_named(const std::string& name, const std::string& path) const;
 };
 
-/// Those of all coordinates.
+/// Returns the names of all coordinates.
 std::vector<std::string> coordinate_names(const Mechanism& mechanism);
 
-/// A force along a row of states, without friction: of a ratchet max(0, P - k row.z), of a
-/// spring P - k row.z of either sign.
+/// A force along a row of states, without friction. That of a ratchet is max(0, P - k row.z),
+/// and that of a spring is P - k row.z, of either sign.
 struct Spring {
-  /// What it is in the file.
+  /// The list of the file that it stands in.
   enum class Kind { kRatchet, kJoint, kTendon };
 
-  Kind kind = Kind::kTendon;  ///< of its list
-  std::string place{};        ///< in its file, "joints[1]"
+  Kind kind = Kind::kTendon;  ///< its list
+  std::string place{};        ///< its path in the file, "joints[1]"
   std::string name{};         ///< may be empty
-  std::size_t joint = 0;      ///< of a joint its own index
-  LinkRates over{};           ///< of all others
+  std::size_t joint = 0;      ///< the index of the joint, if it stands in "joints"
+  LinkRates over{};           ///< the links that it acts on, if it stands elsewhere
   RationalRow row{};          ///< not 0
-  Interval stiffness{};       ///< k >= 0, above 0 of a ratchet
-  Interval force{};           ///< P: torque or tension, of a ratchet the preload, >= 0
+  Interval stiffness{};       ///< k >= 0, above 0 for a ratchet
+  Interval force{};           ///< P: a torque or tension, or the preload >= 0 of a ratchet
 
-  /// Whether it pushes only.
+  /// Returns whether it only pushes.
   bool is_ratchet() const { return kind == Kind::kRatchet; }
 };
 
-/// "preload", "torque" or "tension": the member of a file that has its force.
+/// Returns "preload", "torque" or "tension", the member of a file that has its force.
 const char* force_name(const Spring& spring);
 
 }  // namespace stickslip

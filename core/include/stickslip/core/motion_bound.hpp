@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Bounds of motions: questions about equilibria of the size of the problem alone
-/// (certificate/FORMAT.md, section 1, *max motion*).
+/// Bounds of motions, for questions about equilibria whose motions are of the size of the
+/// problem alone (certificate/FORMAT.md, section 1, *max motion*).
 #pragma once
 
 #include <optional>
@@ -13,15 +13,17 @@
 
 namespace stickslip {
 
-/// A bound of motions as somebody asks for it.
+/// A bound of motions in the form in which somebody asks for it.
 struct MotionBound {
-  /// One for each coordinate of motions; or two, a length and an angle; empty: no bound.
+  /// A number for each coordinate of motions; or two, a length and an angle; or none for no
+  /// bound.
   RationalRow numbers{};
-  /// In place of numbers: this many times the natural motion of the grasp.
+  /// The factor of the natural motion of the grasp, instead of numbers.
   std::optional<Rational> factor{};
 };
 
-/// The factor at which motions are far larger than any that forces of the load's size explain.
+/// The factor of the natural motion above which motions are far larger than any that forces of
+/// the load's size explain.
 inline constexpr int kFarMotion = 1000;
 
 /// Reads "0.01,0.02", "1000x" or "none". Throws InputError with the place "max_motion".
@@ -32,16 +34,17 @@ MotionBound parse_motion_bound(std::string_view text);
 /// and for a factor where the grasp has no natural motion.
 RationalRow bound_of(const GraspBox& box, const MotionBound& asked);
 
-/// Returns `factor` times the natural motion of the grasp, rounded up to two digits: how far
-/// load and preloads together press the softest contact, delta = (|w| + sum of P) / k, and for
-/// rotations delta over the spread of the contacts. A translation is that of the origin, and so
-/// is larger where the origin is far away. Frames turn its axes; units do not matter. Nothing
-/// if there is no contact, or neither load nor preload. O(contacts).
+/// Returns `factor` times the natural motion of the grasp, rounded up to two digits. The
+/// natural motion is how far load and preloads together press the softest contact or spring,
+/// delta = (|w| + sum of P) / k, and for rotations delta over the spread of the contacts. A
+/// translation is that of the origin, and so is larger where the origin is far away. Frames
+/// turn its axes; units do not matter. Returns nothing if there is no contact, or neither load
+/// nor preload. O(contacts).
 std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& factor);
 
-/// Returns the grasp with a load and preloads that are larger by these: the member 1 of a
-/// margin. The preloads are those of contacts and then the forces of springs. Empty rows add
-/// nothing.
+/// Returns the grasp with a load and preloads that are larger by these, which is the member 1
+/// of a margin. The preloads are those of contacts and then the forces of springs. Empty rows
+/// add nothing.
 GraspBox grown(GraspBox box, const RationalRow& load, const std::vector<Rational>& preloads);
 
 }  // namespace stickslip

@@ -29,7 +29,7 @@ namespace core_detail {
 // Since 6.2, GMP takes memory for a number when it is first written to, not before.
 static_assert(__GNU_MP_RELEASE >= 60200, "stickslip needs GMP 6.2");
 
-/// \{ The machine's integers, of at most 64 bits.
+/// \{ The integer types of the machine, of at most 64 bits.
 template <class T>
 inline constexpr bool kIsWord =
     std::is_integral_v<T> && !std::is_same_v<T, bool> && sizeof(T) <= sizeof(long);
@@ -37,9 +37,9 @@ template <class T>
 using IfWord = std::enable_if_t<kIsWord<T>, int>;
 /// \}
 
-/// A machine's integer, signed or not, by its sign and its size.
+/// An integer of the machine, signed or not, by its sign and its size.
 struct Word {
-  /// The sign and the size of `value`.
+  /// Takes the sign and the size of `value`.
   template <class T>
   constexpr explicit Word(T value) : size(static_cast<unsigned long>(value)) {
     if constexpr (std::is_signed_v<T>) {
@@ -63,13 +63,13 @@ inline __mpz_struct one_without_memory() noexcept {
 }
 /// \}
 
-/// Whether a Number is compared, added, ... with a T as it is: words, and integers beside
-/// rationals.
+/// Allows a Number to be compared, added, ... with a T as it is: with words, and a Rational
+/// with an Integer too.
 template <class Number, class T>
 using IfBeside = std::enable_if_t<
     kIsWord<T> || (std::is_same_v<Number, Rational> && std::is_same_v<T, Integer>), int>;
 
-/// The operators of both kinds of number that follow from few functions of theirs.
+/// The operators that both kinds of number have. They follow from a few functions of each.
 template <class Number>
 class Operators {
   // Comparisons.
@@ -156,7 +156,7 @@ class Operators {
 /// An integer of any length. A moved-from Integer is 0.
 class Integer : public core_detail::Operators<Integer> {
  public:
-  /// \{ 0, a copy, and a machine's integer.
+  /// \{ Makes 0, a copy, or an integer of the machine.
   Integer() noexcept : z_(core_detail::zero_without_memory()) {}
   Integer(const Integer& other) noexcept : Integer() {
     if (other.z_._mp_size != 0) set(other);
@@ -195,23 +195,24 @@ class Integer : public core_detail::Operators<Integer> {
   }
   /// \}
 
-  /// \{ The number as functions of GMP take it: to read, and to read and write.
+  /// \{ Returns the number in the form that functions of GMP take, to read, or to read and
+  /// write.
   mpz_srcptr gmp() const { return &z_; }
   mpz_ptr mutable_gmp() { return &z_; }
   /// \}
 
-  /// Whether it is 0.
+  /// Returns whether it is 0.
   bool is_zero() const { return z_._mp_size == 0; }
-  /// -1, 0 or 1.
+  /// Returns the sign: -1, 0 or 1.
   int sign() const { return z_._mp_size < 0 ? -1 : z_._mp_size > 0 ? 1 : 0; }
-  /// \{ The result is below, at or above 0, as *this is below, at or above `other`.
+  /// \{ Returns a number below, at or above 0, if *this is below, at or above `other`.
   int compare(const Integer& other) const { return mpz_cmp(&z_, &other.z_); }
   template <class T, core_detail::IfWord<T> = 0>
   int compare(T other) const {
     return other == 0 ? z_._mp_size : compare_word(core_detail::Word(other));
   }
   /// \}
-  /// Whether the two are one number.
+  /// Returns whether the two are one number.
   bool equals(const Integer& other) const {
     return z_._mp_size == other.z_._mp_size && mpz_cmp(&z_, &other.z_) == 0;
   }
@@ -219,10 +220,10 @@ class Integer : public core_detail::Operators<Integer> {
   void negate() noexcept { z_._mp_size = -z_._mp_size; }
   /// Exchanges the two numbers. O(1).
   void swap(Integer& other) noexcept { std::swap(z_, other.z_); }
-  /// Decimal digits, with a '-' before those of a negative number.
+  /// Returns decimal digits, with a '-' before those of a negative number.
   std::string str() const;
-  /// The same number as a `T` (`long`, `std::size_t`, ...). Throws std::overflow_error if there
-  /// is none.
+  /// Returns the same number as a `T` (`long`, `std::size_t`, ...). Throws std::overflow_error
+  /// if it does not fit.
   template <class T, core_detail::IfWord<T> = 0>
   T convert_to() const {
     if constexpr (std::is_signed_v<T>) {
@@ -247,7 +248,7 @@ class Integer : public core_detail::Operators<Integer> {
   Integer& operator/=(const Integer& b);
   Integer& operator%=(const Integer& b);
   /// \}
-  /// \{ The same with a machine's integer.
+  /// \{ *this becomes the result with an integer of the machine.
   template <class T, core_detail::IfWord<T> = 0>
   Integer& operator+=(T b) noexcept {
     add(*this, core_detail::Word(b));
@@ -264,16 +265,16 @@ class Integer : public core_detail::Operators<Integer> {
     return *this;
   }
   /// \}
-  /// \{ These multiply and divide by 2^bits; a quotient is rounded down.
+  /// \{ Multiply and divide by 2^bits. A quotient is rounded down.
   Integer& operator<<=(unsigned long bits) noexcept;
   Integer& operator>>=(unsigned long bits) noexcept;
   /// \}
-  /// \{ *this becomes the next integer, and the one before.
+  /// \{ *this becomes the next integer, or the one before.
   Integer& operator++() noexcept { return *this += 1; }
   Integer& operator--() noexcept { return *this -= 1; }
   /// \}
 
-  /// \{ The results of the operators above, as values.
+  /// \{ Return the results of the operators above, as values.
   friend Integer operator+(const Integer& a, const Integer& b) noexcept;
   friend Integer operator-(const Integer& a, const Integer& b) noexcept;
   friend Integer operator*(const Integer& a, const Integer& b) noexcept;
@@ -282,7 +283,7 @@ class Integer : public core_detail::Operators<Integer> {
   friend Integer operator<<(const Integer& a, unsigned long bits) noexcept;
   friend Integer operator>>(const Integer& a, unsigned long bits) noexcept;
   /// \}
-  /// The bits that both have, of numbers in two's complement.
+  /// Returns the bits that both have, as numbers in two's complement.
   friend Integer operator&(const Integer& a, const Integer& b) noexcept;
 
  private:
@@ -305,7 +306,7 @@ class Integer : public core_detail::Operators<Integer> {
 /// Rational is 0. A denominator of 1 mostly owns no memory.
 class Rational : public core_detail::Operators<Rational> {
  public:
-  /// \{ 0, a copy, and an integer.
+  /// \{ Makes 0, a copy, or an integer.
   Rational() noexcept : q_(zero()) {}
   Rational(const Rational& other) noexcept;
   Rational(Rational&& other) noexcept : q_(other.q_) { other.q_ = zero(); }
@@ -318,10 +319,10 @@ class Rational : public core_detail::Operators<Rational> {
     if (value != 0) set_numerator(core_detail::Word(value));
   }
   /// \}
-  /// A double is read by rational_from_double().
+  /// Doubles do not convert by themselves: rational_from_double() reads them.
   template <class T, std::enable_if_t<std::is_floating_point_v<T>, int> = 0>
   Rational(T value) = delete;
-  /// \{ A quotient. These throw std::overflow_error if the denominator is 0.
+  /// \{ Makes a quotient. Throws std::overflow_error if the denominator is 0.
   Rational(Integer numerator, Integer denominator);
   template <class A, class B, core_detail::IfWord<A> = 0, core_detail::IfWord<B> = 0>
   Rational(A numerator, B denominator)
@@ -342,8 +343,8 @@ class Rational : public core_detail::Operators<Rational> {
   }
   /// \}
 
-  /// \{ The number as functions of GMP take it: to read, and to read and write; what is written
-  /// has to be in lowest terms.
+  /// \{ Returns the number in the form that functions of GMP take, to read, or to read and
+  /// write. A fraction that is written has to be in lowest terms.
   mpq_srcptr gmp() const { return &q_; }
   mpq_ptr mutable_gmp() {
     own();
@@ -351,16 +352,16 @@ class Rational : public core_detail::Operators<Rational> {
   }
   /// \}
 
-  /// Whether it is 0.
+  /// Returns whether it is 0.
   bool is_zero() const { return q_._mp_num._mp_size == 0; }
-  /// -1, 0 or 1.
+  /// Returns the sign: -1, 0 or 1.
   int sign() const {
     const int size = q_._mp_num._mp_size;
     return size < 0 ? -1 : size > 0 ? 1 : 0;
   }
-  /// Whether the denominator is 1.
+  /// Returns whether the denominator is 1.
   bool is_integer() const { return q_._mp_den._mp_size == 1 && q_._mp_den._mp_d[0] == 1; }
-  /// \{ The result is below, at or above 0, as *this is below, at or above `other`.
+  /// \{ Returns a number below, at or above 0, if *this is below, at or above `other`.
   int compare(const Rational& other) const noexcept;
   int compare(const Integer& other) const noexcept;
   template <class T, core_detail::IfWord<T> = 0>
@@ -368,13 +369,13 @@ class Rational : public core_detail::Operators<Rational> {
     return other == 0 ? q_._mp_num._mp_size : compare_word(core_detail::Word(other));
   }
   /// \}
-  /// Whether the two are one number.
+  /// Returns whether the two are one number.
   bool equals(const Rational& other) const noexcept;
   /// Changes the sign.
   void negate() noexcept { q_._mp_num._mp_size = -q_._mp_num._mp_size; }
   /// Exchanges the two numbers. O(1).
   void swap(Rational& other) noexcept { std::swap(q_, other.q_); }
-  /// "3/5", "-2": a denominator of 1 is left out.
+  /// Returns "3/5", "-2" or the like, without a denominator of 1.
   std::string str() const;
 
   /// \{ *this becomes the sum, the difference or the product.
@@ -385,7 +386,7 @@ class Rational : public core_detail::Operators<Rational> {
   /// *this becomes the quotient. Throws std::overflow_error if b is 0.
   Rational& operator/=(const Rational& b);
 
-  /// \{ The results of the operators above, as values.
+  /// \{ Return the results of the operators above, as values.
   friend Rational operator+(const Rational& a, const Rational& b) noexcept;
   friend Rational operator-(const Rational& a, const Rational& b) noexcept;
   friend Rational operator*(const Rational& a, const Rational& b) noexcept;
@@ -393,11 +394,11 @@ class Rational : public core_detail::Operators<Rational> {
   friend Rational operator/(Rational&& a, const Rational& b) { return std::move(a /= b); }
   /// \}
 
-  /// \{ The parts of a fraction in lowest terms.
+  /// \{ Returns the numerator, or the denominator, of the fraction in lowest terms.
   friend Integer numerator(const Rational& value) noexcept;
   friend Integer denominator(const Rational& value) noexcept;
   /// \}
-  /// |value|.
+  /// Returns |value|.
   friend Rational abs(Rational value) noexcept {
     if (value.sign() < 0) value.negate();
     return value;
@@ -415,7 +416,7 @@ class Rational : public core_detail::Operators<Rational> {
   void set_numerator(core_detail::Word value) noexcept;
   void set_denominator_to_one() noexcept;
   int compare_word(core_detail::Word other) const noexcept;
-  /// \{ *this becomes a + b, a - b, a * b or a / b, of which one may be *this.
+  /// \{ *this becomes a + b, a - b, a * b or a / b. One of a and b may be *this.
   void add(const Rational& a, const Rational& b, bool negative) noexcept;
   void multiply(const Rational& a, const Rational& b) noexcept;
   void divide(const Rational& a, const Rational& b);
@@ -424,7 +425,7 @@ class Rational : public core_detail::Operators<Rational> {
   __mpq_struct q_;
 };
 
-/// \{ The parts of a fraction in lowest terms.
+/// \{ Returns the numerator, or the denominator, of the fraction in lowest terms.
 Integer numerator(const Rational& value) noexcept;
 Integer denominator(const Rational& value) noexcept;
 /// \}
@@ -433,86 +434,91 @@ inline Integer abs(Integer value) noexcept {
   if (value.sign() < 0) value.negate();
   return value;
 }
-/// \{ These are not negative; gcd(0, a) is |a|, lcm(0, a) is 0.
+/// \{ Return the greatest common divisor and the least common multiple, which are not negative;
+/// gcd(0, a) is |a|, and lcm(0, a) is 0.
 Integer gcd(const Integer& a, const Integer& b) noexcept;
 Integer lcm(const Integer& a, const Integer& b) noexcept;
 /// \}
-/// The product of `exponent` times `base`; 1 for the exponent 0.
+/// Returns `base` to the power `exponent`, which is 1 for the exponent 0.
 Integer pow(const Integer& base, unsigned exponent) noexcept;
-/// The square root, rounded down. Requires value >= 0.
+/// Returns the square root, rounded down. Requires value >= 0.
 Integer sqrt(const Integer& value);
-/// The place of the highest bit, 0 for 1. Requires value > 0.
+/// Returns the place of the highest bit, 0 for 1. Requires value > 0.
 std::size_t msb(const Integer& value);
-/// \{ These write what str() returns.
+/// \{ Write what str() returns.
 std::ostream& operator<<(std::ostream& out, const Integer& value);
 std::ostream& operator<<(std::ostream& out, const Rational& value);
 /// \}
 
-/// A text that does not spell a number; what() says why, without the place.
+/// An error about a text that does not spell a number; what() says why, without the place.
 class NumberError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// \{ \brief Largest |exponent| accepted in "1e-3", and largest length of a number's text:
-/// enough for every double written out exactly, and small enough that no short
-/// input costs more than a moment.
+/// \{ \brief The largest |exponent| accepted in "1e-3", and the greatest length of a number's
+/// text: enough for every double written out exactly, and small enough that no short input
+/// costs more than a moment.
 inline constexpr long kMaxExponent = 4096;
 inline constexpr std::size_t kMaxNumberLength = 16384;
 /// \}
 
-/// The exact value of a decimal ("-0.25", "1e-3", "12") or a fraction of two
-/// integers ("3/5"). Grammar: [+-] digits [. digits] [(e|E) [+-] digits], or
-/// [+-] digits / digits. No blanks. Throws NumberError.
+/// Returns the exact value of a decimal ("-0.25", "1e-3", "12") or of a fraction of two
+/// integers ("3/5"). The grammar is [+-] digits [. digits] [(e|E) [+-] digits], or [+-] digits
+/// / digits, without blanks. Throws NumberError.
 Rational parse_rational(std::string_view text);
 
-/// "3/5", "-2": lowest terms, denominator omitted when 1. Inverse of parse_rational.
+/// Returns "3/5", "-2" or the like: lowest terms, without a denominator of 1. It is the inverse
+/// of parse_rational.
 std::string to_string(const Rational& value);
 
-/// The dyadic rational that a finite double is. Throws NumberError for NaN and infinities.
+/// Returns the dyadic rational that a finite double is. Throws NumberError for NaN and
+/// infinities.
 Rational rational_from_double(double value);
 
-/// A number near `value` with a numerator of at most this many bits over or times a power of
-/// two; 0 for NaN and infinities.
+/// Returns a number near `value` that is a power of two times an integer of at most this many
+/// bits; 0 for NaN and infinities.
 Rational rational_in_bits(double value, int bits);
 
-/// The double nearest to `value`, ties to even; ±infinity or 0 beyond the range. For display
-/// and for proposals that exact arithmetic then judges.
+/// Returns the double nearest to `value`, ties to even; ±infinity or 0 beyond the range. It
+/// serves display, and proposals that exact arithmetic then judges.
 double to_double(const Rational& value);
 
-/// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
+/// Returns sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
 std::optional<Rational> exact_sqrt(const Rational& value);
 
-/// A square root, or what it lies between.
+/// Two numbers between which a square root lies; both are the root if it is rational.
 struct ShortRoot {
   Rational lower;  ///< <= the root
   Rational upper;  ///< >= the root
 };
-/// sqrt(square), both times, if it is rational; else the greatest j / 2^s <= sqrt(square) with
-/// integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires square >= 0.
+/// Returns sqrt(square) twice if it is rational. Else returns the greatest j / 2^s <=
+/// sqrt(square) with integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires
+/// square >= 0.
 ShortRoot short_sqrt(const Rational& square, unsigned bits);
 
-/// A closed decimal interval around an irrational number, both ends with as many significant
-/// digits, rounded outward.
+/// A closed decimal interval around an irrational number. Both ends have as many significant
+/// digits and are rounded outward.
 struct DecimalEnclosure {
   std::string lower;  ///< a decimal, <= the number
   std::string upper;  ///< a decimal, >= the number
 };
 
-/// Encloses factor * sqrt(radicand). Requires radicand >= 0.
+/// Returns an interval around factor * sqrt(radicand). Requires radicand >= 0.
 DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand,
                               int digits = 17);
 
-/// What a number begins with that is rounded, not exact, in what is written for people.
+/// The mark before a number that is rounded, not exact, in text for people.
 inline constexpr char kRounded = '~';
 
-/// For people. An integer of at most nine digits and a fraction of at most two digits over two
-/// are written in full: "-2", "11/10". All else is a decimal of at most six significant digits,
-/// with an exponent below 1e-4 and from 1e6 on: "21.534", "1e400". If that is not the exact
-/// value but the nearest (ties away from 0), it begins with kRounded: "~0.142857".
+/// Returns the number for people. An integer of at most nine digits and a fraction of at most
+/// two digits over two are written in full: "-2", "11/10". All else is a decimal of at most six
+/// significant digits, with an exponent below 1e-4 and from 1e6 on: "21.534", "1e400". If that
+/// is not the exact value but the nearest (ties away from 0), it begins with kRounded:
+/// "~0.142857".
 std::string to_readable_string(const Rational& value);
 
-/// The same of factor * sqrt(radicand). Requires radicand >= 0.
+/// Returns factor * sqrt(radicand) for people, in the same form. Requires radicand >= 0.
 std::string to_readable_string(const Rational& factor, const Rational& radicand);
 
 }  // namespace stickslip

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Exact numbers as answers show them: text for people, JSON for programs.
+/// Writes exact numbers in answers: text for people, JSON for programs.
 #pragma once
 
 #include <array>
@@ -14,23 +14,26 @@
 
 namespace stickslip {
 
-/// Numbers in text: readable, or with all digits. It remembers what needs a word of
-/// explanation.
+/// Writes numbers in text: readable, or with all digits. It remembers which marks need a word
+/// of explanation.
 class NumberText {
  public:
-  /// `remedy`, if given, ends the sentence of note() on rounded numbers.
+  /// Makes a writer, of all digits if `exact` is set. `remedy`, if given, ends the sentence of
+  /// note() on rounded numbers.
   explicit NumberText(bool exact, std::string remedy = {})
       : exact_(exact), remedy_(std::move(remedy)) {}
 
-  /// As to_readable_string, or to_string.
+  /// Returns the number as to_readable_string() writes it, or with all digits as to_string()
+  /// does.
   std::string operator()(const Rational& value);
-  /// \{ Roots; with all digits, an enclosure "a..b" unless it is rational.
+  /// \{ Returns a root or a sum of roots. With all digits it is an enclosure "a..b" unless it
+  /// is rational.
   std::string root(const Rational& factor, const Rational& radicand) {
     return (*this)(RootSum::root(factor, radicand));
   }
   std::string operator()(const RootSum& value);
   /// \}
-  /// \{ "(1, -1/2)".
+  /// \{ Returns "(1, -1/2)" or the like.
   std::string operator()(const Vector2& v) { return tuple({v.x, v.y}); }
   std::string operator()(const Twist& d) { return (*this)(coordinates(d)); }
   template <class Number, std::size_t n>
@@ -39,8 +42,8 @@ class NumberText {
   }
   std::string operator()(const std::vector<Rational>& v) { return tuple(v); }
   /// \}
-  /// \{ A vector of which only the direction has a meaning: small integers, or scaled to a
-  /// largest entry of 1; with all digits as it is.
+  /// \{ Returns a vector of which only the direction has a meaning, as small integers, or
+  /// scaled to a largest entry of 1. With all digits it is not scaled.
   std::string direction(const Twist& d) { return direction(coordinates(d)); }
   template <class Number, std::size_t n>
   std::string direction(const std::array<Number, n>& v) {
@@ -52,7 +55,7 @@ class NumberText {
   }
   /// \}
 
-  /// What ~ and a..b mean, a line each, if they were printed.
+  /// Returns a line on the meaning of each of the marks ~ and a..b that was printed.
   std::string note() const;
 
  private:
@@ -65,8 +68,9 @@ class NumberText {
   bool has_enclosed_ = false;
 };
 
-/// \{ \brief An exact number, or several, in a JSON tree that finished() is to finish; a
-/// decimal as it is spelled; an irrational number as what encloses it.
+/// \{ \brief Returns one exact number, or several, in a JSON tree for finished(). A decimal
+/// stays as it is spelled, and an irrational number becomes the two ends of an interval around
+/// it.
 Json number_json(const Rational& value);
 Json decimal_json(const std::string& decimal);
 Json number_json(const DecimalEnclosure& enclosure);
@@ -82,14 +86,14 @@ Json number_json(const std::vector<Rational>& v);
 Json number_json(const std::vector<Integer>& v);
 /// \}
 
-/// \{ A member "units" of an answer about this grasp, if they are known.
+/// \{ Adds the member "units" to an answer about this grasp, if they are known.
 void add_units(Json& json, const Grasp& grasp);
 void add_units(Json& json, const std::optional<Units>& units);
 /// \}
 
-/// The tree with its exact numbers as strings, such as "-1/2". With `floats`, each member X
-/// that is such numbers, in arrays of any depth, is followed by a member X_float of the same
-/// shape: the nearest doubles, null beyond their range.
+/// Returns the tree with its exact numbers as strings, such as "-1/2". With `floats`, each
+/// member X that is such numbers, in arrays of any depth, is followed by a member X_float of
+/// the same shape: the nearest doubles, null beyond their range.
 Json finished(const Json& tree, bool floats);
 
 }  // namespace stickslip

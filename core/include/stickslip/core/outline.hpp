@@ -9,25 +9,26 @@
 
 namespace stickslip {
 
-/// An edge of an outline, in the sense of its ring.
+/// An edge of an outline, in the direction in which its ring runs.
 struct OutlineEdge {
   Vector2 from;  ///< a vertex
   Vector2 to;    ///< the next one
-  Vector2
-      inwards;  ///< into the body; of length 1 if the edge's is rational, else as long as it
+  /// A vector into the body, across the edge. It has length 1 if the length of the edge is
+  /// rational, else the length of the edge.
+  Vector2 inwards;
 
-  /// The point at this share of the way.
+  /// Returns the point at this share of the way from `from` to `to`.
   Vector2 at(const Rational& share) const;
 };
 
-/// Throws InputError at "outline[j][k]", ring k of polygon j, unless each polygon has a ring,
-/// and each ring has at least three vertices, none of them like the next, and an area; and at
-/// "outline[j]" if rings of a polygon cross or touch themselves or each other, or its holes are
-/// not inside.
+/// Checks an outline. Throws InputError at "outline[j][k]", ring k of polygon j, unless each
+/// polygon has a ring, and each ring has at least three vertices, none of them like the next,
+/// and an area. Throws it at "outline[j]" if rings of a polygon cross or touch themselves or
+/// each other, or if its holes are not inside.
 void check_outline(const std::vector<Polygon>& outline);
 
-/// The edges of each polygon: those of its rings, one ring after another. Requires what
-/// check_outline checks.
+/// Returns the edges of each polygon: those of its rings, one ring after another. Requires an
+/// outline that check_outline accepts.
 std::vector<std::vector<OutlineEdge>> outline_edges(const std::vector<Polygon>& outline);
 
 }  // namespace stickslip

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Sums of square roots of rational numbers, compared exactly: lengths of vectors in space, and
-/// differences of such lengths.
+/// Sums of square roots of rational numbers, compared exactly. Lengths of vectors in space are
+/// such sums, and so are differences of lengths.
 ///
-/// **Why signs are exact.** Square roots of positive rationals, no quotient of two of which is
-/// rational, are linearly independent over the rationals (Besicovitch 1940). Terms whose roots
-/// have a rational quotient are added up, so a sum is 0 if and only if no term is left; and the
-/// sign of one that is not 0 shows once it is enclosed narrowly enough.
+/// **Why signs are exact.** Square roots of positive rationals are linearly independent over
+/// the rationals if no quotient of two of them is rational (Besicovitch 1940). Terms whose
+/// roots have a rational quotient are added up. So a sum is 0 if and only if no term is left,
+/// and the sign of a sum that is not 0 shows once it is enclosed narrowly enough.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@
 
 namespace stickslip {
 
-/// c_1 sqrt(r_1) + ... + c_n sqrt(r_n).
+/// A sum c_1 sqrt(r_1) + ... + c_n sqrt(r_n).
 class RootSum {
  public:
-  /// factor * sqrt(radicand).
+  /// A term factor * sqrt(radicand).
   struct Term {
     Rational factor;    ///< not 0
     Rational radicand;  ///< positive; 1 if the root is rational
@@ -29,22 +29,23 @@ class RootSum {
 
   RootSum() = default;             ///< 0
   RootSum(const Rational& value);  ///< a number, which is a sum
-  /// factor * sqrt(radicand). Requires radicand >= 0.
+  /// Returns factor * sqrt(radicand). Requires radicand >= 0.
   static RootSum root(const Rational& factor, const Rational& radicand);
 
-  /// No two have roots with a rational quotient.
+  /// Returns the terms, no two of which have roots with a rational quotient.
   const std::vector<Term>& terms() const { return terms_; }
-  /// The number, if it is rational.
+  /// Returns the number if it is rational, else nothing.
   std::optional<Rational> rational() const;
-  /// Its square, if that is rational. Requires at most three terms.
+  /// Returns the square of the sum if that is rational, else nothing. Requires at most three
+  /// terms.
   std::optional<Rational> rational_square() const;
-  /// -1, 0 or 1. Exact.
+  /// Returns the sign: -1, 0 or 1. Exact.
   int sign() const;
-  /// Two numbers that it lies between, both times itself if it is rational: closer by a factor
-  /// of 2 for each bit.
+  /// Returns two numbers between which the sum lies; both are the sum if it is rational. Each
+  /// bit brings them closer by a factor of 2.
   std::pair<Rational, Rational> between(unsigned bits) const;
 
-  /// \{ Exact.
+  /// \{ Adds, negates, subtracts and compares sums exactly.
   RootSum& operator+=(const RootSum& other);
   RootSum operator-() const;
   friend RootSum operator+(RootSum a, const RootSum& b) { return a += b; }
@@ -57,13 +58,13 @@ class RootSum {
   std::vector<Term> terms_;
 };
 
-/// |value|.
+/// Returns |value|.
 RootSum magnitude(const RootSum& value);
 
-/// A closed decimal interval around the number, as of enclose_sqrt().
+/// Returns a closed decimal interval around the number, as enclose_sqrt() does for one root.
 DecimalEnclosure enclose(const RootSum& value, int digits = 17);
 
-/// For people, as of a Rational.
+/// Returns the number for people, as to_readable_string() does for a Rational.
 std::string to_readable_string(const RootSum& value);
 
 }  // namespace stickslip

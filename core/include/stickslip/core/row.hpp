@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Vectors whose number of coordinates is known at run time, with what integer_vector.hpp has
-/// for those of fixed length.
+/// Vectors whose number of coordinates is known at run time, with the functions that
+/// integer_vector.hpp has for those of fixed length.
 #pragma once
 
 #include <algorithm>
@@ -13,23 +13,23 @@
 
 namespace stickslip {
 
-/// Integers: a point, a plane, or a virtual twist.
+/// A vector of integers: a point, a plane, or a virtual twist.
 using Row = std::vector<Integer>;
-/// Fractions.
+/// A vector of fractions.
 using RationalRow = std::vector<Rational>;
 
-/// \{ The sum of a_j b_j over the coordinates that both have: what a function of points (d, h,
-/// l) says of a motion d alone.
+/// \{ Returns the sum of a_j b_j over the coordinates that both have. So a function of points
+/// (d, h, l) may be given a motion d alone.
 Integer dot(const Row& a, const Row& b);
 Rational dot(const RationalRow& a, const RationalRow& b);
 /// \}
 
-bool is_zero(const Row& a);                    ///< whether every entry is 0
-Row negated(Row a);                            ///< -a
-Row primitive(Row a);                          ///< over the greatest common divisor
-Row primitive_multiple(const RationalRow& a);  ///< by a positive factor; 0 stays 0
+bool is_zero(const Row& a);  ///< whether every entry is 0
+Row negated(Row a);          ///< -a
+Row primitive(Row a);        ///< a divided by the greatest common divisor of its entries
+Row primitive_multiple(const RationalRow& a);  ///< a positive multiple; 0 stays 0
 
-/// \{ The same numbers, of a length that is known when compiled or is not. vector_of() requires
+/// \{ Returns the same numbers as a Row, or as a vector of fixed length. vector_of() requires
 /// that there are n.
 template <std::size_t n>
 Row row_of(const IntegerVector<n>& a) {

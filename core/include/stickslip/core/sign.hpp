@@ -13,7 +13,7 @@ namespace stickslip {
 /// Negative, zero or positive: three values, of which zero never means "not known".
 enum class Sign : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1 };
 
-/// \{ The sign of a number, exactly.
+/// \{ Returns the sign of a number, exactly.
 constexpr Sign sign_of_int(int value) {
   return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
 }
@@ -25,20 +25,20 @@ inline Sign sign_of(const Integer& value) {
 }
 /// \}
 
-/// -1, 0 or 1.
+/// Returns -1, 0 or 1.
 constexpr int to_int(Sign sign) {
   return static_cast<int>(sign);
 }
-/// The sign of -x, given that of x.
+/// Returns the sign of -x, given that of x.
 constexpr Sign operator-(Sign sign) {
   return static_cast<Sign>(-to_int(sign));
 }
-/// The sign of a product, given those of its factors.
+/// Returns the sign of a product, given those of its factors.
 constexpr Sign operator*(Sign a, Sign b) {
   return static_cast<Sign>(to_int(a) * to_int(b));
 }
 
-/// '+', '-' or '0', as in the slip states that the programs print.
+/// Returns '+', '-' or '0', as in the slip states that the programs print.
 constexpr char to_char(Sign sign) {
   return sign == Sign::kPositive ? '+' : sign == Sign::kNegative ? '-' : '0';
 }

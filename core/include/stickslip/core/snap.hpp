@@ -19,23 +19,23 @@ inline constexpr const char* kSnapRemedy =
 template <class Normal>
 struct SnappedNormalOf {
   ContactId contact;  ///< whose normal it is
-  Normal before;      ///< as it was given
-  Normal after;       ///< rational, of length exactly 1
-  std::string moved;  ///< upper bound of |after - before/|before||, a decimal
+  Normal before;      ///< the normal as it was given
+  Normal after;       ///< the new normal, rational and of length exactly 1
+  std::string moved;  ///< an upper bound of |after - before/|before||, a decimal
 };
 
-/// A grasp with rational lengths of normals, and what was done for that.
+/// A grasp whose normals have rational lengths, and the normals that were replaced for that.
 template <class SomeGrasp, class Normal>
 struct SnapResultOf {
-  SomeGrasp grasp;                               ///< new normals, otherwise as it was
-  std::vector<SnappedNormalOf<Normal>> snapped;  ///< those that were replaced, by ContactId
+  SomeGrasp grasp;  ///< the grasp with the new normals, otherwise as it was
+  std::vector<SnappedNormalOf<Normal>> snapped;  ///< the replaced normals, by ContactId
 };
 
-/// \{ In the plane.
+/// \{ The results in the plane.
 using SnappedNormal = SnappedNormalOf<Vector2>;
 using SnapResult = SnapResultOf<Grasp, Vector2>;
 /// \}
-/// \{ In space.
+/// \{ The results in space.
 using SpatialSnappedNormal = SnappedNormalOf<Vector3>;
 using SpatialSnapResult = SnapResultOf<GraspBox, Vector3>;
 /// \}
@@ -53,12 +53,12 @@ using SpatialSnapResult = SnapResultOf<GraspBox, Vector3>;
 /// O(log(1/tolerance)) bits.
 SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance);
 
-/// The same in space, by the stereographic projection of the sphere: where n_z is the largest
-/// entry of n and none is below 0, u = (2 s, 2 t, 1 - s^2 - t^2) / (1 + s^2 + t^2), with s and
-/// t in [0, 1/2] rounded to the shortest binary fractions of one length that serve. Other
-/// normals are brought there by signs and by a swap of the largest entry with z, and u is
-/// brought back: u depends on the direction of n alone, changes sign with its entries, and is 0
-/// where n is. Each normal costs O(log(1/tolerance)) operations on numbers of
+/// Does the same in space, by the stereographic projection of the sphere. Where n_z is the
+/// largest entry of n and none is below 0, u = (2 s, 2 t, 1 - s^2 - t^2) / (1 + s^2 + t^2),
+/// with s and t in [0, 1/2] rounded to the shortest binary fractions of one length that serve.
+/// Other normals are brought there by signs and by a swap of the largest entry with z, and u is
+/// brought back. So u depends on the direction of n alone, changes sign with its entries, and
+/// is 0 where n is. Each normal costs O(log(1/tolerance)) operations on numbers of
 /// O(log(1/tolerance)) bits.
 SpatialSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance);
 

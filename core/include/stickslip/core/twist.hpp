@@ -23,7 +23,7 @@ struct Twist {
   Rational y{};  ///< displacement of the origin of the frame along y, a length
   Rational r{};  ///< rotation, counterclockwise, in radians
 
-  /// Exact.
+  /// Compares exactly.
   friend bool operator==(const Twist& a, const Twist& b) {
     return a.x == b.x && a.y == b.y && a.r == b.r;
   }
@@ -35,11 +35,11 @@ struct Wrench {
   Rational y{};       ///< force along y
   Rational torque{};  ///< about the origin of the frame, counterclockwise
 
-  /// Exact.
+  /// Compares exactly.
   friend bool operator==(const Wrench& a, const Wrench& b) {
     return a.x == b.x && a.y == b.y && a.torque == b.torque;
   }
-  /// \{ Componentwise: forces that act together, and multiples of one.
+  /// \{ Adds components, for forces that act together, or multiplies them by a number.
   Wrench& operator+=(const Wrench& other) {
     x += other.x;
     y += other.y;
@@ -53,12 +53,12 @@ struct Wrench {
   /// \}
 };
 
-/// The virtual work of `wrench` on `twist`: w_x x + w_y y + w_torque r.
+/// Returns the virtual work of `wrench` on `twist`: w_x x + w_y y + w_torque r.
 inline Rational power(const Wrench& wrench, const Twist& twist) {
   return wrench.x * twist.x + wrench.y * twist.y + wrench.torque * twist.r;
 }
 
-/// \{ The three components as a plain vector, without their physical meaning.
+/// \{ Returns the three components as a plain vector, without their physical meaning.
 inline Vector3 coordinates(const Twist& d) {
   return {d.x, d.y, d.r};
 }
@@ -67,7 +67,7 @@ inline Vector3 coordinates(const Wrench& w) {
 }
 /// \}
 
-/// The motion with these coordinates.
+/// Returns the motion with these coordinates.
 inline Twist twist_of(const IntegerVector<3>& d) {
   return {Rational(d[0]), Rational(d[1]), Rational(d[2])};
 }

@@ -18,26 +18,29 @@
 
 namespace stickslip {
 
-/// The answer about a box of grasps, and what it took.
+/// The answer about a box of grasps, and the work to find it.
 struct BoxDecision {
-  Verdict verdict;               ///< of exact motions only in space
-  SearchWork work{};             ///< to find it
-  unsigned bits = kDefaultBits;  ///< of the proof
-  /// A proof that with natural_bound(box, kFarMotion) none of the grasps is stable; only if the
-  /// question has no bound of motions, and is undecided.
+  /// The verdict. Only in space or about several bodies it may state an exact equilibrium, a
+  /// ShareWitness.
+  Verdict verdict;
+  SearchWork work{};             ///< the work to find it
+  unsigned bits = kDefaultBits;  ///< the bits of the proof's enclosures
+  /// A proof that none of the grasps is stable within natural_bound(box, kFarMotion). There is
+  /// one only if the question has no bound of motions and is undecided.
   std::optional<Unstable> within{};
 };
 
-/// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided
-/// when no proof and no pair of grasps was found within the limits: the verdicts of a box with
-/// a threshold on its border, for instance, have neither.
+/// Decides whether every grasp in the box is stable, none is, or some are. Deterministic.
+/// Returns Undecided when neither a proof nor two grasps with opposite verdicts were found
+/// within the limits. A box with a threshold on its border, for instance, has neither.
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options = {});
 
-/// The loads of a box; of a ball of loads the ends of a box around it.
+/// Returns the loads of a box. For a ball of loads it returns the smallest box around them, up
+/// to rounding.
 WrenchBox loads_of(const GraspBox& box);
 
-/// That one grasp in exact numbers is stable, as prove_by_degree() finds: Stable with
-/// one part. Nothing if no proof was found, which says nothing about the verdict.
+/// Returns a proof by degree, of one part, that one grasp in exact numbers is stable
+/// (prove_by_degree()); nothing if no proof was found, which says nothing about the verdict.
 std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem);
 
 }  // namespace stickslip

@@ -35,40 +35,43 @@
 
 namespace stickslip {
 
-/// What the engine did; reproducible.
+/// The work of the engine, by counters; reproducible.
 struct ConeWork {
-  std::size_t nodes = 0;              ///< regions looked at, but for those near such a balance
+  /// The regions looked at, without those in the search near a balance of Newton's method.
+  std::size_t nodes = 0;
   std::size_t leaves = 0;             ///< virtual-work leaves
   std::size_t voids = 0;              ///< void leaves
-  std::size_t slip_splits = 0;        ///< nodes split by slip, into three
+  std::size_t slip_splits = 0;        ///< nodes split by slip, into three children
   std::size_t separation_splits = 0;  ///< nodes split by separation, into two
-  std::size_t depth = 0;              ///< of the deepest node
+  std::size_t depth = 0;              ///< the depth of the deepest node
   std::size_t searches = 0;           ///< searches for a virtual twist in double precision
   std::size_t support_points = 0;  ///< evaluations of the bounds on all rays in these searches
-  /// Sum over the nodes of the groups of contacts, and single contacts, that were looked at:
-  /// what a node costs. It would be nodes * m if contacts were not taken in groups.
+  /// The groups of contacts, and single contacts, that were looked at, summed over the nodes:
+  /// what the nodes cost. It would be nodes * m if contacts were not taken in groups.
   std::size_t visits = 0;
   std::size_t filter_hits = 0;         ///< leaves confirmed by doubles with error bounds
   std::size_t filter_misses = 0;       ///< leaves confirmed exactly
   std::size_t exact_programs = 0;      ///< exact linear programs
   std::size_t witness_attempts = 0;    ///< candidates for an equilibrium completed exactly
-  std::size_t largest_twist_bits = 0;  ///< of an integer in a leaf
+  std::size_t largest_twist_bits = 0;  ///< the bits of the largest integer in a leaf
 
-  /// Sums; maxima of depth and bits.
+  /// Adds the counters of another search; depth and bits become the larger ones.
   ConeWork& operator+=(const ConeWork& part);
 };
 
-/// How much the engine may do.
+/// The limits of the engine.
 struct ConeOptions {
   std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
 };
 
-/// Deterministic: verdict, evidence and work. Undecided only when the node limit is reached.
+/// Returns the verdict with its evidence, and puts the work into `work`. Undecided only when
+/// the node limit is reached. Deterministic. Requires that the problem is no family.
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
 
-/// Some of the equilibria, those with different motions; found by Newton's method from this
-/// many motions. Empty if the grasp is unstable, and maybe if not. Deterministic.
+/// Returns some equilibria with different motions, which Newton's method finds from `starts`
+/// motions. There is none if the grasp is unstable; there may be none, too, if it is stable.
+/// Deterministic.
 std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts);
 
 /// An equilibrium of one member of a family.
@@ -77,9 +80,9 @@ struct MarginPoint {
   Witness witness;    ///< for that multiple
 };
 
-/// A multiple in the family's range for which the grasp is stable, or a proof that there is
-/// none, by the same search with the multiple as one more unknown. Undecided only when the node
-/// limit is reached.
+/// Returns a multiple in the family's range for which the grasp is stable, or a proof that
+/// there is none. It is the same search with the multiple as one more unknown. Undecided only
+/// when the node limit is reached.
 std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
                                                              const ConeOptions& options = {},
                                                              ConeWork* work = nullptr);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Polyhedral cones of points x = (d, h, l) (problem.hpp), with motions d of 3 coordinates in
-/// the plane and 6 in space, kept by generators and cut by one plane at a time: the double
-/// description method (Motzkin, Raiffa, Thompson, Thrall, 1953; Fukuda and Prodon, "Double
-/// description method revisited", 1996), in integers.
+/// Polyhedral cones of points x = (d, h, l) (problem.hpp), for motions d of 3 coordinates in
+/// the plane, 6 in space, and more for several bodies. A cone is kept by its generators and cut
+/// by one plane at a time: the double description method (Motzkin, Raiffa, Thompson, Thrall,
+/// 1953; Fukuda and Prodon, "Double description method revisited", 1996), in integers.
 #pragma once
 
 #include <array>
@@ -17,58 +17,65 @@
 
 namespace stickslip {
 
-/// The constraints of a cone count from 0 in the order in which they were cut.
+/// The index of a constraint of a cone: its place, from 0, in the order of the cuts.
 using ConstraintIndex = std::uint32_t;
 
-/// A generator of a cone, of which nonnegative multiples count.
+/// A generator of a cone, which contains all its nonnegative multiples.
 template <class Vector>
 struct RayOf {
   Vector x;                            ///< primitive
   std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
 };
 
-/// \{ Of a vector whose length is fixed; else 0.
+/// \{ The number of entries of a vector of fixed length; 0 for any other vector.
 template <class Vector>
 constexpr std::size_t kCoordinates = 0;
 template <std::size_t n>
 constexpr std::size_t kCoordinates<IntegerVector<n>> = n;
 /// \}
 
-/// In the plane.
+/// A ray of a cone in the plane.
 using Ray = RayOf<IntegerVector5>;
 
-/// Which side of a plane to keep, the plane included: plane.x >= 0, = 0 or <= 0.
+/// The side of a plane to keep, with the plane itself: plane.x >= 0, = 0 or <= 0.
 enum class Side { kPositive, kZero, kNegative };
 
-/// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis
-/// of the lineality space, and the rays one for each extreme ray modulo it. All constraints are
-/// 0 on the lines. A Vector is an IntegerVector<D + 2> for motions of D coordinates, or a Row
-/// of as many.
+/// The sums of nonnegative multiples of rays and any multiples of lines. The lines are a basis
+/// of the lineality space, and there is one ray for each extreme ray modulo that space. All
+/// constraints are 0 on the lines. `Vector` is an IntegerVector<D + 2> for motions of D
+/// coordinates, or a Row of as many entries.
 template <class Vector>
 class ConeOf {
  public:
-  /// The multiples of a new cone: l = 0, or any.
+  /// The multiples l of a new cone: 0 alone, or any number.
   enum class Multiples { kZero, kAny };
 
-  /// {h >= 0}; this is constraint 0. How many coordinates points have a Row does not say.
+  /// Makes the cone {h >= 0}, which is constraint 0. Points have so many coordinates; a Row has
+  /// to be told, as its type does not say.
   explicit ConeOf(Multiples multiples = Multiples::kZero,
                   std::size_t coordinates = kCoordinates<Vector>);
 
-  const std::vector<Vector>& lines() const { return lines_; }             ///< primitive
-  const std::vector<RayOf<Vector>>& rays() const { return rays_; }        ///< modulo the lines
-  ConstraintIndex constraint_count() const { return constraint_count_; }  ///< cuts, plus 1
-  /// Of rays on opposite sides of the last plane: how many were tested for being neighbours.
+  /// Returns the lines, each as one primitive vector.
+  const std::vector<Vector>& lines() const { return lines_; }
+  /// Returns the extreme rays modulo the lines.
+  const std::vector<RayOf<Vector>>& rays() const { return rays_; }
+  /// Returns the number of cuts, plus 1.
+  ConstraintIndex constraint_count() const { return constraint_count_; }
+  /// Returns how many pairs of rays on opposite sides of the last plane were tested for being
+  /// neighbours.
   std::size_t pairs() const { return pairs_; }
 
-  /// The rays' directions, and each line both ways.
+  /// Returns the lines, each both ways, and then the rays.
   std::vector<Vector> directions() const;
 
-  /// Keeps the part with plane.x >= 0, = 0 or <= 0; this is the next constraint.
-  /// O(R^3) for R rays in the worst case (the adjacency test), O(R) when no ray changes side.
+  /// Keeps the part with plane.x >= 0, = 0 or <= 0, which becomes the next constraint. Takes
+  /// O(R^3) for R rays in the worst case (the adjacency test), and O(R) when no ray changes
+  /// side.
   void cut(const Vector& plane, Side side);
 
-  /// The parts with plane.x >= 0 and <= 0, for which this is the next constraint; as two cuts,
-  /// but what both share is computed once. (The pairs are counted in the first.)
+  /// Returns the parts with plane.x >= 0 and <= 0, for which this is the next constraint. It
+  /// gives what two cuts would, but computes once what both share. (The pairs are counted in
+  /// the first part.)
   std::pair<ConeOf, ConeOf> halves(const Vector& plane) const;
 
  private:
@@ -77,14 +84,14 @@ class ConeOf {
   std::vector<RayOf<Vector>> rays_between(const std::vector<Integer>& heights);
   void keep(Side side, const std::vector<Integer>& heights, std::vector<RayOf<Vector>> between);
 
-  std::size_t dimension_;  ///< of the space of points
+  std::size_t dimension_;  ///< the dimension of the space of points
   std::vector<Vector> lines_;
   std::vector<RayOf<Vector>> rays_;
   ConstraintIndex constraint_count_ = 1;
   std::size_t pairs_ = 0;
 };
 
-/// In the plane.
+/// A cone in the plane.
 using Cone = ConeOf<IntegerVector5>;
 
 extern template class ConeOf<IntegerVector5>;
@@ -96,34 +103,34 @@ struct SignRange {
   bool zero = false;      ///< on some ray or on all of the cone
   bool positive = false;  ///< on some ray or line
 
-  /// \{ On all of the cone, 0 included.
+  /// \{ Returns whether the function is >= 0, <= 0 or 0 on all of the cone.
   bool is_nonnegative() const { return !negative; }
   bool is_nonpositive() const { return !positive; }
   bool is_zero() const { return !negative && !positive; }
   /// \}
-  /// The plane cuts the cone's relative interior.
+  /// Returns whether the plane cuts the cone's relative interior.
   bool is_mixed() const { return negative && positive; }
 };
 
-/// The signs of linear functions on one cone, which has to outlive this: from doubles where
-/// their error bounds tell, else from integers.
+/// Finds the signs of linear functions on one cone, which has to outlive this. It takes them
+/// from doubles where their error bounds tell, else from integers.
 class ConeSigns {
  public:
-  /// Rounds its rays.
+  /// Rounds the rays of the cone.
   explicit ConeSigns(const Cone& cone);
 
-  /// Those of plane.x for x in the cone. O(rays + lines).
+  /// Returns the signs that plane.x takes on the cone. O(rays + lines).
   SignRange on(const IntegerVector5& plane) const;
-  /// The rays on which plane.x = 0.
+  /// Returns the rays on which plane.x = 0.
   std::vector<const Ray*> rays_in(const IntegerVector5& plane) const;
 
  private:
-  /// `visit(ray, sign)`
+  /// Calls `visit(ray, sign)` for each ray.
   template <class Visit>
   void for_each_sign(const IntegerVector5& plane, const Visit& visit) const;
 
   const Cone& cone_;
-  std::vector<std::array<double, 5>> rounded_;  ///< by ray
+  std::vector<std::array<double, 5>> rounded_;  ///< one point for each ray
 };
 
 }  // namespace stickslip

@@ -13,42 +13,45 @@
 
 namespace stickslip {
 
-/// The pairs (c, c') of corners of a cube of n dimensions by the sum c + c', which is one of
-/// 3^n cells: the Bernstein coefficients of a product of two functions that are multilinear.
+/// The pairs (c, c') of corners of a cube of n dimensions, sorted by the sum c + c' into 3^n
+/// cells. The cells are those of the Bernstein coefficients of a product of two multilinear
+/// functions.
 struct CornerPairs {
   std::size_t corners;             ///< 2^n
   std::size_t cells;               ///< 3^n
-  std::vector<std::size_t> cell;   ///< of the pair c * corners + c'
-  std::vector<std::size_t> share;  ///< 2^n over the number of pairs of a cell
+  std::vector<std::size_t> cell;   ///< the cell of the pair c * corners + c'
+  std::vector<std::size_t> share;  ///< 2^n over the number of pairs in a cell
 
-  /// For so many corners: 1, 2, 4 or 8.
+  /// Returns the pairs for so many corners: 1, 2, 4 or 8.
   static const CornerPairs& of(std::size_t corners);
 };
 
-/// The ends of P' and k', each.
+/// The two ends of P' and of k'.
 template <class Number>
 struct SpringEnds {
   std::array<Number, 2> preloads;     ///< P'
   std::array<Number, 2> stiffnesses;  ///< k'
 };
 
-/// Which force does the most work: friction of slope s, at these ends, in this cell.
+/// The force that does the most work: friction of a slope s, at these ends, in this cell.
 template <class Number>
 struct Strongest {
-  Number bound{0};            ///< times the number of corners
-  std::size_t friction = 2;   ///< index of s; 2: none, the force is 0
-  std::size_t preload = 0;    ///< end
-  std::size_t stiffness = 0;  ///< end
-  std::size_t cell = 0;       ///< unless `product`
-  std::size_t corner = 0;     ///< where alpha is largest, if `product`
-  bool product = false;       ///< by the largest alpha and the largest v
+  Number bound{0};            ///< the work, times the number of corners
+  std::size_t friction = 2;   ///< the index of s; 2: none, the force is 0
+  std::size_t preload = 0;    ///< the index of the end of P'
+  std::size_t stiffness = 0;  ///< the index of the end of k'
+  std::size_t cell = 0;       ///< the cell, unless `product`
+  std::size_t corner = 0;     ///< the corner where alpha is largest, if `product`
+  /// Whether the bound is the product of the largest alpha and the largest v.
+  bool product = false;
 };
 
-/// b_i(r) of a virtual twist, for one contact.
+/// Computes the bound b_i(r) of the work of one contact on a virtual twist.
 template <class Number>
 class CornerWork {
  public:
-  /// alpha by slope and corner; `mixed`: the contact may be open.
+  /// Takes `ends`, which must outlive this, and alpha by slope and corner. With `mixed` the
+  /// contact may be open.
   CornerWork(const SpringEnds<Number>& ends, std::vector<std::vector<Number>> alpha, bool mixed)
       : ends_(ends),
         pairs_(CornerPairs::of(alpha.front().size())),
@@ -66,7 +69,7 @@ class CornerWork {
     }
   }
 
-  /// At h >= 0, from N.d by corner.
+  /// Returns the strongest force at a height h >= 0; `rises` has N.d at each corner.
   Strongest<Number> at(const Number& h, const Number* rises) const {
     Strongest<Number> best;
     for (std::size_t s = 0; s < alpha_.size(); ++s) {
@@ -79,9 +82,9 @@ class CornerWork {
     return best;
   }
 
-  /// Whether some alpha is above 0.
+  /// Returns whether some alpha is above 0.
   bool pushes() const { return rises_[0] || rises_[1]; }
-  /// Whether alpha is further from 0 than `error` at all corners.
+  /// Returns whether alpha is further from 0 than `error` at all corners.
   bool is_clear(const Number& error) const {
     for (const std::vector<Number>& of : alpha_) {
       for (const Number& alpha : of) {
@@ -90,7 +93,7 @@ class CornerWork {
     }
     return true;
   }
-  const CornerPairs& pairs() const { return pairs_; }  ///< of its corners
+  const CornerPairs& pairs() const { return pairs_; }  ///< the pairs of its corners
 
  private:
   Strongest<Number> bernstein(std::size_t s, const Number& h, const Number* rises) const {
@@ -122,7 +125,7 @@ class CornerWork {
   const CornerPairs& pairs_;
   bool mixed_;
   std::vector<std::vector<Number>> alpha_;
-  std::array<std::array<Number, 27>, 2> sums_{};  ///< of alpha over the pairs, by cell
+  std::array<std::array<Number, 27>, 2> sums_{};  ///< alpha summed over the pairs of each cell
   std::array<std::size_t, 2> largest_{};
   std::array<bool, 2> rises_{};
   std::array<bool, 2> falls_{};

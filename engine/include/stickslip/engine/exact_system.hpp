@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Linear systems over the rationals, by Gaussian elimination. O(n^3) operations on numbers
-/// that grow to n times their length.
+/// Exact linear algebra over the rationals, by Gaussian elimination. An n x n system takes
+/// O(n^3) operations on numbers that grow to n times their length.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,17 @@
 
 namespace stickslip {
 
-/// A matrix of any size, of zeros until entries are set.
+/// A matrix of any size. It holds zeros until entries are set.
 class RationalMatrix {
  public:
   RationalMatrix() = default;
-  /// A matrix of zeros.
+  /// Makes a matrix of zeros.
   RationalMatrix(std::size_t rows, std::size_t columns)
       : rows_(rows), columns_(columns), entries_(rows * columns) {}
 
-  std::size_t rows() const { return rows_; }        ///< how many
-  std::size_t columns() const { return columns_; }  ///< how many
-  /// \{ An entry, by its row and column from 0.
+  std::size_t rows() const { return rows_; }        ///< the number of rows
+  std::size_t columns() const { return columns_; }  ///< the number of columns
+  /// \{ Returns the entry in this row and column, both counted from 0.
   Rational& operator()(std::size_t row, std::size_t column) {
     return entries_[row * columns_ + column];
   }
@@ -38,27 +38,29 @@ class RationalMatrix {
   std::vector<Rational> entries_;  ///< one row after another
 };
 
-/// The matrix with these rows, each of so many entries.
+/// Returns the matrix with these rows, each of `columns` entries.
 RationalMatrix matrix_of(const std::vector<RationalRow>& rows, std::size_t columns);
-/// The same with these columns, each of so many entries.
+/// Returns the matrix with these columns, each of `rows` entries.
 RationalMatrix matrix_of_columns(const std::vector<RationalRow>& columns, std::size_t rows);
 
-/// a x, for a row x of as many entries as a has columns.
+/// Returns a x. Requires that x has as many entries as a has columns.
 RationalRow operator*(const RationalMatrix& a, const RationalRow& x);
 /// Adds `factor` times a row to another of the same length.
 void add_multiple(RationalRow& to, const Rational& factor, const RationalRow& row);
 
-/// \{ The rank of a matrix, which may be given by rows of one length.
+/// \{ Returns the rank of a matrix, or of a list of rows of one length.
 std::size_t rank_of(const RationalMatrix& a);
 std::size_t rank_of(const std::vector<RationalRow>& rows);
 /// \}
-/// `degree-walls` and `degree-direction`: both have this rank, that of all forces.
+/// Returns whether the walls and the direction of a proof both have this rank, which is that of
+/// all forces (certificate/FORMAT.md, `degree-walls` and `degree-direction`).
 bool has_rank(const DegreeProof& proof, std::size_t rank);
 
-/// A basis of the x with a x = 0; of all x where a has no rows.
+/// Returns a basis of the solutions of a x = 0, which are all x if a has no rows.
 std::vector<RationalRow> null_space(const RationalMatrix& a);
 
-/// A solution of a x = b; nothing if there is none or, with `only_one`, several.
+/// Returns a solution of a x = b; nothing if there is none or if, with `only_one`, there are
+/// several.
 std::optional<RationalRow> solve_exactly(const RationalMatrix& a, const RationalRow& b,
                                          bool only_one = false);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Motions that no force sees, such as the turn of a body between two fingers about the line
-/// through them (certificate/FORMAT.md, section 6, `degree-free`), exactly.
+/// Finds exactly the motions that no force sees, such as the turn of a body between two fingers
+/// about the line through them (certificate/FORMAT.md, section 6, `degree-free`).
 #pragma once
 
 #include <optional>
@@ -11,27 +11,30 @@
 
 namespace stickslip {
 
-/// All wrenches that contacts can exert, whatever the law's numbers are: the rows N_i, and
-/// those of S_i where there is friction.
+/// The span of all wrenches that contacts can exert, whatever the law's numbers are: of the
+/// rows N_i, and of the rows S_i where there is friction.
 class ForceSpan {
  public:
-  /// Of all of its contacts.
+  /// Spans the wrenches of all contacts of the law, at every corner.
   explicit ForceSpan(const Law& law);
-  explicit ForceSpan(const Problem& problem);  ///< likewise
-  /// Of these wrenches.
+  /// Spans the wrenches of all contacts of the problem.
+  explicit ForceSpan(const Problem& problem);
+  /// Spans these wrenches, each of `motions` entries.
   ForceSpan(std::size_t motions, const std::vector<RationalRow>& wrenches);
 
-  /// Independent rows that span it, in reduced echelon form: each is 1 in a column of its own
-  /// and 0 in those of the others.
+  /// Returns independent rows of the same span in reduced echelon form: each is 1 in a column
+  /// of its own and 0 in those of the others.
   const std::vector<RationalRow>& rows() const { return rows_; }
-  const std::vector<std::size_t>& columns() const { return columns_; }  ///< of the rows
-  std::size_t rank() const { return rows_.size(); }                     ///< how many
-  /// A basis of the motions that none of these wrenches sees.
+  /// Returns these columns, row by row.
+  const std::vector<std::size_t>& columns() const { return columns_; }
+  std::size_t rank() const { return rows_.size(); }  ///< the dimension of the span
+  /// Returns a basis of the motions that none of these wrenches sees.
   std::vector<RationalRow> free_motions() const;
-  /// No load of the law, and of a margin no growth, sees these motions either. (Else there is
-  /// no equilibrium.)
+  /// Returns whether no load of the law, and no growth of a margin, does work on these motions.
+  /// If one does, there is no equilibrium under that load.
   bool has_loads_of(const Law& law) const;
-  bool has_load_of(const Problem& problem) const;  ///< likewise, of one grasp
+  /// Returns the same for the load of one grasp in the plane.
+  bool has_load_of(const Problem& problem) const;
 
  private:
   void add(RationalRow row);
@@ -41,13 +44,14 @@ class ForceSpan {
   std::vector<std::size_t> columns_;
 };
 
-/// Returns the load nearest to `load` that no free motion sees, with torques over this length:
-/// such a load differs from `load` by the part that nothing opposes. Exact.
+/// Returns the load nearest to `load` that does no work on free motions. It differs from `load`
+/// by the part that nothing opposes. Exact; torques are measured divided by `length`.
 RationalRow opposed_part(const ForceSpan& span, const Law& law, const RationalRow& load,
                          const Rational& length);
 
-/// The free motion that the load in the middle of the law's box is most against, if it refutes
-/// the root of all regions. In doubles it would be missed by a little.
+/// Returns a free motion on which the load in the middle of the law's box does negative work,
+/// as a virtual twist, if this refutes the root of all regions. A search in doubles would miss
+/// it by a little.
 std::optional<Row> unopposed_twist(const Law& law);
 
 }  // namespace stickslip

@@ -18,36 +18,39 @@
 
 namespace stickslip {
 
-/// By how much a margin grows per multiple.
+/// The growth of load and preloads per unit of a margin's multiple.
 struct GrowthRates {
   RationalRow load{};                ///< u; empty: 0
-  std::vector<Rational> preloads{};  ///< P^u by contact; empty: none grows
+  std::vector<Rational> preloads{};  ///< P^u by element, contacts first; empty: none grows
 };
 
-/// All parameters of grasps like this: contact by contact, spring by spring, and then those of
-/// the wrench, or of the ball of loads beside it.
+/// Returns all parameters of such grasps: those of each contact, then those of each spring, and
+/// then those of the wrench, or of the ball of loads if there is one.
 std::vector<ParameterId> parameters_of(const GraspBox& box);
 
 /// The law of every grasp in a box, or in a part of it.
 class GraspLaw : public Law {
  public:
-  /// 1/|n| is enclosed in so many bits where it is irrational and the preload may be above 0.
-  /// Margins are of one grasp in space.
+  /// Makes the law of a box. Where 1/|n| is irrational and the preload may be above 0, or
+  /// grows, it is enclosed in `bits` bits. A `margin` requires that the box is one grasp.
   GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits,
            const std::optional<GrowthRates>& margin = {});
 
-  /// The interval of a parameter. Requires that there is one.
+  /// Returns the interval of a parameter. Requires that the law has it.
   const Interval& interval(const ParameterId& id) const;
-  /// All of them.
+  /// Returns all parameters, in the order of parameters_of().
   const std::vector<ParameterId>& parameters() const { return parameters_; }
-  /// Whether it is one body in the plane, of which a Problem can be made.
+  /// Returns whether there is one body, in the plane, so that a Problem can be made of its
+  /// grasps.
   bool is_one_planar_body() const { return one_body_ && !in_space_; }
-  /// The halves below and above a cut; not of a margin. Requires low < value < high.
+  /// Returns the halves of the box below and above a cut. Requires that this is no margin, and
+  /// that low < value < high.
   std::pair<GraspLaw, GraspLaw> halves(const PartSplit& split) const;
-  /// The one grasp with every parameter in the middle of its interval, of a ball of loads with
-  /// that nearest to 0; of a margin with this multiple.
+  /// Returns the law of the one grasp with every parameter in the middle of its interval. In
+  /// place of a ball of loads it has the load that is nearest to the ball's middle, and in
+  /// place of a margin the member with this multiple.
   GraspLaw middle(const Rational& multiple = 0) const;
-  /// The same margin for other multiples.
+  /// Returns the same margin with another range of multiples.
   GraspLaw within(const MultipleRange& range) const;
 
  private:
@@ -63,8 +66,8 @@ class GraspLaw : public Law {
   std::vector<ParameterId> parameters_;
 };
 
-/// That of a question about a box, of a margin as it grows, with lengths enclosed to these
-/// bits.
+/// Returns the law of a question that is a box, with irrational lengths enclosed to `bits`
+/// bits. If it asks about a margin, the law has the margin's growth.
 GraspLaw law_of(const Question& question, unsigned bits);
 
 }  // namespace stickslip

@@ -13,25 +13,26 @@ namespace stickslip {
 
 /// A corner of a set of loads, or a direction in which it goes on without end.
 struct LoadGenerator {
-  RationalRow load;    ///< by coordinate of motions
-  RationalRow strict;  ///< values of the strict functions
-  Reals rounded{};     ///< in the law's units; of a direction, of length 1
+  RationalRow load;    ///< the load, by coordinate of motions
+  RationalRow strict;  ///< the values of the strict functions there
+  Reals rounded{};     ///< the load in the law's units; scaled to length 1 if a direction
 };
 
-/// What corners and directions generate, without the points where a strict function is 0: these
-/// are linear and nowhere negative.
+/// The set that corners and directions generate, without the points where a strict function
+/// vanishes. Strict functions are linear and nowhere negative.
 struct LoadHull {
-  std::vector<LoadGenerator> corners;     ///< one at least
-  std::vector<LoadGenerator> directions;  ///< not 0
+  std::vector<LoadGenerator> corners;     ///< the corners, at least one
+  std::vector<LoadGenerator> directions;  ///< the directions, which are not 0
 
-  /// The largest work of a corner on a virtual twist.
+  /// Returns the largest work of a corner on a virtual twist.
   Rational most_work(const Row& y) const;
-  /// The corner that does it, in doubles.
+  /// Returns the corner that does this work, in doubles.
   const Reals& worst(const Reals& y) const;
-  /// Whether a direction does work on a virtual twist.
+  /// Returns whether a direction does positive work on a virtual twist.
   bool is_unbounded(const Row& y) const;
-  /// Whether a strict function is 0 on all directions that do none, if `at_corners` on all
-  /// corners that do the most, too. Of a twist on which none does any.
+  /// Returns whether a strict function is 0 on all directions that do no work on the twist and,
+  /// with `at_corners`, on all corners that do the most. Requires that no direction does
+  /// positive work on it.
   bool bars(const Row& y, bool at_corners) const;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A region of motions as a node of a tree sees it, and the rules of its leaves
-/// (certificate/FORMAT.md, sections 4 and 7), exactly.
+/// Regions of motions as nodes of a tree, and the exact rules of its leaves
+/// (certificate/FORMAT.md, sections 4 and 7).
 #pragma once
 
 #include <array>
@@ -16,60 +16,68 @@
 
 namespace stickslip {
 
-/// A slip of the format, times a factor; of fewer numbers the others are 0.
+/// A slip as the format defines it, times a positive factor. If it has fewer than four numbers,
+/// the others are 0.
 using ExactSlip = IntegerVector<4>;
 
-/// The slips of a contact on a region.
+/// The cone of the slips of a contact on a region.
 struct SlipCone {
-  bool moves = false;  ///< as the format says
-  bool whole = false;  ///< any direction
-  /// Generators and corners whose slips generate the same cone, unless it is whole: none if
-  /// there is no slip at all.
+  bool moves = false;  ///< whether the contact *moves*, as the format defines it
+  bool whole = false;  ///< whether slips have any direction
+  /// The generators and corners whose slips generate the cone, unless it is whole. There are
+  /// none if there is no slip at all.
   std::vector<std::pair<std::size_t, std::size_t>> sides;
-  std::vector<Double3> units{};  ///< of a cone in three dimensions: the directions of the sides
+  /// The directions of the sides, if the cone has three dimensions.
+  std::vector<Double3> units{};
 };
 
 /// Returns functions of points that are >= 0 on the simplex around a bound of motions
 /// (certificate/FORMAT.md, section 4) and nowhere else.
 std::vector<Row> simplex_planes(const RationalRow& bound);
 
-/// The region with what is settled about each contact. Its law must outlive it.
+/// A region with what is settled about each contact. Its law must outlive it.
 class MotionRegion : public StrictCone {
  public:
-  /// {h >= 0}, of a margin its multiples, and under the bilateral law v_i >= 0 where that is
-  /// certain.
+  /// Returns the root of a tree: {h >= 0}, within the multiples of a margin and the simplex
+  /// around a bound of motions and, under the bilateral law, with v_i >= 0 for each contact
+  /// whose v_i is certain.
   static MotionRegion root(const Law& law);
-  /// As StrictCone::cut_to_wall.
+  /// Returns the cone over a wall of a body (StrictConeOf::cut_to_wall), with all multiples of
+  /// a margin, both ends included.
   static MotionRegion wall(const Law& law, const ConvexBody& body, std::size_t wall);
 
-  /// The two parts of a cut; the strict side of a plane is the negative one.
+  /// Returns the two parts of a cut. The plane is strict in the negative part.
   std::vector<MotionRegion> halves(const Row& plane) const;
-  /// The children of a slip split.
+  /// Returns the children of a slip split.
   std::vector<MotionRegion> slip_children(std::size_t contact) const;
 
-  /// points() in doubles.
+  /// Returns points() in doubles, in the law's units, with norm 1.
   const std::vector<Reals>& generators() const { return generators_; }
-  /// Whether the contact is closed, open or either.
+  /// Returns whether the contact is closed, open or either on the region.
   Separation separation(std::size_t contact) const { return separations_[contact]; }
-  /// Of a contact that is not open.
+  /// Returns the slips of a contact that is not open.
   const SlipCone& slips(std::size_t contact) const { return slips_[contact]; }
-  /// Of a contact in the plane: the sign of all its slips, if they have one.
+  /// Returns the sign of all slips of a contact in the plane; nothing if they have no common
+  /// sign.
   std::optional<Sign> slip_sign(std::size_t contact) const;
-  /// Slopes of friction, by the ends of mu, that a contact in the plane may have.
+  /// Returns the slopes of friction that a contact in the plane may have, given the ends of mu.
   template <class Number>
   std::vector<Number> slopes(std::size_t contact, const std::array<Number, 2>& mu) const;
-  /// Whether a slip split has said that the contact slips.
+  /// Returns whether a slip split into two has said that the contact slips. (In the plane,
+  /// where a split has three children, a strict function of the cone says so.)
   bool is_strict(std::size_t contact) const { return strict_slips_[contact] != 0; }
-  /// Whether one has said that it sticks.
+  /// Returns whether a slip split has said that the contact sticks.
   bool is_still(std::size_t contact) const { return still_[contact] != 0; }
-  /// No solution is a multiple of this generator.
+  /// Returns true if no solution is a multiple of this generator.
   bool bars_point(std::size_t generator) const { return bars_all({generator}); }
-  /// No solution lies here, or none within the bound of motions.
+  /// Returns true if no solution lies here, or none within the bound of motions.
   bool is_barred() const { return barred_; }
-  /// A plane beyond which, on its strict side, no motion is within the bound, as that of this
-  /// point is not; nothing if that is, or if none cuts here.
+  /// Returns a plane of the bound of motions that cuts the region, with this point on its
+  /// strict side, where no motion is within the bound. Returns nothing if the point is within
+  /// the bound, or if the plane that it exceeds the most does not cut here.
   std::optional<Row> bound_across(const Reals& point) const;
-  /// \{ The largest v of a contact at a generator, and the least, in doubles, 0 where it is 0.
+  /// \{ Returns the largest, or the least, v of a contact at a generator, in doubles; exactly 0
+  /// where it is 0.
   double most_separation(std::size_t contact, std::size_t generator) const {
     return high_[contact * generators_.size() + generator];
   }
@@ -77,16 +85,19 @@ class MotionRegion : public StrictCone {
     return low_[contact * generators_.size() + generator];
   }
   /// \}
-  /// s in doubles; 0 where it is 0.
+  /// Returns the slip s at a generator and a corner of the geometry, in doubles; exactly 0
+  /// where it is 0.
   const Double3& slip(std::size_t contact, std::size_t generator, std::size_t corner) const {
     return slip_values_[first_[contact] + generator * law_->contacts[contact].corners.size() +
                         corner];
   }
-  /// N.d by corner, in doubles, 0 where it is 0; of contacts with LawContact::whole.
+  /// Returns N.d at a generator by corner, in doubles; exactly 0 where it is 0. Requires a
+  /// contact with LawContact::whole.
   const double* rises(std::size_t contact, std::size_t generator) const {
     return &rises_[first_[contact] + generator * law_->contacts[contact].corners.size()];
   }
-  /// `leaf-bound`, and `leaf-direction` if there is a pull.
+  /// Returns whether y satisfies the rule `leaf-bound` here and, if there is a pull,
+  /// `leaf-direction`.
   bool is_refuted(const Row& y, const PullRule* pull) const;
 
  private:
@@ -94,7 +105,7 @@ class MotionRegion : public StrictCone {
   static StrictCone whole_family(const Law& law);
   void update();
   bool is_beyond() const;
-  void classify();  ///< by the strict functions
+  void classify();  ///< finds slips, unless the region is barred
   void find_separation(std::size_t contact);
   void compute_slips(std::size_t contact);
   void compute_rises(std::size_t contact);
@@ -102,7 +113,7 @@ class MotionRegion : public StrictCone {
   void find_sign(SlipCone& cone, std::size_t contact) const;
   void find_sides(SlipCone& cone, std::size_t contact) const;
   void find_solid(SlipCone& cone, std::size_t contact) const;
-  /// StrictCone::bars, or a strict slip is 0 on all of them.
+  /// Returns whether StrictCone::bars() does, or whether a strict slip is 0 on all of them.
   bool bars_all(const std::vector<std::size_t>& zeros) const;
   Rational most_work(std::size_t contact, const Row& y) const;
   ExactSlip exact_slip(std::size_t contact, std::size_t generator, std::size_t corner) const;
@@ -110,15 +121,18 @@ class MotionRegion : public StrictCone {
 
   const Law* law_;
   bool is_of_wall_;
-  std::vector<char> strict_slips_;  ///< by contact
-  std::vector<char> still_;         ///< by contact: s is 0 everywhere
+  std::vector<char> strict_slips_;  ///< whether a split said that a contact slips
+  std::vector<char> still_;         ///< whether a split said that its s is 0 everywhere
   std::vector<Separation> separations_;
   std::vector<SlipCone> slips_;
-  mutable std::vector<std::vector<ExactSlip>> exact_sides_;  ///< by contact; empty: not yet
+  /// The exact slips of `sides`, by contact; empty until they are first asked for.
+  mutable std::vector<std::vector<ExactSlip>> exact_sides_;
   std::vector<Reals> generators_;
-  std::vector<double> high_;  ///< by contact and generator, as low_
+  std::vector<double> high_;  ///< the largest v, by contact and generator
   std::vector<double> low_;
-  std::vector<std::size_t> first_;  ///< of a contact, by generator and corner:
+  /// The index of the first entry of a contact in the next two members, in which generators and
+  /// corners follow.
+  std::vector<std::size_t> first_;
   std::vector<Double3> slip_values_;
   std::vector<double> rises_;
   bool barred_ = false;

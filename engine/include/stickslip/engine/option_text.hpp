@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The values of options as a command line spells them, and errors in its words.
+/// Reads the values of options as a command line spells them, and puts errors in its words.
 #pragma once
 
 #include <string>
@@ -11,24 +11,25 @@
 
 namespace stickslip {
 
-/// The number in an option's value. Throws InputError naming the option.
+/// Returns the number in an option's value. Throws InputError naming the option.
 Rational number_option(const std::string& option, const std::string& value);
 
-/// The numbers "P0,P1,..." in an option's value. Throws InputError naming the option.
+/// Returns the numbers "P0,P1,..." in an option's value. Throws InputError naming the option.
 std::vector<Rational> numbers_option(const std::string& option, const std::string& value);
 
-/// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
+/// Returns the wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
 Wrench wrench_option(const std::string& option, const std::string& value);
 
-/// A part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
+/// Returns a part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
 Rational accuracy_option(const std::string& value);
 
-/// An error of ask() in the words of the command line, about the grasp `name`.
+/// Returns an error of ask() in the words of the command line, about the grasp `name`.
 InputError in_options(const InputError& error, const std::string& name);
 
-/// ask(), and in the plane the rows that every answer needs: errors are in the words of the
-/// command line, and those of a contact name the grasp `name`. Refuses a box in the plane
-/// unless the command takes them.
+/// Returns the question of ask(), with errors in the words of the command line; those of a
+/// contact name the grasp `name`. Unless `takes_boxes` is set, it refuses a box of one body in
+/// the plane as problem_of() does, except a margin, and except a grasp that is a box only
+/// because motions are bounded.
 Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes = false);
 

@@ -31,65 +31,66 @@
 namespace stickslip {
 
 /// The multiples l of a family that are asked about: low < l < high, or low < l if there is no
-/// high; with `has_low` also l = low.
+/// high. If `has_low` is set, l = low is asked about as well.
 struct MultipleRange {
   Rational low = 0;                             ///< >= 0
   std::optional<Rational> high = std::nullopt;  ///< above low
   bool has_low = true;                          ///< whether low is asked about
 };
 
-/// What a family adds to a problem for each unit of the multiple.
+/// The growth of a family: the load and preloads that it adds for each unit of the multiple.
 struct Growth {
   Wrench load;  ///< u
-  /// As ContactRow::preload, by contact, each >= 0; or empty: preloads do not grow.
+  /// The growth of ContactRow::preload, by contact, each >= 0; empty if preloads do not grow.
   std::vector<Rational> preloads = {};
 };
 
 /// Contact rows, a load, a normal law, and perhaps a family: all that an engine needs.
 class Problem {
  public:
-  /// No contacts, no load, unilateral.
+  /// Makes a problem with no contacts and no load, under the unilateral law.
   Problem() = default;
   /// Throws InputError when a preloaded contact has a normal of irrational length.
   Problem(const LoadedGrasp& loaded, NormalLaw law);
-  /// The same by rows that may belong to no grasp file.
+  /// Makes a problem of rows that may belong to no grasp file.
   Problem(std::vector<ContactRow> rows, const Wrench& wrench, NormalLaw law);
 
-  const std::vector<ContactRow>& rows() const { return rows_; }  ///< by ContactId
+  const std::vector<ContactRow>& rows() const { return rows_; }  ///< the rows, by ContactId
   std::size_t size() const { return rows_.size(); }              ///< m, number of contacts
-  /// Requires a contact of this problem, as do the other functions of one contact.
+  /// Returns the row of a contact. Requires a contact of this problem, as do the other
+  /// functions of one contact.
   const ContactRow& row(ContactId contact) const { return rows_[contact.index()]; }
-  const Wrench& wrench() const { return wrench_; }  ///< w, of a family at the multiple 0
-  NormalLaw law() const { return law_; }            ///< of every contact
+  const Wrench& wrench() const { return wrench_; }  ///< w; for a family, that of the multiple 0
+  NormalLaw law() const { return law_; }            ///< the law of every contact
 
-  /// A positive multiple of tau_i, primitive: for signs and for cutting.
+  /// Returns a primitive positive multiple of tau_i, for signs and for cutting.
   const IntegerVector5& slip_plane(ContactId contact) const {
     return slip_planes_[contact.index()];
   }
-  /// v_i itself.
+  /// Returns v_i itself.
   const Vector5& separation(ContactId contact) const { return separations_[contact.index()]; }
-  /// A positive multiple of v_i, primitive.
+  /// Returns a primitive positive multiple of v_i.
   const IntegerVector5& separation_plane(ContactId contact) const {
     return separation_planes_[contact.index()];
   }
 
   const Wrench& load_growth() const { return load_growth_; }     ///< u; 0 without a family
-  bool preloads_grow() const { return preloads_grow_; }          ///< some P^u is not 0
-  bool is_family() const;                                        ///< something grows
-  const MultipleRange& multiples() const { return multiples_; }  ///< of a family
+  bool preloads_grow() const { return preloads_grow_; }          ///< whether some P^u is not 0
+  bool is_family() const;                                        ///< whether something grows
+  const MultipleRange& multiples() const { return multiples_; }  ///< the family's range
 
-  /// The same grasp and law under one other wrench. O(m).
+  /// Returns the problem of the same grasp and law under another wrench. O(m).
   Problem with_wrench(const Wrench& wrench) const;
-  /// The family that begins with this problem, which is none, for all l >= 0. Throws
-  /// ContractError if nothing grows, or if a preload would fall. O(m).
+  /// Returns the family that begins with this problem, for all l >= 0. Throws ContractError if
+  /// this problem is a family, if nothing grows, or if a preload would fall. O(m).
   Problem along(const Growth& growth) const;
-  /// The same family for other multiples. O(m).
+  /// Returns the same family for other multiples. O(m).
   Problem within(MultipleRange multiples) const;
-  /// The family's member with this multiple: no family. O(m).
+  /// Returns the family's member with this multiple, which is no family. O(m).
   Problem at(const Rational& multiple) const;
 
-  /// N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient with
-  /// friction on that edge of the cone.
+  /// Returns N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient
+  /// with friction on that edge of the cone.
   Wrench edge_wrench(ContactId contact, int sigma) const;
 
  private:

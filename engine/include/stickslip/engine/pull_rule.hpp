@@ -10,15 +10,16 @@
 
 namespace stickslip {
 
-/// What list 2 asks of a leaf besides, `leaf-direction`: y.A(d - h d0) >= 0.
+/// The rule `leaf-direction`, which each leaf of list 2 has to satisfy besides: y.A(d - h d0)
+/// >= 0.
 class PullRule {
  public:
-  /// A and d0.
+  /// Makes the rule from A, by rows, and d0.
   PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist);
-  /// A(d - h d0) by its rows, as functions of points.
+  /// Makes the rule from the rows of A(d - h d0), as functions of points.
   explicit PullRule(const std::vector<RationalRow>& rows);
 
-  /// Whether the function is below 0 at none of the points.
+  /// Returns whether the function y.A(d - h d0) is below 0 at none of the points.
   template <class Twist, class Point>
   bool holds(const Twist& y, const std::vector<Point>& points) const {
     Row function(rows_.front().size());
@@ -28,8 +29,8 @@ class PullRule {
     return std::none_of(points.begin(), points.end(),
                         [&](const Point& x) { return value(function, x).sign() < 0; });
   }
-  /// -A(d - h d0) at a point, up to a positive factor. Exactly up to the last step, as d - h d0
-  /// may be small beside d.
+  /// Returns -A(d - h d0) at a point, up to a positive factor. Only the last step is rounded,
+  /// since d - h d0 may be small beside d.
   template <class Point>
   Reals against(const Point& x) const {
     Row exact;
@@ -45,7 +46,7 @@ class PullRule {
     return sum;
   }
 
-  std::vector<Row> rows_;  ///< of A(d - h d0), times one positive number
+  std::vector<Row> rows_;  ///< the rows of A(d - h d0), times one positive number
 };
 
 }  // namespace stickslip

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A question about a grasp file, with the parts of the file that whoever asks has replaced.
+/// A question about a grasp file in which whoever asks may have replaced some numbers.
 #pragma once
 
 #include <optional>
@@ -13,92 +13,103 @@
 
 namespace stickslip {
 
-/// How the preloads grow with the multiple of a margin: all in proportion, or each by a number
+/// The growth of preloads with the multiple of a margin: all in proportion, or each at a rate
 /// of its own.
 struct PreloadDirection {
-  bool scale = false;             ///< all in proportion: the base is no preload
-  std::vector<Rational> rates{};  ///< unless scale: by contact, >= 0; the base is as given
+  /// Whether all preloads grow in proportion, from no preload.
+  bool scale = false;
+  /// The rate of each element, contacts first, unless `scale` is set. It is >= 0 for contacts
+  /// and ratchets. The preloads grow from those that are given.
+  std::vector<Rational> rates{};
 };
 
-/// What to replace, nothing by default; and the directions of a margin, if one is asked for.
+/// The numbers to replace, none by default, and the directions of a margin if one is asked for.
 struct QuestionOptions {
-  std::optional<RationalRow> wrench{};                  ///< applied to the object
-  std::optional<Rational> preload{};                    ///< of every contact
-  NormalLaw law = NormalLaw::kUnilateral;               ///< a file does not say; this does
-  std::optional<RationalRow> direction{};               ///< of the load
-  std::optional<PreloadDirection> preload_direction{};  ///< of the preloads
-  std::optional<std::string> case_name{};   ///< of the file, whose wrench is applied
-  Tolerances uncertain{};                   ///< of what is left when all is replaced
-  std::optional<MotionBound> max_motion{};  ///< in place of the file's
+  std::optional<RationalRow> wrench{};     ///< applied to the object
+  std::optional<Rational> preload{};       ///< the preload of every contact
+  NormalLaw law = NormalLaw::kUnilateral;  ///< the normal law, which no file says
+  std::optional<RationalRow> direction{};  ///< the direction of the load of a margin
+  std::optional<PreloadDirection> preload_direction{};  ///< the direction of its preloads
+  std::optional<std::string> case_name{};  ///< the case of the file whose wrench is applied
+  Tolerances uncertain{};  ///< tolerances of the numbers that result from all this
+  std::optional<MotionBound> max_motion{};  ///< the bound that replaces the file's
 };
 
-/// Is the grasp, in the plane or in space, stable under `law`? Or, with a direction, for which
-/// multiples is it, if load and preloads grow from these by `growth`? With a record of how it
-/// came from a grasp file.
+/// A question: is the grasp, in the plane or in space, stable under `law`? With a direction, a
+/// margin: for which multiples is it stable, if load and preloads grow from these by multiples
+/// of their directions? The question records how it came from a grasp file.
 ///
-/// Or, if it is a *box* (certificate/FORMAT.md, section 6): is every grasp in it stable?
+/// If the grasp is a *box* (certificate/FORMAT.md, section 6): is every grasp in it stable?
 struct Question {
-  /// With everything replaced and widened; the base of a margin. In the plane a box if some
-  /// interval has A < B, some normal a slope, motions are bounded, or a contact that may have a
-  /// preload, or whose preload grows, has a normal of irrational length.
+  /// The grasp with everything replaced and widened; the base of a margin. A grasp of one body
+  /// in the plane is a LoadedGrasp, except in these cases, in which it is a box: a number is an
+  /// interval, a normal has a slope, there is a ball of loads, motions are bounded, or a
+  /// contact whose preload is not 0 or grows has a normal of irrational length.
   AnyGrasp grasp;
-  NormalLaw law = NormalLaw::kUnilateral;      ///< of every contact
-  std::optional<Rational> preload{};           ///< set if it replaced the file's preloads
-  std::vector<ContactId> assumed_stiffness{};  ///< as in the GraspFile
-  std::optional<RationalRow> direction{};      ///< as asked, of a margin
-  std::optional<PreloadDirection> preload_direction{};  ///< as asked, of a margin
-  std::vector<Rational> preload_growth{};      ///< P^u by contact; empty if no preload grows
-  std::string case_name{};                     ///< whose wrench it is; may be empty
-  Tolerances uncertain{};                      ///< as asked
-  std::optional<WrenchBox> wrench_as_asked{};  ///< before it was widened, if it was
+  NormalLaw law = NormalLaw::kUnilateral;  ///< the law of every contact
+  std::optional<Rational> preload{};       ///< set if it replaced the file's preloads
+  /// Contacts without a stiffness, as in the GraspFile.
+  std::vector<ContactId> assumed_stiffness{};
+  std::optional<RationalRow> direction{};               ///< the direction of a margin's load
+  std::optional<PreloadDirection> preload_direction{};  ///< the direction of its preloads
+  std::vector<Rational> preload_growth{};      ///< P^u by element; empty if no preload grows
+  std::string case_name{};                     ///< the case whose wrench this is; may be empty
+  Tolerances uncertain{};                      ///< the tolerances that were asked for
+  std::optional<WrenchBox> wrench_as_asked{};  ///< the wrench before a tolerance widened it
 
-  /// A family is asked about.
+  /// Returns whether the question is about a margin.
   bool is_margin() const { return direction || preload_direction; }
-  bool in_space() const { return stickslip::in_space(grasp); }  ///< of three coordinates
-  /// Of several bodies; null: of one.
+  /// Returns whether the grasp has three coordinates.
+  bool in_space() const { return stickslip::in_space(grasp); }
+  /// Returns the mechanism of several bodies; null if there is one body.
   const Mechanism* mechanism() const { return mechanism_of(grasp); }
-  /// Whether motions are bounded: only then by GraspBox::max_motion.
+  /// Returns whether motions are bounded, which GraspBox::max_motion says.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
-  /// Whether a margin is a list of claims (certificate/FORMAT.md, section 5), and not exactly
-  /// what is resisted: unless it is about one grasp in the plane.
+  /// Returns whether this is a margin whose answer is a list of claims (certificate/FORMAT.md,
+  /// section 5), and not exactly the multiples that are resisted. Only a margin whose grasp is
+  /// no box is exact.
   bool has_claims() const { return is_margin() && box() != nullptr; }
-  /// Of one body in the plane, for which there is more than for all others.
+  /// Returns whether there is one body, in the plane. More can be asked about it than about all
+  /// others.
   bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
-  /// Name, outline and units of the grasp.
+  /// Returns the name, outline and units of the grasp.
   const GraspDescription& description() const { return description_of(grasp); }
-  /// Requires one grasp in the plane.
+  /// Returns the grasp of a question about one grasp in the plane. Throws ContractError for any
+  /// other.
   const LoadedGrasp& loaded() const;
-  /// All that `grasp` may be unless it is one in the plane, which is nullptr.
+  /// Returns the box, or nullptr if the grasp is a LoadedGrasp, a single one in the plane.
   const GraspBox* box() const { return std::get_if<GraspBox>(&grasp); }
 };
 
-/// The file's grasp and load with what the options replace; what a margin starts from is in
-/// certificate/FORMAT.md, section 1: with a direction of the load no wrench, and with preloads
-/// in proportion no preload. Throws InputError when something is not allowed, with the place
-/// "wrench", "preload", "direction" or "preload_direction"; and with the place "case" when the
-/// wrench of a file with cases is needed and the options give neither one of them nor a wrench.
-/// Of a box also as GraspBox::widened; and with the place "uncertain" if a margin is asked
-/// about.
+/// Returns the question about the file's grasp and load with what the options replace. A margin
+/// with a direction of the load starts from no wrench, unless the options give one or a case,
+/// and one with preloads in proportion from no preload (certificate/FORMAT.md, section 1).
+///
+/// Throws InputError with the place "wrench", "preload", "direction" or "preload_direction" if
+/// one of these is not allowed; with the place "case" if the wrench of a file with cases is
+/// needed and the options give neither a case nor a wrench; with the place "uncertain" if a
+/// margin is asked about and some number is uncertain. About a box it throws also as
+/// GraspBox::widened and bound_of() do.
 Question ask(GraspFile file, const QuestionOptions& options);
 
-/// Throws InputError unless the question is about one grasp: in the plane as problem_of(), in
-/// space where numbers are uncertain.
+/// Throws InputError unless the question is about one grasp: for one body in the plane as
+/// problem_of() does, otherwise if a number is uncertain.
 void require_one_grasp(const Question& question);
 
-/// The same question about all motions.
+/// Returns the same question without a bound of motions.
 Question without_bound(Question question);
 
-/// \{ Throws InputError if there are several bodies: `what` is not done for them.
+/// \{ Throws InputError if there are several bodies, and says that `what` is for one body only.
 void require_one_body(const AnyGrasp& grasp, const std::string& what);
 inline void require_one_body(const Question& question, const std::string& what) {
   require_one_body(question.grasp, what);
 }
 /// \}
 
-/// What an engine in the plane answers; of a margin, the family. Throws InputError
-/// ("contacts[i].normal") when a contact whose preload is not 0 or grows has a normal of
-/// irrational length; if the question is a box otherwise, about which decide_box() can be
-/// asked; in space; and of several bodies.
+/// Returns the problem, or for a margin the family, that an engine in the plane decides. Throws
+/// InputError at "contacts[i].normal" if a contact whose preload is not 0 or grows has a normal
+/// of irrational length. Throws InputError, too, for several bodies, bounded motions, a grasp
+/// in space, and uncertain numbers; decide_box() answers about these.
 Problem problem_of(const Question& question);
 
 }  // namespace stickslip

@@ -13,25 +13,27 @@ namespace stickslip {
 /// The most coordinates that points may have.
 constexpr int kMostCoordinates = 32;
 
-/// In double precision.
+/// A vector in double precision.
 using Reals = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostCoordinates, 1>;
 
-/// The sum of a_j b_j.
+/// Returns the sum of a_j b_j.
 inline double dot(const Reals& a, const Reals& b) {
   return a.dot(b);
 }
 
-/// As in_doubles() of integer_vector.hpp.
+/// Returns a over a power of two, in doubles, like in_doubles() of integer_vector.hpp.
 inline Reals in_doubles(const Row& a) {
   Reals result(static_cast<Eigen::Index>(a.size()));
   core_detail::round_to_one(a.data(), result.data(), a.size());
   return result;
 }
 
-/// As in_bits() of integer_vector.hpp.
+/// Returns the primitive integer vector nearest to a multiple of a with entries of this many
+/// bits, like in_bits() of integer_vector.hpp.
 Row in_bits(const Reals& a, int bits);
 
-/// \{ Over its norm; 0 stays 0. Finite entries suffice: their squares may overflow or vanish.
+/// \{ Divides x by its norm; 0 stays 0. It suffices that entries are finite: their squares may
+/// overflow or vanish.
 inline void normalize(Reals& x) {
   const double largest = x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0;
   if (!(largest > 0)) return;

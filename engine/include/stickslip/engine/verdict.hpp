@@ -2,8 +2,8 @@
 /// \file
 /// Verdicts that own their evidence.
 ///
-/// A Witness is judged by substitution, by `find_violation`; all evidence by the checkers in
-/// certificate/, whose format (certificate/FORMAT.md) says what it means and why it proves the
+/// `find_violation` judges a Witness by substitution. The checkers in certificate/ judge all
+/// evidence; their format (certificate/FORMAT.md) says what it means and why it proves the
 /// verdict.
 #pragma once
 
@@ -25,72 +25,74 @@ struct ContactForce {
   Rational tangential;  ///< b
 };
 
-/// a n + b t in the object frame, for a contact with this normal n (any length).
+/// Returns a n + b t in the object frame, for a contact with this normal n of any length.
 Vector2 force_vector(const Vector2& normal, const ContactForce& force);
 
 /// An equilibrium.
 struct Witness {
   Twist twist;                       ///< the motion d
-  std::vector<ContactForce> forces;  ///< by ContactId
+  std::vector<ContactForce> forces;  ///< the force of each contact, by ContactId
 };
 
-/// What has to be said of an equilibrium: all else follows from it (certificate/FORMAT.md,
-/// section 3).
+/// The part of an equilibrium from which all else follows (certificate/FORMAT.md, section 3).
 struct ShortWitness {
   Twist twist;  ///< the motion d
-  /// b / (mu a) of contacts that stick under load, with friction; increasing. 0 is left out.
+  /// The shares b / (mu a) of contacts with friction that stick under load, by increasing
+  /// ContactId. Shares of 0 are left out.
   std::vector<std::pair<ContactId, Rational>> shares;
 
-  /// Exact.
+  /// Compares exactly.
   friend bool operator==(const ShortWitness& a, const ShortWitness& b) {
     return a.twist == b.twist && a.shares == b.shares;
   }
 };
 
-/// An equilibrium of one grasp in space, or of several bodies: all other forces follow from it.
+/// The part of an equilibrium in space, or of several bodies, from which all other forces
+/// follow.
 struct ShareWitness {
-  RationalRow twist;  ///< the motion d; of several bodies the state z
-  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. As many numbers
-  /// as a slip has. 0 is left out.
+  RationalRow twist;  ///< the motion d; the state z of several bodies
+  /// The shares sigma of contacts that stick, whose friction is mu a sigma, by increasing
+  /// ContactId. Each has as many numbers as a slip. Shares of 0 are left out.
   std::vector<std::pair<ContactId, RationalRow>> shares;
 };
 
-/// \{ What has to be said of this one, by contacts or their rows; preloads do not matter.
+/// \{ Returns the short form of an equilibrium, from contacts or their rows. Preloads do not
+/// matter.
 ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness);
 ShortWitness in_short(const Grasp& grasp, const Witness& witness);
 /// \}
 
-/// Which condition of problem.hpp fails first, and where; nothing for an equilibrium. Not of a
-/// family.
-/// O(m) rational operations.
+/// Returns which condition of problem.hpp fails first, and where; nothing for an equilibrium.
+/// Requires that the problem is no family. Takes O(m) rational operations.
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness);
 
-/// An equilibrium exists: of every grasp of the box, if that is what was asked about.
+/// An equilibrium exists. If the question was about a box, every grasp in it has one.
 struct Stable {
-  /// One of them, which proves one grasp; or that there is one.
+  /// An equilibrium of one grasp, or a proof that one exists.
   std::variant<Witness, ShareWitness, StabilityProof> proof;
-  /// Of a StabilityProof near an equilibrium of the grasp in the middle, of which the proof is
-  /// about the first part or the only one; for people. Of a ShareWitness its own.
+  /// The motion of an equilibrium, for people. With a StabilityProof it is near an equilibrium
+  /// of the grasp in the middle of the first part that was proved. With a ShareWitness it is
+  /// that of the witness.
   RationalRow motion{};
 
-  /// Of a grasp that was decided without degree, and in the plane.
+  /// Returns the witness. Requires a grasp in the plane that was decided without degree.
   const Witness& witness() const { return std::get<Witness>(proof); }
 };
-/// No equilibrium exists, for any grasp.
+/// No equilibrium exists, for any grasp that was asked about.
 struct Unstable {
   Trees tree;  ///< the proof
 };
 /// Two grasps of the box have opposite verdicts, and certificates of their own.
 struct Fragile {
-  GraspBox stable;    ///< one grasp of the box
-  GraspBox unstable;  ///< another one
+  GraspBox stable;    ///< a grasp of the box that is stable
+  GraspBox unstable;  ///< a grasp of the box that is not
 };
-/// Neither was proved.
+/// Neither stability nor instability was proved.
 struct Undecided {
-  std::string limit;             ///< why, a sentence without its end, for people
+  std::string limit;             ///< the cause, a sentence without its end, for people
   std::string reason = "limit";  ///< the same in one word, for programs (docs/space.md)
-  std::string remedy{};          ///< what to do, in words; may be empty
-  /// A motion, from doubles, at which the laws seem to hold, though that was not proved; or
+  std::string remedy{};          ///< the remedy in words; may be empty
+  /// A motion, from doubles, at which the laws seem to hold, though that was not proved; may be
   /// empty.
   std::vector<Rational> near{};
 };
@@ -98,14 +100,16 @@ struct Undecided {
 /// The answer, which owns its evidence. One grasp is never Fragile.
 using Verdict = std::variant<Stable, Unstable, Fragile, Undecided>;
 
-/// "stable", "unstable", "fragile", "undecided".
+/// Returns "stable", "unstable", "fragile" or "undecided".
 const char* name_of(const Verdict& verdict);
-/// The same of what is_stable() says; nothing is "undecided".
+/// Returns the word for what is_stable() says: "stable", "unstable", or "undecided" for
+/// nothing.
 const char* verdict_name(std::optional<bool> stable);
-/// Whether what was asked about is stable, or unstable; nothing if neither is proved.
+/// Returns true if all that was asked about is stable, false if all is unstable, and nothing if
+/// neither is proved.
 std::optional<bool> is_stable(const Verdict& verdict);
 
-/// For people: "<limit>; <remedy>".
+/// Returns "<limit>; <remedy>", for people.
 std::string in_words(const Undecided& undecided);
 
 }  // namespace stickslip

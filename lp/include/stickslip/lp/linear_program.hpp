@@ -50,38 +50,40 @@
 
 namespace stickslip {
 
-/// x_j of any sign, or x_j >= 0.
+/// The kinds of variable: x_j of any sign, or x_j >= 0.
 enum class VariableKind { kFree, kNonNegative };
-/// <=, = or >= between the two sides of a row.
+/// The relation between the two sides of a row: <=, = or >=.
 enum class Relation { kLessEqual, kEqual, kGreaterEqual };
 
-/// coefficients.x relation rhs; coefficients that are not given are 0.
+/// A row: coefficients.x relation rhs. Coefficients that are not given are 0.
 struct LpRow {
   std::vector<Rational> coefficients;    ///< a_i, by variable
-  Relation relation = Relation::kEqual;  ///< of a_i.x to b_i
+  Relation relation = Relation::kEqual;  ///< the relation between a_i.x and b_i
   Rational rhs;                          ///< b_i
 };
 
-/// min objective.x subject to rows coefficients.x (<=,=,>=) rhs, each variable free or >= 0.
+/// A linear program: min objective.x subject to rows coefficients.x (<=,=,>=) rhs, each
+/// variable free or >= 0.
 class LinearProgram {
  public:
-  /// Returns the index of the new variable.
+  /// Adds a variable and returns its index.
   std::size_t add_variable(VariableKind kind);
-  /// Adds `count` variables; returns the index of the first.
+  /// Adds `count` variables and returns the index of the first.
   std::size_t add_variables(std::size_t count, VariableKind kind);
-  /// Returns the index of the new row. `coefficients` may be shorter than the number of
+  /// Adds a row and returns its index. `coefficients` may be shorter than the number of
   /// variables: the rest are 0. Throws ContractError if it is longer.
   std::size_t add_row(std::vector<Rational> coefficients, Relation relation, Rational rhs);
-  /// Default: zero objective, a feasibility problem. May be shorter, as in add_row.
+  /// Sets the objective, which may be shorter as in add_row. Without it, the objective is zero
+  /// and the program asks for a feasible point.
   void minimize(std::vector<Rational> objective);
 
-  std::size_t variable_count() const { return kinds_.size(); }  ///< n, of variables
-  std::size_t row_count() const { return rows_.size(); }        ///< m, of rows
-  /// Requires variable < variable_count().
+  std::size_t variable_count() const { return kinds_.size(); }  ///< n, the number of variables
+  std::size_t row_count() const { return rows_.size(); }        ///< m, the number of rows
+  /// Returns the kind of a variable. Requires variable < variable_count().
   VariableKind kind(std::size_t variable) const { return kinds_[variable]; }
-  /// Requires index < row_count().
+  /// Returns a row. Requires index < row_count().
   const LpRow& row(std::size_t index) const { return rows_[index]; }
-  /// May be shorter than the number of variables: the rest are 0.
+  /// Returns the objective. It may be shorter than the number of variables: the rest are 0.
   const std::vector<Rational>& objective() const { return objective_; }
 
  private:
@@ -90,15 +92,16 @@ class LinearProgram {
   std::vector<Rational> objective_;
 };
 
-/// An optimal point, and a dual that proves it optimal. With the zero objective: a feasible
-/// point, value 0, dual 0.
+/// An optimal point, and a dual that proves it optimal. If the objective is zero, it is a
+/// feasible point with value 0 and dual 0.
 struct Optimal {
   std::vector<Rational> point;  ///< one per variable
   Rational value;               ///< c.x, the least there is
   std::vector<Rational> dual;   ///< one per row
 };
 
-/// The rows contradict each other: `farkas` combines them to 0 > 0. Coprime integers.
+/// A proof that the rows contradict each other: `farkas` combines them to 0 > 0. Coprime
+/// integers.
 struct Infeasible {
   std::vector<Rational> farkas;  ///< one per row
 };
@@ -115,24 +118,26 @@ using LpResult = std::variant<Optimal, Infeasible, Unbounded>;
 /// The integers that exact arithmetic used.
 enum class LpTier { kInt64, kInt128, kGmp };
 
-/// What one call of `solve` did. Reproducible: the same program gives the same counts.
+/// The work of one call of `solve`. Reproducible: the same program gives the same counts.
 struct LpWork {
-  long double_pivots = 0;        ///< of the simplex in double precision
-  long exact_pivots = 0;         ///< of the exact simplex; 0 when the basis was confirmed
-  bool basis_confirmed = false;  ///< the basis proposed in double proved to be final
-  LpTier tier = LpTier::kInt64;  ///< the largest that was needed
+  long double_pivots = 0;  ///< pivots of the simplex in double precision
+  long exact_pivots = 0;   ///< pivots of the exact simplex; 0 when the basis was confirmed
+  bool basis_confirmed = false;  ///< whether the basis proposed in double proved to be final
+  LpTier tier = LpTier::kInt64;  ///< the largest integers that were needed
   long largest_bits = 0;         ///< bit length of the longest integer of exact elimination
 };
 
-/// Ways to solve; all give a right answer. For tests, benchmarks and comparison.
+/// Ways to solve, all of which give a right answer. They serve tests, benchmarks and
+/// comparison.
 struct LpOptions {
   bool propose = true;                 ///< false: exact simplex from the start
   LpTier first_tier = LpTier::kInt64;  ///< exact arithmetic starts here
 };
 
-/// \{ \brief Solves, verifies the evidence exactly, returns. Thread-safe, deterministic, no
-/// globals. Throws ContractError if the evidence fails its own verification (a defect of this
-/// library, never of the input). `work`, if given, is overwritten.
+/// \{ \brief Returns the outcome of the program with evidence that has been verified exactly.
+/// Thread-safe, deterministic, no globals. Throws ContractError if the evidence fails its own
+/// verification (a defect of this library, never of the input). `work`, if given, is
+/// overwritten.
 LpResult solve(const LinearProgram& program, LpWork* work = nullptr);
 LpResult solve(const LinearProgram& program, const LpOptions& options, LpWork* work = nullptr);
 /// \}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Checks of the evidence of an LP answer against the program as it was given, by
-/// substitution in exact arithmetic. The conditions, and why they suffice, are in
-/// linear_program.hpp. Shares no code with the solver, except the
-/// reading of a GMP number that fits a machine word.
+/// Checks the evidence of an LP answer against the program as it was given, by substitution in
+/// exact arithmetic. The conditions, and why they suffice, are in linear_program.hpp. The
+/// checks share no code with the solver, except the reading of a GMP number that fits a machine
+/// word.
 ///
-/// O(mn) integer multiplications, for vectors with m and n entries.
+/// They take O(mn) integer multiplications, for vectors with m and n entries.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace stickslip {
 
-/// The documented conditions.
+/// The conditions that linear_program.hpp states.
 enum class LpCondition {
   kLength,          ///< one entry per variable, or per row
   kPointSign,       ///< x_j >= 0 for a variable >= 0
@@ -29,19 +29,20 @@ enum class LpCondition {
   kRayDescent,      ///< c.d < 0
 };
 
-/// Converts to true when the evidence holds; otherwise names the first condition that fails
-/// and the index of the row or variable (0 where neither applies).
+/// The result of a check. It converts to true when the evidence holds; otherwise it names the
+/// first condition that fails and the index of the row or variable (0 where neither applies).
 struct Verification {
-  bool holds = true;                          ///< every condition
-  LpCondition failed = LpCondition::kLength;  ///< the first that does not; else no meaning
-  std::size_t index = 0;                      ///< of the row or variable where it fails
+  bool holds = true;  ///< whether every condition holds
+  /// The first that fails; without meaning if all hold.
+  LpCondition failed = LpCondition::kLength;
+  std::size_t index = 0;  ///< the row or variable where it fails
 
-  /// Whether the evidence holds.
+  /// Returns whether the evidence holds.
   explicit operator bool() const { return holds; }
 };
 
-/// \{ \brief Whether the evidence proves what its type says of the program. Evidence of the
-/// wrong length fails by kLength.
+/// \{ \brief Returns whether the evidence proves what its type says of the program. Evidence of
+/// the wrong length fails by kLength.
 Verification verify(const LinearProgram& program, const Optimal& evidence);
 Verification verify(const LinearProgram& program, const Infeasible& evidence);
 Verification verify(const LinearProgram& program, const Unbounded& evidence);

@@ -15,7 +15,7 @@
 namespace stickslip {
 namespace {
 
-/// Without what is rounding alone.
+/// Returns the motion, with 0 for what is rounding alone.
 RationalRow motion_of(const Law& law, const NearEquilibrium& equilibrium) {
   RationalRow motion(law.motions);
   for (std::size_t j = 0; j < motion.size(); ++j) {
@@ -78,8 +78,8 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
   return true;
 }
 
-/// Proves what it is of all of the box; false if that failed. `near_middle` becomes an
-/// equilibrium of the grasp in the middle, if one was found.
+/// Proves all of the box stable or unstable; returns false if that failed. `near_middle`
+/// becomes an equilibrium of the grasp in the middle, if one was found.
 bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>& near_middle) {
   ++work_.parts;
   const GraspLaw middle = box.middle();
@@ -107,7 +107,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     }
   }
   if (stable_ != false) {
-    // At rest first: it takes least, and what sticks needs no other equilibrium.
+    // Rest is tried first: it takes least, and what sticks needs no other equilibrium.
     if (!box.is_one_planar_body()) {
       for (const NearEquilibrium& near : newton.solve_from(0)) {
         if (try_near(near)) {
@@ -123,8 +123,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
       }
     }
   }
-  // Near what Newton's method missed a search comes, but not of uncertain geometry: no slip is
-  // 0 there for all of the box.
+  // The search below comes near what Newton's method missed, but not if geometry is uncertain:
+  // no slip is 0 then for all of the box. So the middle is searched here.
   const bool may_miss = std::any_of(
       box.contacts.begin(), box.contacts.end(),
       [](const auto& c) { return c.slip_dimension() > 1 && !c.geometry_is_certain(); });
@@ -142,13 +142,13 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
       return true;
     }
   }
-  // There is an equilibrium in the middle of a wide box: no tree is about all of it.
+  // No tree is about all of a wide box whose middle has an equilibrium.
   if (stable_ == true || (limits_.is_wide && near_middle)) return false;
   const std::size_t before = tree_.size();
   bool refuted = false;
   const auto take = [&](const NearEquilibrium& relaxed) {
     const auto found = newton.polish(relaxed);
-    // Where equilibria lie side by side, Newton's method may not converge; a program may find
+    // Newton's method may not converge where equilibria lie side by side; a program may find
     // one.
     if (!found && is_exact_ && box.is_linear()) return holds = prove_exactly(box, relaxed);
     return found &&
@@ -180,7 +180,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
                        end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist ||
                        (ended_by_limit && limits_.is_default);
   if (!refuted && !holds && may_be_far && is_lost) {
-    // All motions are searched together again where near ones take long as well.
+    // All motions are searched together again if near ones take long as well.
     constexpr std::size_t kNearNodes = 400;
     LawSearch near(
         box, nullptr,
@@ -199,14 +199,14 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     search_all(true, false);
   }
   if (!refuted && !holds) return false;
-  // (Of another part it may have been proved that it is unstable.)
+  // (Another part may have been proved unstable.)
   if (stable_.value_or(holds) != holds) return false;
   stable_ = holds;
   return true;
 }
 
-/// Refutes what lies near, which says whether the grasp holds within a bound, and then what is
-/// far, beyond the planes of the simplex around the bound one after another.
+/// Refutes near motions, which says whether the grasp holds within a bound, and then far ones,
+/// beyond the planes of the simplex around the bound one after another.
 bool BoxProver::refute_near_first(const GraspLaw& box, LawSearch& near) {
   MotionRegion region = MotionRegion::root(box);
   std::vector<MotionRegion> far;
@@ -261,7 +261,8 @@ RationalRow BoxProver::place_of(const GraspLaw& part) const {
   return place;
 }
 
-/// The middle of the interval that matters most: of its contact's force, or of the load.
+/// Returns a cut in the middle of the interval that matters most, to its contact's force or to
+/// the load.
 std::optional<PartSplit> BoxProver::widest(const GraspLaw& box,
                                            const std::optional<NearEquilibrium>& near) const {
   std::optional<PartSplit> best;
@@ -276,7 +277,7 @@ std::optional<PartSplit> BoxProver::widest(const GraspLaw& box,
       const LawContact& c = box.contacts[i];
       const double size = c.size;
       const double preload = (c.preloads[0] + c.preloads[1]) / 2;
-      // Where nothing presses, something may elsewhere.
+      // A contact that does not press here may press elsewhere.
       constexpr double kLittle = 1e-2;
       const double a = std::max(near ? near->normal[i] : preload, kLittle * box.force / size);
       const bool is_length = parameter == Parameter::kX || parameter == Parameter::kY ||

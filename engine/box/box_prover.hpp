@@ -2,10 +2,10 @@
 /// \file
 /// Proofs about a box as a whole or cut into parts, without a search for counterexamples.
 ///
-/// **Method.** An equilibrium of the grasp in the middle is sought by Newton's method in
-/// doubles, and every grasp of the box proved to have one near it. If there is none, a branch
-/// and bound over regions of motions refutes them one by one. Doubles propose; what is proved
-/// is confirmed exactly.
+/// **Method.** Newton's method in doubles seeks an equilibrium of the grasp in the middle, and
+/// every grasp of the box is proved to have one near it. If there is none, a branch and bound
+/// over regions of motions refutes them one by one. Doubles propose; what is proved is
+/// confirmed exactly.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@
 
 namespace stickslip {
 
-/// What a search for proofs may take.
+/// The limits of a search for proofs.
 struct ProverLimits {
-  std::size_t node_limit;  ///< of a tree that is about all motions
-  std::size_t wall_limit;  ///< of the tree of a wall
-  std::size_t most_nodes;  ///< of all together, beyond which a box is cut no more
-  std::size_t most_parts;  ///< cuts
-  bool is_wide;            ///< the box is more than what encloses lengths
-  bool is_default;  ///< nobody asked for more: far motions take a part of what near ones took
+  std::size_t node_limit;  ///< nodes of a tree that is about all motions
+  std::size_t wall_limit;  ///< nodes of the tree of a wall
+  std::size_t most_nodes;  ///< nodes of all together, beyond which a box is cut no more
+  std::size_t most_parts;  ///< the most cuts
+  bool is_wide;            ///< the user gave intervals; the box is not just rounding of lengths
+  bool is_default;  ///< nobody asked for more: far motions get a part of what near ones took
 };
 
 /// Proofs about a box and its parts, until one fails or two parts seem to differ.
@@ -35,19 +35,19 @@ class BoxProver {
  public:
   /// `work` must outlive this.
   BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work);
-  /// Of one grasp, all of whose lengths are rational: an exact equilibrium is tried before
-  /// other proofs, and where doubles do not decide, exact programs are asked.
+  /// Tries an exact equilibrium before other proofs, and asks exact programs where doubles do
+  /// not decide. The box must be one grasp, all of whose lengths are rational.
   void try_exact_equilibria() { is_exact_ = true; }
 
-  /// The verdict, if there is one.
+  /// Returns the verdict, or nothing if there is no proof.
   std::optional<std::variant<Stable, Unstable>> prove();
-  /// If that failed.
+  /// Returns why prove() failed.
   SearchReport report() const;
-  /// If that failed: a tree that refutes all motions within natural_bound(box, kFarMotion), for
-  /// a question with that bound; or nothing.
+  /// Returns, if prove() failed, a tree that refutes all motions within natural_bound(box,
+  /// kFarMotion), for a question with that bound; or nothing.
   const std::optional<Trees>& near_tree() const { return near_tree_; }
-  /// Where the middles of parts lie that seem to be stable, and unstable: of each parameter of
-  /// the box, from 0 to 1. Nothing, or the last one of a kind.
+  /// Returns where the middles of parts lie that seem to be stable, and unstable: a number from
+  /// 0 to 1 for each parameter of the box. Each is the last one of its kind, or nothing.
   const std::array<std::optional<RationalRow>, 2>& suspects() const { return suspects_; }
 
  private:
@@ -63,10 +63,10 @@ class BoxProver {
   GraspLaw whole_;
   ProverLimits limits_;
   SearchWork& work_;
-  std::size_t last_node_;  ///< where the work of all is to end
+  std::size_t last_node_;  ///< the count of nodes at which all work ends
   bool is_exact_ = false;
   std::array<std::optional<RationalRow>, 2> suspects_;
-  std::optional<bool> stable_;  ///< what was proved of the first part
+  std::optional<bool> stable_;  ///< whether the first part was proved stable
   std::optional<ShareWitness> witness_;
   RationalRow motion_;
   StabilityProof parts_;

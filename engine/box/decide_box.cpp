@@ -14,14 +14,14 @@ using namespace box_detail;
 
 namespace {
 
-/// Two grasps of a box with opposite verdicts, decided one by one.
+/// Searches for two grasps of a box with opposite verdicts, which are decided one by one.
 class ExampleSearch {
  public:
   ExampleSearch(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                 SearchWork& work)
       : box_(box), law_(law), options_(options), work_(work), examples_(box, law) {}
 
-  /// Unless two were found.
+  /// Decides this grasp, unless two were found.
   void try_at(const GraspBox& grasp) {
     if (stable_ && unstable_) return;
     ++work_.examples;
@@ -29,8 +29,8 @@ class ExampleSearch {
     if (stable) (*stable ? stable_ : unstable_) = grasp;
   }
 
-  /// The middle, and where the other verdict is likely: where the middle's equilibrium is lost
-  /// soonest, where all holds better or worse, and at the ends of single numbers.
+  /// Tries the middle, and where the other verdict is likely: where the middle's equilibrium is
+  /// lost soonest, where all holds better or worse, and at the ends of single numbers.
   void try_suspects() {
     try_at(examples_.at(examples_.middle()));
     if (stable_) try_without_equilibrium();
@@ -39,7 +39,7 @@ class ExampleSearch {
     for (const Place& place : examples_.single_ends()) try_at(examples_.at(place));
   }
 
-  /// At these parts of the way from low to high of each parameter.
+  /// Tries the grasp at these parts of the way from low to high of each parameter.
   void try_between(const RationalRow& parts) { try_at(examples_.between(parts)); }
 
   std::optional<Fragile> found() const {
@@ -68,19 +68,19 @@ class ExampleSearch {
   std::optional<GraspBox> unstable_;
 };
 
-/// What a search for a proof may take: more in space, where nothing else decides.
+/// Returns the limits of a search for a proof: more in space, where nothing else decides.
 ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
                        std::size_t most_parts) {
   const bool is_wide = !box.is_point();
   std::size_t nodes = options.node_limit;
   if (nodes == 0) {
     constexpr std::size_t kInSpace = 20000;
-    constexpr std::size_t kWideInSpace = 1000;  // that it is neither is to be said soon
+    constexpr std::size_t kWideInSpace = 1000;  // a box that is neither is to be told soon
     nodes = box.is_one_planar_body() ? 500 + 50 * box.contacts.size()
             : is_wide                ? kWideInSpace
                                      : kInSpace;
   }
-  // Of a ball few walls are proposed, and each takes many nodes.
+  // Few walls are proposed for a ball, and each takes many nodes.
   const std::size_t in_space = !is_wide ? 24 : box.ball ? 2 : 8;
   const std::size_t walls = box.is_one_planar_body() ? 8 : in_space;
   const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
@@ -92,7 +92,7 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
           options.node_limit == 0};
 }
 
-/// A proof or none, and where parts seem to differ.
+/// Returns a proof or none; `suspects` gets the places where parts seem to differ.
 BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                   std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects) {
   BoxDecision decision{Undecided{}};

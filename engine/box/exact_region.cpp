@@ -12,12 +12,12 @@
 namespace stickslip::box_detail {
 namespace {
 
-/// What a contact may do: a = p + q of the edges N + mu T and N - mu T of its cone.
+/// The pushes of a contact: a = p + q, along the edges N + mu T and N - mu T of its cone.
 struct Pushes {
-  std::vector<Rational> most;        ///< v, of a mixed contact max(0, v), by point
-  bool is_open = false;              ///< on all of the region
+  std::vector<Rational> most;        ///< v by point, or max(0, v) of a mixed contact
+  bool is_open = false;              ///< it is open on all of the region
   bool may_be_less = false;          ///< mixed: a is at most this
-  std::vector<RationalRow> edges{};  ///< one, if its slip has a sign or nothing rubs
+  std::vector<RationalRow> edges{};  ///< only one, if its slip has a sign or nothing rubs
   std::size_t first = 0;             ///< the variable of the first edge
 };
 
@@ -28,7 +28,8 @@ class RelaxedRegion {
     for (std::size_t i = 0; i < law.contacts.size(); ++i) add_contact(i);
   }
 
-  /// A twist that refutes it; or weights and forces with which this strict function is not 0.
+  /// Returns a twist that refutes the region; or weights and forces with which this strict
+  /// function is not 0.
   std::variant<Row, std::vector<Rational>> solve(const std::vector<std::size_t>& strict) {
     const std::size_t points = region_.points().size();
     LinearProgram program;
@@ -60,7 +61,8 @@ class RelaxedRegion {
     return std::get<Optimal>(result).point;
   }
 
-  /// Where the laws are broken at this point; else it is an equilibrium.
+  /// Returns the split at the law that is broken most at this point; if none is, the
+  /// equilibrium.
   std::variant<TreeNode, ShareWitness> judge(const std::vector<Rational>& solution) const {
     RationalRow x(law_.coordinates());
     for (std::size_t g = 0; g < region_.points().size(); ++g) {
@@ -99,7 +101,7 @@ class RelaxedRegion {
         if (!share.is_zero()) witness.shares.emplace_back(ContactId(i), RationalRow{share});
         continue;
       }
-      const Rational lacking = 1 + share * slip.sign();  // of friction against the slip
+      const Rational lacking = 1 + share * slip.sign();  // missing friction against the slip
       consider(contact.friction.low * a * lacking * slip, SlipSplit{ContactId(i)});
     }
     if (broken) return *broken;
@@ -146,7 +148,7 @@ class RelaxedRegion {
     }
   }
 
-  /// Of one component of all wrenches.
+  /// Returns the row of the balance of one component of all wrenches.
   std::vector<Rational> balance(std::size_t component, const LinearProgram& program) const {
     std::vector<Rational> row(program.variable_count());
     const std::size_t d = law_.motions;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What is true of a region where doubles do not decide: of one grasp whose slips have one
-/// dimension, by exact linear programs.
+/// Decides regions where doubles do not, by exact linear programs: regions of one grasp whose
+/// slips have one dimension.
 #pragma once
 
 #include <variant>

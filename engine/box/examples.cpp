@@ -14,19 +14,18 @@ Rational pick(const Interval& interval, const Rational& place) {
   return interval.middle() + place * (interval.high - interval.low) / 2;
 }
 
-/// The nearest multiple of 2^-16 of a number from -1 to 1: no load along what is rounding
-/// alone.
+/// Returns the multiple of 2^-16 nearest to a number from -1 to 1, so that there is no load
+/// along what is rounding alone.
 Rational on_grid(double place) {
   constexpr long long kSteps = 1 << 16;
   return {Integer(std::llround(place * kSteps)), Integer(kSteps)};
 }
 
-/// What bounds of turns, which are rounded up, are multiplied by so that no slope is above its
-/// own.
+/// The factor of bounds of turns, which are rounded up: with it no slope is above its own.
 const Rational kWithin(1048575, 1048576);
 
-/// The slope at most e, near it, of which 1 + slope^2 is the square of a rational number:
-/// 2u / (1 - u^2).
+/// Returns a slope near e, and not beyond it, for which 1 + slope^2 is the square of a rational
+/// number: 2u / (1 - u^2).
 Rational with_rational_length(const Rational& e) {
   const double target = to_double(abs(e));
   constexpr double kGrain = 1 << 20;
@@ -41,9 +40,9 @@ Rational with_rational_length(const Rational& e) {
   return e.sign() < 0 ? Rational(-slope) : slope;
 }
 
-/// n turned, each way by a part of the most, from -1 to 1. In the plane it has a rational
-/// length where that of n is and matters. In space it need not; but turned both ways by all
-/// that each may be it would be turned by more than the slope.
+/// Returns n turned, each way by a part of the most, from -1 to 1. In the plane it has a
+/// rational length where that of n is and matters. In space it need not; but a normal that is
+/// turned both ways by all that each may be would be turned by more than the slope.
 RationalRow turned_normal(const UncertainContact& c, const RationalRow& parts) {
   const std::vector<Turn> turns = turns_of(c);
   RationalRow e;
@@ -57,14 +56,14 @@ RationalRow turned_normal(const UncertainContact& c, const RationalRow& parts) {
   return turned(c.normal, turns, e);
 }
 
-/// Which turn of a normal a parameter is.
+/// Returns which turn of a normal a parameter is; nothing if it is none.
 std::optional<std::size_t> turn_index(Parameter parameter) {
   if (parameter == Parameter::kTurn || parameter == Parameter::kTurnU) return 0;
   if (parameter == Parameter::kTurnV) return 1;
   return std::nullopt;
 }
 
-/// The interval of a number; nothing of a turn, and of a ball's load.
+/// Returns the interval of a number; nullptr for a turn, and for a ball's load.
 template <class Box>
 auto* interval_of(Box& box, const ParameterId& id) {
   if (id.parameter == Parameter::kWrench) {
@@ -150,7 +149,7 @@ std::vector<Place> Examples::ball_directions() const {
   }
   const bool in_plane = axes.size() == 3;
   std::vector<Place> places;
-  for (std::size_t code = 1; code < count; ++code) {  // in base 3
+  for (std::size_t code = 1; code < count; ++code) {  // digits in base 3
     Place place = middle();
     std::size_t moved = 0;
     std::size_t rest = code;
@@ -195,7 +194,7 @@ Place Examples::loaded_along(const RationalRow& twist, Place place) const {
       if (parameter != Parameter::kWrench) continue;
       const Rational along = dot(ball.motion[i], twist) * reach[i];
       largest = std::max<Rational>(largest, abs(along));
-      // Beyond the ball, so that it is pulled to its border.
+      // The place is beyond the ball, so that the load is pulled to its border.
       if (is_known) place[n] = 2 * on_grid(to_double(along / largest));
     }
     if (largest.is_zero()) return place;

@@ -14,8 +14,8 @@
 
 namespace stickslip::box_detail {
 
-/// A grasp in a box: where each uncertain number lies, -1 at its low end, 0 in the middle, 1 at
-/// its high end. Of a ball of loads a multiple of what is said of its components, in the ball.
+/// The place of a grasp in a box: where each uncertain number lies, -1 at its low end, 0 in the
+/// middle, 1 at its high end. A load that is not in a ball is pulled to its border.
 using Place = RationalRow;
 
 class Examples {
@@ -23,39 +23,41 @@ class Examples {
   /// `box` must outlive this.
   Examples(const GraspBox& box, NormalLaw law);
 
-  /// The one grasp at this place. Normals are turned by at most the slope; in the plane they
-  /// have a rational length where the file's normal has one and the contact is preloaded.
+  /// Returns the one grasp at this place. Normals are turned by at most the slope; in the plane
+  /// they have a rational length where the file's normal has one and the contact is preloaded.
   GraspBox at(const Place& place) const;
-  /// The one grasp at these parts of the way from low to high, from 0 to 1, of each parameter
-  /// of GraspLaw.
+  /// Returns the one grasp at these parts of the way from low to high, from 0 to 1, of each
+  /// parameter of GraspLaw.
   GraspBox between(const RationalRow& parts) const;
-  /// Corners at which this equilibrium of the middle is lost, soonest first, and after which
-  /// part of the way.
+  /// Returns corners at which this equilibrium of the middle is lost, soonest first, and after
+  /// which part of the way.
   std::vector<std::pair<Place, double>> without(const NearEquilibrium& equilibrium) const;
-  /// All held better, or worse, as one would think: more friction and preload under less load,
-  /// and the reverse. They cost nothing to find.
+  /// Returns two places at which all is held better, and worse, as one would think: more
+  /// friction and preload under less load, and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;
-  /// One number at either end and all others in the middle, of a few numbers; else nothing.
+  /// Returns the places with one number at either end and all others in the middle; none if
+  /// there are many numbers.
   std::vector<Place> single_ends() const;
-  const GraspBox& box() const { return box_; }  ///< of which they are
-  NormalLaw law() const { return law_; }        ///< of all contacts
-  /// The uncertain numbers, in the order of a place's entries.
+  const GraspBox& box() const { return box_; }  ///< the box that they are of
+  NormalLaw law() const { return law_; }        ///< the law of all contacts
+  /// Returns the uncertain numbers, in the order of a place's entries.
   const std::vector<ParameterId>& numbers() const { return numbers_; }
   Place middle() const { return Place(numbers_.size()); }
-  /// Of a ball the loads along each axis of forces and torques, and in the plane between them
-  /// as well, in space in the midst of six.
+  /// Returns the loads of a ball along each axis of forces and torques; in the plane those
+  /// between axes as well, in space those in the midst of all six.
   std::vector<Place> ball_directions() const;
-  /// Loads of the ball beside that of a place, along each axis by so much of the ball.
+  /// Returns loads of the ball beside that of a place, along each axis by so much of the ball.
   std::vector<Place> turned(const Place& place, const Rational& step) const;
-  /// The same with that load of a ball that does most work on a virtual twist.
+  /// Returns the place with the load of a ball that does most work on a virtual twist.
   Place loaded_along(const RationalRow& twist, Place place) const;
-  /// In a ball, midway between the ways to the loads of two places.
+  /// Returns, for a ball, a place midway between the ways to the loads of two places.
   Place between_loads(const Place& one, const Place& other) const;
 
  private:
-  /// Adds the load of a ball that these components, or a multiple of them in the ball, are of.
+  /// Adds the load of a ball with these components, or with a multiple of them in the ball.
   void load(GraspBox& chosen, RationalRow z) const;
-  /// Turns the normals of a grasp, by contact each way by a part of the most, from -1 to 1.
+  /// Turns the normals of a grasp, for each contact each way by a part of the most, from -1
+  /// to 1.
   void turn(GraspBox& chosen, const std::vector<RationalRow>& parts) const;
 
   const GraspBox& box_;

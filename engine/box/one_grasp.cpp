@@ -21,7 +21,7 @@ Rational short_middle(const Rational& a, const Rational& b) {
   const Rational exact = (a + b) / 2;
   for (int bits = 4; bits <= 40; bits += 4) {
     const Rational unit = (b - a) / (Integer(1) << static_cast<unsigned>(bits));
-    // The binary grain just below that unit.
+    // The grain 1 / power is the largest binary one that is not above that unit.
     const Integer scale =
         Integer(1) + numerator(Rational(1) / unit) / denominator(Rational(1) / unit);
     const Rational power = power_of_two_above(Rational(scale));
@@ -46,8 +46,8 @@ Problem problem_of(const GraspLaw& point) {
 
 namespace {
 
-/// Equilibria at which all that presses and rubs sticks, which are proved at once, whatever the
-/// unit: the engine of the plane does not say of its own that they do.
+/// Returns equilibria at which all that presses and rubs sticks. They are proved at once,
+/// whatever the unit; the engine of the plane does not tell by itself that they stick.
 std::vector<NearEquilibrium> sticking_equilibria(const GraspLaw& point,
                                                  const RoundedGrasp& grasp) {
   constexpr std::size_t kFewContacts = 64;
@@ -73,7 +73,7 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
     return Newton(grasp).solve_from(kStarts);
   }
   const Problem problem = problem_of(point);
-  constexpr std::size_t kMost = 4;  // of each kind
+  constexpr std::size_t kMost = 4;  // the most of each kind
   std::vector<NearEquilibrium> result = sticking_equilibria(point, grasp);
   if (!has_enclosures && !has_long_equilibria(problem)) {
     const Verdict verdict = decide_by_cones(problem);

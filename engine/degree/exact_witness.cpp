@@ -14,14 +14,14 @@
 namespace stickslip {
 namespace {
 
-/// A number of these bits near x, which is about `size`.
+/// Returns a number of these bits near x, which is about `size`.
 Rational near(double x, double size, int bits) {
   if (!(size > 0) || !std::isfinite(size) || !std::isfinite(x)) return 0;
   const double unit = std::ldexp(1.0, std::ilogb(size) - bits);
   return rational_from_double(std::round(x / unit) * unit);
 }
 
-/// A basis of the motions with no slip at these contacts.
+/// Returns a basis of the motions with no slip at these contacts.
 std::vector<RationalRow> motions_without_slip(const GraspLaw& model,
                                               const std::vector<std::size_t>& sticking) {
   std::vector<RationalRow> slips;
@@ -45,7 +45,7 @@ Eigen::VectorXd multiples_near(const std::vector<RationalRow>& motions, const Re
   return least_squares(rounded, motion);
 }
 
-/// Not in the law's units.
+/// Returns the motion in the units of the file instead of the law's.
 Reals unscaled(const GraspLaw& model, Reals motion) {
   for (std::size_t j = 0; j < model.motions; ++j) {
     motion[static_cast<Eigen::Index>(j)] /= model.unit(j);
@@ -53,16 +53,17 @@ Reals unscaled(const GraspLaw& model, Reals motion) {
   return motion;
 }
 
-/// The wrench of a unit of an unknown of the balance, and a value that it may be near.
+/// An unknown of the balance: the wrench of a unit of it, and a value that it may be near.
 struct BalanceTerm {
   RationalRow wrench;
   Rational value;
-  double spare;         ///< how far it may change; motions: at will
-  std::size_t contact;  ///< whose friction it is; of a motion none
+  double spare;         ///< how far it may change; motions do without limit
+  std::size_t contact;  ///< the contact whose friction it is; for a motion their number
   RationalRow direction;
 };
 
-/// Independent columns carry what the values leave to balance; those with most to spare first.
+/// Changes the values of independent columns so that all balances, those with most to spare
+/// first. Returns false if they cannot.
 bool balance(std::vector<BalanceTerm>& terms, const RationalRow& rest) {
   std::vector<std::size_t> order(terms.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -87,8 +88,9 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalRow& rest) {
   return true;
 }
 
-/// With friction rounded to these bits. What may move at will is at rest, or where it is in
-/// doubles: a body that nothing holds is at rest only if nothing pushes it there.
+/// Returns an equilibrium with friction rounded to these bits. Motions that nothing resists are
+/// at rest, or else where they are in doubles: a body that nothing holds is at rest only if
+/// nothing pushes it there.
 std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
                                             const NearEquilibrium& near_one, int bits,
                                             bool is_at_rest) {
@@ -104,11 +106,11 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
     if (near_one.sticks[i] == 0) return std::nullopt;  // the slip's length is irrational
     sticking.push_back(i);
   }
-  // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
-  // friction at each. Of the latter all but a few stay near what they are.
+  // The unknowns are multiples of the motions that leave all of these without slip, and the
+  // coordinates of friction at each. All but a few of the latter stay near what they are.
   const std::vector<RationalRow> motions = motions_without_slip(model, sticking);
   std::vector<BalanceTerm> terms;
-  RationalRow rest;  // what the values leave to balance
+  RationalRow rest;  // the wrench that the values leave to balance
   for (std::size_t j = 0; j < model.motions; ++j) rest.push_back(-model.wrench[j].low);
   for (const RationalRow& motion : motions) {
     terms.push_back({RationalRow(model.motions), 0, HUGE_VAL, m, motion});
@@ -155,7 +157,7 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
       sum += term.value * term.direction[k];
     }
   }
-  // Judged: the modes, and the cones.
+  // The modes and the cones are judged here.
   for (std::size_t i = 0; i < m; ++i) {
     const LawContact& c = model.contacts[i];
     const Rational v =
@@ -176,7 +178,7 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
 }  // namespace
 
 std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
-  constexpr int kShort = 20;  // for people
+  constexpr int kShort = 20;  // short numbers, for people
   constexpr int kLong = 30;   // near the borders of cones
   if (model.is_linear()) return degree_detail::equilibrium_in_modes(model, near);
   for (const bool is_at_rest : {true, false}) {

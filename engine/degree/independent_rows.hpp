@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Vectors of which each adds a dimension, chosen one after another; for proposals of walls.
+/// Vectors chosen one after another, each of which adds a dimension; for proposals of walls.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,21 +12,22 @@
 
 namespace stickslip::degree_detail {
 
-/// An orthonormal basis of what was taken so far.
+/// An orthonormal basis of the vectors that were taken so far.
 class IndependentRows {
  public:
-  /// In so many dimensions.
+  /// Begins without vectors, in so many dimensions.
   explicit IndependentRows(Eigen::Index dimension) : dimension_(dimension) {}
 
-  /// The part of v that is new.
+  /// Returns the part of v that is new.
   Reals beyond(Reals v) const {
     for (const Reals& b : basis_) v -= b.dot(v) * b;
     return v;
   }
-  /// Adds a direction; one that is new.
+  /// Adds a direction, which has to be new.
   void take(const Reals& row) { basis_.push_back(beyond(row).normalized()); }
-  /// Of candidates, which have members `row` and `spare`, the one with most spare times what is
-  /// new of its row, if that is more than the part `least` of it; it is taken.
+  /// Takes the best candidate and returns its index. Candidates have members `row` and `spare`;
+  /// the best has the most spare times what is new of its row, if that is more than the part
+  /// `least` of the row.
   template <class Candidate>
   std::optional<std::size_t> take_best(const std::vector<Candidate>& candidates, double least) {
     double best = 0;
@@ -42,7 +43,7 @@ class IndependentRows {
     if (chosen) take(candidates[*chosen].row);
     return chosen;
   }
-  /// Orthonormal vectors across all that were taken, by columns.
+  /// Returns orthonormal vectors across all that were taken, by columns.
   Eigen::MatrixXd complement() const {
     IndependentRows all = *this;
     while (!all.is_full()) {

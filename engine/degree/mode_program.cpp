@@ -15,7 +15,7 @@
 namespace stickslip::degree_detail {
 namespace {
 
-/// What is assumed of a contact.
+/// The mode that is assumed of a contact.
 struct Mode {
   enum class Gap : std::int8_t { kUnknown, kClosed, kOpen };
   enum class Slip : std::int8_t { kUnknown, kSticks, kForward, kBackward };
@@ -27,7 +27,7 @@ using Modes = std::vector<Mode>;
 /// A point of a program, with forces along the edges N + mu T and N - mu T of cones.
 struct ProgramPoint {
   RationalRow motion;
-  std::vector<std::array<Rational, 2>> edges;  ///< by contact
+  std::vector<std::array<Rational, 2>> edges;  ///< forces along the two edges, by contact
 
   Rational pressing(std::size_t i) const { return edges[i][0] + edges[i][1]; }
 };
@@ -67,7 +67,7 @@ class ModeProgram {
       const LawContact& c = law_.contacts[i];
       Mode& mode = modes[i];
       const double normal = near_.normal[i];
-      constexpr double kBorder = 1e-7;  // of what presses
+      constexpr double kBorder = 1e-7;  // relative to typical forces
       double separation = (c.preloads[0] + c.preloads[1]) / 2;
       separation -= (c.stiffnesses[0] + c.stiffnesses[1]) / 2 *
                     c.corners.front().normal_rounded.dot(near_.motion);
@@ -92,7 +92,8 @@ class ModeProgram {
 
   bool rubs(std::size_t i) const { return !law_.contacts[i].friction.high.is_zero(); }
 
-  /// Leaves open what contradicts: slips first. Returns whether there was any.
+  /// Leaves open the slips that contradict each other; if there are none, the gaps. Returns
+  /// whether there were any.
   bool forget(const Contradiction& contradiction, Modes& modes) const {
     for (const std::size_t i : contradiction.slips) modes[i].slip = Mode::Slip::kUnknown;
     if (!contradiction.slips.empty()) return true;
@@ -131,7 +132,7 @@ class ModeProgram {
   /// A law that is broken, and with what energy.
   struct Breach {
     std::size_t contact = 0;
-    bool is_gap = false;  ///< else it is that of slip
+    bool is_gap = false;  ///< it is the law of the gap, not that of slip
     Rational energy = 0;
   };
 
@@ -163,11 +164,10 @@ class ModeProgram {
   /// Returns a motion and forces that these modes allow, or which of them contradict.
   std::variant<ProgramPoint, Contradiction> point_in(const Modes& modes) const {
     LinearProgram program;
-    std::vector<std::size_t> gap_rows;   // by contact
+    std::vector<std::size_t> gap_rows;   // rows by contact
     std::vector<std::size_t> slip_rows;  // likewise; if there is none, that of the gap
     program.add_variables(law_.motions, VariableKind::kFree);
-    std::vector<RationalRow> balance(
-        law_.motions);  // of the coordinates of motions, then edges
+    std::vector<RationalRow> balance(law_.motions);  // coordinates of motions, then edges
     RationalRow rest;
     for (std::size_t j = 0; j < law_.motions; ++j) rest.push_back(-law_.wrench[j].low);
     std::vector<std::array<std::optional<std::size_t>, 2>> variables(modes.size());
@@ -176,7 +176,7 @@ class ModeProgram {
       row[variable] = value;
       return row;
     };
-    std::vector<std::pair<std::size_t, RationalRow>> wrenches;  // by variable
+    std::vector<std::pair<std::size_t, RationalRow>> wrenches;  // wrenches by variable
     for (std::size_t i = 0; i < modes.size(); ++i) {
       const LawContact& c = law_.contacts[i];
       const CornerRow& corner = c.corners.front();
@@ -257,7 +257,7 @@ class ModeProgram {
     return point;
   }
 
-  /// Requires that no law is broken.
+  /// Returns the point as a witness. Requires that no law is broken.
   ShareWitness witness_of(const ProgramPoint& point) const {
     ShareWitness witness{point.motion, {}};
     for (std::size_t i = 0; i < point.edges.size(); ++i) {
@@ -273,7 +273,7 @@ class ModeProgram {
   const GraspLaw& law_;
   const NearEquilibrium& near_;
   std::vector<RationalRow> slips_;  ///< multiples of S by contact
-  std::size_t programs_ = 0;        ///< that were solved
+  std::size_t programs_ = 0;        ///< how many were solved
 };
 
 }  // namespace

@@ -8,11 +8,11 @@
 namespace stickslip {
 namespace {
 
-/// How little friction that sticks yields, of the reach for all that there may be.
+/// A sticking contact yields by this part of the reach for all the friction that there may be.
 constexpr double kYields = 1e-9;
 
-/// Of the law of one contact at an equilibrium of another grasp, in its mode: its wrench, its
-/// slip if it sticks, and then the friction that there may be.
+/// The part of one contact in an equilibrium of another grasp, in its mode there: its wrench,
+/// its slip if it sticks, and the most friction that there may be.
 struct Part {
   Reals wrench;
   Eigen::VectorXd slip;
@@ -94,15 +94,15 @@ std::vector<LostWay> MovingEquilibrium::ways_out() const {
   return lost;
 }
 
-/// Friction that sticks yields a very little to a larger share of what there may be: that moves
-/// nothing, but tells which way it will slip.
+/// Lets friction that sticks yield a very little to a larger share of what there may be. That
+/// moves nothing, but tells which way it will slip.
 Eigen::MatrixXd MovingEquilibrium::moves(const Place& place,
                                          const NearEquilibrium& here) const {
   NearEquilibrium near = here;
   const RoundedGrasp grasp = box_.at(place);
   const ModalEquations equations(grasp, near);
   const std::size_t m = near.sticks.size();
-  std::vector<Eigen::Index> first;  // of a contact's slips
+  std::vector<Eigen::Index> first;  // the first of a contact's slips
   Eigen::Index slips = 0;
   for (std::size_t i = 0; i < m; ++i) {
     first.push_back(slips);
@@ -112,7 +112,7 @@ Eigen::MatrixXd MovingEquilibrium::moves(const Place& place,
   for (Eigen::Index n = 0; n < place.size(); ++n) {
     Reals off = Reals::Zero(near.motion.size());
     Eigen::VectorXd slip = Eigen::VectorXd::Zero(slips);
-    std::vector<double> most(m);  // by how much friction there may be more
+    std::vector<double> most(m);  // how much more friction there may be
     const auto number = static_cast<std::size_t>(n);
     const bool is_multiple = number == box_.numbers().size();
     for (const double sign : {0.5, -0.5}) {

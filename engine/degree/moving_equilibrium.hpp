@@ -13,36 +13,37 @@ namespace stickslip {
 /// An equilibrium followed from the middle of a box to a place in it.
 struct EquilibriumPath {
   std::vector<NearEquilibrium> equilibria;  ///< some on the way, and the last one reached
-  double part = 0;                          ///< of the way, reached before it was lost; 1: all
+  double part = 0;  ///< the part of the way that was reached before it was lost; 1: all
 };
 
-/// Towards this place the equilibrium is lost after this part of the way.
+/// A way from the middle on which the equilibrium is lost.
 struct LostWay {
   RoundedBox::Place to;  ///< a corner of the box
-  double part;           ///< below 1
+  double part;           ///< the part of it that is reached; below 1
 };
 
 /// An equilibrium of the grasp in the middle of a box.
 class MovingEquilibrium {
  public:
-  using Place = RoundedBox::Place;  ///< of a grasp
+  using Place = RoundedBox::Place;  ///< the place of a grasp
 
   /// The box must outlive it.
   MovingEquilibrium(const RoundedBox& box, NearEquilibrium middle)
       : box_(box), start_(std::move(middle)) {}
 
-  const NearEquilibrium& start() const { return start_; }  ///< in the middle
+  const NearEquilibrium& start() const { return start_; }  ///< the equilibrium in the middle
 
-  /// From the middle.
+  /// Follows the equilibrium from the middle to this place.
   EquilibriumPath follow(const Place& to) const;
-  /// Corners towards which it is lost, soonest first: those that move it most along the normal
-  /// or a tangent of some contact, from the middle or from where it was lost soonest before.
+  /// Returns corners towards which the equilibrium is lost, soonest first. They are those that
+  /// move it most along the normal or a tangent of some contact, from the middle or from where
+  /// it was lost soonest before.
   std::vector<LostWay> ways_out() const;
-  /// By how much half an interval of each number moves an equilibrium at a place, to first
-  /// order: by columns. O(numbers D^2).
+  /// Returns how far half an interval of each number moves an equilibrium at a place, to first
+  /// order: a column for each number. O(numbers D^2).
   Eigen::MatrixXd moves(const Place& place, const NearEquilibrium& here) const;
-  /// By how much it has moved on the way to where it goes farthest along each of these rows,
-  /// either way.
+  /// Returns the moves of the equilibrium on the way to where it goes farthest along each of
+  /// these rows, either way.
   std::vector<Reals> extremes(const Eigen::MatrixXd& rows) const;
 
  private:

@@ -11,8 +11,8 @@ namespace stickslip {
 
 namespace {
 
-/// A friction force, or a slip as one, as a vector: in the plane it is a multiple of the normal
-/// turned by +90 degrees.
+/// Returns a friction force, or a slip as one, as a vector. In the plane it is a multiple of
+/// the normal turned by +90 degrees.
 Vector3 as_vector(const RationalRow& f, const RationalRow& normal) {
   if (f.size() == 1) return {-f[0] * normal[1], f[0] * normal[0], 0};
   return {f[0], f[1], f[2]};
@@ -27,7 +27,7 @@ std::vector<SpatialForce> near_forces(const Question& question, const RationalRo
   for (std::size_t j = 0; j < d.size(); ++j) {
     near.motion[static_cast<Eigen::Index>(j)] = to_double(d[j]) * law.unit(j);
   }
-  std::vector<Double3> slips;  // as near.friction
+  std::vector<Double3> slips;  // slips in the form of near.friction
   double furthest = 0;
   for (const RoundedContact& c : grasp.contacts) {
     const Eigen::VectorXd slip = c.slip * near.motion;

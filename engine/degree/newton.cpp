@@ -26,7 +26,7 @@ Double3 stored(const Across& f) {
   return result;
 }
 
-/// How the direction of a slip changes with it, times its length.
+/// Returns how the direction of a slip changes with it, times its length.
 Curvature across_slip(const Across& direction) {
   return Curvature::Identity(direction.size(), direction.size()) -
          direction * direction.transpose();
@@ -34,12 +34,13 @@ Curvature across_slip(const Across& direction) {
 
 }  // namespace
 
-/// How the force of a contact grows with the size over which friction is smooth.
+/// Returns how the force of a contact grows with the size over which friction is smooth.
 double Newton::pressing(const RoundedContact& c) const {
   return c.is_spring ? 0 : press_ * c.stiffness * c.size;
 }
 
-/// Load and forces with friction smoothed over slips of this size, and the derivative.
+/// Returns the load and all forces, with friction smoothed over slips of this size; sets the
+/// derivative.
 Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivative) const {
   Reals sum = grasp_.load;
   if (derivative != nullptr) derivative->setZero(motion.size(), motion.size());
@@ -158,9 +159,9 @@ std::optional<NearEquilibrium> Newton::polish(NearEquilibrium near) const {
   return std::nullopt;
 }
 
-/// Friction where it sticks, with the same sum: the largest share of what there may be is made
-/// small, so that it holds with some to spare. By least squares, again and again with more
-/// weight where the share is large.
+/// Shares out friction among the contacts that stick, with the same sum. The largest share of
+/// what there may be is made small, so that it holds with some to spare: by least squares,
+/// again and again, in which large shares cost more and more.
 void Newton::share_out(NearEquilibrium& near) const {
   const Eigen::Index d = grasp_.motions();
   struct Share {
@@ -179,7 +180,7 @@ void Newton::share_out(NearEquilibrium& near) const {
     size += c.slip.rows();
   }
   if (sticking.empty()) return;
-  Eigen::MatrixXd wrenches(d, size);  // of unit shares
+  Eigen::MatrixXd wrenches(d, size);  // wrenches of unit shares
   Eigen::VectorXd shares(size);
   for (const auto& [contact, most, first, count] : sticking) {
     const RoundedContact& c = grasp_.contacts[contact];
@@ -199,7 +200,7 @@ void Newton::share_out(NearEquilibrium& near) const {
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::MatrixXd weighted = wrenches * weights.asDiagonal();
     const Eigen::VectorXd next = weights.asDiagonal() * least_squares(weighted, sum);
-    // What is off by rounding is not to be kept.
+    // A result that rounding has put off is not kept.
     constexpr double kBalanced = 1e-12;
     if (!next.allFinite() || !((wrenches * next - sum).norm() <= kBalanced * grasp_.force))
       break;
@@ -214,18 +215,18 @@ void Newton::share_out(NearEquilibrium& near) const {
   }
 }
 
-/// From d, to where all forces balance with friction smooth over slips of this size; false if
-/// that does not converge.
+/// Moves d to where all forces balance, with friction smooth over slips of this size. Returns
+/// false if that does not converge.
 bool Newton::balance(Reals& d, double smooth) const {
   constexpr int kMostSteps = 30;
   constexpr double kBalanced = 1e-11;
-  constexpr double kRounding = 1e-14;  // of slips, and so of friction over this size
+  constexpr double kRounding = 1e-14;  // part of slips, and so of friction over this size
   Eigen::MatrixXd derivative;
   Reals f = force(d, smooth, &derivative);
   for (int step = 0; step < kMostSteps; ++step) {
     const double rounding = press_ > 0 ? kRounding * d.norm() / smooth : 0;
     if (f.norm() <= (kBalanced + rounding) * grasp_.force) return true;
-    // Where nothing holds the object, a weak spring does.
+    // A weak spring holds the object where nothing else does.
     Eigen::MatrixXd system = derivative;
     system.diagonal().array() -= 1e-9 * grasp_.force / grasp_.reach;
     const Reals move = -solution(system, f);
@@ -244,8 +245,8 @@ bool Newton::balance(Reals& d, double smooth) const {
   return false;
 }
 
-/// How d changes with the size over which friction is smooth: what slips less than that goes on
-/// to have as much friction.
+/// Returns how d changes with the size over which friction is smooth: contacts that slip less
+/// than that go on to have as much friction.
 Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
   Reals change = Reals::Zero(d.size());
   for (const RoundedContact& c : grasp_.contacts) {
@@ -264,12 +265,12 @@ Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
   return -solution(derivative, change);
 }
 
-/// Where slips become as small as friction is smooth, many contacts change at once, and steps
-/// must be smaller.
+/// Takes smaller steps where slips become as small as friction is smooth, as many contacts
+/// change at once there.
 std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
   constexpr double kLargest = 8;
   constexpr double kSmallest = 1.05;
-  constexpr double kLeastSmooth = 1e-10;  // of the reach
+  constexpr double kLeastSmooth = 1e-10;  // relative to the reach
   Reals d = start;
   double smooth = kLargest * grasp_.reach;
   bool converged = balance(d, smooth);
@@ -293,7 +294,7 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
     if (factor < kSmallest) return std::nullopt;
   }
   if (!converged) {
-    // What is left is rounding where slips are very small.
+    // The rest is rounding where slips are very small.
     constexpr double kNearly = 1e-7;
     if (!(force(d, smooth, nullptr).norm() <= kNearly * grasp_.force)) return std::nullopt;
   }
@@ -308,15 +309,15 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
   return result;
 }
 
-/// Which contacts are closed and which stick is guessed from the last motion and forces, until
-/// it is right.
+/// Guesses from the last motion and forces which contacts are closed and which stick, until
+/// that is right; returns nothing if it never is.
 std::optional<NearEquilibrium> Newton::change_modes(NearEquilibrium near) const {
-  constexpr double kStill = 1e-9;  // of a typical motion, as all of these
+  constexpr double kStill = 1e-9;  // relative to a typical motion, as all of these
   constexpr double kNear = 0.1;
   constexpr double kSlips = 1e-4;
   constexpr double kLawful = 1e-6;
   const double travel = std::max(grasp_.reach, near.motion.norm());
-  std::vector<Across> shares;  // of the friction that there may be
+  std::vector<Across> shares;  // shares of the friction that there may be
   for (std::size_t i = 0; i < grasp_.contacts.size(); ++i) {
     const RoundedContact& c = grasp_.contacts[i];
     const double most = c.slope * near.normal[i];
@@ -325,16 +326,15 @@ std::optional<NearEquilibrium> Newton::change_modes(NearEquilibrium near) const 
   }
   constexpr int kSteps = 20;
   for (int step = 0; step < kSteps; ++step) {
-    Reals sum = grasp_.load;  // of the forces that the shares say
-    Reals stuck =
-        Reals::Zero(grasp_.motions());  // of friction against what slips there still is
+    Reals sum = grasp_.load;                      // the sum of forces with these shares
+    Reals stuck = Reals::Zero(grasp_.motions());  // friction against slips that there still are
     Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(grasp_.motions(), grasp_.motions());
     bool lawful = true;
     for (std::size_t i = 0; i < grasp_.contacts.size(); ++i) {
       const RoundedContact& c = grasp_.contacts[i];
       const double a = c.separation(near.motion);
       const Across slip = c.slip * near.motion;
-      // What sticks is what a small slip back would not make slip.
+      // A contact sticks if a small slip back would not make it slip.
       const Across trial = shares[i] - slip / (kNear * travel);
       near.normal[i] = c.force(near.motion);
       near.sticks[i] = a > 0 && c.slope > 0 && trial.norm() < 1 ? 1 : 0;
@@ -361,7 +361,7 @@ std::optional<NearEquilibrium> Newton::change_modes(NearEquilibrium near) const 
       }
       return near;
     }
-    // Never singular.
+    // This keeps the derivative from being singular.
     derivative.diagonal().array() -= 1e-12 * derivative.diagonal().cwiseAbs().sum() + 1e-300;
     const Reals change = -solution(derivative, sum + stuck);
     if (!change.allFinite()) return std::nullopt;
@@ -379,8 +379,8 @@ std::optional<NearEquilibrium> Newton::follow(const NearEquilibrium& near) const
   return found ? polish(std::move(*found)) : std::nullopt;
 }
 
-/// By augmented Lagrangians: beside the friction that they have, sticking contacts have
-/// springs, and it becomes what these do. Contacts that break a law change the mode.
+/// Works by augmented Lagrangians: beside the friction that they have, sticking contacts have
+/// springs, whose forces then become friction. Contacts that break a law change the mode.
 NearEquilibrium Newton::settle(NearEquilibrium near) const {
   struct Sticking {
     Reals row;     ///< mu T
@@ -388,7 +388,7 @@ NearEquilibrium Newton::settle(NearEquilibrium near) const {
     std::size_t contact;
   };
   const std::size_t m = grasp_.contacts.size();
-  std::vector<double> shares(m);  // of the friction that there may be
+  std::vector<double> shares(m);  // shares of the friction that there may be
   for (std::size_t i = 0; i < m; ++i) {
     const double most = grasp_.contacts[i].slope * near.normal[i];
     if (most > 0) shares[i] = std::clamp(near.friction[i][0] / most, -1.0, 1.0);
@@ -409,13 +409,13 @@ NearEquilibrium Newton::settle(NearEquilibrium near) const {
       const Reals edge = c.normal + shares[i] * friction;
       sum += v * edge;
       answer += c.stiffness * edge * c.normal.transpose();
-      // A little beyond what there is, so that all that stick are taken.
+      // Spare is a little more than there is, so that all that stick are taken.
       if (near.sticks[i] != 0) {
         sticking.push_back({friction, v * (1.0000001 - std::fabs(shares[i])), i});
       }
     }
     const double spring = 3 * answer.norm();
-    // If those whose slips are independent stay, the others do.
+    // The others stay if the contacts whose slips are independent do.
     degree_detail::IndependentRows independent(grasp_.motions());
     std::vector<Sticking> chosen;
     constexpr double kIndependent = 1e-3;
@@ -452,7 +452,8 @@ Eigen::MatrixXd Newton::answer(const Reals& motion, double smooth) const {
   return -derivative;
 }
 
-/// Where friction holds whatever is closed: Newton's method with smooth friction can miss it.
+/// Returns the state at rest in which friction holds whatever is closed: Newton's method with
+/// smooth friction can miss it.
 NearEquilibrium Newton::at_rest() const {
   NearEquilibrium rest{Reals::Zero(grasp_.motions()), {}, {}, {}};
   for (const RoundedContact& c : grasp_.contacts) {

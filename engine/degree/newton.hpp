@@ -12,50 +12,54 @@
 
 namespace stickslip {
 
-/// The equations of an equilibrium with given modes, to first order: balance, and no slip where
-/// it sticks, of the motion and of friction there. O(contacts D^2).
+/// The equations of an equilibrium with given modes, to first order, for the motion and for the
+/// friction of the contacts that stick: balance, and no slip at these. O(contacts D^2).
 class ModalEquations {
  public:
-  /// At `near`, whose normal forces, and friction where it slips, become those of its motion.
+  /// Takes the equations at `near`. Its normal forces, and its friction where it slips, become
+  /// those of its motion.
   ModalEquations(const RoundedGrasp& grasp, NearEquilibrium& near);
 
-  const Reals& off() const { return off_; }                ///< the load and all forces
-  const Eigen::VectorXd& slips() const { return slips_; }  ///< where it sticks
-  /// By how much the motion has to change for what is off, and these slips, to vanish.
+  const Reals& off() const { return off_; }                ///< residual: load and all forces
+  const Eigen::VectorXd& slips() const { return slips_; }  ///< the slips of contacts that stick
+  /// Returns the Newton step of the motion that cancels the residual and these slips.
   Reals motion_change(const Reals& off, const Eigen::VectorXd& slips) const;
-  /// And friction where it sticks, with that change of the motion.
+  /// Returns the step of the friction of contacts that stick, with that step of the motion.
   Eigen::VectorXd friction_change(const Reals& off, const Reals& motion_change) const;
 
  private:
   Reals off_;
   Eigen::VectorXd slips_;
-  Eigen::MatrixXd derivative_;  ///< of what is off
-  Eigen::MatrixXd answer_;      ///< of friction to forces, of least squares
-  Eigen::MatrixXd free_;        ///< motions without slip where it sticks, by columns
+  Eigen::MatrixXd derivative_;  ///< the derivative of the residual
+  Eigen::MatrixXd answer_;      ///< from forces to friction, by least squares
+  Eigen::MatrixXd free_;        ///< motions without slip of contacts that stick, by columns
 };
 
-/// Newton's method on a grasp, which must outlive it.
+/// Newton's method on a grasp.
 class Newton {
  public:
-  /// Of this grasp.
+  /// The grasp must outlive this.
   explicit Newton(const RoundedGrasp& grasp) : grasp_(grasp) {}
 
-  /// From a motion, with friction smoothed over slips that become smaller and smaller; nothing
-  /// if that does not converge.
+  /// Starts from a motion, with friction smoothed over slips that become smaller and smaller.
+  /// Returns nothing if that does not converge.
   std::optional<NearEquilibrium> solve(const Reals& start) const;
-  /// In the plane, from modes that are only nearly right; what it comes to may be no
+  /// Starts, in the plane, from modes that are only nearly right. The result may be no
   /// equilibrium.
   NearEquilibrium settle(NearEquilibrium near) const;
-  /// With the modes of one that is near: what sticks there sticks.
+  /// Returns the equilibrium with the modes of one that is near: contacts that stick there
+  /// stick. Returns nothing if that does not converge or takes more friction than there is.
   std::optional<NearEquilibrium> polish(NearEquilibrium near) const;
-  /// Of another grasp than that of one that is near: in the same modes, or in others; nothing
-  /// where it was lost.
+  /// Starts from an equilibrium of another grasp: returns one of this grasp in the same modes,
+  /// or in others; nothing if it was lost.
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
-  /// With what is closed at rest sticking, from rest, and from motions at random, always the
-  /// same: those that differ. If there are none, and no preloads, once more with all contacts
-  /// pressed at first. Of some the mode is not certain.
+  /// Returns the different equilibria that are found from rest with all closed contacts
+  /// sticking, and by solve() from `starts` motions: rest, then fixed pseudo-random ones. If
+  /// there are none, and no preloads, searches once more with all contacts pressed at first.
+  /// The modes of some are not certain.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
-  /// How forces answer a motion, against it, with friction smooth over slips of this size.
+  /// Returns how forces answer a motion, against it, with friction smooth over slips of this
+  /// size: minus the derivative of their sum.
   Eigen::MatrixXd answer(const Reals& motion, double smooth) const;
 
  private:
@@ -68,9 +72,9 @@ class Newton {
   Reals change_with_smooth(const Reals& d, double smooth) const;
 
   const RoundedGrasp& grasp_;
-  /// By how much deeper all contacts are pressed than they are, over the size of slips over
-  /// which friction is smooth: a grasp that hangs together by its loads alone has no forces at
-  /// rest.
+  /// The depth by which all contacts are pressed more than they are, over the size of slips
+  /// over which friction is smooth. A grasp that hangs together by its loads alone has no
+  /// forces at rest, and needs it.
   double press_ = 0;
 };
 

@@ -52,10 +52,11 @@ class RestSearch {
   };
 
   static constexpr double kStill = 1e-9;
-  static constexpr double kFlat = 1e-9;  ///< of what is independent
+  static constexpr double kFlat = 1e-9;  ///< the part below which nothing is independent
   static constexpr int kBits = 24;
 
-  /// Of many contacts a few answer as well, and with less to be written.
+  /// Keeps the contacts with most to spare: of many, a few answer as well, and with less to be
+  /// written.
   void take_those_with_most_to_spare() {
     constexpr std::size_t kMany = 8;
     std::stable_sort(bearing_.begin(), bearing_.end(),
@@ -72,7 +73,7 @@ class RestSearch {
               [](const Bearing& a, const Bearing& b) { return a.contact < b.contact; });
   }
 
-  /// S in the middle of the box, in doubles.
+  /// Returns S in the middle of the box, in doubles.
   Eigen::MatrixXd slip_of(std::size_t contact) const {
     const std::vector<Reals>& rows = box_.contacts[contact].corners.front().slip_rounded;
     Eigen::MatrixXd slip(static_cast<Eigen::Index>(rows.size()), motions_);
@@ -82,7 +83,7 @@ class RestSearch {
     return slip;
   }
 
-  /// G: a right inverse, in which those with more to spare answer more.
+  /// Chooses G: a right inverse, in which contacts with more to spare answer more.
   bool choose_answers() {
     if (bearing_.empty()) return false;
     std::vector<Eigen::Index> first{0};  // column of each
@@ -102,8 +103,8 @@ class RestSearch {
     Eigen::MatrixXd answers =
         weights.asDiagonal() * wrenches.transpose() * pseudo_inverse(gram, kFlat);
     if (!answers.allFinite()) return false;
-    // What friction does not answer, as along the normal of all contacts, has to balance by
-    // itself.
+    // A load that friction does not answer, as along the normal of all contacts, has to balance
+    // by itself.
     const Eigen::MatrixXd off =
         wrenches * answers - Eigen::MatrixXd::Identity(motions_, motions_);
     for (Eigen::Index l = 0; l < motions_; ++l) {
@@ -134,7 +135,7 @@ class RestSearch {
     }
   }
 
-  /// max |W|, and max |M - 1| by rows.
+  /// Measures max |W|, and max |M - 1| by rows.
   void measure(Rows& off, RationalRow& rest) const {
     for (const Rational& multiple : multiples_) {
       WrenchRange sum = loads_at(box_, multiple);
@@ -157,7 +158,7 @@ class RestSearch {
     }
   }
 
-  /// Z, a little above the solution of Z = |W| + |M - 1| Z, in few bits.
+  /// Chooses Z, a little above the solution of Z = |W| + |M - 1| Z, in few bits.
   bool choose_reach(const Rows& off, const RationalRow& rest) {
     Eigen::MatrixXd system = Eigen::MatrixXd::Identity(motions_, motions_);
     Reals right(motions_);
@@ -168,7 +169,7 @@ class RestSearch {
         system(row, static_cast<Eigen::Index>(l)) -= to_double(off[k][l]);
       }
     }
-    // What is 0 must stay above what the others bring, if anything answers it.
+    // A component that is 0 must stay above what the others bring, if anything answers it.
     constexpr double kLeast = 1e-12;
     const double least = kLeast * right.maxCoeff();
     for (Eigen::Index k = 0; k < motions_; ++k) {
@@ -185,7 +186,7 @@ class RestSearch {
     return true;
   }
 
-  /// `rest-reach` and `rest-cone`.
+  /// Returns whether the rules `rest-reach` and `rest-cone` hold.
   bool holds(const Rows& off, const RationalRow& rest) const {
     for (std::size_t k = 0; k < rest.size(); ++k) {
       if (rest[k] + dot(off[k], proof_.reach) > proof_.reach[k]) return false;
@@ -215,8 +216,8 @@ class RestSearch {
   const GraspLaw& box_;
   const NearEquilibrium& middle_;
   Eigen::Index motions_;
-  std::vector<Rational> multiples_;  ///< of a margin its ends
-  std::vector<Bearing> bearing_;     ///< whose friction answers
+  std::vector<Rational> multiples_;  ///< 0, or the ends of a margin
+  std::vector<Bearing> bearing_;     ///< contacts whose friction answers
   RestProof proof_;
 };
 

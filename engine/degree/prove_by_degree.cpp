@@ -17,22 +17,23 @@ namespace {
 
 using Pull = Walls::Pull;
 
-/// In so many, forces on all walls tell which A is best.
+/// Forces on all walls tell which A is best in so many dimensions or fewer.
 constexpr std::size_t kFewDimensions = 3;
-/// A wall of a parallelepiped has 2^(rank - 1) vertices, and one of a simplex rank.
+/// The largest rank for parallelepipeds: a wall of one has 2^(rank - 1) vertices, one of a
+/// simplex rank.
 constexpr std::size_t kMostOfParallelepipeds = 6;
-/// \{ Of a tree that is worth a try.
+/// \{ The most nodes of a tree that is worth a try.
 constexpr std::size_t kFewNodes = 40;
 constexpr std::size_t kSomeNodes = 300;
 /// \}
 
-/// Rule `degree-bound`, of verdicts: whether all of the body, up to free motions, is within the
-/// bound.
+/// Returns whether all of the body, up to free motions, is within the bound: rule
+/// `degree-bound`, of verdicts.
 bool is_within(const DegreeProof& proof, const RationalRow& bound) {
   if (bound.empty()) return true;
   const std::size_t rows = proof.walls.size();
-  // Of a parallelepiped how far each row's wall goes alone; of a simplex its vertices, at each
-  // of which all rows but one are 1.
+  // The ways are, of a parallelepiped, how far each row's wall goes alone; of a simplex its
+  // vertices, at each of which all rows but one are 1.
   std::vector<RationalRow> ways;
   for (std::size_t k = 0; k < rows; ++k) {
     RationalRow at(rows);
@@ -68,18 +69,18 @@ bool is_within(const DegreeProof& proof, const RationalRow& bound) {
 
 /// One proposal of walls, grown until they are refuted.
 struct Attempt {
-  double size;               ///< as of Walls
-  std::size_t node_limit;    ///< of a tree
+  double size;               ///< the size for Walls
+  std::size_t node_limit;    ///< the limit of a tree
   std::size_t most_growths;  ///< equilibria that go much farther are lost at a fold
   std::size_t most_nodes;    ///< nothing is tried once there were so many in all
   bool is_simplex = false;
 };
 
-/// What is to be proved stable.
+/// The grasps that are to be proved stable.
 struct DegreeSubject {
-  RoundedGrasp grasp;   ///< in the middle, or the only one
-  ForceSpan span;       ///< of all grasps
-  NormalLaw law;        ///< of all contacts
+  RoundedGrasp grasp;   ///< the grasp in the middle, or the only one
+  ForceSpan span;       ///< the span of all grasps' forces
+  NormalLaw law;        ///< the law of all contacts
   const GraspLaw* box;  ///< nullptr: one grasp in the plane
 };
 
@@ -89,13 +90,13 @@ class DegreeSearch {
                SearchWork& work)
       : about_(about), refuter_(refuter), limits_(limits), work_(work) {}
 
-  /// Every grasp of a box.
+  /// Proves every grasp of a box.
   std::optional<DegreeProof> prove_box(const NearEquilibrium& near) {
     return about_.span.rank() <= kFewDimensions ? prove_by_moves(near) : prove_by_size(near);
   }
-  /// One grasp, near what may be an equilibrium.
+  /// Proves one grasp, near what may be an equilibrium.
   std::optional<DegreeProof> prove_quickly(const NearEquilibrium& proposed);
-  /// Where that failed, near an equilibrium.
+  /// Proves one grasp near an equilibrium, where prove_quickly() failed.
   std::optional<DegreeProof> prove_one(const NearEquilibrium& near);
 
  private:
@@ -117,7 +118,7 @@ class DegreeSearch {
   SearchWork& work_;
 };
 
-/// All that matters is the size, where the equilibrium moves little.
+/// Tries one size after another: if the equilibrium moves little, that is all that matters.
 std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& near) {
   constexpr double kLeastQuick = 1e-3;
   const std::size_t limit = limits_.node_limit;
@@ -147,7 +148,7 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
   return limits_.is_wide ? std::nullopt : prove_smoothly(near, std::min(limit, kSomeNodes));
 }
 
-/// With walls across smooth forces, of one size after another.
+/// Tries walls across smooth forces, of one size after another.
 std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& near,
                                                         std::size_t node_limit) {
   if (node_limit == 0) return std::nullopt;
@@ -166,8 +167,8 @@ std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& n
   return std::nullopt;
 }
 
-/// Where a mode ends near the equilibrium, as of many contacts, walls across smooth forces are
-/// best, and what is proposed need not be exact.
+/// Tries walls in the mode, then across smooth forces. The latter are best if a mode ends near
+/// the equilibrium, as with many contacts, and the proposal need not be exact for them.
 std::optional<DegreeProof> DegreeSearch::prove_quickly(const NearEquilibrium& proposed) {
   const auto polished = Newton(about_.grasp).polish(proposed);
   if (polished) {
@@ -197,8 +198,8 @@ std::optional<DegreeProof> DegreeSearch::prove_in_mode(const NearEquilibrium& ne
                     {Pull::kTwists, Pull::kStiff});
 }
 
-/// On the walls this part of all normal forces is left over; friction is smooth over this part
-/// of how far that moves springs.
+/// Tries walls on which the part `part` of all normal forces is left over; friction is smooth
+/// over the part `slip` of how far that moves springs.
 std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& near,
                                                         double part, double slip,
                                                         std::size_t node_limit) {
@@ -220,8 +221,8 @@ std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& n
       {Pull::kAnswer});
 }
 
-/// Walls that fit the moves: where the equilibrium goes farthest, or as far as the first order
-/// says.
+/// Tries walls that fit the moves: where the equilibrium goes farthest, or as far as the first
+/// order says.
 std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& near) {
   const RoundedBox rounded(*about_.box);
   const RoundedGrasp grasp = rounded.at(rounded.middle());
@@ -236,7 +237,7 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
     walls.turn_to(first);
     std::vector<Reals> moves = first;
     if (first_order) {
-      // All at once, whichever way is farthest.
+      // All numbers move at once, whichever way is farthest.
       for (const auto& row : walls.rows().rowwise()) {
         const Reals all = each * (row * each).transpose().cwiseSign();
         moves.push_back(all);
@@ -254,7 +255,7 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
   return std::nullopt;
 }
 
-/// The walls that are not refuted; without growing, the first of them.
+/// Returns the walls that are not refuted; without growing, the first of them.
 std::vector<std::size_t> DegreeSearch::open_walls(DegreeProof& proof, bool second,
                                                   const Attempt& attempt) {
   std::vector<std::size_t> open;
@@ -281,7 +282,7 @@ std::optional<DegreeProof> DegreeSearch::prove_with(Walls walls, const Attempt& 
       return std::nullopt;
     }
     std::vector<std::size_t> open;
-    if (!is_one) open = open_walls(proof, false, attempt);  // else list 2 is enough
+    if (!is_one) open = open_walls(proof, false, attempt);  // list 2 is enough for one grasp
     if (open.empty()) {
       const auto second_list = static_cast<std::ptrdiff_t>(proof.trees.size());
       for (const Pull pull : pulls) {

@@ -12,30 +12,31 @@
 
 namespace stickslip {
 
-/// What a proof may take.
+/// The limits of a proof.
 struct DegreeLimits {
-  std::size_t node_limit;  ///< of a wall's tree; 0: only what is quick is tried
-  std::size_t most_nodes;  ///< in space nothing is tried once there were so many in all
-  bool is_wide;            ///< the box is more than what encloses lengths
+  std::size_t node_limit;  ///< the limit of a wall's tree; 0: only what is quick is tried
+  std::size_t most_nodes;  ///< once all trees have so many in all, nothing is tried in space
+  bool is_wide;            ///< the user gave intervals; the box is not just rounding of lengths
 };
 
 /// Tries to prove that every grasp in the box has an equilibrium near this one of its middle,
-/// which is `middle`; of a margin for all of its multiples. Adds to `work`.
+/// which is `middle`; for a margin, at all of its multiples. Adds to `work`.
 std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& middle,
                                            const NearEquilibrium& near,
                                            const DegreeLimits& limits, SearchWork& work);
 
-/// The same of one grasp in the plane, around an equilibrium of its own, however many contacts
-/// it has; not of a family.
+/// Tries the same for one grasp in the plane, around an equilibrium of its own, however many
+/// contacts it has; not for a family.
 std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& work);
 
-/// A proof near an equilibrium of the middle that is at rest: nothing moves, and friction
-/// answers whatever load is left. Verified exactly by the rules of the format. O(contacts).
+/// Tries a proof near an equilibrium of the middle that is at rest: nothing moves, and friction
+/// answers whatever load is left. The proof is verified exactly by the rules of the format.
+/// O(contacts).
 std::optional<RestProof> prove_at_rest(const GraspLaw& box, const NearEquilibrium& middle);
 
-/// A proof near an equilibrium of the middle at which all contacts that press and rub stick,
-/// though it may move: contacts press a little more or less, and friction answers the rest.
-/// Verified exactly by the rules of the format. O(contacts).
+/// Tries a proof near an equilibrium of the middle at which all contacts that press and rub
+/// stick, though it may move: contacts press a little more or less, and friction answers the
+/// rest. The proof is verified exactly by the rules of the format. O(contacts).
 std::optional<StickingProof> prove_sticking(const GraspLaw& box, const NearEquilibrium& middle);
 
 }  // namespace stickslip

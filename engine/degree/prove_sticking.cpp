@@ -14,7 +14,7 @@ using namespace degree_detail;
 
 namespace {
 
-constexpr unsigned kRootBits = 64;  // of the format
+constexpr unsigned kRootBits = 64;  // the format's
 
 /// The numbers of one element that the rules compare, over the box at one multiple.
 struct PressedContact {
@@ -57,7 +57,7 @@ class StickingSearch {
   }
 
  private:
-  static constexpr double kFlat = 1e-9;  ///< of what is independent
+  static constexpr double kFlat = 1e-9;  ///< the part below which nothing is independent
   static constexpr int kForceBits = 24;
 
   bool moves() const {
@@ -65,7 +65,7 @@ class StickingSearch {
                        [](const Rational& d) { return !d.is_zero(); });
   }
 
-  /// Rule `sticking-motion`, but for the bilateral law.
+  /// Returns whether rule `sticking-motion` holds, but for the bilateral law.
   bool may_move() const {
     if (!moves()) return true;
     return multiples_.size() == 1 &&
@@ -73,8 +73,9 @@ class StickingSearch {
                        [](const LawContact& c) { return c.tilt.is_zero(); });
   }
 
-  /// Lists what presses; false if something that presses slips. Of many contacts all that carry
-  /// friction are listed, and few answer.
+  /// Lists what presses. Returns false if nothing does, if a contact that presses slips or has
+  /// no friction to spare, or if one opens under the bilateral law. Of many contacts all that
+  /// carry friction are listed, and few answer.
   bool choose_contacts() {
     for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
       const LawContact& c = box_.contacts[i];
@@ -108,10 +109,10 @@ class StickingSearch {
 
   struct Bearing {
     std::size_t contact;
-    double spare;  ///< of friction, or of what presses
+    double spare;  ///< friction, or the normal force
   };
 
-  /// Keeps those with most to spare, as many as have full rank.
+  /// Keeps those with most to spare: 8, or more until the rank is full, but 32 at most.
   template <class RowsOf>
   void keep_best(std::vector<Bearing>& bearing, const RowsOf& rows_of) const {
     constexpr std::size_t kMany = 8;
@@ -144,8 +145,8 @@ class StickingSearch {
     return slip;
   }
 
-  /// H and G: a right inverse, in which what has more to spare answers more. A stiff contact
-  /// presses more for the same energy.
+  /// Chooses H and G: a right inverse, in which contacts with more to spare answer more. A
+  /// stiff contact presses more for the same energy.
   bool choose_answers() {
     double stiffest = 0;
     for (const Bearing& b : pressing_) {
@@ -161,7 +162,7 @@ class StickingSearch {
     }
     Eigen::MatrixXd wrenches(motions_, columns);
     Eigen::VectorXd weights(columns);
-    double most = 0;  // that friction has to spare
+    double most = 0;  // the most that friction has to spare
     for (const Bearing& b : rubbing_) most = std::max(most, b.spare);
     for (std::size_t k = 0; k < pressing_.size(); ++k) {
       const LawContact& c = box_.contacts[pressing_[k].contact];
@@ -211,7 +212,7 @@ class StickingSearch {
     return true;
   }
 
-  /// v, a0 and sigma of all contacts, at a multiple.
+  /// Measures v, a0 and sigma of all contacts, at a multiple.
   void measure_contacts(const Rational& multiple) {
     std::vector<PressedContact>& all = contacts_.emplace_back();
     RationalRow x = proof_.motion;
@@ -257,7 +258,7 @@ class StickingSearch {
     }
   }
 
-  /// max |W|, and max |M - 1| by rows.
+  /// Measures max |W|, and max |M - 1| by rows.
   void measure(Rows& off, RationalRow& rest) const {
     for (std::size_t at = 0; at < multiples_.size(); ++at) {
       WrenchRange sum = loads_at(box_, multiples_[at]);
@@ -284,11 +285,12 @@ class StickingSearch {
     }
   }
 
-  /// Z, a little above the solution of Z = |W| + |M - 1| Z, and rule `sticking-reach`.
+  /// Chooses Z, a little above the solution of Z = |W| + |M - 1| Z. Returns whether rule
+  /// `sticking-reach` holds.
   bool choose_reach(const Rows& off, const RationalRow& rest) {
     Eigen::MatrixXd system = Eigen::MatrixXd::Identity(motions_, motions_);
     Reals right(motions_);
-    constexpr double kLeast = 1e-14;  // of a typical force: all are to be above 0
+    constexpr double kLeast = 1e-14;  // relative to a typical force: all are to be above 0
     for (std::size_t k = 0; k < rest.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       right[row] = to_double(rest[k]) / box_.unit(k) + kLeast * box_.force;
@@ -309,7 +311,7 @@ class StickingSearch {
     return true;
   }
 
-  /// delta and phi.
+  /// Sums up delta and phi.
   void sum_up() {
     press_.assign(box_.contacts.size(), 0);
     friction_.assign(box_.contacts.size(), 0);
@@ -350,10 +352,10 @@ class StickingSearch {
     return most + (slope * at.normal.high + friction_[i]) * at.slip;
   }
 
-  /// c, a little above what `sticking-energy` asks.
+  /// Chooses c, a little above what `sticking-energy` asks; returns false if it cannot.
   bool choose_energy() {
     Rational most = 0;
-    double floor = HUGE_VAL;  // where nothing is off: so little that no contact feels it
+    double floor = HUGE_VAL;  // so little energy that no contact feels it, if nothing is off
     for (const std::vector<PressedContact>& all : contacts_) {
       Rational sum = 0;
       for (std::size_t i = 0; i < all.size(); ++i) {
@@ -373,7 +375,7 @@ class StickingSearch {
     return proof_.energy > most;
   }
 
-  /// Rule `sticking-press`.
+  /// Finds s of each contact; returns whether rule `sticking-press` holds.
   bool holds() {
     for (std::vector<PressedContact>& all : contacts_) {
       for (std::size_t i = 0; i < all.size(); ++i) {
@@ -391,7 +393,7 @@ class StickingSearch {
     return true;
   }
 
-  /// Rule `sticking-bound`.
+  /// Returns whether rule `sticking-bound` holds.
   bool is_within_bound(const Rows& off) const {
     if (box_.max_motion.empty()) return true;
     RationalRow room;  // E
@@ -424,14 +426,14 @@ class StickingSearch {
   const GraspLaw& box_;
   const NearEquilibrium& middle_;
   Eigen::Index motions_;
-  std::vector<Rational> multiples_;                    ///< of a margin its ends
-  std::vector<std::vector<PressedContact>> contacts_;  ///< by multiple
-  std::vector<Bearing> pressing_;                      ///< whose normal forces answer
-  std::vector<Bearing> rubbing_;                       ///< whose friction answers
+  std::vector<Rational> multiples_;                    ///< 0, or the ends of a margin
+  std::vector<std::vector<PressedContact>> contacts_;  ///< contacts by multiple
+  std::vector<Bearing> pressing_;                      ///< contacts whose normal forces answer
+  std::vector<Bearing> rubbing_;                       ///< contacts whose friction answers
   std::vector<Rational> press_;                        ///< delta, by contact
   std::vector<Rational> friction_;                     ///< phi, by contact
-  std::vector<char> is_listed_;                        ///< by contact
-  std::vector<char> rubs_;                             ///< by contact
+  std::vector<char> is_listed_;                        ///< whether it is listed, by contact
+  std::vector<char> rubs_;                             ///< whether it rubs, by contact
   StickingProof proof_;
 };
 
@@ -439,8 +441,8 @@ class StickingSearch {
 
 std::optional<StickingProof> prove_sticking(const GraspLaw& box,
                                             const NearEquilibrium& middle) {
-  // A motion that is rounding alone is none. Several multiples are proved around no motion
-  // only.
+  // A motion that is rounding alone counts as none. Several multiples are proved only around no
+  // motion.
   constexpr double kStill = 1e-9;
   const bool is_range = box.is_family && box.multiples.high != box.multiples.low;
   if (is_range || middle.motion.norm() <= kStill * box.reach) {

@@ -13,14 +13,14 @@ double between(const std::array<double, 2>& ends, double place) {
   return ends[0] + (1 + place) / 2 * (ends[1] - ends[0]);
 }
 
-/// Reads a place, number by number, from one on.
+/// Reads a place number by number, beginning with the one at `first`.
 class Reader {
  public:
   Reader(const std::vector<ParameterId>& numbers, std::size_t first,
          const RoundedBox::Place& place)
       : numbers_(numbers), next_(first), place_(place) {}
 
-  /// Where the parameter is; nothing if it is certain.
+  /// Returns the place of a parameter; nothing if the parameter is certain.
   std::optional<double> read(Parameter parameter, std::size_t index) {
     const bool is_next = next_ < numbers_.size() && numbers_[next_].parameter == parameter &&
                          numbers_[next_].index == index;
@@ -80,8 +80,8 @@ std::array<double, 2> RoundedBox::ends_of_part(std::size_t component) const {
   return {to_double(part.low), to_double(part.high)};
 }
 
-/// A place with other components of z, each of a function of itself, of its entry here, and of
-/// half the width of its part.
+/// Returns the place with other components of a ball's z. Each is the function z of its index,
+/// of its entry in the place, and of half the width of its part.
 template <class Function>
 RoundedBox::Place RoundedBox::with_loads(Place place, Function z) const {
   for (std::size_t n = first_.back(); n < numbers_.size(); ++n) {
@@ -103,7 +103,7 @@ double RoundedBox::multiple_at(const Place& place) const {
 RoundedContact RoundedBox::contact_at(std::size_t contact, const Place& place) const {
   const LawContact& c = law_.contacts[contact];
   Reader reader(numbers_, first_[contact], place);
-  std::vector<double> weights{1};  // of the corners
+  std::vector<double> weights{1};  // weights of the corners
   for (const Parameter parameter : {Parameter::kX, Parameter::kY, Parameter::kTurn,
                                     Parameter::kZ, Parameter::kTurnU, Parameter::kTurnV}) {
     const auto at = reader.read(parameter, contact);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What refutes the walls of a body of motions: the search for laws, or in the plane that for
+/// Refutes the walls of a body of motions, by the search for laws, or in the plane by that for
 /// many contacts.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace stickslip::degree_detail {
 
-/// Trees for the walls of one body after another.
+/// Finds trees for the walls of one body after another.
 class WallRefuter {
  public:
   WallRefuter() = default;
@@ -18,18 +18,18 @@ class WallRefuter {
   WallRefuter(const WallRefuter&) = delete;
   WallRefuter& operator=(const WallRefuter&) = delete;
 
-  /// Appends to the proof's trees that of a wall, of list 1 or of list 2, of so many nodes at
-  /// most; false if there is none, and then `trees` may have some nodes more.
+  /// Appends to the proof's trees that of a wall, of list 1 or, if `second`, of list 2, of so
+  /// many nodes at most. Returns false if there is none; then `trees` may have some nodes more.
   virtual bool refute(DegreeProof& proof, std::size_t wall, bool second,
                       std::size_t node_limit) = 0;
-  /// `degree-law`.
+  /// Returns whether every contact is closed on all walls (rule `degree-law`).
   virtual bool all_are_closed(const DegreeProof& proof) const = 0;
 };
 
-/// For any law.
+/// Refutes walls for any law.
 class LawRefuter final : public WallRefuter {
  public:
-  /// Of a box and the grasp in its middle.
+  /// Takes the laws of a box and of the grasp in its middle.
   LawRefuter(const Law& box, const Law& middle, SearchWork& work)
       : box_(box), middle_(middle), work_(work) {}
 
@@ -43,7 +43,7 @@ class LawRefuter final : public WallRefuter {
   SearchWork& work_;
 };
 
-/// For one grasp in the plane.
+/// Refutes walls for one grasp in the plane.
 class CrowdRefuter final : public WallRefuter {
  public:
   CrowdRefuter(CrowdWalls& walls, SearchWork& work) : walls_(walls), work_(work) {}

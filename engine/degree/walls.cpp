@@ -10,8 +10,8 @@
 namespace stickslip::degree_detail {
 namespace {
 
-/// Unit vectors to all vertices but the last of a regular simplex of this dimension around 0,
-/// by rows; that to the last is minus their sum.
+/// Returns unit vectors to all vertices but the last of a regular simplex of this dimension
+/// around 0, by rows; that to the last is minus their sum.
 Eigen::MatrixXd regular_simplex(Eigen::Index n) {
   // v_j.v_k = -1/n: the factor of Cholesky's decomposition of their Gram matrix.
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
@@ -24,7 +24,7 @@ Eigen::MatrixXd regular_simplex(Eigen::Index n) {
   return result;
 }
 
-/// Whether vectors of length 1, by rows, span as many dimensions, not nearly fewer.
+/// Returns whether vectors of length 1, by rows, span as many dimensions, not nearly fewer.
 bool are_independent(const Eigen::MatrixXd& unit) {
   constexpr double kFlat = 1e-12;
   return unit.allFinite() && singular_values(unit).values.minCoeff() > kFlat;
@@ -36,7 +36,7 @@ Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquili
              double size, const Law* box)
     : middle_(middle), span_(span), near_(near), size_(size) {
   const Eigen::Index d = middle.motions();
-  // Small beside what would change a mode.
+  // The width is the least change that may end a mode.
   double width = middle.reach;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
     const RoundedContact& c = middle.contacts[i];
@@ -67,7 +67,8 @@ Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquili
         Eigen::MatrixXd::Identity(s.size(), s.size()) - s * s.transpose() / s.squaredNorm();
     stiffness_ += c.slope * a / s.norm() * (c.slip.transpose() * across * c.slip);
   }
-  // Sticking contacts whose slips are independent, those with most friction to spare first.
+  // Sticking contacts with independent slips are chosen, those with most friction to spare
+  // first.
   IndependentRows independent(d);
   for (const RationalRow& z : span.free_motions()) {
     Reals motion(d);
@@ -125,14 +126,16 @@ void Walls::add_sticking(const LawContact* contact, const RoundedContact& at, st
     along = Eigen::Map<const Eigen::Vector3d>(f.data()).head(at.slip.rows()).normalized();
   }
   others.take(along);
-  // Beside a slip of `width` along the friction ones across it that leave enough against it.
+  // Slips across the friction are so small that, beside a slip of `width` along it, enough
+  // friction is left against that.
   const double aspect = std::min(1.0, 0.5 * std::sqrt(1 / (share * share) - 1));
   add(along, most - used, width);
   const Eigen::MatrixXd across = others.complement();
   for (Eigen::Index k = 0; k < across.cols(); ++k) add(across.col(k), most, width * aspect);
 }
 
-/// Those that stick, and across forces: the singular vectors of how forces answer motions.
+/// Chooses the rows: those of sticking contacts and, across forces, the singular vectors of how
+/// forces answer motions.
 void Walls::choose_rows(const IndependentRows& across) {
   frame_ = across.complement();
   const auto count = static_cast<Eigen::Index>(chosen_.size());
@@ -162,7 +165,8 @@ void Walls::choose_rows(const IndependentRows& across) {
   below_ = room_;
 }
 
-/// How far the object can move this way before a contact opens or closes, or slips another way.
+/// Returns how far the object can move this way before a contact opens or closes, or slips
+/// another way.
 double Walls::room_along(const Reals& way) const {
   double room = HUGE_VAL;
   const auto consider = [&](double distance, double speed) {
@@ -179,7 +183,8 @@ double Walls::room_along(const Reals& way) const {
   return room;
 }
 
-/// Whether rows and twists are independent; the twists of what sticks follow from the rows.
+/// Sets whether rows and twists are independent. The twists of sticking contacts follow from
+/// the rows.
 void Walls::check() {
   sound_ = false;
   if (rows_.rows() == 0) return;  // nothing holds the object
@@ -192,7 +197,7 @@ void Walls::check() {
   sound_ = are_independent(twists_.transpose());
 }
 
-/// Dual to the forces at those that move the object farthest.
+/// The new walls are dual to the forces at those moves that move the object farthest.
 void Walls::turn_to(const std::vector<Reals>& moves) {
   const auto count = static_cast<Eigen::Index>(chosen_.size());
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -262,7 +267,7 @@ void Walls::grow(std::size_t wall, bool is_simplex) {
       steps_[wall]++ < kSmallSteps ? 1.25 : 1.6;
 }
 
-/// In the span of all forces, near a row in the law's units.
+/// Returns a row in the span of all forces, near a row in the law's units.
 RationalRow Walls::exact_row(const Eigen::RowVectorXd& row) const {
   constexpr int kBits = 14;
   RationalRow result(static_cast<std::size_t>(middle_.motions()));
@@ -276,10 +281,10 @@ RationalRow Walls::exact_row(const Eigen::RowVectorXd& row) const {
   return result;
 }
 
-/// All wrenches together on the grasp in the middle, where friction that sticks in the
-/// equilibrium answers the least slip.
+/// Returns the sum of all wrenches on the grasp in the middle, where friction that sticks in
+/// the equilibrium answers the least slip.
 Reals Walls::force_at(const Reals& motion) const {
-  constexpr double kStill = 1e-9;  // of a typical motion
+  constexpr double kStill = 1e-9;  // relative to a typical motion
   const double travel = std::max(middle_.reach, near_.motion.norm());
   Reals sum = middle_.load;
   for (std::size_t i = 0; i < middle_.contacts.size(); ++i) {
@@ -302,12 +307,12 @@ Eigen::MatrixXd Walls::pull_of_twists(const Eigen::MatrixXd& walls) const {
   return pseudo_inverse(twists_.transpose()) * walls;
 }
 
-/// By least squares of directions, again and again with more weight where it is least so.
+/// Fits directions by least squares, again and again with more weight where they fit least.
 Eigen::MatrixXd Walls::pull_fitted(const Eigen::MatrixXd& walls, const Reals& centre) const {
   const Eigen::Index rank = walls.rows();
   const Eigen::MatrixXd corners = pseudo_inverse(walls);
   struct Sample {
-    Eigen::VectorXd place;  ///< on the walls, in halves of K
+    Eigen::VectorXd place;  ///< a place on the walls, in halves of K
     Reals direction;
     double weight;
   };

@@ -10,7 +10,7 @@
 
 namespace stickslip {
 
-/// The sum of rationals in pairs, so that long numbers meet only at the end.
+/// Returns the sum of the terms, added in pairs, so that long numbers meet only at the end.
 inline Rational sum_in_pairs(std::vector<Rational> terms) {
   if (terms.empty()) return 0;
   while (terms.size() > 1) {
@@ -23,10 +23,11 @@ inline Rational sum_in_pairs(std::vector<Rational> terms) {
   return std::move(terms.front());
 }
 
-/// A motion with its common denominator multiplied away: what is left has the contacts' own
-/// short denominators, and the greatest common divisors that rationals take stay cheap.
+/// A motion whose common denominator is multiplied away. Numbers computed from it have the
+/// contacts' own short denominators, so the greatest common divisors that rationals take stay
+/// cheap.
 struct ScaledTwist {
-  /// Of the motion d.
+  /// Scales the motion d.
   explicit ScaledTwist(const Twist& d) {
     Integer common = 1;
     for (const Rational& entry : coordinates(d)) common = lcm(common, denominator(entry));
@@ -37,7 +38,7 @@ struct ScaledTwist {
   Rational scale;  ///< the common denominator of d, an integer
   Twist twist;     ///< scale * d, integers
 
-  /// scale * v(d).
+  /// Returns scale * v(d).
   Rational normal_coefficient(const ContactRow& row) const {
     return scale * row.preload - row.stiffness * power(row.normal, twist);
   }

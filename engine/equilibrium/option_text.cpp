@@ -64,8 +64,8 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes) {
   try {
     Question question = ask(std::move(file), options);
-    // This refuses what problem_of() does but for a bound on motions, as the options are known
-    // here. That refuses nothing that is no box; and margins of a box are claims.
+    // While the options are known, this refuses what problem_of() refuses, except a bound on
+    // motions. problem_of() refuses nothing that is no box; and margins of a box are claims.
     const bool is_box = question.box() != nullptr;
     if (question.is_one_planar_body() && is_box && !takes_boxes && !question.is_margin()) {
       problem_of(without_bound(question));

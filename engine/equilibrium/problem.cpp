@@ -12,8 +12,8 @@ Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
 
 Problem::Problem(std::vector<ContactRow> rows, const Wrench& wrench, NormalLaw law)
     : rows_(std::move(rows)), wrench_(wrench), law_(law) {
-  // One list after the other, so that the numbers of each lie together in memory: whoever goes
-  // through one at every node of a search waits for memory otherwise.
+  // The lists are filled one after the other, so that the numbers of each lie together in
+  // memory: a search that goes through one at every node waits for memory otherwise.
   slip_planes_.reserve(size());
   for (const ContactRow& row : rows_) {
     const Wrench& t = row.tangent;

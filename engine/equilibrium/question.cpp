@@ -10,7 +10,7 @@
 namespace stickslip {
 namespace {
 
-/// "box.x, box.y, box.turn, joint 0".
+/// Returns the names of the coordinates, as "box.x, box.y, box.turn, joint 0".
 std::string names_of(const Mechanism& mechanism) {
   std::string names;
   for (const std::string& name : coordinate_names(mechanism)) {
@@ -19,7 +19,8 @@ std::string names_of(const Mechanism& mechanism) {
   return names;
 }
 
-/// Throws InputError unless it has as many components as a wrench on the grasp.
+/// Throws InputError if the row is given and has not as many components as a wrench on the
+/// grasp.
 void check_size(const std::optional<RationalRow>& row, const char* place,
                 const AnyGrasp& grasp) {
   const Mechanism* mechanism = mechanism_of(grasp);
@@ -71,8 +72,8 @@ bool has_certain_contacts(const AnyGrasp& grasp) {
   return box == nullptr || GraspBox{box->contacts, {}, {}, {}, box->springs}.is_point();
 }
 
-/// Whether some contact that has a preload, or whose preload grows, has a normal of irrational
-/// length. `growth` is empty if none grows.
+/// Returns whether some contact that has a preload, or whose preload grows, has a normal of
+/// irrational length. `growth` is empty if no preload grows.
 bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& growth) {
   for (std::size_t i = 0; i < grasp.size(); ++i) {
     const Contact& c = grasp.contacts()[i];
@@ -83,7 +84,7 @@ bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& gro
   return false;
 }
 
-/// By element.
+/// Returns the preloads by element; of intervals the low ends.
 std::vector<Rational> preloads_of(const AnyGrasp& grasp) {
   std::vector<Rational> preloads;
   if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
@@ -107,7 +108,7 @@ AnyGrasp with_preload(AnyGrasp grasp, const Rational& preload) {
   return grasp;
 }
 
-/// Neither preloads of contacts nor forces of springs.
+/// Returns the grasp with preloads of contacts and forces of springs that are 0.
 AnyGrasp without_preload(AnyGrasp grasp) {
   grasp = with_preload(std::move(grasp), 0);
   if (auto* box = std::get_if<GraspBox>(&grasp)) {
@@ -116,7 +117,7 @@ AnyGrasp without_preload(AnyGrasp grasp) {
   return grasp;
 }
 
-/// How many of the elements push only: contacts and ratchets, which stand first.
+/// Returns how many elements only push: contacts and ratchets, which stand first.
 std::size_t pushing_elements(const AnyGrasp& grasp) {
   const auto* box = std::get_if<GraspBox>(&grasp);
   if (box == nullptr) return std::get<LoadedGrasp>(grasp).grasp.size();
@@ -125,7 +126,8 @@ std::size_t pushing_elements(const AnyGrasp& grasp) {
                                     [](const Spring& s) { return s.is_ratchet(); }));
 }
 
-/// One grasp in the plane if it is one that needs no box. `growth` is of preloads.
+/// Returns the box, or one grasp in the plane if that is all it is. `growth` is that of
+/// preloads.
 AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
   if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
     LoadedGrasp point = box.planar_middle();
@@ -134,7 +136,8 @@ AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
   return box;
 }
 
-/// Under this wrench, widened; in the plane one grasp if it is.
+/// Returns the grasp under this wrench, widened by the tolerances: a box, or one grasp in the
+/// plane if that is all it is.
 AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
                const Question& question) {
   const Tolerances& uncertain = options.uncertain;
@@ -155,7 +158,8 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
   return simplest(std::move(box), question.preload_growth);
 }
 
-/// How much preloads grow, by those that there are without it.
+/// Returns how much each preload grows; `preloads` are those without growth. Throws InputError
+/// unless there is one rate for each, and none of a pushing element is negative.
 std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
                                      const PreloadDirection& direction, std::size_t pushing) {
   if (direction.scale) return preloads;

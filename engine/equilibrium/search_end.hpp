@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Why a search for a proof found none, and what to say of it.
+/// Why a search found no proof, and how to say so.
 #pragma once
 
 #include <cstddef>
@@ -10,31 +10,32 @@
 
 namespace stickslip {
 
-/// What ended a search for a tree.
+/// The reason why a search for a tree ended.
 enum class SearchEnd {
-  kNone,   ///< it found one, or met a region with too many points (tree_walk.hpp)
-  kNodes,  ///< the limit of nodes
-  kDepth,  ///< a node lies deeper than the format allows
-  kTwist,  ///< a virtual twist that refutes a region in doubles does not, exactly, in any bits
-  kPlane,  ///< no plane cuts a region whose forces balance in doubles
-  kCandidate,  ///< whoever takes candidates
-  kUnbounded   ///< motions that grow without end, of a margin
+  kNone,       ///< it found one, or met a region with too many points (tree_walk.hpp)
+  kNodes,      ///< the limit of nodes
+  kDepth,      ///< a node lies deeper than the format allows
+  kTwist,      ///< a virtual twist refutes a region in doubles, but not exactly, in any bits
+  kPlane,      ///< no plane cuts a region whose forces balance in doubles
+  kCandidate,  ///< a function of the caller did (TreeSearch::on_candidate, on_doubt)
+  kUnbounded   ///< motions of a margin grow without end, or many are far
 };
 
-/// What is known of a question that was not decided.
+/// All that is known of a question that was not decided.
 struct SearchReport {
-  SearchEnd end = SearchEnd::kNone;  ///< of the last tree for all motions
-  std::size_t node_limit = 0;        ///< of a tree
+  SearchEnd end = SearchEnd::kNone;  ///< why the last tree for all motions ended
+  std::size_t node_limit = 0;        ///< the limit for one tree
   bool is_spent = false;             ///< the limit of all trees together was reached
   bool is_wide = false;              ///< the question is about many grasps
-  bool is_far = false;               ///< what is left are motions far beyond the load's size
+  bool is_far = false;               ///< only motions far beyond the load's size are left
   std::vector<Rational> near{};  ///< an equilibrium in doubles around which there is no proof
 };
 
-/// Of a search for one grasp in the plane, or for all that a margin or a region needs.
+/// Returns the answer of a search that reached this limit of nodes: one for one grasp in the
+/// plane, or for all that a margin or a region needs.
 Undecided limit_reached(std::size_t node_limit);
 
-/// In words that name what was reached, and nothing that was not.
+/// Returns the report in words. They name what was reached, and nothing that was not.
 Undecided undecided_by(const SearchReport& report);
 
 }  // namespace stickslip

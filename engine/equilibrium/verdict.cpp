@@ -15,7 +15,8 @@ std::string at_contact(const char* condition, std::size_t contact) {
   return std::string(condition) + " fails at contact " + std::to_string(contact);
 }
 
-/// By what is known of a contact, with its friction, and the T of that.
+/// Returns the motion, and the shares of friction of the contacts that stick and use some.
+/// `contact_of(i)` returns contact i, with its friction; `tangent_of(c)` its tangent row.
 template <class ContactOf, class TangentOf>
 ShortWitness in_short(const Witness& witness, ContactOf contact_of, TangentOf tangent_of) {
   const ScaledTwist scaled(witness.twist);

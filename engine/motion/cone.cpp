@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-/// The primitive positive multiple of p * a - q * b.
+/// Returns the primitive positive multiple of p * a - q * b.
 template <class Vector>
 Vector combine(const Integer& p, const Vector& a, const Integer& q, const Vector& b) {
   Vector result = a;
@@ -25,7 +25,7 @@ bool keeps(Side side, int sign) {
          (side == Side::kNegative && sign < 0);
 }
 
-/// The constraints that are 0 at each ray, a bit each.
+/// The constraints that are 0 at each ray, one bit for each.
 template <class Vector>
 class TightSets {
  public:
@@ -38,9 +38,9 @@ class TightSets {
     }
   }
 
-  /// Two extreme rays span a face of dimension 2 iff no third one lies on all the constraints
-  /// that both lie on (Fukuda and Prodon 1996, Proposition 7); and then these are at least so
-  /// many, which turns most pairs down.
+  /// Returns whether rays a and b span a face of dimension 2. Two extreme rays do iff no third
+  /// one lies on all the constraints that both lie on (Fukuda and Prodon 1996, Proposition 7).
+  /// Then they share at least `least_shared` constraints, which turns most pairs down.
   bool adjacent(std::size_t a, std::size_t b, std::size_t least_shared) {
     std::size_t count = 0;
     for (std::size_t w = 0; w < words_; ++w) {
@@ -66,10 +66,10 @@ class TightSets {
 
   std::size_t words_;
   std::vector<std::uint64_t> all_;
-  std::vector<std::uint64_t> shared_;  ///< of the last pair
+  std::vector<std::uint64_t> shared_;  ///< the constraints that the last pair shares
 };
 
-/// 0, of so many coordinates.
+/// Returns a vector of n zeros.
 template <class Vector>
 Vector zero_of(std::size_t n) {
   if constexpr (kCoordinates<Vector> == 0) {
@@ -107,8 +107,8 @@ std::vector<Vector> ConeOf<Vector>::directions() const {
   return result;
 }
 
-/// If the plane is not 0 on some line, that line becomes a ray (or goes, for kZero) and all
-/// else moves along it into the plane.
+/// Cuts along a line on which the plane is not 0; returns false if there is none. The line
+/// becomes a ray (or goes, for kZero), and all else moves along it into the plane.
 template <class Vector>
 bool ConeOf<Vector>::cut_along_a_line(const Vector& plane, Side side) {
   pairs_ = 0;
@@ -135,8 +135,8 @@ bool ConeOf<Vector>::cut_along_a_line(const Vector& plane, Side side) {
   return true;
 }
 
-/// The extreme rays in the plane that are not extreme rays of the cone: one for each pair of
-/// neighbours on opposite sides.
+/// Returns the extreme rays in the plane that are not extreme rays of the cone: one for each
+/// pair of neighbours on opposite sides.
 template <class Vector>
 std::vector<RayOf<Vector>> ConeOf<Vector>::rays_between(const std::vector<Integer>& heights) {
   pairs_ = 0;
@@ -166,7 +166,7 @@ std::vector<RayOf<Vector>> ConeOf<Vector>::rays_between(const std::vector<Intege
   return between;
 }
 
-/// Of a plane that is 0 on all lines.
+/// Keeps the rays on this side of a plane that is 0 on all lines, and adds those between.
 template <class Vector>
 void ConeOf<Vector>::keep(Side side, const std::vector<Integer>& heights,
                           std::vector<RayOf<Vector>> between) {

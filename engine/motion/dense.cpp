@@ -13,7 +13,7 @@ Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
 }
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-  if (a.cols() == 0) return Eigen::VectorXd(0);  // which Eigen does not decompose
+  if (a.cols() == 0) return Eigen::VectorXd(0);  // Eigen does not decompose it
   return a.completeOrthogonalDecomposition().solve(b);
 }
 

@@ -11,10 +11,9 @@ namespace stickslip {
 
 namespace {
 
-/// Elimination with complete pivoting: a with rows and columns in another order is L U, of
-/// which U is kept, and what L did to a right-hand side. The pivots decide which of several
-/// solutions and bases are found: it is always the largest that is taken, the first by columns
-/// of those.
+/// Elimination with complete pivoting: a, with rows and columns in another order, is L U. U is
+/// kept, and what L did to a right-hand side. The pivots decide which of several solutions and
+/// bases are found: the largest entry is always taken, and of equals the first by columns.
 class Elimination {
  public:
   /// `b`, if it is not empty, takes part as one more column.
@@ -26,7 +25,8 @@ class Elimination {
 
   std::size_t rank() const { return rank_; }
 
-  /// The x with a x = b whose entries behind the pivots' are 0, if it is a solution.
+  /// Returns the x with a x = b whose entries behind the pivots' are 0, or nothing if there is
+  /// no solution.
   std::optional<RationalRow> solution() const {
     for (std::size_t j = rank_; j < b_.size(); ++j) {
       if (!b_[j].is_zero()) return std::nullopt;
@@ -35,7 +35,8 @@ class Elimination {
     return in_place(substituted(std::move(pivots)));
   }
 
-  /// The basis vector that is 1 at one of the columns behind the pivots' and 0 at the others.
+  /// Returns the basis vector that is 1 at column `free`, behind the pivots', and 0 at the
+  /// others there.
   RationalRow null_vector(std::size_t free) const {
     RationalRow pivots;
     for (std::size_t j = 0; j < rank_; ++j) pivots.push_back(-a_(j, free));
@@ -45,7 +46,7 @@ class Elimination {
   }
 
  private:
-  /// False if all that is left is 0.
+  /// Takes the next pivot; returns false if all that is left is 0.
   bool take_pivot() {
     std::size_t row = rank_;
     std::size_t column = rank_;
@@ -84,7 +85,7 @@ class Elimination {
     std::swap(order_[column], order_[rank_]);
   }
 
-  /// The y with U y = b, of the pivots' rows and columns.
+  /// Returns the y with U y = b, for the pivots' rows and columns.
   RationalRow substituted(RationalRow b) const {
     for (std::size_t j = rank_; j-- > 0;) {
       for (std::size_t k = j + 1; k < rank_; ++k) b[j] -= a_(j, k) * b[k];
@@ -93,7 +94,8 @@ class Elimination {
     return b;
   }
 
-  /// Entries of the pivots' columns where these stood.
+  /// Returns the entries of the pivots' columns at the places where these stood, and 0
+  /// elsewhere.
   RationalRow in_place(RationalRow pivots) const {
     RationalRow result(a_.columns());
     for (std::size_t k = 0; k < rank_; ++k) result[order_[k]] = std::move(pivots[k]);
@@ -102,7 +104,7 @@ class Elimination {
 
   RationalMatrix a_;
   RationalRow b_;
-  std::vector<std::size_t> order_;  ///< where each column stood
+  std::vector<std::size_t> order_;  ///< the place where each column stood
   std::size_t rank_ = 0;
 };
 

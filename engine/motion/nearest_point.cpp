@@ -10,7 +10,8 @@ namespace stickslip {
 
 template <class Point>
 bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) const {
-  // Lagrange: the Gram matrix of the points, bordered by ones, against (0, ..., 0, 1).
+  // The weights solve Lagrange's system: the Gram matrix of the points, bordered by ones,
+  // against (0, ..., 0, 1).
   constexpr int kRows = static_cast<int>(kMost) + 1;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRows, kRows>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRows, 1>;

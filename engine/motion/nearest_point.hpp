@@ -34,8 +34,7 @@ class NearestPointOf {
 
   const Point& nearest() const { return nearest_; }  ///< the point of least norm
   std::size_t size() const { return size_; }         ///< number of points in use
-  /// The points in use, by the order number of their addition (from 0), and their weights.
-  /// \{ Of the k-th of them.
+  /// \{ Returns the order number of addition (from 0), or the weight, of the k-th point in use.
   std::size_t order(std::size_t k) const { return order_[k]; }
   double weight(std::size_t k) const { return weight_[k]; }
   /// \}
@@ -43,7 +42,8 @@ class NearestPointOf {
  private:
   static constexpr std::size_t kMost = kMostPointsOf<Point>;
 
-  /// Weights of sum 1, of any sign, of the point of least norm in the affine hull.
+  /// Finds weights of sum 1, of any sign, of the point of least norm in the affine hull.
+  /// Returns false if they are not finite.
   bool affine_minimum(std::array<double, kMost>& weights) const;
   void remove(std::size_t k);
   void update_nearest();

@@ -14,23 +14,23 @@
 
 namespace stickslip {
 
-/// What was found: a twist, or a combination of wrenches that vanishes.
+/// The result of a search: a twist, or a combination of wrenches that vanishes.
 template <class Vector, class Support>
 struct NearestWrench {
-  bool separated = false;                         ///< which of the two
-  Vector twist{};                                 ///< if separated: all wrenches are against it
-  std::vector<std::pair<double, Support>> parts;  ///< else; weights of sum 1
+  bool separated = false;  ///< it is a twist
+  Vector twist{};          ///< the twist, if it is one: all wrenches are against it
+  std::vector<std::pair<double, Support>> parts;  ///< if not, wrenches with weights of sum 1
 };
 
-/// `worst(y)` returns the Support with the most work on y, or nothing if there is none; its
-/// members `work` and `wrench` (of which the work on y that is) are read. A Vector is a Double3
-/// or Reals, or another std::array. `deep`: wrenches are to be against the twist with some to
+/// Searches from y on. `worst(y)` returns the Support with the most work on y, or nothing if
+/// there is none; its member `wrench` does the work `work` on y. A Vector is a Double3 or
+/// Reals, or another std::array. `deep` asks that wrenches are against the twist with some to
 /// spare, so that it may be rounded.
 template <class Vector, class Worst>
 auto nearest_wrench(Vector y, const Worst& worst, bool deep = false) {
   using Support = typename decltype(worst(y))::value_type;
   constexpr std::size_t kMostSteps = 100;
-  constexpr double kVanishing = 1e-22;  // of squared lengths; a proposal, not a decision
+  constexpr double kVanishing = 1e-22;  // part of squared lengths; a proposal, not a decision
   NearestWrench<Vector, Support> result;
   std::vector<Support> supports;
   NearestPointOf<Vector> hull;
@@ -39,7 +39,8 @@ auto nearest_wrench(Vector y, const Worst& worst, bool deep = false) {
   for (std::size_t step = 0; step < kMostSteps; ++step) {
     std::optional<Support> support = worst(y);
     if (!support) break;
-    // Of the nearest of all, the twist against it, none does more than minus its square.
+    // No wrench does more work on minus the nearest point than minus that point's square; half
+    // of that will do.
     constexpr double kDeep = 0.5;
     if (support->work < 0) {
       result.separated = true;
@@ -62,7 +63,8 @@ auto nearest_wrench(Vector y, const Worst& worst, bool deep = false) {
   return result;
 }
 
-/// The first of the vectors near a multiple of `y`, in more and more bits, that is accepted.
+/// Returns the first vector that is accepted of those near a multiple of `y`, in more and more
+/// bits.
 template <class Vector, class Accept>
 auto in_fewest_bits(const Vector& y, std::initializer_list<int> bits, const Accept& accept)
     -> std::optional<decltype(in_bits(y, 0))> {

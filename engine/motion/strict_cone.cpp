@@ -45,7 +45,7 @@ std::pair<StrictCone, StrictCone> StrictCone::halves(const Row& plane) const {
   return both;
 }
 
-/// All constraints are 0 on lines, which take nothing away.
+/// Lines take nothing away, as all constraints are 0 on them.
 bool StrictCone::bars(const std::vector<std::size_t>& zeros) const {
   const std::size_t lines = 2 * cone_.lines().size();
   std::vector<std::size_t> rays;

@@ -15,8 +15,8 @@ namespace stickslip {
 /// A node of a tree with its children.
 template <class Node, class Region>
 struct BranchOf {
-  Node node;                     ///< what it is
-  std::vector<Region> children;  ///< their regions, in order; of a leaf none
+  Node node;                     ///< a split or a leaf
+  std::vector<Region> children;  ///< the children's regions, in order; a leaf has none
 };
 
 /// Whether regions of this type know when they have more points than a tree may hold.
@@ -28,8 +28,8 @@ constexpr bool
         true;
 
 /// Appends a tree in preorder, depth first. `examine(region, depth)` returns an optional
-/// BranchOf, or nothing to end the walk, as a region of too many points does: then the tree is
-/// not whole, and the result false.
+/// BranchOf, or nothing to end the walk; a region of too many points ends it, too. Returns
+/// false if the walk was ended: then the tree is not whole.
 template <class Region, class Node, class Examine>
 bool append_tree(Region root, std::vector<Node>& tree, Examine examine) {
   std::vector<std::pair<Region, std::size_t>> pending;

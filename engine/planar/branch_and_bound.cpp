@@ -37,10 +37,11 @@ class Explorer {
 
   const ConeWork& work() const { return work_; }
   std::optional<Witness>& witness() { return witness_; }
-  /// The multiple of the load that the witness is of.
+  /// Returns the multiple of the load that the witness is of.
   const Rational& multiple() const { return multiple_; }
 
-  /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
+  /// Returns a tree, made depth first, in preorder. Returns nothing if it ended early: at a
+  /// witness, or at the limit.
   std::optional<Trees> explore() {
     Trees tree;
     const auto step = [&](const Region& region, std::size_t depth) {
@@ -56,7 +57,7 @@ class Explorer {
     return tree;
   }
 
-  /// The two places where equilibria mostly are: at rest with friction holding, which the
+  /// Tries the two places where equilibria mostly are: at rest with friction holding, which the
   /// search finds in the all-stick state if it exists, and where Newton's method leads from
   /// rest.
   bool try_witness_from_rest() {
@@ -83,8 +84,8 @@ class Explorer {
     search.on_doubt([&](const Region& region) { return solve_exactly(region); });
   }
 
-  /// Explores a tree of a few motions, of which a witness is all that is wanted. Its nodes are
-  /// not counted: they are in no refutation.
+  /// Explores a tree of a few motions, for a witness only. Its nodes are not counted: they are
+  /// in no refutation.
   void search_within(const MotionBox& box) {
     Region region = root_;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -96,7 +97,7 @@ class Explorer {
         region = std::move(region).plane_child(primitive_multiple(face), Side::kPositive);
       }
     }
-    constexpr std::size_t kMostNodes = 200;  // where an equilibrium is near, mostly one will do
+    constexpr std::size_t kMostNodes = 200;  // mostly one will do if an equilibrium is near
     ConeWork here;
     CrowdSearch search(CrowdForces(problem_, model_, nullptr, true, here),
                        std::min(kMostNodes, most_nodes_));
@@ -108,7 +109,7 @@ class Explorer {
     work_.visits += here.visits;
   }
 
-  /// From the motion of a relaxed equilibrium, by Newton's method.
+  /// Tries Newton's method from the motion of a relaxed equilibrium.
   bool try_witness_near(const Double5& motion) {
     if (!(motion[3] > 0)) return false;
     ++work_.witness_attempts;
@@ -118,8 +119,8 @@ class Explorer {
     return witness_.has_value();
   }
 
-  /// The relaxed equilibrium itself, taken at its word: its motion says which contacts are
-  /// closed and which slip, its forces how much friction there is where they stick.
+  /// Tries the relaxed equilibrium itself, taken at its word: its motion says which contacts
+  /// are closed and which slip, its forces how much friction there is where they stick.
   bool try_witness_of(const SearchResult& found, const CrowdForces& forces) {
     if (!(found.motion[3] > 0)) return false;
     ++work_.witness_attempts;
@@ -131,7 +132,7 @@ class Explorer {
     }
     std::vector<ModeGuess> guesses;
     for (std::size_t i = 0; i < problem_.size(); ++i) {
-      constexpr double kStill = 1e-9;  // of the fastest slip; exact arithmetic judges the mode
+      constexpr double kStill = 1e-9;  // part of the fastest slip; exact numbers judge it
       const bool closed = dot(model_.contacts[i].separation, found.motion) > 0;
       const bool sticks = std::fabs(slips[i]) <= kStill * fastest;
       guesses.push_back({closed, sticks, slips[i] > 0 ? -1 : 1});
@@ -145,8 +146,8 @@ class Explorer {
     return witness_.has_value();
   }
 
-  /// The exact program of the region: a leaf, or the split that its point asks for; nothing if
-  /// that is an equilibrium.
+  /// Solves the exact program of the region. Returns a leaf, or the split that its point asks
+  /// for; nothing if the point is an equilibrium, which becomes the witness.
   std::optional<TreeNode> solve_exactly(const Region& region) {
     ++work_.exact_programs;
     auto outcome = solve_region(problem_, region, nullptr);
@@ -169,8 +170,8 @@ class Explorer {
   Region root_;
   ConeWork work_;
   CrowdSearch search_;
-  std::optional<MotionBox> near_;        ///< where an equilibrium may be; not yet searched
-  std::vector<ModeGuess> failed_modes_;  ///< of the last relaxed equilibrium tried
+  std::optional<MotionBox> near_;  ///< a place where an equilibrium may be; not yet searched
+  std::vector<ModeGuess> failed_modes_;  ///< the last modes that failed
   std::optional<Witness> witness_;
   Rational multiple_ = 0;
 };

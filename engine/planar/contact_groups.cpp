@@ -11,10 +11,10 @@
 namespace stickslip {
 namespace {
 
-/// Of one contact's functions: separation 5, slip 3, friction 3.
+/// The number of coefficients of one contact's functions: separation 5, slip 3, friction 3.
 constexpr std::size_t kCoefficients = 11;
 using Coefficients = std::array<double, kCoefficients>;
-/// What tells contacts apart.
+/// The number of features that tell contacts apart.
 constexpr std::size_t kFeatures = 6;
 using Features = std::array<double, kFeatures>;
 
@@ -45,7 +45,7 @@ class GroupMaker {
       features_.push_back({all[0], all[1], all[2] / length, all[7] / length, all[3],
                            std::hypot(all[8], all[9])});
     }
-    // Where all preloads are one they tell nothing, and else about as much as directions do.
+    // Preloads tell nothing if all are one, and else about as much as directions do.
     for (Features& features : features_) {
       features[4] /= largest_preload;
       for (double& feature : features) feature = std::isfinite(feature) ? feature : 0;
@@ -96,7 +96,7 @@ class GroupMaker {
     return bounds;
   }
 
-  /// Puts those that differ the most, in some feature, on different sides of the middle.
+  /// Puts contacts that differ the most, in some feature, on different sides of the middle.
   void part(std::uint32_t begin, std::uint32_t middle, std::uint32_t end) {
     constexpr std::uint32_t kSample = 64;
     const std::uint32_t step = std::max(1U, (end - begin) / kSample);
@@ -175,9 +175,9 @@ class GroupMaker {
       if (low < high) result.radius[j] = kUp * std::max(high - center, center - low);
       magnitude += std::fabs(center) + result.radius[j];
     }
-    // Coefficients 4u and the ray's 2u, products u, sums 11u, and this bound: below 27u, with
-    // u = 2^-53. What underflows, 2^-1073 in an entry of the ray, is at most 2^-471 in a
-    // product, as coefficients are at most 2^602.
+    // The relative errors are 4u for coefficients, 2u for the ray, u for products, 11u for
+    // sums, and this bound's own: below 27u, with u = 2^-53. An underflow, 2^-1073 in an entry
+    // of the ray, is at most 2^-471 in a product, as coefficients are at most 2^602.
     constexpr double kRelativeError = 3e-15;
     constexpr double kUnderflow = 1e-140;
     result.error = kRelativeError * magnitude + kUnderflow;

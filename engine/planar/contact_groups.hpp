@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Contacts in groups, and these in groups, like beside like, with boxes that hold the
-/// coefficients of their functions, and with sums: what is so for all of a group is found, and
-/// added up, at once (bounding volume hierarchies; Ericson, "Real-Time Collision Detection",
-/// 2005, chapter 6).
+/// Contacts in groups, and these in groups, like beside like. A group has boxes that hold the
+/// coefficients of its contacts' functions, and sums: what is so for all of a group is found,
+/// and added up, at once (bounding volume hierarchies; Ericson, "Real-Time Collision
+/// Detection", 2005, chapter 6).
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@ namespace stickslip {
 
 struct ContactDoubles;
 
-/// An integer vector of which no entry is beyond 2^61, or a note that it is none.
+/// An integer vector whose entries have at most 61 bits, or a note that it has longer ones.
 struct ShortVector5 {
-  /// Of this vector.
+  /// Takes the entries of this vector.
   explicit ShortVector5(const IntegerVector5& x);
-  std::array<std::int64_t, 5> entries{};  ///< if it is short
-  bool is_short = true;                   ///< it is one
+  std::array<std::int64_t, 5> entries{};  ///< the entries, if it is short
+  bool is_short = true;                   ///< the vector is short
 };
 
-/// The sign of a.b, if both are short.
+/// Returns the sign of a.b, or nothing unless both are short.
 inline std::optional<int> short_sign(const ShortVector5& a, const ShortVector5& b) {
   if (!a.is_short || !b.is_short) return std::nullopt;
   __extension__ using Wide = __int128;
@@ -36,34 +36,35 @@ inline std::optional<int> short_sign(const ShortVector5& a, const ShortVector5& 
 
 /// Positive multiples of a contact's tau_i and v_i.
 struct ContactPlanes {
-  ShortVector5 slip;        ///< of tau_i
-  ShortVector5 separation;  ///< of v_i
+  ShortVector5 slip;        ///< a multiple of tau_i
+  ShortVector5 separation;  ///< a multiple of v_i
 };
 
-/// A box around vectors of n coefficients in double precision, each within four unit roundoffs
-/// of an exact one, entry by entry; 0 where that is 0.
+/// A box around vectors of n coefficients in double precision. Each coefficient is within four
+/// unit roundoffs of an exact one, and 0 where that is 0.
 template <std::size_t n>
 struct CoefficientBox {
   std::array<double, n> center{};  ///< its middle
   std::array<double, n> radius{};  ///< half its widths
-  /// Of the rounding of center.x -+ radius.|x| as bounds of the exact functions at points with
-  /// entries of at most 1 as in_doubles gives them.
+  /// A bound of the rounding of center.x -+ radius.|x| as bounds of the exact functions, at
+  /// points with entries of at most 1 as in_doubles gives them.
   double error = 0;
 };
 
-/// Some contacts. Functions of a contact are scaled by 1/|n|, which changes no sign.
+/// Some contacts. The boxes are of functions scaled by 1/|n|, which changes no sign; the sums
+/// are not.
 struct ContactGroup {
   std::uint32_t begin = 0;  ///< \{ in ContactGroups::order()
   std::uint32_t end = 0;    ///< \}
   std::uint32_t second =
-      0;  ///< of its two parts, where the first is the next group; 0: no parts
+      0;  ///< the second of its two parts, the first being the next group; 0: no parts
 
   CoefficientBox<5> separation;    ///< v_i / k_i: minus N, and preloads over stiffness
   CoefficientBox<3> slip;          ///< T
   CoefficientBox<3> friction;      ///< mu T
   double stiffest = 0;             ///< the largest k_i |n|^2
-  bool is_frictionless = true;     ///< all are
-  bool has_one_slip_plane = true;  ///< all have the same
+  bool is_frictionless = true;     ///< all contacts are
+  bool has_one_slip_plane = true;  ///< all contacts have the same
 
   double normal_work[3][5] = {};    ///< sum of N (x) v, for the work y.(...).x
   double friction_work[3][5] = {};  ///< sum of mu T (x) v
@@ -72,10 +73,10 @@ struct ContactGroup {
   double stiffness = 0;             ///< sum of k
 };
 
-/// What is asked of each contact on each region, as in ContactDoubles; side by side in memory
-/// in the order in which it is asked for.
+/// The numbers that are asked of each contact on each region; side by side in memory in the
+/// order in which they are asked for.
 struct ContactRowDoubles {
-  /// \{ As there.
+  /// \{ The members of ContactDoubles with these names.
   std::array<double, 5> separation;
   double separation_error;
   std::array<double, 3> slip;
@@ -90,18 +91,18 @@ struct ContactRowDoubles {
 class ContactGroups {
  public:
   ContactGroups() = default;
-  /// Of contacts; `length` makes torques and forces comparable. Groups of fewer than two times
-  /// `smallest`, at least 1, have no parts.
+  /// Groups contacts; `length` makes torques and forces comparable. Groups of fewer than two
+  /// times `smallest`, at least 1, have no parts.
   ContactGroups(const Problem& problem, const std::vector<ContactDoubles>& contacts,
                 double length, std::size_t smallest);
 
-  /// From the group of all contacts on; empty if there are none.
+  /// Returns the groups, that of all contacts first; empty if there are no contacts.
   const std::vector<ContactGroup>& groups() const { return groups_; }
-  /// Those without parts are single contacts.
+  /// Returns whether all groups without parts are single contacts.
   bool are_single() const { return are_single_; }
-  /// The contacts, a group's beside each other.
+  /// Returns the contacts, a group's beside each other.
   const std::vector<std::uint32_t>& order() const { return order_; }
-  /// \{ In this order.
+  /// \{ Returns numbers of the contacts in this order.
   const std::vector<ContactRowDoubles>& rows() const { return rows_; }
   const std::vector<ContactPlanes>& planes() const { return planes_; }
   /// \}

@@ -19,7 +19,7 @@ bool CrowdForces::enter(const Region& region, std::size_t depth) {
   return true;
 }
 
-/// Again: contacts one by one, no groups.
+/// Searches for a twist; `again` takes contacts one by one where those of a group differ.
 SearchResult CrowdForces::nearest(bool again) {
   is_last_ = again || (exactly_ && forces_.all_are_single());
   return search_.search(forces_, again, work_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The forces of one grasp in the plane, contacts in groups, for a tree search
+/// The forces of one grasp in the plane, with contacts in groups, for a tree search
 /// (engine/search/tree_search.hpp).
 #pragma once
 
@@ -16,14 +16,14 @@
 
 namespace stickslip::planar_detail {
 
-/// What a region allows, and where that breaks a law.
+/// A relaxed equilibrium of a region, and the law that it breaks.
 struct CrowdRelaxation {
   SearchResult found;
-  std::optional<ContactSplit> broken;  ///< by the widest gap
-  double gap;  ///< its size; 0 if nothing is broken, and no other look would be more precise
+  std::optional<ContactSplit> broken;  ///< the split at the widest gap
+  double gap;  ///< its size; if no law is broken 0, or 1 if another look may be more precise
 };
 
-/// Of one grasp, or of the members of a family.
+/// The forces of one grasp, or of the members of a family.
 class CrowdForces {
  public:
   using Region = stickslip::Region;
@@ -31,8 +31,8 @@ class CrowdForces {
   using Candidate = CrowdRelaxation;
   using Branch = BranchOf<TreeNode, Region>;
 
-  /// Leaves have `leaf-direction` if there is a pull. `exactly`: twists that doubles do not
-  /// confirm are tried exactly. All must outlive this; `model` is that of the problem.
+  /// Leaves have `leaf-direction` if there is a pull. `exactly` has twists that doubles do not
+  /// confirm tried exactly. All must outlive this; `model` is that of the problem.
   CrowdForces(const Problem& problem, const DoubleModel& model, const PullRule* pull,
               bool exactly, ConeWork& work)
       : problem_(problem),
@@ -41,7 +41,7 @@ class CrowdForces {
         forces_(problem, model),
         search_(model, pull) {}
 
-  /// \{ As TreeSearch asks.
+  /// \{ The functions that TreeSearch asks for.
   std::size_t motions() const { return 3; }
   std::size_t deepest() const { return SIZE_MAX; }
   bool enter(const Region& region, std::size_t depth);
@@ -61,10 +61,10 @@ class CrowdForces {
   void keep_to_contacts() {}
   /// \}
 
-  /// A relaxed equilibrium of a region by itself; nothing if there is none.
+  /// Returns a relaxed equilibrium of a region by itself, or nothing if there is none.
   std::optional<SearchResult> relaxation(const Region& region);
-  /// Sets a contact's friction over its most at each contact that the region leaves open and
-  /// where `wanted(contact)`: `set(contact, share)`.
+  /// Calls `set(contact, share)` for each contact that the region leaves open and for which
+  /// `wanted(contact)` is true; the share is its friction over the most that it can have.
   template <class Wanted, class Set>
   void for_each_share(const SearchResult& found, const Wanted& wanted, const Set& set) const {
     for (const UndecidedGroup& u : forces_.undecided()) {
@@ -80,9 +80,9 @@ class CrowdForces {
   const Problem& problem_;
   bool exactly_;
   ConeWork& work_;
-  const Region* region_ = nullptr;  ///< the one entered last
+  const Region* region_ = nullptr;  ///< the region entered last
   bool is_last_ = false;            ///< no look at it is more precise than the last
-  RegionForces forces_;             ///< of it
+  RegionForces forces_;             ///< the contacts on it
   TwistSearch search_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Trees that refute walls of proofs by degree, in the plane and by groups of contacts: where
-/// there are thousands of them.
+/// Trees that refute walls of proofs by degree, in the plane, for thousands of contacts in
+/// groups.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace stickslip {
 struct DoubleModel;
 class PullRule;
 
-/// Of one grasp, or of the members of a family.
+/// Refutes walls for one grasp, or for the members of a family.
 class CrowdWalls {
  public:
   /// The problem must outlive it.
@@ -24,17 +24,18 @@ class CrowdWalls {
   CrowdWalls(const CrowdWalls&) = delete;
   CrowdWalls& operator=(const CrowdWalls&) = delete;
 
-  const Problem& problem() const { return problem_; }   ///< what it is about
-  const DoubleModel& model() const { return *model_; }  ///< of it
-  /// Around which there may be walls: as near_equilibria(). Of one grasp.
+  const Problem& problem() const { return problem_; }   ///< the problem in question
+  const DoubleModel& model() const { return *model_; }  ///< the problem in doubles
+  /// Returns equilibria around which there may be walls, as near_equilibria() does; for one
+  /// grasp.
   std::vector<NearEquilibrium> near_equilibria(std::size_t starts, double length) const;
-  /// Whether every contact is closed on all of a wall.
+  /// Returns whether every contact is closed on all of a wall.
   bool all_are_closed(const Region& wall) const;
-  /// Appends to `trees` one that refutes the wall, with `leaf-direction` if there is a
-  /// pull; false if none is found of at most `node_limit` nodes, and then what was
-  /// appended is no tree.
+  /// Appends to `trees` one that refutes the wall, with `leaf-direction` if there is a pull.
+  /// Returns false if none of at most `node_limit` nodes is found; then what was appended is no
+  /// tree.
   bool refute(Region wall, const PullRule* pull, std::size_t node_limit, Trees& trees);
-  /// Of all trees.
+  /// Returns the work of all trees.
   const ConeWork& work() const { return work_; }
 
  private:

@@ -4,7 +4,7 @@
 namespace stickslip {
 namespace {
 
-/// The conditions that lead to the children of a node, in order; none for a leaf.
+/// Returns the conditions that lead to the children of a node, in order; none for a leaf.
 std::vector<std::string> child_conditions(const TreeNode& node) {
   if (const auto* slip = std::get_if<SlipSplit>(&node)) {
     const std::string contact = "contact " + std::to_string(slip->contact.index());
@@ -23,7 +23,8 @@ std::vector<std::string> child_conditions(const TreeNode& node) {
   return {};
 }
 
-/// How many contacts slip or open as the leaf says when the object moves against its twist.
+/// Returns how many contacts slip or open as the leaf says when the object moves against its
+/// twist.
 std::size_t count_alike(const RefutationSummary& found, const Problem& problem) {
   const Twist drift = twist_of(negated(found.largest_leaf_twist));
   std::size_t count = 0;

@@ -60,7 +60,7 @@ DoubleModel::DoubleModel(const Problem& problem) {
   if (problem.is_family()) range.high ? add_end(1, to_double(*range.high)) : add_end(0, 1);
   if (!(force > 0) || !std::isfinite(force)) force = 1;
   if (!std::isfinite(length)) length = 1;
-  // Where contacts are few, what is read of all is little, and single ones are told apart.
+  // Reading all contacts costs little where they are few; then single ones are told apart.
   constexpr std::size_t kFew = 64;
   constexpr std::size_t kSmallestGroup = 16;
   groups =

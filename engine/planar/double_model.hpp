@@ -29,16 +29,16 @@ struct ContactDoubles {
 
 /// A problem in doubles.
 struct DoubleModel {
-  /// Of this problem.
+  /// Rounds the numbers of this problem.
   explicit DoubleModel(const Problem& problem);
 
-  std::vector<ContactDoubles> contacts;  ///< by ContactId
+  std::vector<ContactDoubles> contacts;  ///< contacts by ContactId
   Double3 load;                          ///< w
-  Double3 growth;                        ///< u, of a family
-  Double3 start{};       ///< the load at the high end of the multiples, or u: where to begin
-  double length;         ///< a typical distance, to make torques and forces comparable
+  Double3 growth;                        ///< u, for a family
+  Double3 start{};       ///< the load at the high end of the multiples, or u, to begin with
+  double length;         ///< a typical distance; it makes torques and forces comparable
   double force = 0;      ///< a typical force
-  double stiffness = 0;  ///< of all contacts
+  double stiffness = 0;  ///< the sum over all contacts
 
   /// Whether all entries are moderate: 0, or between 2^-200 and 2^200. No product of a load, or
   /// of an N and a v, with a ray and a twist of 50 bits then overflows, and what it loses by
@@ -46,7 +46,7 @@ struct DoubleModel {
   /// nothing.
   bool is_moderate = true;
 
-  ContactGroups groups;  ///< of the contacts
+  ContactGroups groups;  ///< the contacts in groups
 
  private:
   double read(const Rational& value);

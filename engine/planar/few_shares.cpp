@@ -18,21 +18,22 @@ namespace {
 template <class Number>
 using Three = std::array<Number, 3>;
 
-/// a + factor * b
+/// Returns a + factor * b.
 template <class Number>
 Three<Number> sum(Three<Number> a, const Number& factor, const Three<Number>& b) {
   for (std::size_t j = 0; j < 3; ++j) a[j] += factor * b[j];
   return a;
 }
 
-/// The sum of magnitudes.
+/// Returns the sum of magnitudes.
 template <class Number>
 Number size_of(const Three<Number>& a) {
   using std::abs;
   return abs(a[0]) + abs(a[1]) + abs(a[2]);
 }
 
-/// sum sigma_i columns[i] = target, -1 <= sigma <= 1, with the least sum of cost_i |sigma_i|.
+/// The program sum sigma_i columns[i] = target, -1 <= sigma <= 1, with the least sum of cost_i
+/// |sigma_i|.
 ///
 /// The dual is to maximize y.target - sum max(0, |y.columns[i]| - cost_i). A column is *basic*
 /// while y.columns[i] = cost_i, then 0 <= sigma_i <= 1, or -cost_i, then -1 <= sigma_i <= 0;
@@ -44,8 +45,8 @@ class ShareProgram {
  public:
   using Basis = Three<std::optional<std::size_t>>;  ///< none: the k-th unit vector
 
-  /// `magnitude`: the same as target, of absolute values, for its rounding. Each of the three
-  /// rows is scaled to entries of at most 1.
+  /// `magnitude` is the sum of the absolute values of what target sums up, for its rounding.
+  /// Each of the three rows is scaled to entries of at most 1.
   ShareProgram(std::vector<Three<Number>> columns, Three<Number> target,
                const Three<Number>& magnitude)
       : columns_(std::move(columns)), shares_(columns_.size()), is_basic_(columns_.size()) {
@@ -61,7 +62,7 @@ class ShareProgram {
     for (std::size_t k = 0; k < 3; ++k) basis_[k].column[k] = 1;
   }
 
-  /// From the shares and the basis of another program of the same columns.
+  /// Starts from the shares and the basis of another program of the same columns.
   template <class Other>
   void start_from(const ShareProgram<Other>& other) {
     for (std::size_t i = 0; i < columns_.size(); ++i) add_share(i, other.shares_[i]);
@@ -72,12 +73,12 @@ class ShareProgram {
     }
   }
 
-  /// What is left to make up for in the end, as a share: 0 for a solution. Nothing if it did
-  /// not come to an end.
+  /// Solves the program. Returns what is left to make up for in the end, as a share: 0 for a
+  /// solution. Returns nothing if it did not come to an end.
   std::optional<Number> solve() {
     using std::abs;
-    // The costs are all different, so that steps of length 0 are rare; this ends the search if
-    // they make it go round in circles.
+    // The costs are all different, so that steps of length 0 are rare. This limit ends the
+    // search if they make it go round in circles.
     constexpr int kMostSteps = 300;
     for (int step = 0; step < kMostSteps; ++step) {
       if (!invert()) return std::nullopt;
@@ -96,7 +97,7 @@ class ShareProgram {
     return std::nullopt;
   }
 
-  /// 1, 0 or -1, of a column that is not basic.
+  /// Returns the share, 1, 0 or -1, of a column that is not basic.
   int share(std::size_t column) const { return shares_[column]; }
   Basis basis() const { return {basis_[0].index, basis_[1].index, basis_[2].index}; }
 
@@ -110,20 +111,20 @@ class ShareProgram {
     std::optional<std::size_t> index;
     int side = 0;  ///< the sign of y.column
   };
-  /// Where on the way of y the share of a column that is not basic changes by one.
+  /// A place on the way of y where the share of a column that is not basic changes by one.
   struct Change {
     Number at;
     std::size_t index;
-    int side;  ///< of the costs that y.column passes
+    int side;  ///< the sign of the cost that y.column passes
   };
 
-  /// 1, and a little more the later a contact comes.
+  /// Returns 1, and a little more the later a contact comes.
   Number cost(std::size_t index) const {
     return 1 +
            Number(static_cast<long>(index)) / Number(1000 * static_cast<long>(columns_.size()));
   }
 
-  /// rows_[k].column_l = 1 if k = l, else 0.
+  /// Sets rows_ so that rows_[k].column_l = 1 if k = l, else 0. Returns false if it cannot.
   bool invert() {
     const Three<Number>& a = basis_[0].column;
     const Three<Number>& b = basis_[1].column;
@@ -141,7 +142,7 @@ class ShareProgram {
     return true;
   }
 
-  /// How far the share of a basic column is above its bounds, or (negative) below.
+  /// Returns how far the share of a basic column is above its bounds, or (negative) below.
   Number excess_of(std::size_t k) const {
     const Number share = dot(rows_[k], rest_);
     const int high = basis_[k].side > 0 ? 1 : 0;
@@ -156,8 +157,8 @@ class ShareProgram {
   }
 
   /// Moves y so that the basic column k leaves at the bound that its share exceeds, past all
-  /// changes as long as they leave some of the excess. Returns what of it no change makes up
-  /// for.
+  /// changes as long as they leave some of the excess. Returns the part of it that no change
+  /// makes up for.
   Number move(std::size_t k, const Number& excess) {
     using std::abs;
     const int sign = excess > 0 ? 1 : -1;
@@ -212,7 +213,7 @@ class ShareProgram {
       if (!(abs(rate) > least * size_of(columns_[i]))) continue;
       const int up = rate > 0 ? 1 : -1;
       for (const int side : {-up, up}) {
-        // From -1 to 0 past -cost, from 0 to 1 past cost; and down.
+        // A share goes from -1 to 0 past -cost, and from 0 to 1 past cost; or down.
         if (side == up ? shares_[i] == up : shares_[i] != -up) continue;
         const Number at = (side * cost(i) - dot(y, columns_[i])) / rate;
         changes.push_back({std::max(Number(0), at), i, side});
@@ -228,15 +229,15 @@ class ShareProgram {
   }
 
   std::vector<Three<Number>> columns_;
-  std::vector<int> shares_;  ///< 0 of basic columns
+  std::vector<int> shares_;  ///< shares by column; 0 for basic ones
   std::vector<char> is_basic_;
   std::array<Basic, 3> basis_;
-  std::array<Three<Number>, 3> rows_{};  ///< of the basis' inverse
-  Three<Number> rest_;                   ///< the target less what is not basic
-  double moved_ = 3;                     ///< bounds what was added up in it, for its rounding
+  std::array<Three<Number>, 3> rows_{};  ///< rows of the basis' inverse
+  Three<Number> rest_;                   ///< the target less the shares that are not basic
+  double moved_ = 3;  ///< a bound of what was added up in rest_, for its rounding
 };
 
-/// x with x_0 a_0 + x_1 a_1 + x_2 a_2 = b; nothing if there is none or more than one.
+/// Returns x with x_0 a_0 + x_1 a_1 + x_2 a_2 = b; nothing if there is none or more than one.
 std::optional<Vector3> solve_three(const std::array<Vector3, 3>& a, const Vector3& b) {
   const Vector3 first = cross(a[1], a[2]);
   const Rational determinant = dot(a[0], first);
@@ -249,7 +250,7 @@ Double3 to_doubles(const Wrench& w) {
   return {to_double(w.x), to_double(w.y), to_double(w.torque)};
 }
 
-/// What the load and all forces add up to.
+/// Returns the sum of the load and all forces.
 Vector3 total_wrench(const std::vector<ContactRow>& rows, const Wrench& load,
                      const Witness& witness) {
   // The forces times the motion's denominator have short denominators of their own.
@@ -316,8 +317,8 @@ class OpenFriction {
         std::move(columns), sum({}, Rational(-1), total_wrench(rows_, load_, witness_)), {}};
   }
 
-  /// With the shares of a program, the basic ones solved for exactly. Nothing if there is no
-  /// solution, or one beyond the friction that there is.
+  /// Returns the witness with the shares of a program, the basic ones solved for exactly.
+  /// Returns nothing if there is no solution, or one beyond the friction that there is.
   template <class Number>
   std::optional<Witness> complete(const ShareProgram<Number>& program) {
     for (std::size_t k = 0; k < open_.size(); ++k) push_along(open_[k], program.share(k));
@@ -372,7 +373,7 @@ std::optional<Witness> with_few_shares(const std::vector<ContactRow>& rows, cons
   ShareProgram<Rational> program = friction.exact_program();
   if (left) program.start_from(proposal);
   std::optional<Rational> exactly_left = program.solve();
-  if (!exactly_left) {  // what rounding made of the basis is none
+  if (!exactly_left) {  // rounding spoiled the basis: start anew
     program = friction.exact_program();
     exactly_left = program.solve();
   }

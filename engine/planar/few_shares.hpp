@@ -2,11 +2,11 @@
 /// \file
 /// Equilibria that can be stated in few words.
 ///
-/// A motion implies the force of every contact but those that stick: of these a witness states
+/// A motion implies the force of every contact but those that stick. For these a witness states
 /// the shares sigma of their friction that are used, b = sigma mu a, -1 <= sigma <= 1
 /// (certificate/FORMAT.md, section 3). Many contacts may stick (all do where nothing moves),
-/// and then only balance, three equations, restrains their shares: so there are always some of
-/// which at most three are neither 0 nor 1 nor -1.
+/// and then only balance, three equations, restrains their shares: so there are always shares
+/// of which at most three are neither 0 nor 1 nor -1.
 ///
 /// **Method.** The linear program "sum sigma_i mu_i a_i T_i makes up for the other forces,
 /// sum |sigma_i| least" has three rows. The dual simplex method for bounded variables with long
@@ -23,13 +23,13 @@
 
 namespace stickslip {
 
-/// An equilibrium with the motion d under the problem's one load; nothing if none is found, as
-/// where there is none.
+/// Returns an equilibrium with the motion d under the problem's one load, or nothing if none is
+/// found, as where there is none.
 std::optional<Witness> find_forces(const Problem& problem, const Twist& d);
 
-/// The same motion and normal forces, and friction with few shares: on the edge that opposes
-/// slip where `slips` has a sign, free where it is zero. Nothing if none is found that
-/// balances the load.
+/// Returns an equilibrium with the same motion and normal forces, and friction with few shares.
+/// Friction is on the edge that opposes slip where `slips` has a sign, and free where it is
+/// zero. Returns nothing if none is found that balances the load.
 std::optional<Witness> with_few_shares(const std::vector<ContactRow>& rows, const Wrench& load,
                                        const std::vector<Sign>& slips, Witness witness);
 

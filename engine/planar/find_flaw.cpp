@@ -9,7 +9,7 @@
 namespace stickslip {
 namespace {
 
-/// Pushes a node's children, the first one last; or says what is wrong with the node.
+/// Pushes a node's children, the first one last; or returns what is wrong with the node.
 struct NodeCheck {
   const Problem& problem;
   const Region& region;

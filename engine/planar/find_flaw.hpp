@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Verdicts on one grasp in the plane judged in memory.
+/// Verdicts on one grasp in the plane are judged here in memory.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace stickslip {
 
-/// The first node at which a rule of certificate/FORMAT.md, section 4, fails; nothing for a
-/// refutation that holds. O(nodes * m * rays) rational operations.
+/// Returns the first node at which a rule of certificate/FORMAT.md, section 4, fails; nothing
+/// for a refutation that holds. O(nodes * m * rays) rational operations.
 std::optional<std::string> find_flaw(const Problem& problem, const Trees& refutation);
 
-/// For callers who hold a verdict in memory; the checkers in certificate/ are the judges for
-/// everybody else. Runs on every verdict of the engines in the `dev` preset
-/// (STICKSLIP_VALIDATE). Throws ContractError if the verdict's evidence does not hold.
+/// Throws ContractError if the verdict's evidence does not hold. This is for callers who hold a
+/// verdict in memory; the checkers in certificate/ are the judges for everybody else. It runs
+/// on every verdict of the engines in the `dev` preset (STICKSLIP_VALIDATE).
 void validate(const Problem& problem, const Verdict& verdict);
 
 }  // namespace stickslip

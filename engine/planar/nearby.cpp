@@ -13,7 +13,7 @@ namespace {
 
 /// One contact of the approximation in double precision, in units of force and length.
 struct ContactEstimate {
-  double normal = 0;  ///< force, or without forces the normal law's
+  double normal = 0;  ///< its force, or without forces the normal law's
   double law = 0;     ///< v, the normal law's, as a force
   double ratio = 0;   ///< friction over its limit; 0 where there is no limit
   double slip = 0;
@@ -46,7 +46,7 @@ class Estimate {
 
   const Witness& near() const { return near_; }
 
-  /// Of the forces or, if they are not known, of the twist.
+  /// Returns the distance between the forces or, if they are not known, between the twists.
   double distance_to(const Witness& witness) const {
     if (!has_forces_) {
       const Twist& a = witness.twist;
@@ -63,9 +63,9 @@ class Estimate {
     return to_double(largest);
   }
 
-  /// What is below `small` times the largest is 0. A contact without force is open, and one
-  /// whose friction is at its limit slips; or, `on_borders`, they touch and stick where the
-  /// twist says so.
+  /// Returns the modes if all that is below `small` times the largest is 0. A contact without
+  /// force is open, and one whose friction is at its limit slips; or, `on_borders`, they touch
+  /// and stick where the twist says so.
   std::vector<ModeGuess> guesses(double small, bool on_borders) const {
     std::vector<ModeGuess> result;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -25,18 +25,18 @@ void add_multiple(Vector5& sum, const Rational& factor, const Vector5& function)
   for (std::size_t j = 0; j < 5; ++j) sum[j] += factor * function[j];
 }
 
-/// \{ Where the cone is one of motions alone, the constraints l >= low h and l <= high h, of
-/// which it knows nothing; they come after all others.
+/// \{ The constraints l >= low h and l <= high h where the cone is one of motions alone, and
+/// knows nothing of them. They come after all others.
 constexpr ConstraintIndex kAboveLow = std::numeric_limits<ConstraintIndex>::max() - 1;
 constexpr ConstraintIndex kBelowHigh = kAboveLow + 1;
 /// \}
 
-/// sign * (l - end h), primitive.
+/// Returns sign * (l - end h), primitive.
 IntegerVector5 end_plane(const Rational& end, int sign) {
   return primitive_multiple<5>({0, 0, 0, -sign * end, sign});
 }
 
-/// The point of the motion x with l = multiple h.
+/// Returns the point of the motion x with l = multiple h.
 IntegerVector5 with_multiple(const IntegerVector5& x, const Rational& multiple) {
   IntegerVector5 result = x;
   for (Integer& entry : result) entry *= denominator(multiple);
@@ -44,10 +44,10 @@ IntegerVector5 with_multiple(const IntegerVector5& x, const Rational& multiple) 
   return primitive(std::move(result));
 }
 
-/// The part of the cone where no v_i is below 0: cut by those that are somewhere. O(m rays).
+/// Cuts the cone to the part where no v_i is below 0, by those that are somewhere. O(m rays).
 void cut_by_normal_law(Cone& cone, const Problem& problem) {
   const std::size_t m = problem.size();
-  // Contacts far apart first: the later ones then cut less often.
+  // Contacts far apart come first: the later ones then cut less often.
   std::size_t step = m / 2 + m / 8 + 1;
   while (std::gcd(step, m) > 1) ++step;
   std::size_t i = 0;

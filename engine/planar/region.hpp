@@ -18,37 +18,39 @@ namespace stickslip {
 /// A split by what one contact does.
 using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
 
-/// A set of motions between the planes of its splits. A split makes new ones. Of a family in
-/// which only the load grows its cone() has the motions alone, at l = 0: any of them goes with
-/// any multiple.
+/// A set of motions between the planes of its splits. A split makes new ones. For a family in
+/// which only the load grows, cone() has the motions alone, at l = 0: any of them goes with any
+/// multiple.
 class Region : public StrictConeOf<IntegerVector5> {
  public:
-  /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral;
-  /// of a family, with all multiples in its range.
+  /// Returns all motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when
+  /// bilateral; for a family, with all multiples in its range.
   static Region root(const Problem& problem);
-  /// The part of root() in which each contact is closed or open, and slips where it is closed
-  /// and has friction, as in the mode, by ContactId.
+  /// Returns the part of root() in which each contact is closed or open, and slips where it is
+  /// closed and has friction, as in the mode, by ContactId.
   static Region of_mode(const Problem& problem, const std::vector<ContactMode>& mode);
 
   /// A half-space or plane that a region begins with.
   struct Cut {
     IntegerVector5 plane;  ///< a of a.x = 0
-    Side side;             ///< what is kept
+    Side side;             ///< the side that is kept
     bool strict = false;   ///< the plane is not 0 at solutions
   };
-  /// All of {h >= 0} between these planes, for any multiples; h itself may be 0.
+  /// Returns all of {h >= 0} between these planes, for any multiples; h itself may be 0.
   static Region between(const Problem& problem, const std::vector<Cut>& cuts);
-  /// As StrictConeOf::cut_to_wall, of one grasp.
+  /// Returns the cone over a wall of the body (StrictConeOf::cut_to_wall), for one grasp.
   static Region wall(const Problem& problem, const ConvexBody& body, std::size_t wall);
 
-  /// Points of which the closure is the set of nonnegative combinations, lines both ways. Where
-  /// only the load grows: those of the motions with l at either end of the range; and (0, 0, 1)
-  /// if it has one end.
+  /// Returns points whose nonnegative combinations are the closure; lines give two points, one
+  /// each way. Where only the load grows they are those of the motions, with l at either end of
+  /// the range, and (0, 0, 1) if it has one end.
   std::vector<Ray> generators(const Problem& problem) const;
-  /// What slip splits have said of a contact: kZero is the label 0; nothing is no label.
+  /// Returns what slip splits have said of a contact: kZero is the label 0; nothing is no
+  /// label.
   std::optional<Sign> label(ContactId contact) const { return labels_[contact.index()]; }
 
-  /// \{ The child of a slip, separation or plane split; of a temporary, made in its place.
+  /// \{ Returns the child of a slip, separation or plane split; of a temporary, made in its
+  /// place.
   Region slip_child(const Problem& problem, ContactId contact, Sign slip) const&;
   Region slip_child(const Problem& problem, ContactId contact, Sign slip) &&;
   Region separation_child(const Problem& problem, ContactId contact,
@@ -58,47 +60,49 @@ class Region : public StrictConeOf<IntegerVector5> {
   Region plane_child(const IntegerVector5& plane, Side side) const&;
   Region plane_child(const IntegerVector5& plane, Side side) &&;
   /// \}
-  /// All children of a split, in the order of a tree.
+  /// Returns all children of a split, in the order of a tree.
   std::vector<Region> children(const Problem& problem, const ContactSplit& at) const;
 
-  /// The intersection with all of a slip state at once: contact i has label state[i].
+  /// Returns the intersection with all of a slip state at once: contact i has label state[i].
   Region with_slip_state(const Problem& problem, const std::vector<Sign>& state) const;
 
-  /// From the signs of v_i on the cone; under the bilateral law always closed.
+  /// Returns what the signs of v_i on the cone say; under the bilateral law always closed.
   Separation separation(const Problem& problem, ContactId contact) const;
 
-  /// The sign of slip that every solution in the region has, so that friction is on one edge of
-  /// its cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
+  /// Returns the sign of slip that every solution in the region has, so that friction is on one
+  /// edge of its cone; nothing when friction may lie anywhere in it ("has the sign",
+  /// FORMAT.md).
   std::optional<Sign> slip_sign(const Problem& problem, ContactId contact) const;
 
-  /// \{ The same where many are asked for, with the signs on cone().
+  /// \{ Returns the same with the signs on cone(), for callers who ask for many.
   static Separation separation(const Problem& problem, ContactId contact,
                                const ConeSigns& signs);
   std::optional<Sign> slip_sign(const Problem& problem, ContactId contact,
                                 const ConeSigns& signs) const;
   /// \}
 
-  /// As StrictConeOf::bars, of generators or rays of cone().
+  /// Returns whether some strict function is 0 on all of these generators or rays of cone()
+  /// (StrictConeOf::bars).
   bool bars(const std::vector<const Ray*>& rays) const {
     return StrictConeOf::bars(
         rays, [](const Ray* ray) -> const auto& { return ray->tight; });
   }
-  /// Whether no solution has h = 0, as in root() and its parts.
+  /// Returns whether no solution has h = 0, as in root() and its parts.
   bool has_height() const { return !strict_.empty() && strict_.front() == 0; }
 
  private:
   explicit Region(const Problem& problem, Multiples multiples = Multiples::kZero)
       : StrictConeOf(multiples), labels_(problem.size()) {}
 
-  bool any_multiple_ = false;  ///< of a family in which only the load grows
+  bool any_multiple_ = false;  ///< only the load of its family grows
   std::vector<std::optional<Sign>> labels_;
 };
 
-/// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium,
-/// for any of the problem's multiples. O(m * generators) rational operations.
+/// Returns whether the virtual twist proves, by the rule leaf-bound, that the region has no
+/// equilibrium, for any of the problem's multiples. O(m * generators) rational operations.
 bool refutes(const Problem& problem, const Region& region, const TwistLeaf& leaf);
 
-/// The bound g(r) of leaf-bound on each of region.generators().
+/// Returns the bound g(r) of leaf-bound on each of region.generators().
 std::vector<Rational> work_bounds(const Problem& problem, const Region& region,
                                   const TwistLeaf& leaf);
 

@@ -167,7 +167,7 @@ ContactFreedom RegionForces::slip_freedom(const Region& region, const Signs& sig
   return freedom;
 }
 
-/// Nothing if it is not known to be the same for all.
+/// Returns what is known of the slip of all; nothing if it is not known to be the same.
 std::optional<ContactFreedom> RegionForces::group_slip(const Region& region,
                                                        const ContactGroup& group) {
   if (group.is_frictionless) return ContactFreedom{Separation::kMixed, 1, false};
@@ -182,7 +182,7 @@ std::optional<ContactFreedom> RegionForces::group_slip(const Region& region,
 
 ContactFreedom RegionForces::contact_slip(const Region& region, std::uint32_t place) {
   const ContactRowDoubles& c = model_.groups.rows()[place];
-  // Both edges are one.
+  // Without friction both edges are one.
   if (c.frictionless) return {Separation::kMixed, 1, false};
   const ContactId contact(model_.groups.order()[place]);
   if (const std::optional<Sign> label = region.label(contact)) {
@@ -251,7 +251,7 @@ void RegionForces::add_group(std::uint32_t index, const ContactFreedom& freedom)
   }
 }
 
-/// Its v are in values_.
+/// Adds a contact whose v are in values_.
 void RegionForces::add_contact(const ContactRowDoubles& c, BlockForces* sums) const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const BlockDoubles v = values_[b].max(0.0);
@@ -263,7 +263,7 @@ void RegionForces::add_contact(const ContactRowDoubles& c, BlockForces* sums) co
   }
 }
 
-/// One by one; those that may do the same are put together.
+/// Looks at contacts one by one; those that may do the same are put together.
 void RegionForces::visit_contacts(const Region& region, std::uint32_t index,
                                   const std::optional<ContactFreedom>& slip) {
   const ContactGroup& group = model_.groups.groups()[index];
@@ -309,11 +309,11 @@ void RegionForces::visit_contacts(const Region& region, std::uint32_t index,
   }
 }
 
-/// `slip` if it is known to be the same for all.
+/// `slip` is given if it is known to be the same for all.
 void RegionForces::visit_group(const Region& region, std::uint32_t index,
                                std::optional<ContactFreedom> slip) {
   const ContactGroup& group = model_.groups.groups()[index];
-  // Fewer are looked at one by one as soon as all at once.
+  // Fewer contacts take no longer one by one than all at once.
   constexpr std::uint32_t kFewest = 8;
   if (model_.is_moderate && group.end - group.begin >= kFewest) {
     ++visits_;

@@ -15,20 +15,21 @@ struct OpenContact {
   ContactId contact;
   bool mixed = false;
   std::optional<Sign> slip;
-  std::vector<Rational> most;  ///< by generator: the largest a_i there, v_i or max(0, v_i)
+  std::vector<Rational> most;  ///< the largest a_i by generator: v_i or max(0, v_i)
   Vector3 forward;             ///< the wrench of its edge 1, per unit of a_i
-  Vector3 backward;            ///< of its edge -1
-  int edge = 0;                ///< of the current extreme point; 0: a_i = 0
+  Vector3 backward;            ///< the wrench of its edge -1
+  int edge = 0;                ///< the edge of the current extreme point; 0: a_i = 0
 };
 
 /// An extreme point of the relaxation on one generator: the edges that the contacts push along.
 struct Column {
   std::size_t generator = 0;
-  std::vector<std::int8_t> edges;  ///< by open contact
-  Vector3 wrench;                  ///< of the load and all contacts
+  std::vector<std::int8_t> edges;  ///< edges by open contact
+  Vector3 wrench;                  ///< the sum of the load and all contacts' wrenches
 };
 
-/// Those of a problem's own loads: positive are the strict functions of the multiples, and h.
+/// Returns the generators with the problem's own loads. The positive functions are the strict
+/// ones of the multiples, and h.
 std::vector<LoadedGenerator> loaded_generators(const Problem& problem,
                                                const std::vector<Ray>& rays) {
   const MultipleRange& range = problem.multiples();
@@ -41,7 +42,7 @@ std::vector<LoadedGenerator> loaded_generators(const Problem& problem,
     g.load = coordinates(g.x[3] * problem.wrench() + g.x[4] * problem.load_growth());
     if (above_low) g.positive.push_back(g.x[4] - range.low * g.x[3]);
     if (below_high) g.positive.push_back(*range.high * g.x[3] - g.x[4]);
-    // Between two finite ends h > 0 follows.
+    // h > 0 follows between two finite ends.
     if (g.positive.empty() || !range.high) g.positive.push_back(g.x[3]);
     generators.push_back(std::move(g));
   }
@@ -56,7 +57,7 @@ void add(LpWork& sum, const LpWork& part) {
   sum.largest_bits = std::max(sum.largest_bits, part.largest_bits);
 }
 
-/// How long the vector is, in multiples of a positive multiple of it.
+/// Returns the factor by which the vector is longer than a positive multiple of it.
 Rational scale_of(const Vector5& vector, const IntegerVector5& multiple) {
   for (std::size_t j = 0; j < 5; ++j) {
     if (!multiple[j].is_zero()) return vector[j] / Rational(multiple[j]);
@@ -66,20 +67,20 @@ Rational scale_of(const Vector5& vector, const IntegerVector5& multiple) {
 
 class ColumnGeneration {
  public:
-  /// Of the problem's own loads.
+  /// Solves for the problem's own loads.
   ColumnGeneration(const Problem& problem, const Region& region)
       : ColumnGeneration(problem, region, ConeSigns(region.cone()),
                          region.generators(problem)) {}
 
-  /// Of other loads.
+  /// Solves for other loads.
   ColumnGeneration(const Problem& problem, const std::vector<std::optional<Sign>>& slips,
                    std::vector<LoadedGenerator> generators)
       : problem_(problem), generators_(std::move(generators)) {
     begin([&](ContactId contact) { return slips[contact.index()]; });
   }
 
-  /// The rule leaf-bound: g is the work of the corners that do the most. Of the problem's own
-  /// loads.
+  /// Applies the rule leaf-bound: g is the work of the corners that do the most. For the
+  /// problem's own loads only.
   bool is_refuted_by(const TwistLeaf& leaf) {
     const Vector3 y = coordinates(twist_of(vector_of<3>(leaf.twist)));
     push_against(y);
@@ -112,8 +113,8 @@ class ColumnGeneration {
     return point(sum);
   }
 
-  /// The largest (sign = 1) or smallest (sign = -1) multiple, or a ray on which it grows
-  /// without end.
+  /// Returns the point with the largest (sign = 1) or smallest (sign = -1) multiple, or a ray
+  /// on which it grows without end.
   std::optional<RelaxedPoint> extreme(int sign, LpWork& work) {
     const auto outcome = optimize(kHeight, sign, work);
     if (std::holds_alternative<Vector3>(outcome)) return std::nullopt;
@@ -122,10 +123,10 @@ class ColumnGeneration {
   }
 
  private:
-  /// In place of the number of a positive function.
+  /// Stands for h in place of the number of a positive function.
   static constexpr std::size_t kHeight = std::numeric_limits<std::size_t>::max();
 
-  /// Of what is made 1: a positive function, or h.
+  /// Returns the value of what is made 1: a positive function, or h.
   static const Rational& value_of(std::size_t scale, const LoadedGenerator& g) {
     return scale == kHeight ? g.x[3] : g.positive[scale];
   }
@@ -146,7 +147,8 @@ class ColumnGeneration {
     for (std::size_t i = 0; i < problem_.size(); ++i) add_contact(ContactId(i), slip_sign);
   }
 
-  /// v_i at the generators; by integers where there are any, which is several times faster.
+  /// Returns v_i at the generators; by integers where there are any, which is several times
+  /// faster.
   std::vector<Rational> separations(ContactId contact) const {
     std::vector<Rational> result;
     const Vector5& separation = problem_.separation(contact);
@@ -204,7 +206,7 @@ class ColumnGeneration {
     }
   }
 
-  /// Of all open contacts, along the edges that do the most work on a twist.
+  /// Pushes all open contacts along the edges that do the most work on a twist.
   void push_against(const Vector3& twist) {
     for (OpenContact& open : open_) {
       const Rational forward = dot(open.forward, twist);
@@ -216,9 +218,10 @@ class ColumnGeneration {
     }
   }
 
-  /// sum lambda_c (wrench_c, scale_c) = (0, 0, 0, 1), lambda >= 0, with the most of
-  /// sign * multiple. Or a twist y with g <= 0 on all generators, = 0 only where the scale is
-  /// 0.
+  /// Solves sum lambda_c (wrench_c, scale_c) = (0, 0, 0, 1), lambda >= 0, so that the multiple
+  /// is largest (sign = 1), smallest (-1) or any (0); returns a ray if it grows without end. If
+  /// there is no solution, returns a twist y with g <= 0 on all generators, = 0 only where the
+  /// scale is 0.
   std::variant<Optimal, Unbounded, Vector3> optimize(std::size_t scale, int sign,
                                                      LpWork& work) {
     while (true) {
@@ -257,7 +260,7 @@ class ColumnGeneration {
   }
 
   /// Adds, on each generator, the extreme point that does the most work on the twist, if its
-  /// reduced cost is negative: y.wrench + z scale > cost. False if there are none.
+  /// reduced cost is negative: y.wrench + z scale > cost. Returns false if there are none.
   bool add_columns(const Vector3& twist, std::size_t scale, const Rational& z, int sign) {
     push_against(twist);
     bool added = false;
@@ -277,7 +280,7 @@ class ColumnGeneration {
     return added;
   }
 
-  /// The combination of columns, scaled to h = 1; where h = 0, to the multiple 1.
+  /// Returns the combination of columns, scaled to h = 1; where h = 0, to the multiple 1.
   RelaxedPoint point(const std::vector<Rational>& weights) const {
     RelaxedPoint result;
     Vector5 x{};
@@ -325,7 +328,7 @@ class ColumnGeneration {
       const Rational& b = open_forces[q].tangential;
       if (open_[q].mixed) {
         const Rational lawful = std::max(Rational(0), v_at(contact));
-        // An energy of the spring, as the slip's gap is one of friction.
+        // The gap is an energy of the spring, as the slip's gap is one of friction.
         const Rational gap = abs(Rational(a - lawful)) * std::max(a, lawful) / row.stiffness;
         consider(gap, widest, SeparationSplit{contact}, result.broken);
         consider(gap, widest_separation, SeparationSplit{contact}, result.broken_separation);
@@ -341,18 +344,18 @@ class ColumnGeneration {
   }
 
   const Problem& problem_;
-  const Region* region_ = nullptr;  ///< of the problem's own loads
-  std::vector<Ray> rays_;           ///< of the problem's own loads; then one for each generator
+  const Region* region_ = nullptr;  ///< the region, for the problem's own loads
+  std::vector<Ray> rays_;           ///< its generators, for the problem's own loads
   std::vector<LoadedGenerator> generators_;
-  std::vector<Vector3>
-      wrenches_;            ///< by generator: of the load, and of contacts on their edges
-  std::size_t scales_ = 1;  ///< how many functions are positive
+  std::vector<Vector3> wrenches_;  ///< sums of load and contacts on their edges, by generator
+  std::size_t scales_ = 1;         ///< how many functions are positive
   std::vector<std::pair<ContactId, int>> settled_;  ///< closed, with the edge of their force
   std::vector<OpenContact> open_;
   std::vector<Column> columns_;
 };
 
-/// A leaf near the given one whose twist has small entries, if one refutes.
+/// Returns a leaf near the given one whose twist has small entries, if one refutes; else the
+/// given one.
 TwistLeaf with_small_integers(ColumnGeneration& program, TwistLeaf leaf) {
   Integer largest = 0;
   for (const Integer& entry : leaf.twist) largest = std::max<Integer>(largest, abs(entry));
@@ -360,7 +363,7 @@ TwistLeaf with_small_integers(ColumnGeneration& program, TwistLeaf leaf) {
   for (long scale = 1; scale < largest && scale <= kLargestScale; scale *= 4) {
     TwistLeaf small{Row(3)};
     for (std::size_t j = 0; j < 3; ++j) {
-      // Round half up: floor((2 scale y + largest) / (2 largest)).
+      // This rounds half up: floor((2 scale y + largest) / (2 largest)).
       Integer quotient;
       const Integer dividend = 2 * scale * leaf.twist[j] + largest;
       const Integer divisor = 2 * largest;

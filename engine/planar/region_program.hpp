@@ -31,33 +31,33 @@ namespace stickslip {
 /// A point of the relaxation; an equilibrium iff nothing is broken.
 struct RelaxedPoint {
   Witness witness;        ///< motion and forces
-  Rational multiple = 0;  ///< in a family
-  bool is_ray = false;    ///< h = 0: what may be added to a solution without end
+  Rational multiple = 0;  ///< the multiple, in a family
+  bool is_ray = false;    ///< h = 0: it may be added to a solution without end
   /// The split at the contact that breaks its normal law (a_i > max(0, v_i)) or maximum
   /// dissipation with the most energy, if any does.
   std::optional<ContactSplit> broken;
-  std::optional<SeparationSplit> broken_separation;  ///< of the normal laws alone, if any is
+  std::optional<SeparationSplit> broken_separation;  ///< the same for the normal laws alone
 };
 
-/// Either a point of the relaxed system, for one of the problem's multiples, or a leaf that
-/// refutes the region (verified): `guess` if it does; otherwise its twist, if given, is the one
-/// that the first columns are made for.
+/// Returns a point of the relaxed system, for one of the problem's multiples, or a leaf that
+/// refutes the region (verified): `guess` if it does. If it does not, the first columns are
+/// made for its twist.
 std::variant<RelaxedPoint, TwistLeaf> solve_region(const Problem& problem, const Region& region,
                                                    LpWork* work,
                                                    const TwistLeaf* guess = nullptr);
 
-/// A generator of a region's points with what loads it.
+/// A generator of a region's points, and the load there.
 struct LoadedGenerator {
   Vector5 x;     ///< d, h, l
-  Vector3 load;  ///< that acts there
-  /// Of functions that are nowhere negative on the region, and positive at solutions: their
-  /// values here, of at least one; h > 0 has to follow from the others, or be one of them.
+  Vector3 load;  ///< the load that acts there
+  /// The values here of functions, at least one, that are nowhere negative on the region and
+  /// positive at solutions; h > 0 has to follow from the others, or be one of them.
   std::vector<Rational> positive;
 };
 
-/// The same for loads that are no family's, those of these generators, and a region that is
-/// known by them and by the signs that slips have on it (Region::slip_sign). The leaf is
-/// primitive, not verified, and the bounds of FORMAT.md's g on the generators are <= 0, and 0
+/// Returns the same for loads that are no family's, those of these generators, and a region
+/// that is known by them and by the signs that slips have on it (Region::slip_sign). The leaf
+/// is primitive and not verified; the bounds of FORMAT.md's g on the generators are <= 0, and 0
 /// only where one of the positive functions is.
 std::variant<RelaxedPoint, TwistLeaf> solve_loaded_region(
     const Problem& problem, const std::vector<std::optional<Sign>>& slips,
@@ -66,12 +66,12 @@ std::variant<RelaxedPoint, TwistLeaf> solve_loaded_region(
 /// The smallest and the largest multiple of the relaxed system; `highest` is a ray if there is
 /// no largest.
 struct MultipleExtent {
-  RelaxedPoint lowest;   ///< at the smallest multiple
-  RelaxedPoint highest;  ///< at the largest, or a ray
+  RelaxedPoint lowest;   ///< the point at the smallest multiple
+  RelaxedPoint highest;  ///< the point at the largest, or a ray
 };
 
-/// Over all multiples between the ends of a family's range; nothing if the system has no
-/// solution there.
+/// Returns the extent over all multiples between the ends of a family's range; nothing if the
+/// system has no solution there.
 std::optional<MultipleExtent> multiple_extent(const Problem& problem, const Region& region);
 
 }  // namespace stickslip

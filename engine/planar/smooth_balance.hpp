@@ -12,7 +12,8 @@
 
 namespace stickslip {
 
-/// How forces answer motions where contacts neither open nor slip: springs in both directions.
+/// Returns how forces answer motions where contacts neither open nor slip: as springs do, in
+/// both directions.
 inline Eigen::Matrix3d spring_stiffness(const DoubleModel& model) {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
   for (const ContactDoubles& c : model.contacts) {
@@ -27,26 +28,27 @@ inline Eigen::Matrix3d spring_stiffness(const DoubleModel& model) {
 /// Balance with friction made smooth, -mu c_n clamp(T.d / epsilon), as three equations in d.
 class SmoothBalance {
  public:
-  /// Of a problem, which must outlive it.
+  /// Balances a problem, whose model must outlive it.
   explicit SmoothBalance(const DoubleModel& model) : model_(model) {}
 
   /// \{ The slip up to which friction is smooth.
   void set_epsilon(double epsilon) { epsilon_ = epsilon; }
   double epsilon() const { return epsilon_; }
   /// \}
-  /// Presses all contacts by so much more.
+  /// Presses all contacts by so much more: adds it to every v.
   void set_squeeze(double squeeze) { squeeze_ = squeeze; }
-  /// Of a family, the member with h and l; 1 and 0 at first.
+  /// Chooses the member of a family, by h and l; they are 1 and 0 at first.
   void set_member(double h, double l) {
     h_ = h;
     l_ = l;
   }
-  /// The point (d, h, l).
+  /// Returns the point (d, h, l).
   Double5 point(const Eigen::Vector3d& d) const { return {d[0], d[1], d[2], h_, l_}; }
-  /// The friction over its most.
+  /// Returns the friction over its most, with a sign.
   double friction_ratio(double slip) const { return std::clamp(-slip / epsilon_, -1.0, 1.0); }
 
-  /// Whether some contact is pulled at noticeably, as no law allows: here they open.
+  /// Returns whether some contact is pulled at noticeably. A law may forbid that: here contacts
+  /// open.
   bool opens(const Eigen::Vector3d& d) const {
     constexpr double kNoticeable = 1e-6;
     const Double5 x = point(d);
@@ -56,7 +58,7 @@ class SmoothBalance {
     });
   }
 
-  /// The sum of all wrenches, and its derivative.
+  /// Returns the sum of all wrenches, and sets its derivative.
   Eigen::Vector3d residual(const Eigen::Vector3d& d, Eigen::Matrix3d& derivative) const {
     Eigen::Vector3d sum;
     for (Eigen::Index j = 0; j < 3; ++j) {
@@ -83,13 +85,13 @@ class SmoothBalance {
     return sum;
   }
 
-  /// A force, with torques over the typical distance.
+  /// Returns the size of a wrench as a force, with torques over the typical distance.
   double norm(const Eigen::Vector3d& wrench) const {
     return std::fabs(wrench[0]) + std::fabs(wrench[1]) + std::fabs(wrench[2]) / model_.length;
   }
 
-  /// Newton's method with step halving, until the norm of the residual is at most `enough`.
-  /// Returns the one reached.
+  /// Improves d by Newton's method with step halving, until the norm of the residual is at most
+  /// `enough`. Returns the norm that was reached.
   double solve(Eigen::Vector3d& d, int steps, double enough) const {
     Eigen::Matrix3d derivative;
     Eigen::Vector3d sum = residual(d, derivative);

@@ -51,7 +51,7 @@ class StatesEngine {
   /// Whether a region has all motions of its states, or those on one side of a separation.
   enum class Coverage { kWhole, kPart };
 
-  /// A tree that covers the region; nothing when an equilibrium was found.
+  /// Returns a tree that covers the region; nothing when an equilibrium was found.
   std::optional<Trees> refute(const Region& region, const Group& group, Coverage coverage) {
     if (region.is_barred()) return leaf(group, coverage, TwistLeaf{Row(3)});
     require(!group.empty(), "a region's slip state is missing from the enumeration");
@@ -105,8 +105,8 @@ class StatesEngine {
     return tree;
   }
 
-  /// From the first on, which is where the point of the relaxation lies: an equilibrium may be
-  /// near.
+  /// Refutes the parts from the first on, which is where the point of the relaxation lies: an
+  /// equilibrium may be near.
   std::optional<Trees> refute_parts(const TreeNode& node, const std::vector<GroupRegion>& parts,
                                     std::size_t first, Coverage coverage) {
     std::vector<Trees> trees(parts.size());
@@ -121,8 +121,8 @@ class StatesEngine {
     return whole;
   }
 
-  /// The common system of the states in a region. The twist that refuted the last ones may do
-  /// for these; if not, it is where to start from.
+  /// Solves the common system of the states in a region. The twist that refuted the last ones
+  /// may do for these; if not, it is where to start from.
   std::variant<RelaxedPoint, TwistLeaf> solve(const Region& region) {
     LpWork lp;
     auto outcome = solve_region(problem_, region, &lp, last_ ? &*last_ : nullptr);
@@ -150,7 +150,7 @@ class StatesEngine {
 
   const Problem& problem_;
   StatesWork& work_;
-  std::set<const SlipState*> solved_;  ///< by themselves
+  std::set<const SlipState*> solved_;  ///< states solved by themselves
   std::optional<TwistLeaf> last_;
   Witness witness_;
 };

@@ -28,7 +28,7 @@ struct ValueRange {
   double high;
 };
 
-/// Of the functions of a box at a point, wide enough for what is rounded.
+/// Returns the range of the functions of a box at a point, wide enough for what is rounded.
 template <std::size_t n, std::size_t k>
 ValueRange range_of(const CoefficientBox<n>& box, const std::array<double, k>& x) {
   constexpr std::size_t kUsed = std::min(n, k);
@@ -40,23 +40,24 @@ ValueRange range_of(const CoefficientBox<n>& box, const std::array<double, k>& x
     radius += box.radius[j] * std::fabs(x[j]);
     magnitude += std::fabs(box.center[j] * x[j]);
   }
-  // Coefficients 4u, products u, sums 6u: below 18u, with u = 2^-53.
+  // The relative errors are 4u for coefficients, u for products, 6u for sums: below 18u, with u
+  // = 2^-53.
   constexpr double kRelativeError = 2e-15;
   radius += kRelativeError * (magnitude + radius);
   return {center - radius, center + radius};
 }
 
-/// What contacts of a group do on a twist.
+/// The work of a group's contacts on a twist.
 struct GroupWork {
   double sigma = 1;         ///< the edge on which friction works most, in the middle
-  bool is_one_edge = true;  ///< for all of them
-  ValueRange alpha{0, 0};   ///< and of all
+  bool is_one_edge = true;  ///< it is the edge of all of them
+  ValueRange alpha{0, 0};   ///< the range of alpha over all of them
 
-  /// All count, with one edge.
+  /// Returns whether all contacts count, with one edge.
   bool is_one_form(const ContactFreedom& freedom) const {
     return is_one_edge && (freedom.is_closed() || alpha.low > 0);
   }
-  /// None counts.
+  /// Returns whether no contact counts.
   bool is_idle(const ContactFreedom& freedom) const {
     return !freedom.is_closed() && alpha.high < 0;
   }
@@ -75,7 +76,7 @@ GroupWork group_work(const ContactGroup& group, const ContactFreedom& freedom,
   return work;
 }
 
-/// max(0, v) of a contact at a ray, without what may be rounding alone; for proposals.
+/// Returns max(0, v) of a contact at a ray, without what may be rounding alone; for proposals.
 double push_at(const ContactDoubles& c, const Double5& x) {
   const double v = dot(c.separation, x);
   return v > c.separation_error ? v : 0;
@@ -147,7 +148,7 @@ void TwistSearch::add_undecided_bounds(const RegionForces& forces, const Double3
   for_each_part(forces, twist, precisely, add_group, add_contact);
 }
 
-/// The wrench whose work on the twist is the bound at the ray.
+/// Returns the wrench whose work on the twist is the bound at the ray.
 Double3 TwistSearch::wrench_at(const RegionForces& forces, const Double3& twist,
                                std::size_t ray, bool precisely) const {
   const Double5& x = forces.rays()[ray];
@@ -182,7 +183,8 @@ void TwistSearch::list_middles(const RegionForces& forces) {
   }
 }
 
-/// Rays are as long as their directions happen to be; their wrenches compare by force.
+/// Finds scales that make the wrenches of rays comparable, by force: rays are as long as their
+/// directions happen to be.
 void TwistSearch::scale_rays(const RegionForces& forces) {
   const std::size_t ray_count = forces.ray_count();
   scales_.assign(ray_count, 0.0);
@@ -212,7 +214,7 @@ void TwistSearch::scale_rays(const RegionForces& forces) {
   }
 }
 
-/// The ray with the largest bound on the twist, by scale, and that bound.
+/// Returns the ray with the largest bound on the twist, by scale, and that bound.
 std::pair<std::size_t, double> TwistSearch::worst_ray(const RegionForces& forces,
                                                       const Double3& twist, bool precisely) {
   const std::size_t ray_count = forces.ray_count();
@@ -226,7 +228,7 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const RegionForces& forces
   add_undecided_bounds(forces, twist, precisely);
   std::pair<std::size_t, double> worst{ray_count, -HUGE_VAL};
   for (std::size_t r = 0; r < ray_count; ++r) {
-    // Where nothing acts, g and h are 0: the ray is barred.
+    // A ray on which nothing acts is barred: g and h are 0.
     if (!forces.loaded(r) && !(acting_[r] > 0)) continue;
     const double bound = bounds_[r] / scales_[r];
     if (bound > worst.second) worst = {r, bound};
@@ -238,7 +240,7 @@ SearchResult TwistSearch::search(const RegionForces& forces, bool precisely, Con
   ++work.searches;
   list_middles(forces);
   scale_rays(forces);
-  // In torques over the length.
+  // The search takes torques over the length.
   const double length = model_.length;
   const auto unscaled = [&](const Double3& y) -> Double3 {
     return {y[0], y[1], y[2] / length};
@@ -301,16 +303,17 @@ RelaxedForce TwistSearch::force(std::uint32_t contact, const ContactFreedom& fre
   return result;
 }
 
-/// Of k a^2 |n|^2 and the like, with the coefficients of the box, whose contacts have k |n|^2 =
-/// 1. Normal coefficients that count where these of the law do differ from it in nothing.
+/// Bounds k a^2 |n|^2 and the like. The box's coefficients are those of contacts with k |n|^2 =
+/// 1; the stiffest contact of the group scales the result. A pushed motion on which a contact
+/// counts has a = max(0, v), so it differs from v only where that is negative.
 TwistSearch::GapBounds TwistSearch::gap_bounds(const ContactGroup& group,
                                                const ContactFreedom& freedom,
                                                const SearchResult& found) const {
   const ValueRange slip = range_of(group.friction, found.motion);
   const ValueRange law = range_of(group.separation, found.motion);
-  double most = 0;   // of a
-  double above = 0;  // of a - v
-  double below = 0;  // of v - a
+  double most = 0;   // bounds a
+  double above = 0;  // bounds a - v
+  double below = 0;  // bounds v - a
   GapBounds result;
   for (const PushedMotion& pushed : found.pushed) {
     const GroupWork work = group_work(group, freedom, pushed.twist);
@@ -321,7 +324,7 @@ TwistSearch::GapBounds TwistSearch::gap_bounds(const ContactGroup& group,
     most += a;
     above += may_count ? std::max(0.0, -v.low) : -v.low;
     below += counts ? std::min(0.0, v.high) : v.high;
-    // a |tau| + b tau.
+    // The dissipation that is missing is a |tau| + b tau.
     const double dissipated = !work.is_one_edge ? std::max(slip.high, -slip.low)
                               : work.sigma > 0  ? std::max(0.0, slip.high)
                                                 : std::max(0.0, -slip.low);
@@ -333,7 +336,8 @@ TwistSearch::GapBounds TwistSearch::gap_bounds(const ContactGroup& group,
   return result;
 }
 
-/// Of the springs, in about; of a group as if all had their share of what presses.
+/// Returns about the energy of the springs, as if all contacts of a group had their share of
+/// what presses.
 double TwistSearch::energy(const RegionForces& forces, const SearchResult& found) const {
   double sum = 0;
   for (std::size_t k = 0; k < forces.undecided().size(); ++k) {
@@ -355,7 +359,7 @@ WidestGap TwistSearch::widest_gap(const RegionForces& forces, const SearchResult
     std::uint32_t contact = 0;
 
     void consider(double candidate_gap, std::uint32_t candidate) {
-      // Of equals the first, in whatever order they come.
+      // The first of equals wins, in whatever order they come.
       if (candidate_gap > gap || (candidate_gap == gap && gap > 0 && candidate < contact)) {
         gap = candidate_gap;
         contact = candidate;
@@ -375,13 +379,13 @@ WidestGap TwistSearch::widest_gap(const RegionForces& forces, const SearchResult
   const auto consider_slip = [&](std::uint32_t contact, const ContactFreedom& freedom) {
     if (freedom.slip != 0 || !freedom.slip_cuts) return;
     const ContactDoubles& c = model_.contacts[contact];
-    // mu a |tau| + b tau: the dissipation that is missing.
+    // The dissipation that is missing is mu a |tau| + b tau.
     double tau = 0;
     for (std::size_t j = 0; j < 3; ++j) tau += c.friction[j] * found.motion[j];
     const RelaxedForce relaxed = force(contact, freedom, found);
     slip.consider(relaxed.normal * std::fabs(tau) + relaxed.tangential * tau, contact);
   };
-  // Groups with the largest bounds first, until no other can hold a wider gap.
+  // Groups with the largest bounds come first, until no other can hold a wider gap.
   const auto find_widest = [&](Widest& widest, double GapBounds::*bound, const auto& consider) {
     struct Pending {
       double bound;
@@ -399,7 +403,7 @@ WidestGap TwistSearch::widest_gap(const RegionForces& forces, const SearchResult
                                     : u.freedom.slip == 0 && u.freedom.slip_cuts;
       if (may_have_one) add(u);
     }
-    // Of equals the first is wanted, but not of those that hold none.
+    // The first of equals is wanted, but no look is needed at groups whose bound is 0.
     while (!pending.empty() && pending.top().bound > 0 && pending.top().bound >= widest.gap) {
       const UndecidedGroup part = pending.top().part;
       pending.pop();
@@ -415,8 +419,8 @@ WidestGap TwistSearch::widest_gap(const RegionForces& forces, const SearchResult
   };
   constexpr double kNoticeable = 1e-12;  // only chooses between a split and an exact program
   const double all = energy(forces, found);
-  // Separation first: a contact that may open weakens the bound on every ray, and a tree that
-  // splits these first is several times smaller (bench/README.md compares the rules).
+  // Separation comes first: a contact that may open weakens the bound on every ray, and a tree
+  // that splits these first is several times smaller (bench/README.md compares the rules).
   find_widest(separation, &GapBounds::separation, consider_separation);
   if (separation.gap > kNoticeable * all) {
     return {SeparationSplit{ContactId(separation.contact)}, separation.gap / all};
@@ -474,7 +478,7 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
       if (work.is_one_form(u.freedom)) {
         form = {};
         size = {};
-        double edge_work[3][5] = {};  // of a group that is not whole, by rays below
+        double edge_work[3][5] = {};  // 0 unless the group is whole; if not, by rays below
         for (std::size_t j = 0; j < 3 && is_whole; ++j) {
           for (std::size_t n = 0; n < 5; ++n) {
             edge_work[j][n] = group.normal_work[j][n] + work.sigma * group.friction_work[j][n];
@@ -503,7 +507,7 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
             const Double5& x = forces.rays()[r];
             const double v = dot(c.separation, x);
             if (!pushes_at(r) || v < -c.separation_error) continue;  // open, or exactly 0
-            // What is rounded to the wrong side of 0 is within the error.
+            // A v that is rounded to the wrong side of 0 is within the error.
             bounds_[r] += alpha * std::max(0.0, v);
             errors_[r] += alpha_magnitude * magnitude_of(c.separation, x);
             acting_[r] = 1;
@@ -517,8 +521,8 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
   // leaves room for second order.
   const double roundings = 64 + static_cast<double>(model_.contacts.size());
   constexpr double kUnitRoundoff = 1.2e-16;
-  // What underflows, 2^-873 in a v, is at most 2^-620 in a term, of which there are fewer
-  // than 2^40.
+  // An underflow, 2^-873 in a v, is at most 2^-620 in a term, of which there are fewer than
+  // 2^40.
   constexpr double kUnderflow = 1e-150;
   bool certain = true;
   for (std::size_t r = 0; r < ray_count; ++r) {

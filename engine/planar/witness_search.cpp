@@ -18,18 +18,19 @@ namespace stickslip {
 
 namespace {
 
-/// Sticks with all the friction there can be: known, and so is its slip.
+/// Returns whether a contact sticks with all the friction there can be: that is known, and so
+/// is its slip.
 bool rests_on_edge(const ModeGuess& guess) {
   return guess.closed && guess.sticks && guess.keeps_share && abs(guess.share) == 1;
 }
 
 /// Balance and no slip at the sticking contacts as linear equations, with the shares of
-/// friction as guessed but at a few *basic* contacts. Unknowns: d, then the friction b of
-/// these.
+/// friction as guessed but at a few *basic* contacts. The unknowns are d, then the friction b
+/// of these.
 class ModeSystem {
  public:
-  /// With `keeps_shares` all but the basic contacts have the friction guessed; else those that
-  /// stick have none: what it could do the basic ones can, whose T span its T.
+  /// `keeps_shares` gives all but the basic contacts the friction guessed. Otherwise those that
+  /// stick have none: the basic ones, whose T span its T, can do what it could.
   ModeSystem(const Problem& problem, const std::vector<ModeGuess>& guesses, bool keeps_shares)
       : problem_(problem), guesses_(guesses), shares_(guesses.size()) {
     choose_basic();
@@ -40,13 +41,13 @@ class ModeSystem {
     }
   }
 
-  /// Three independent slips are 0 only where nothing moves.
+  /// Returns whether nothing moves: then alone three independent slips are 0.
   bool is_at_rest() const { return basic_.size() == 3; }
-  /// All contacts that stick and can have friction.
+  /// Returns whether all contacts that stick and can have friction are basic.
   bool all_are_basic() const { return all_are_basic_; }
 
-  /// Nothing if there is no solution, or several. With `near` several will do: what they leave
-  /// open stays as it is there.
+  /// Returns the solution; nothing if there is none, or several. With `near` several will do:
+  /// what they leave open stays as it is there.
   std::optional<Witness> solve(const Witness* near) const {
     auto [a, b] = equations();
     RationalRow start(a.columns());
@@ -69,8 +70,8 @@ class ModeSystem {
     return std::find(basic_.begin(), basic_.end(), i) != basic_.end();
   }
 
-  /// At most three sticking contacts with linearly independent T, those with the most room in
-  /// the friction cone first.
+  /// Chooses at most three sticking contacts with linearly independent T, those with the most
+  /// room in the friction cone first.
   void choose_basic() {
     std::vector<std::pair<double, std::size_t>> candidates;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
@@ -97,7 +98,8 @@ class ModeSystem {
     }
   }
 
-  /// Balance, no slip at the basic contacts, and what keeps others on the border of their mode.
+  /// Returns the equations: balance, no slip at the basic contacts, and what keeps others on
+  /// the border of their mode.
   std::pair<RationalMatrix, RationalRow> equations() const {
     std::vector<std::size_t> on_border;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
@@ -122,7 +124,7 @@ class ModeSystem {
     return {std::move(a), std::move(b)};
   }
 
-  /// The first three rows: the load, and of each closed contact (N + share mu T) (x) v.
+  /// Fills the first three rows: the load, and of each closed contact (N + share mu T) (x) v.
   void add_balance(RationalMatrix& a, RationalRow& b) const {
     std::array<std::array<std::vector<Rational>, 4>, 3> terms;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
@@ -163,13 +165,14 @@ class ModeSystem {
   const Problem& problem_;
   const std::vector<ModeGuess>& guesses_;
   std::vector<std::size_t> basic_;
-  bool all_are_basic_ = true;  ///< unless at rest, where it does not matter
+  bool all_are_basic_ = true;  ///< not set at rest, where it does not matter
   std::vector<Rational> shares_;
 };
 
 }  // namespace
 
-/// Fine enough that the errors of many contacts together leave room at the basic ones.
+/// The steps are fine enough that the errors of many contacts together leave room at the basic
+/// ones.
 Rational rounded_share(double share) {
   constexpr double kSteps = 4294967296.0;
   const double clamped = std::clamp(share, -1.0, 1.0);
@@ -196,9 +199,9 @@ std::optional<Witness> complete_exactly(const Problem& problem,
 
 namespace {
 
-constexpr double kConverged = 1e-13;  // of the force
+constexpr double kConverged = 1e-13;  // relative to the force
 
-/// Newton's method until nothing is left that can be told.
+/// Applies Newton's method until nothing is left that can be told.
 double settle(const SmoothBalance& balance, const DoubleModel& model, Eigen::Vector3d& d,
               int steps) {
   return balance.solve(d, steps, kConverged * model.force);
@@ -217,14 +220,14 @@ std::vector<ModeGuess> guesses(const SmoothBalance& balance, const DoubleModel& 
   return result;
 }
 
-/// Contacts open at d and must not: SmoothBalance lets them, and to find that out exactly may
-/// take minutes.
+/// Returns whether contacts open at d and must not: SmoothBalance lets them, and to find that
+/// out exactly may take minutes.
 bool opens_unlawfully(const Problem& problem, const SmoothBalance& balance,
                       const Eigen::Vector3d& d) {
   return problem.law() == NormalLaw::kBilateral && balance.opens(d);
 }
 
-/// An equilibrium in the mode at d.
+/// Returns an equilibrium in the mode at d.
 std::optional<Witness> complete(const Problem& problem, const SmoothBalance& balance,
                                 const DoubleModel& model, const Eigen::Vector3d& d) {
   if (opens_unlawfully(problem, balance, d)) return std::nullopt;
@@ -249,9 +252,10 @@ NearEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
   return result;
 }
 
-/// A balance from rest, with friction as little smooth as it was found: epsilon, which stays
-/// set, falls from the size of all motion to nothing, in shorter steps where it goes too fast.
-/// `last_move` gets the last change. Nothing if none was found, or nothing resists.
+/// Returns a balance that is found from rest, with friction as little smooth as it was found.
+/// Epsilon falls from the size of all motion to nothing, in shorter steps where it goes too
+/// fast; the last one that balanced stays set. `last_move` gets the last change. Returns
+/// nothing if no balance was found, or nothing resists.
 std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothBalance& balance,
                                                Eigen::Vector3d& last_move) {
   if (!(model.stiffness > 0)) return std::nullopt;
@@ -262,7 +266,7 @@ std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothB
   const double coarsest =
       model.force / model.stiffness * static_cast<double>(model.contacts.size());
   Eigen::Vector3d d = Eigen::Vector3d::Zero();
-  double balanced = 0;  // the last epsilon that did
+  double balanced = 0;  // the last epsilon with a balance
   double epsilon = coarsest;
   double step = 0.1;
   for (int stage = 0; stage < kStages && epsilon >= kFinest * coarsest; ++stage) {
@@ -286,9 +290,9 @@ std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothB
   return d;
 }
 
-/// The same from contacts that press much harder, or from where springs would give, so that the
-/// contacts that will press are closed, and with less and less of both. Nothing if it does not
-/// balance in the end.
+/// Returns the same from contacts that press much harder (`squeezed`), or from where springs
+/// would give, so that the contacts that will press are closed; pressure and epsilon then fall.
+/// Returns nothing if it does not balance in the end.
 std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
                                                   SmoothBalance& balance, bool squeezed) {
   if (!(model.stiffness > 0)) return std::nullopt;
@@ -327,7 +331,8 @@ std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
   return d;
 }
 
-/// The same from other motions; `found` gets those where the method ends.
+/// Searches from motions at random, always the same; `found` gets those where the method
+/// balances.
 template <class Found>
 void relax_around(const DoubleModel& model, std::size_t starts, SmoothBalance& balance,
                   const Found& found) {
@@ -360,7 +365,8 @@ std::optional<Witness> find_witness_from_rest(const Problem& problem, const Doub
   const std::optional<Eigen::Vector3d> d = relax_from_rest(model, balance, move);
   if (!d || opens_unlawfully(problem, balance, *d)) return std::nullopt;
   if (auto witness = complete_exactly(problem, guesses(balance, model, *d))) return witness;
-  // Farther than the last step, as the next ones, which did not balance, would have gone on.
+  // The reach is farther than the last step, as the next ones, which did not balance, would
+  // have gone on.
   constexpr double kFarther = 16;
   move[2] *= model.length;
   const double reach = kFarther * move.norm();
@@ -389,7 +395,7 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
   if (!(settle(balance, model, d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
   if (opens_unlawfully(problem, balance, d)) return std::nullopt;
   std::vector<ModeGuess> modes = guesses(balance, model, d);
-  // How much friction there is where contacts stick is not what fails.
+  // The share of friction where contacts stick is not what fails.
   const auto are_one = [](const ModeGuess& a, const ModeGuess& b) {
     return a.closed == b.closed && a.sticks == b.sticks && (a.sticks || a.share == b.share);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// From an approximate equilibrium in double precision to an exact one, or none. Proposals
-/// only: what is returned has passed find_violation.
+/// Exact equilibria from approximate ones in double precision. Every witness that is returned
+/// has passed find_violation; all else is a proposal.
 #pragma once
 
 #include <optional>
@@ -13,53 +13,56 @@
 
 namespace stickslip {
 
-/// What an approximate equilibrium says of one contact.
+/// The mode of one contact, as an approximate equilibrium suggests it.
 struct ModeGuess {
   bool closed = false;  ///< it bears a force
-  bool sticks = false;  ///< and does not slip
-  /// Of its friction, sigma of the force N + sigma mu T: in [-1, 1], on an end if it slips.
+  bool sticks = false;  ///< it bears one and does not slip
+  /// The share sigma of friction in the force N + sigma mu T: in [-1, 1], on an end if it
+  /// slips.
   Rational share = 0;
   bool keeps_share = false;  ///< sticking with the share 1 or -1, it stays there
   bool touches = false;      ///< not closed, but v = 0
 };
 
-/// A share of friction from an approximate one; between -1 and 1.
+/// Returns a rational share of friction near an approximate one; between -1 and 1.
 Rational rounded_share(double share);
 
-/// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)
-/// rational operations. Nothing if the system is singular or its solution is not an
-/// equilibrium. Few of the sticking contacts have friction (few_shares.hpp), and how much is
-/// guessed does not matter. With `near` it does, and a singular system will do: what it leaves
-/// open stays as it is there.
+/// Returns the equilibrium with these modes: balance, and no slip at the sticking contacts, are
+/// solved exactly; O(m) rational operations. Returns nothing if the system is singular or its
+/// solution is not an equilibrium. Few of the sticking contacts have friction (few_shares.hpp),
+/// and how much is guessed does not matter. With `near` it does, and a singular system will do:
+/// what it leaves open stays as it is there.
 std::optional<Witness> complete_exactly(const Problem& problem,
                                         const std::vector<ModeGuess>& guesses,
                                         const Witness* near = nullptr);
 
 /// Motions d within `reach` of a middle, by coordinates.
 struct MotionBox {
-  Double3 middle;  ///< of the box
+  Double3 middle;  ///< the middle of the box
   Double3 reach;   ///< half its widths
 };
 
-/// Newton's method in the three unknowns of d for balance with friction made smooth,
-/// -mu c_n clamp(T.d / epsilon); then complete_exactly. From rest: epsilon falls from the size
-/// of all motion to nothing. If it ends at a balance that cannot be completed, `otherwise` gets
-/// where an equilibrium may be near. O(m) for each of at most a few hundred steps.
+/// Returns an equilibrium that is found from rest. Newton's method in the three unknowns of d
+/// solves balance with friction made smooth, -mu c_n clamp(T.d / epsilon), while epsilon falls
+/// from the size of all motion to nothing; then complete_exactly solves exactly. If the method
+/// ends at a balance that cannot be completed, `otherwise` gets a box in which an equilibrium
+/// may be. O(m) for each of at most a few hundred steps.
 std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model,
                                               std::optional<MotionBox>& otherwise);
 
-/// The same from d = `start` with a small epsilon; gives up early unless `start` is near, or if
-/// it comes to the modes of `failed`, if given, which then gets those that fail here.
+/// Returns the same from d = `start` with a small epsilon. Gives up early unless `start` is
+/// near, or if it comes to the modes of `failed`, if given; `failed` then gets those that fail
+/// here.
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
                                          Double3 start,
                                          std::vector<ModeGuess>* failed = nullptr);
 
-/// Different equilibria, by the same method from this many motions at random (always the same);
-/// not all that there are, and maybe none.
+/// Returns different equilibria, by the same method from this many motions at random (always
+/// the same); not all that there are, and maybe none.
 std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
                                            std::size_t starts);
 
-/// Those of one grasp whose model is there (near_equilibria.hpp).
+/// Returns those of one grasp whose model is there (near_equilibria.hpp).
 std::vector<NearEquilibrium> near_equilibria(const DoubleModel& model, std::size_t starts,
                                              double length);
 

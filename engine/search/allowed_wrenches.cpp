@@ -78,8 +78,8 @@ Action Actions::action(std::size_t i, const Reals& y) const {
   return best;
 }
 
-/// Whether -slid lies in the cone of slips: of two dimensions by the angles of its sides, and
-/// of three not, as no point of it is near.
+/// Returns whether -slid lies in the cone of slips. In two dimensions the angles of its sides
+/// tell; in three it does not, as no point of the cone is near.
 bool Actions::is_against(std::size_t i, const Double3& slid) const {
   const LawContact& c = law_.contacts[i];
   const auto& sides = region_.slips(i).sides;
@@ -100,7 +100,7 @@ bool Actions::is_against(std::size_t i, const Double3& slid) const {
   return least <= 0 && most >= 0 && most - least < kPi + 1e-7;
 }
 
-/// Its normal coefficient at a generator where the force does the most work.
+/// Returns the contact's normal coefficient at a generator where its force does the most work.
 double Actions::normal(std::size_t contact, std::size_t generator) const {
   const double alpha = all_[contact].alpha;
   if (region_.separation(contact) == Separation::kMixed) {
@@ -190,7 +190,7 @@ void Actions::add_force(std::size_t contact, std::size_t generator, double& norm
 AllowedWrenches::AllowedWrenches(const Law& law, const MotionRegion& region,
                                  const PullRule* pull)
     : law_(law), region_(region), lines_(law, region) {
-  // Comparable sizes of the wrenches at the generators, and where there are any.
+  // The scales are comparable sizes of the wrenches at the generators; 0 where there are none.
   const auto d = static_cast<Eigen::Index>(law.motions);
   for (std::size_t g = 0; g < region.generators().size(); ++g) {
     const Reals& x = region.generators()[g];
@@ -230,7 +230,7 @@ bool AllowedWrenches::are_small(const std::vector<Row>& points) const {
 
 namespace {
 
-/// The largest |alpha| of a contact in the plane, without cancellation.
+/// Returns the largest |alpha| of a contact in the plane, without cancellation.
 double most_alpha(const LawContact& c, const Reals& y) {
   double most = 0;
   for (const CornerRow& row : c.corners) {
@@ -244,7 +244,7 @@ double most_alpha(const LawContact& c, const Reals& y) {
   return most;
 }
 
-/// The largest |v|, without cancellation, at a point.
+/// Returns the largest |v| at a point, without cancellation.
 double most_separation(const LawContact& c, const Reals& x) {
   double rise = 0;
   for (const CornerRow& row : c.corners) {
@@ -259,7 +259,7 @@ double most_separation(const LawContact& c, const Reals& x) {
 
 }  // namespace
 
-/// How large numbers of contacts are without cancellation, by generator and contact.
+/// Returns the largest |v|, without cancellation, by generator and contact.
 const std::vector<double>& AllowedWrenches::sizes() const {
   if (!sizes_.empty()) return sizes_;
   for (const Reals& x : region_.generators()) {
@@ -274,12 +274,12 @@ const std::vector<double>& AllowedWrenches::sizes() const {
 std::optional<bool> AllowedWrenches::are_refuted_by(const Row& exact) const {
   Reals y = in_doubles(exact);
   law_.scale(y);
-  // Every number is within four roundings of the exact one, up to the factors of the rays; a
-  // term has fewer than ten factors and sums, of which a mean over the corners has 64 at most.
-  // What underflows is far below kUnderflow.
+  // Every number is within four roundings of the exact one, up to the factors of the rays. A
+  // term has fewer than ten factors and sums; a mean over the corners is a sum of 64 at most.
+  // Underflows are far below kUnderflow.
   constexpr double kUnitRoundoff = 1.2e-16;
   constexpr double kUnderflow = 1e-250;
-  constexpr double kDoubtful = 1e-9;  // where no error is bounded
+  constexpr double kDoubtful = 1e-9;  // used if no error is bounded
   const std::size_t m = law_.contacts.size();
   const double part = may_certify_ ? kUnitRoundoff * (300 + static_cast<double>(m)) : kDoubtful;
   const Actions actions(law_, region_, y);
@@ -344,7 +344,7 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
       work += actions.work(i, g, acts);
     }
     work /= scales_[g];
-    // Without any wrench an equilibrium is here, unless none may be.
+    // A generator where nothing acts is an equilibrium, unless strict functions bar it.
     if (work > best.work && (acts || !region_.bars_point(g))) {
       best.work = work;
       best.generator = g;
@@ -390,7 +390,7 @@ bool AllowedWrenches::are_of_springs(const NearestWrench<Reals, AllowedWrench>& 
   return lines_.add(generators);
 }
 
-/// What is left over is what springs do along lines: by how much it moves along these.
+/// Moves along the lines until what springs do there balances the wrench that is left over.
 void AllowedWrenches::balance_along_lines(Relaxation& relaxed, const Reals& wrench) const {
   const auto d = static_cast<Eigen::Index>(law_.motions);
   const auto count = static_cast<Eigen::Index>(lines_.generators().size());
@@ -438,8 +438,8 @@ Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& f
     }
   }
   if (!lines_.empty()) balance_along_lines(result, wrench);
-  // Cuts from the first generator are tried in place of those from where A is against a motion,
-  // and these after them: as measured, fewer nodes.
+  // Wrenches with `against` are paired from the first generator, and from their own after that:
+  // as measured, that takes fewer nodes.
   for (const bool where_against : {false, true}) {
     const std::size_t none = region_.generators().size();
     std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> pairs;

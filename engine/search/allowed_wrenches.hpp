@@ -12,25 +12,25 @@
 
 namespace stickslip::search_detail {
 
-/// What a contact can do on a virtual twist, per unit of normal coefficient.
+/// The most work of a contact on a virtual twist, per unit of normal coefficient.
 struct Action {
   double alpha = 0;    ///< the most work
-  Double3 friction{};  ///< f that does it
+  Double3 friction{};  ///< the f that does it
   std::size_t corner = 0;
 };
 
-/// All contacts of a region on y. The region must outlive this.
+/// The most work that all contacts of a region do on y. The region must outlive this.
 class Actions {
  public:
   Actions(const Law& law, const MotionRegion& region, const Reals& y);
 
-  /// The most work of a contact at a generator; `acts` becomes true if its force is not 0.
+  /// Returns the most work of a contact at a generator; sets `acts` if its force is not 0.
   double work(std::size_t contact, std::size_t generator, bool& acts) const;
-  /// Whether errors of alpha change nothing in which rule bounds it.
+  /// Returns whether errors of alpha change nothing in which rule bounds the contact.
   bool is_clear(std::size_t contact, double error) const;
-  /// Whether its force is 0 there by what is exact: zeros, and signs.
+  /// Returns whether the contact's force is surely 0 there, by exact zeros and signs.
   bool is_idle(std::size_t contact, std::size_t generator) const;
-  /// Adds the force that does it to these.
+  /// Adds the force that does the most work to these sums.
   void add_force(std::size_t contact, std::size_t generator, double& normal, Double3& friction,
                  Reals& wrench) const;
 
@@ -54,22 +54,23 @@ class Actions {
   std::vector<std::optional<PairsAction>> pairs_;
 };
 
-/// Of a region.
+/// The wrenches that a region allows.
 class AllowedWrenches {
  public:
   AllowedWrenches(const Law& law, const MotionRegion& region, const PullRule* pull);
 
-  /// The one with the most work on y.
+  /// Returns the one with the most work on y; nothing if nothing acts.
   std::optional<AllowedWrench> worst(const Reals& y) const;
-  /// The rule of the leaf for this twist, by rounded numbers and a bound on their errors;
-  /// nothing if they do not decide. In space they only say no.
+  /// Applies the rule of the leaf to this twist, by rounded numbers and a bound on their
+  /// errors. Returns nothing if they do not decide. They may only say no in space, of a family,
+  /// and where errors are not bounded.
   std::optional<bool> are_refuted_by(const Row& y) const;
-  /// What springs do along the region's lines.
+  /// Returns the wrenches of springs along the region's lines.
   const SpringLines& lines() const { return lines_; }
-  /// Wrenches that add up to 0 are those of springs alone, at infinity, which is taken note of;
-  /// false if it was known or is not so.
+  /// Notes that wrenches which add up to 0 are those of springs alone, at infinity. Returns
+  /// false if that was known or is not so.
   bool are_of_springs(const NearestWrench<Reals, AllowedWrench>& found);
-  /// Of wrenches that add up to 0.
+  /// Returns the relaxed equilibrium of wrenches that add up to 0.
   Relaxation combine(const NearestWrench<Reals, AllowedWrench>& found) const;
 
  private:
@@ -82,8 +83,8 @@ class AllowedWrenches {
   const MotionRegion& region_;
   SpringLines lines_;
   std::vector<double> scales_;
-  std::vector<Reals> against_;         ///< of AllowedWrench::against
-  mutable std::vector<double> sizes_;  ///< once they are needed
+  std::vector<Reals> against_;         ///< wrenches with AllowedWrench::against
+  mutable std::vector<double> sizes_;  ///< filled once they are needed
   bool may_certify_;                   ///< whether the errors of doubles are bounded
 };
 

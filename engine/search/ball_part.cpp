@@ -42,7 +42,7 @@ double BallPart::unit(std::size_t component) const {
 
 namespace {
 
-/// Where a linear function of z is largest in all of the ball.
+/// Returns the point of the whole ball at which a linear function of z is largest.
 Eigen::VectorXd farthest_in_ball(const BallPart& ball, const Eigen::VectorXd& function) {
   Eigen::VectorXd z = function;
   const auto scale = [&] {

@@ -11,7 +11,7 @@
 namespace stickslip {
 namespace {
 
-/// A row of one body, of a body that moves by G.
+/// Returns a row of one body as a row of all coordinates, if the body moves by G.
 RationalRow moved_by(const RationalRow& row, const std::vector<RationalRow>& motion) {
   if (motion.empty()) return row;
   RationalRow result(motion.front().size());
@@ -31,14 +31,14 @@ CornerRow planar_row(const RationalRow& p, const RationalRow& n,
   return row;
 }
 
-/// The wrench of a force at a point.
+/// Returns the wrench of a force at a point.
 RationalRow wrench_at(const Vector3& p, const Vector3& f) {
   const Vector3 moment = cross(p, f);
   return {f[0], f[1], f[2], moment[0], moment[1], moment[2]};
 }
 
-/// The slip is L^2 S, by rows: L^2 u - (n0.u) n with u = (d1, d2, d3) + omega x p, and perhaps
-/// L^2 n.omega.
+/// Returns the row of a contact in space. Its slip is L^2 S, by rows: L^2 u - (n0.u) n with u =
+/// (d1, d2, d3) + omega x p, and with torsion also L^2 n.omega.
 CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0, bool has_torsion,
                       const std::vector<RationalRow>& motion) {
   CornerRow row{};
@@ -64,7 +64,7 @@ void shrink(Interval& interval) {
   interval = point_interval(interval.middle());
 }
 
-/// Where a parameter of a contact's geometry is in its place.
+/// Returns the place of a parameter of a contact's geometry; nothing for other parameters.
 std::optional<std::size_t> geometry_index(Parameter parameter) {
   switch (parameter) {
     case Parameter::kX:
@@ -94,7 +94,7 @@ auto& interval_of(AnyContact& c, Parameter parameter) {
 
 }  // namespace
 
-/// `motion` is that of its place.
+/// Adds a contact; `motion` is that of its place.
 void GraspLaw::add_contact(const UncertainContact& c, std::vector<RationalRow> motion,
                            const Rational& rate, unsigned bits) {
   LawContact& contact = contacts.emplace_back();
@@ -103,7 +103,7 @@ void GraspLaw::add_contact(const UncertainContact& c, std::vector<RationalRow> m
   contact.place = std::move(place);
   contact.friction = c.friction;
   const Rational square = dot(c.normal, c.normal);
-  // With the tangent e of the angle: 1/sqrt(1 + e^2) >= 1 - e^2/2 and 1/(1 + e^2) >= 1 - e^2.
+  // The tangent e of the angle has 1/sqrt(1 + e^2) >= 1 - e^2/2 and 1/(1 + e^2) >= 1 - e^2.
   const Rational shortened = c.slope * c.slope;
   if (!c.preload.high.is_zero() || !rate.is_zero()) {
     const auto [lower, upper] = short_sqrt(1 / square, bits);
@@ -209,13 +209,13 @@ void GraspLaw::add_corners(LawContact& contact) const {
   place.centre = row_at(middle, normal_at(middle));
 }
 
-/// A typical distance is the largest coordinate of a position; of one body in space the largest
-/// moment arm |p x n| / |n| of a normal, unless that is much smaller than the distance from the
-/// origin, as that of fingers around it: friction turns these all the same.
+/// Chooses the typical distance: the largest coordinate of a position. For one body in space it
+/// is the largest moment arm |p x n| / |n| of a normal, unless that is much smaller than the
+/// distance from the origin, as it is for fingers around it: friction turns these all the same.
 void GraspLaw::complete() {
   const bool has_arms = in_space_ && one_body_;
   double farthest = 0;
-  double longest = 0;  // arm
+  double longest = 0;  // the longest arm
   for (const LawContact& c : contacts) {
     if (!c.place) continue;
     double square = 0;
@@ -229,7 +229,7 @@ void GraspLaw::complete() {
     }
     if (!has_arms) continue;
     farthest = std::max(farthest, std::sqrt(square));
-    for (const CornerRow& row : c.corners) {  // (of a turned n hardly another)
+    for (const CornerRow& row : c.corners) {  // (a turned n hardly changes it)
       double arm = 0;
       for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
       longest = std::max(longest, arm / std::sqrt(to_double(c.squared_length)));

@@ -14,7 +14,8 @@ std::array<double, 2> rounded(const Interval& interval) {
   return {to_double(interval.low), to_double(interval.high)};
 }
 
-/// Whether a number is 0, or neither so large nor so small that products may not be.
+/// Returns whether a number is 0, or neither so large nor so small that products may overflow
+/// or vanish.
 bool is_moderate_number(const Rational& exact, double rounded) {
   const double size = std::fabs(rounded);
   return exact.is_zero() || (size >= 0x1p-200 && size <= 0x1p200);
@@ -25,7 +26,7 @@ bool is_moderate_interval(const Interval& interval) {
          is_moderate_number(interval.high, to_double(interval.high));
 }
 
-/// P' and P^u' at their ends.
+/// Returns P' and P^u' at their ends.
 std::vector<std::pair<Rational, Rational>> preloads_of(const LawContact& contact) {
   const Interval& p = contact.preload;
   const Interval& rate = contact.rate;
@@ -46,7 +47,7 @@ void add_separations(LawContact& contact) {
         Row plane = primitive_multiple(v);
         std::size_t j = 0;
         while (j + 1 < plane.size() && plane[j].is_zero()) ++j;
-        // (v may be 0 of a spring, or where no body moves along a normal.)
+        // (v may be 0 for a spring, or where no body moves along a normal.)
         contact.separation_factors.push_back(plane[j].is_zero() ? Rational(1)
                                                                 : v[j] / Rational(plane[j]));
         contact.separations.push_back(std::move(plane));
@@ -203,7 +204,7 @@ void Law::complete(double farthest) {
     c.preloads = rounded(c.preload);
     c.rates = rounded(c.rate);
     c.stiffnesses = rounded(c.stiffness);
-    // Of a part that is one grasp nothing is left of the corners of the whole.
+    // A part that is one grasp keeps nothing of the corners of the whole.
     c.whole.reset();
     if (c.slip_dimension() == 1 && c.corners.size() > 1) c.whole = whole_corners(c);
     c.direction_sizes.clear();
@@ -245,7 +246,8 @@ void Law::complete(double farthest) {
   complete_loads();
 }
 
-/// Of one body's contact the length of its normal.
+/// Returns the length of the part of N that is a force: for one body's contact that of its
+/// normal.
 double Law::force_size(const LawContact& c) const {
   const Reals& normal = c.corners.front().normal_rounded;
   double square = 0;

@@ -16,8 +16,8 @@ namespace search_detail {
 /// low h + middle - far.|d| and high h + middle + far.|d|.
 struct Wedge {
   RationalRow middle;  ///< a function of motions d
-  Rational low;        ///< of the height
-  Rational high;       ///< of the height
+  Rational low;        ///< the least factor of the height
+  Rational high;       ///< the largest factor of the height
   RationalRow far;     ///< >= 0
 };
 
@@ -27,7 +27,7 @@ using namespace search_detail;
 
 namespace {
 
-/// Over the corners.
+/// Returns the mean of the slip over the corners.
 Double3 mean_slip(const LawContact& contact, const Reals& motion) {
   Double3 s{};
   for (const CornerRow& row : contact.corners) {
@@ -44,7 +44,7 @@ void note_bits(std::size_t& most, const Row& x) {
   }
 }
 
-/// Of a function of motions that has this row at each corner.
+/// Returns the wedge of a function of motions whose row at each corner is `row_at(corner)`.
 template <class RowAt>
 Wedge wedge_of(const LawContact& c, const RowAt& row_at) {
   Wedge wedge{row_at(c.place->centre), 0, 0, {}};
@@ -58,13 +58,13 @@ Wedge wedge_of(const LawContact& c, const RowAt& row_at) {
   return wedge;
 }
 
-/// Whether the position is certain and the normal is not.
+/// Returns whether the position is certain and the normal is not.
 bool turns_alone(const LawContact& c) {
   return !c.tilt.is_zero() && c.corners.size() <= 4;
 }
 
-/// Of a function of motions that has this row at each corner of what turns alone: the planes
-/// between which one corner has the least and one the most.
+/// Returns planes between which one corner has the least value of a function and one the most.
+/// The function has the row `row_at(corner)` at each corner, and the normal alone turns.
 template <class RowAt>
 std::vector<Row> corner_orders(const LawContact& c, const RowAt& row_at) {
   const RationalRow first = row_at(c.corners.front());
@@ -78,7 +78,7 @@ std::vector<Row> corner_orders(const LawContact& c, const RowAt& row_at) {
   return planes;
 }
 
-/// The same in the plane: rotations, whatever turns or moves.
+/// Returns the same for the plane, whatever turns or moves: the coordinates that are rotations.
 std::vector<Row> corner_orders(const Law& law, const LawContact& c) {
   std::vector<Row> planes;
   for (std::size_t j = 0; !c.geometry_is_certain() && j < law.motions; ++j) {
@@ -87,7 +87,7 @@ std::vector<Row> corner_orders(const Law& law, const LawContact& c) {
   return planes;
 }
 
-/// The side of planes on which a motion is for all of them, clearly; 0 if there is none.
+/// Returns the side, 1 or -1, on which a motion clearly is of all planes; 0 if there is none.
 int side_of_all(const Law& law, const std::vector<Row>& planes, const Reals& x) {
   constexpr double kClear = 1e-12;
   const double least = kClear * x.norm();
@@ -101,7 +101,8 @@ int side_of_all(const Law& law, const std::vector<Row>& planes, const Reals& x) 
   return plus ? 1 : minus ? -1 : 0;
 }
 
-/// A direction across the first: that of the second as far as it is, else any.
+/// Returns a direction across the first: the part of the second that is across it, if that is
+/// clear, else any.
 Double3 across(const Double3& direction, const Double3& towards) {
   const double square = dot(direction, direction);
   if (!(square > 0)) return towards;
@@ -121,7 +122,8 @@ Double3 across(const Double3& direction, const Double3& towards) {
   return without(unit);
 }
 
-/// A friction force, in the numbers of the format, near the direction of these coordinates.
+/// Returns a friction force, in the numbers of the format, near the direction of these
+/// coordinates.
 Row in_few_numbers(const LawContact& c, const Double3& coordinates, int bits) {
   Reals numbers = Reals::Zero(static_cast<Eigen::Index>(c.slip_numbers()));
   for (std::size_t k = 0; k < c.slip_dimension(); ++k) {
@@ -132,7 +134,7 @@ Row in_few_numbers(const LawContact& c, const Double3& coordinates, int bits) {
   return in_bits(numbers, bits);
 }
 
-/// Slips of one number at all corners, as functions of points.
+/// Returns the slip of a contact, of one number, at all corners as functions of points.
 std::vector<Row> slip_planes(const Law& law, const LawContact& contact) {
   std::vector<Row> planes;
   for (const CornerRow& row : contact.corners) {
@@ -152,7 +154,7 @@ LawForces::LawForces(const Law& law, const PullRule* pull, SearchWork& work)
 LawForces::~LawForces() = default;
 LawForces::LawForces(LawForces&& other) noexcept = default;
 
-/// Below the depth that the format allows, by more than the parts of a box above this tree
+/// The depth stays below what the format allows by more than the parts of a box above this tree
 /// (32).
 std::size_t LawForces::deepest() const {
   return 2 * law_.contacts.size() + 220;
@@ -170,8 +172,8 @@ bool LawForces::enter(const MotionRegion& region, std::size_t /*depth*/) {
   return true;
 }
 
-/// Again: with wrenches that are against the twist with some to spare, so that it may be
-/// rounded.
+/// Searches for a twist. `again` asks that wrenches are against it with some to spare, so that
+/// it may be rounded.
 LawForces::Found LawForces::nearest(bool again) {
   Reals start = -law_.growing;
   for (std::size_t j = 0; j < law_.motions; ++j) {
@@ -194,7 +196,8 @@ std::optional<Row> LawForces::confirm(const Reals& twist) {
   return y;
 }
 
-/// The fewest that still refute the region. Most candidates fail clearly.
+/// Returns the twist in the fewest bits that still refute the region. Most candidates fail
+/// clearly.
 std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
   Reals y = twist;
   law_.scale_function(y);
@@ -214,7 +217,7 @@ std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
   return exact;
 }
 
-/// Of a leaf a twist in fewer bits, if these serve.
+/// Returns the node with its children. A leaf has its twist in fewer bits, if these serve.
 LawForces::Branch LawForces::branch(const TreeNode& node) {
   if (const auto* slip = std::get_if<SlipSplit>(&node)) {
     return {node, region_->slip_children(slip->contact.index())};
@@ -230,9 +233,9 @@ LawForces::Branch LawForces::branch(const TreeNode& node) {
   return {TwistLeaf{in_few_bits(near).value_or(leaf.twist)}, {}};
 }
 
-/// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
-/// sign. Coordinates that make it wide have one sign first, so that such a plane is one.
-/// Nothing in the wedge.
+/// Splits by a plane beside the wedge, towards the motion: all that lies beyond it, strictly,
+/// has one sign. Coordinates that make the wedge wide are cut to one sign first, so that there
+/// is such a plane. Returns nothing if the motion is in the wedge.
 std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
                                                         const Wedge& wedge) const {
   const MotionRegion& region = *region_;
@@ -265,8 +268,9 @@ std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
   return Branch{PlaneCut{plane}, region.halves(plane)};
 }
 
-/// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
-/// Where normals turn, one beyond those of all corners spares the cuts between them.
+/// Splits by one plane of few bits beyond these. Planes of many bits make exact arithmetic
+/// slow, and this one serves as well. Where normals turn, a plane beyond those of all corners
+/// spares the cuts between them.
 std::optional<LawForces::Branch> LawForces::split_short(const Relaxation& found,
                                                         const std::vector<Row>& planes,
                                                         bool always) const {
@@ -280,8 +284,8 @@ std::optional<LawForces::Branch> LawForces::split_short(const Relaxation& found,
   return Branch{PlaneCut{plane}, region.halves(plane)};
 }
 
-/// Between functions of which an uncertain one is a combination, where the motion is on one
-/// side of all: at the nearest of them. The region is on one side of `orders` first, as few
+/// Splits at the nearest of these planes, where the motion is on one side of all. An uncertain
+/// function is a combination of theirs. The region is cut to one side of `orders` first, as few
 /// corners matter then: the others are never the extreme.
 std::optional<LawForces::Branch> LawForces::split_corners(const Relaxation& found,
                                                           const std::vector<Row>& planes,
@@ -302,7 +306,7 @@ std::optional<LawForces::Branch> LawForces::split_corners(const Relaxation& foun
     const double distance = side == 0 ? std::fabs(value) : side * value;
     if (!(distance < least)) continue;
     const PlaneSigns signs = region.signs(plane);
-    // Beyond a slip's plane it is enough that it is 0 somewhere.
+    // A slip's plane also serves if the slip is only 0 somewhere beyond it.
     const bool here = side > 0 ? signs.positive : signs.negative;
     if (!signs.cuts() && !(is_slip && here && !signs.zeros_barred)) continue;
     least = distance;
@@ -326,10 +330,10 @@ std::optional<LawForces::Branch> LawForces::split_separation(const Relaxation& f
   if (turns_alone(c)) {
     return split_corners(found, c.separations, corner_orders(c, row_at), false);
   }
-  // (A wedge needs a motion to be on one side of.)
+  // (Only a motion can be on one side of a wedge.)
   if (!c.place || c.slip_dimension() == 1 || law_.is_family || found.motion.isZero(0))
     return split_corners(found, c.separations, corner_orders(law_, c), false);
-  // v / k'
+  // The wedge is that of v / k'.
   Wedge wedge = wedge_of(c, row_at);
   for (Rational& entry : wedge.middle) entry = -entry;
   wedge.low = c.preload.low / c.stiffness.high;
@@ -356,7 +360,8 @@ std::optional<LawForces::Branch> LawForces::split_slip(const Relaxation& found,
   return Branch{SlipSplit{ContactId(contact)}, region.slip_children(contact)};
 }
 
-/// Across the mean of the slip and of the one that friction implies: on which side it is.
+/// Splits by the sign of the slip along the mean of its direction and of the one that friction
+/// implies; or across that mean, if the cone of slips is narrow already.
 std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation& found,
                                                                std::size_t contact) const {
   const MotionRegion& region = *region_;
@@ -377,7 +382,7 @@ std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation&
   if (!(norm_of(mean) > kOpposed)) mean = s;  // friction along the slip
   const Double3 turned =
       c.slip_dimension() == 2 ? Double3{-mean[1], mean[0], 0} : across(mean, apart);
-  // a.s as a function of points, with a of few bits.
+  // The plane is a.s as a function of points, with a of few bits.
   const auto plane_along = [&](const Double3& a) -> std::optional<Row> {
     for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
       const Row direction = in_few_numbers(c, a, bits);
@@ -450,7 +455,7 @@ std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) const
   if (const auto plane = region_->bound_across(found.motion); plane && !only_contacts_) {
     return Branch{PlaneCut{*plane}, region_->halves(*plane)};
   }
-  constexpr double kNoticeable = 1e-12;  // of the energy; only chooses between splits
+  constexpr double kNoticeable = 1e-12;  // relative to the energy; only chooses between splits
   for (const auto& [gap, contact] : found.separations) {
     if (!(gap > kNoticeable * found.energy)) break;
     if (auto branch = split_separation(found, contact)) return branch;
@@ -462,7 +467,7 @@ std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) const
   return std::nullopt;
 }
 
-/// Between two motions that take part.
+/// Splits between two generators that take part.
 std::optional<LawForces::Branch> LawForces::split_anywhere(const Relaxation& found) const {
   for (const auto& [a, b] : found.pairs) {
     const Row plane =
@@ -475,13 +480,14 @@ std::optional<LawForces::Branch> LawForces::split_anywhere(const Relaxation& fou
 bool LawForces::is_far(const Relaxation& found) const {
   for (std::size_t j = 0; j < law_.far_motion.size(); ++j) {
     const double d = std::fabs(found.motion[static_cast<Eigen::Index>(j)]);
-    constexpr double kSurely = 1e3;  // what is only a little beyond may come near again
+    constexpr double kSurely = 1e3;  // motions only a little beyond may come near again
     if (d > kSurely * height(found) * to_double(law_.far_motion[j]) * law_.unit(j)) return true;
   }
   return false;
 }
 
-/// Of a margin: motions grow without end towards one multiple, and so would the tree.
+/// Returns whether the search ends: motions of a margin that grow without end towards one
+/// multiple would let the tree grow, too. After keep_near() many far motions end it as well.
 bool LawForces::escapes(const Relaxation& found) {
   constexpr std::size_t kManyFar = 80;
   if (keeps_near_ && is_far(found) && ++far_ > kManyFar) return true;
@@ -489,12 +495,12 @@ bool LawForces::escapes(const Relaxation& found) {
   const double h = height(found);
   const double stiffest = law_.force / law_.reach;
   const double size = found.motion.head(static_cast<Eigen::Index>(law_.motions)).norm();
-  // Forces are typical nevertheless.
+  // The forces are of a typical size nevertheless.
   return law_.is_family && size > kFar * law_.reach * h &&
          found.energy < kFar * law_.force * law_.force * h * h / stiffest;
 }
 
-/// Taken at its word: its motion says which contacts slip.
+/// Takes a relaxed equilibrium at its word: its motion says which contacts slip.
 std::optional<NearEquilibrium> LawForces::candidate(const Relaxation& found) const {
   const double h = height(found);
   if (!(h > 0)) return std::nullopt;
@@ -507,7 +513,7 @@ std::optional<NearEquilibrium> LawForces::candidate(const Relaxation& found) con
     for (double& entry : near.friction[i]) entry /= h;
     const LawContact& c = law_.contacts[i];
     const double slip = norm_of(mean_slip(c, motion));
-    constexpr double kStill = 1e-7;  // of all motion
+    constexpr double kStill = 1e-7;  // relative to all motion
     const bool rubs = near.normal[i] > 0 && c.slopes[1] > 0;
     near.sticks[i] = rubs && (region_->is_still(i) || slip <= kStill * motion.norm()) ? 1 : 0;
   }

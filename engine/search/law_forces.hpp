@@ -21,54 +21,54 @@ namespace search_detail {
 class AllowedWrenches;
 struct Wedge;
 
-/// A wrench that a region allows at one of its generators, and its forces by contact; or one
-/// that a twist has to be against and no motion goes with: a direction of loads, or what list 2
-/// excludes at a generator.
+/// A wrench that a region allows at one of its generators, with its forces by contact. If
+/// `against` is set, it is a constraint direction that a twist has to be against, not the
+/// wrench of a motion: a direction of loads, or what list 2 excludes at a generator.
 struct AllowedWrench {
-  double work = 0;                  ///< on the twist that was asked about
-  Reals wrench{};                   ///< of the load and all forces, as twists may see it
-  Reals whole{};                    ///< all of it, unscaled, if that is not all
-  std::size_t generator = 0;        ///< of the region; if none, how many it has
-  bool against = false;             ///< no motion goes with it
+  double work = 0;            ///< the work on the twist that was asked about
+  Reals wrench{};             ///< the sum of the load and all forces, as twists may see it
+  Reals whole{};              ///< the same sum, unscaled, if twists may not see all of it
+  std::size_t generator = 0;  ///< its index in the region; if there is none, how many there are
+  bool against = false;       ///< a constraint direction; no motion goes with it
   std::vector<double> normal{};     ///< a by contact
   std::vector<Double3> friction{};  ///< f by contact
 };
 
 }  // namespace search_detail
 
-/// Motion and forces of a region whose wrenches add up to 0, in the law's units.
+/// The motion and forces of a region whose wrenches add up to 0, in the law's units.
 struct Relaxation {
   Reals motion{};                   ///< d, h and l
   std::vector<double> normal{};     ///< a by contact
-  std::vector<Double3> friction{};  ///< f by contact: as a slip has coordinates
-  /// Pairs of generators that take part, those far apart and of large weight first.
+  std::vector<Double3> friction{};  ///< f by contact, with as many coordinates as a slip
+  /// The pairs of generators that take part; those far apart and of large weight come first.
   std::vector<std::pair<std::size_t, std::size_t>> pairs{};
 
-  /// \{ By how much laws are broken, the widest first.
+  /// \{ The breaches of laws by contact, the widest first.
   std::vector<std::pair<double, std::size_t>> separations{};
   std::vector<std::pair<double, std::size_t>> slips{};
   /// \}
-  double energy = 0;  ///< of the springs
-  double gap = 0;     ///< the widest breach over it
+  double energy = 0;  ///< the energy of the springs
+  double gap = 0;     ///< the widest breach over the energy
 };
 
-/// Of one law.
+/// The forces of one law.
 class LawForces {
  public:
-  using Region = MotionRegion;                ///< of a tree
-  using Relaxed = Relaxation;                 ///< that a region allows
-  using Candidate = NearEquilibrium;          ///< of a relaxation
-  using Branch = BranchOf<TreeNode, Region>;  ///< as of TreeSearch
-  /// What is found of a region.
+  using Region = MotionRegion;                ///< a node's region
+  using Relaxed = Relaxation;                 ///< a relaxed equilibrium of a region
+  using Candidate = NearEquilibrium;          ///< a relaxed equilibrium to try
+  using Branch = BranchOf<TreeNode, Region>;  ///< a node with its children's regions
+  /// The result of the search for a twist on a region.
   using Found = NearestWrench<Reals, search_detail::AllowedWrench>;
 
-  /// `pull` is that of list 2, or null. All must outlive this.
+  /// `pull` is the rule of list 2, or null. All must outlive this.
   LawForces(const Law& law, const PullRule* pull, SearchWork& work);
   ~LawForces();
-  LawForces(LawForces&& other) noexcept;  ///< before a region was entered
+  LawForces(LawForces&& other) noexcept;  ///< only before a region is entered
   LawForces& operator=(LawForces&&) = delete;
 
-  /// \{ As TreeSearch asks.
+  /// \{ The functions that TreeSearch asks for.
   std::size_t motions() const { return law_.motions; }
   std::size_t deepest() const;
   bool enter(const MotionRegion& region, std::size_t depth);
@@ -83,8 +83,8 @@ class LawForces {
   Branch branch(const TreeNode& node);
   void keep_to_contacts() { only_contacts_ = true; }
   /// \}
-  /// From now on a search ends that meets many far motions: what rounding decides there may
-  /// take longer than all else.
+  /// Makes a search end once it meets many far motions. What rounding decides there may take
+  /// longer than all else.
   void keep_near() { keeps_near_ = true; }
 
  private:
@@ -107,16 +107,16 @@ class LawForces {
 
   bool only_contacts_ = false;
   bool keeps_near_ = false;
-  std::size_t far_ = 0;                                       ///< relaxed equilibria that were
-  bool separated_ = false;                                    ///< what was found last
-  const MotionRegion* region_ = nullptr;                      ///< the one entered last
-  std::unique_ptr<search_detail::AllowedWrenches> wrenches_;  ///< of the region
+  std::size_t far_ = 0;                   ///< how many relaxed equilibria were far
+  bool separated_ = false;                ///< a twist was found last
+  const MotionRegion* region_ = nullptr;  ///< the region entered last
+  std::unique_ptr<search_detail::AllowedWrenches> wrenches_;  ///< the region's wrenches
 };
 
-/// A search with these.
+/// A search for trees with the forces of one law.
 class LawSearch : public TreeSearch<LawForces> {
  public:
-  /// As LawForces.
+  /// Takes the arguments of LawForces, and the limit of nodes of the search.
   LawSearch(const Law& law, const PullRule* pull, std::size_t node_limit, SearchWork& work)
       : TreeSearch(LawForces(law, pull, work), node_limit) {}
 };

@@ -14,16 +14,16 @@ using search_detail::nearest_in_cone;
 
 namespace {
 
-/// Whether a sum of terms of this magnitude has the right sign and a few digits, though
-/// rounded.
+/// Returns whether a rounded sum of terms of this magnitude has the right sign and a few
+/// digits.
 bool is_kept(double sum, double magnitude) {
   constexpr double kLost = 1e-10;
-  constexpr double kLeast = 1e-200;  // beside which what underflows is nothing
+  constexpr double kLeast = 1e-200;  // underflows are nothing beside it
   return std::fabs(sum) > kLost * magnitude + kLeast;
 }
 
-/// The sum of terms that are, up to rounding and one positive factor, those of function.x: with
-/// the exact sign, and to a few digits even where they cancel.
+/// Returns the sum of terms that are, up to rounding and one positive factor, those of
+/// function.x. It has the exact sign, and a few digits even where terms cancel.
 double exact_sum(const Reals& terms, const Row& function, const Row& x) {
   const Integer exact = dot(function, x);
   if (exact.is_zero()) return 0;
@@ -33,19 +33,19 @@ double exact_sum(const Reals& terms, const Row& function, const Row& x) {
   const Integer term = function[at] * x[at];
   const std::array<double, 2> both = in_doubles(IntegerVector<2>{exact, term});
   const double value = both[0] / both[1] * terms[largest];
-  // What underflows is tiny, but not 0.
+  // A value that underflows is tiny, but not 0.
   constexpr double kTiny = 1e-300;
   return std::isfinite(value) && value * exact.sign() > 0 ? value : exact.sign() * kTiny;
 }
 
-/// The sign of (a x b).n: whether b is to the left of a, seen against n.
+/// Returns the sign of (a x b).n: whether b is to the left of a, seen against n.
 int turn(const ExactSlip& a, const ExactSlip& b, const IntegerVector3& n) {
   return dot(cross(IntegerVector3{a[0], a[1], a[2]}, IntegerVector3{b[0], b[1], b[2]}), n)
       .sign();
 }
 
-/// Whether u, not 0 and across n, is a sum of nonnegative multiples of these, without torsion.
-/// In the plane all have one number, and n is 0.
+/// Returns whether u, not 0 and across n, is a sum of nonnegative multiples of these, without
+/// torsion. In the plane all have one number, and n is 0.
 bool is_in_cone(const ExactSlip& u, const std::vector<ExactSlip>& directions,
                 const IntegerVector3& n) {
   const ExactSlip* left = nullptr;  // the nearest to u of those to the left
@@ -63,7 +63,7 @@ bool is_in_cone(const ExactSlip& u, const std::vector<ExactSlip>& directions,
   return left != nullptr && right != nullptr && turn(*right, *left, n) > 0;
 }
 
-/// sign (l - end h) >= 0.
+/// Returns the plane of sign (l - end h) >= 0.
 Row end_plane(std::size_t motions, const Rational& end, int sign) {
   RationalRow plane(motions + 2);
   plane[motions] = -sign * end;
@@ -71,7 +71,8 @@ Row end_plane(std::size_t motions, const Rational& end, int sign) {
   return primitive_multiple(plane);
 }
 
-/// The function B_j h - sign d_j of points: where it is below 0, motions are beyond the bound.
+/// Returns the function B_j h - sign d_j of points. Motions at which it is below 0 are beyond
+/// the bound.
 Row bound_plane(const RationalRow& bound, std::size_t j, int sign) {
   RationalRow plane(bound.size() + 2);
   plane[j] = -sign;
@@ -87,16 +88,17 @@ Double3 negated(const Double3& s) {
   return {-s[0], -s[1], -s[2]};
 }
 
-/// |q|^2 for a q with <-t - q, s> <= 0 for all of a cone's sides, of three dimensions: the
-/// nearest to -t of the cone, where doubles find it, `towards` being t in doubles. In the units
-/// of LawContact::product. Nothing: they find none that is nearer to 0.
+/// Returns |q|^2 for a q with <-t - q, s> <= 0 for all sides of a cone of three dimensions: the
+/// point of the cone nearest to -t, where doubles find it. `towards` is t in doubles. The units
+/// are those of LawContact::product. Returns nothing if doubles find no q that is nearer to 0
+/// than t.
 std::optional<Rational> squared_nearest(const LawContact& c,
                                         const std::vector<ExactSlip>& sides,
                                         const std::vector<Double3>& units, const ExactSlip& t,
                                         const Double3& towards) {
   const std::vector<std::size_t> in_use = nearest_in_cone(units, negated(towards)).generators;
   if (in_use.size() > 2) return std::nullopt;
-  std::vector<Integer> works;  // of friction that is against t and along a side
+  std::vector<Integer> works;  // the work -<t, s> of friction along each side
   for (const ExactSlip& s : sides) works.emplace_back(-c.product(t, s));
   // q is a sum of multiples / common.
   std::vector<Integer> multiples;
@@ -130,8 +132,8 @@ std::optional<Rational> squared_nearest(const LawContact& c,
   return Rational(square, common);
 }
 
-/// The cone of all functions that are nowhere below 0 on these vectors of three numbers, but
-/// for a ray that is about none of them.
+/// Returns the cone of all functions that are nowhere below 0 on these vectors of three
+/// numbers. Beside them it has one ray that is about none of these.
 ConeOf<Row> dual_cone(const std::vector<RationalRow>& vectors) {
   ConeOf<Row> cone(ConeOf<Row>::Multiples::kZero, 5);
   for (const RationalRow& v : vectors) {
@@ -198,7 +200,7 @@ MotionRegion MotionRegion::root(const Law& law) {
   return MotionRegion(law, std::move(cone));
 }
 
-/// Of all motions, and both ends of the multiples included.
+/// Returns the cone of all motions, with both ends of the multiples included.
 StrictCone MotionRegion::whole_family(const Law& law) {
   StrictCone cone(law.motions, law.is_family ? Multiples::kAny : Multiples::kZero);
   if (law.is_family) {
@@ -208,7 +210,8 @@ StrictCone MotionRegion::whole_family(const Law& law) {
   return cone;
 }
 
-/// Doubles say at which functions a look is worth while.
+/// Returns whether all motions are beyond the bound. Doubles say at which functions a look is
+/// worth while.
 bool MotionRegion::is_beyond() const {
   if (is_of_wall_) return false;
   const RationalRow& bound = law_->max_motion;
@@ -360,10 +363,10 @@ void MotionRegion::compute_slips(std::size_t contact) {
         s[k] = rows[k].dot(motion);
         size = std::max(size, rows[k].cwiseProduct(motion).lpNorm<Eigen::Infinity>());
       }
-      // Where much is lost to cancellation the direction is that of the exact slip.
+      // The direction is that of the exact slip where much is lost to cancellation.
       constexpr double kLost = 1e-5;
       if (!law_->contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
-        constexpr double kLeast = 1e-100;  // whose square does not vanish
+        constexpr double kLeast = 1e-100;  // its square does not vanish
         const double before = std::max(std::sqrt(dot(s, s)), kLeast);
         const ExactSlip exact = exact_slip(contact, g, c);
         s = law_->contacts[contact].direction_of(exact);
@@ -453,10 +456,10 @@ void MotionRegion::find_slips(std::size_t contact) {
   }
 }
 
-/// In the plane.
+/// Finds the sign of slip of a contact in the plane.
 void MotionRegion::find_sign(SlipCone& cone, std::size_t contact) const {
   const std::size_t corners = law_->contacts[contact].corners.size();
-  std::vector<std::vector<std::size_t>> still(corners);  // where s = 0
+  std::vector<std::vector<std::size_t>> still(corners);  // points with s = 0
   int sign = 0;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
     for (std::size_t k = 0; k < corners; ++k) {
@@ -481,8 +484,8 @@ void MotionRegion::find_sign(SlipCone& cone, std::size_t contact) const {
                                         [&](const auto& zeros) { return bars_all(zeros); });
 }
 
-/// In two dimensions: the directions of slip by their angles around n. The cone is pointed if
-/// there is a gap of more than half a turn between two of them.
+/// Finds the cone of slips in two dimensions, from their angles around n. The cone is pointed
+/// if there is a gap of more than half a turn between two neighbours.
 void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   const LawContact& c = law_->contacts[contact];
   struct Way {
@@ -491,7 +494,7 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
     std::size_t corner;
   };
   std::vector<Way> directions;
-  std::vector<std::vector<std::size_t>> still(c.corners.size());  // where s = 0
+  std::vector<std::vector<std::size_t>> still(c.corners.size());  // points with s = 0
   for (std::size_t g = 0; g < generators_.size(); ++g) {
     for (std::size_t k = 0; k < c.corners.size(); ++k) {
       const Double3& s = slip(contact, g, k);
@@ -518,11 +521,12 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   }
   constexpr double kClose = 1e-7;
   if (gap < kPi - kClose) {
-    cone.whole = true;  // and where it is, all slips have their negative in it
+    cone.whole = true;  // then the cone has the negative of every slip
     return;
   }
-  // If this is half a plane, or nearly, doubles do not say whether it is pointed. Directions
-  // between its sides have no negative in it; one of them says which half it is.
+  // Doubles do not say whether a cone of half a plane, or nearly, is pointed. Directions
+  // between the sides of a half-plane do not have their negative in it. One of them becomes a
+  // side: it says which half it is.
   const bool may_be_half = gap < kPi + kClose;
   const double first = directions[after].angle;
   const double last = first + 2 * kPi - gap;
@@ -554,11 +558,12 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
                            [&](const auto& zeros) { return bars_all(zeros); });
 }
 
-/// In three dimensions: where doubles do not show that the cone is pointed, the functions that
-/// are nowhere below 0 on it tell which of its vectors have their negative in it.
+/// Finds the cone of slips in three dimensions. If doubles do not show that it is pointed, the
+/// functions that are nowhere below 0 on it tell which of its vectors have their negative in
+/// it.
 void MotionRegion::find_solid(SlipCone& cone, std::size_t contact) const {
   const LawContact& c = law_->contacts[contact];
-  std::vector<std::vector<std::size_t>> still(c.corners.size());  // where -s is in the cone
+  std::vector<std::vector<std::size_t>> still(c.corners.size());  // points with -s in the cone
   for (std::size_t g = 0; g < generators_.size(); ++g) {
     for (std::size_t k = 0; k < c.corners.size(); ++k) {
       Double3 s = slip(contact, g, k);
@@ -619,13 +624,13 @@ void MotionRegion::find_solid(SlipCone& cone, std::size_t contact) const {
                            [&](const auto& zeros) { return bars_all(zeros); });
 }
 
-/// alpha of the format.
+/// Returns alpha of the format.
 Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
   const LawContact& c = law_->contacts[contact];
   const SlipCone& cone = slips_[contact];
   const bool is_bound = cone.moves && !cone.whole && !cone.sides.empty();
   const bool is_solid = c.slip_dimension() == 3;
-  Reals rounded;  // y
+  Reals rounded;  // y in doubles
   if (is_bound && is_solid) {
     rounded = in_doubles(y);
     law_->scale(rounded);
@@ -660,7 +665,7 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
         (is_solid ? nearest && nearest->is_zero()
                   : !is_in_cone(negated(slid), exact_sides(contact), c.axis))) {
       bool first = true;
-      Rational best = 0;  // with its sign
+      Rational best = 0;  // squared, but with its sign
       for (const ExactSlip& s : exact_sides(contact)) {
         const Integer work = -c.product(s, slid);
         const Rational signed_square(Integer(work * abs(work)), c.product(s, s));
@@ -760,7 +765,7 @@ bool MotionRegion::is_refuted(const Row& y, const PullRule* pull) const {
     product.factor = whole(law_->contacts[product.contact].whole->weight);
   }
   std::vector<std::size_t> zeros;
-  bool is_loaded = false;  // one of these
+  bool is_loaded = false;  // h > 0 at one of these
   std::array<Integer, 8> rises;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
     const Row& x = points()[g];

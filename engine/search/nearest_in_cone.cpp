@@ -10,7 +10,8 @@ namespace {
 
 using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 
-/// The multiples of the generators whose sum, perhaps not in the cone, is nearest.
+/// Returns the multiples of the generators whose sum, perhaps not in the cone, is nearest to
+/// the target.
 Few multiples_of(const std::vector<std::size_t>& generators, const std::vector<Double3>& units,
                  const Double3& target) {
   const auto count = static_cast<Eigen::Index>(generators.size());
@@ -29,7 +30,7 @@ Few multiples_of(const std::vector<std::size_t>& generators, const std::vector<D
 }  // namespace
 
 ConePoint nearest_in_cone(const std::vector<Double3>& units, const Double3& target) {
-  constexpr double kNear = 1e-10;  // of the target
+  constexpr double kNear = 1e-10;  // relative to the target
   constexpr int kMostSteps = 30;
   ConePoint found;
   std::vector<std::size_t>& in_use = found.generators;
@@ -50,7 +51,8 @@ ConePoint nearest_in_cone(const std::vector<Double3>& units, const Double3& targ
     if (best == units.size() || !is_new) break;
     in_use.push_back(best);
     multiples.push_back(0);
-    // Towards the nearest of the plane, as far as all multiples stay above 0.
+    // The multiples move towards the nearest point of the plane, as far as all of them stay
+    // above 0.
     while (!in_use.empty()) {
       const Few wanted = multiples_of(in_use, units, target);
       if (!wanted.allFinite()) return found;

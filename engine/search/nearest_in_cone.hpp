@@ -10,15 +10,15 @@
 
 namespace stickslip::search_detail {
 
-/// Of a cone a point, and the generators of which it is a sum of positive multiples: at most
-/// three.
+/// A point of a cone, and the generators, at most three, of which it is a sum of positive
+/// multiples.
 struct ConePoint {
   Double3 point{};
   std::vector<std::size_t> generators{};
 };
 
-/// That which is nearest to the target, of the cone of these vectors of length 1. (Lawson and
-/// Hanson, Solving Least Squares Problems, 1974, chapter 23.) O(n) for each generator that
+/// Returns the point nearest to the target of the cone of these vectors of length 1. (Lawson
+/// and Hanson, Solving Least Squares Problems, 1974, chapter 23.) O(n) for each generator that
 /// takes part on the way.
 ConePoint nearest_in_cone(const std::vector<Double3>& units, const Double3& target);
 

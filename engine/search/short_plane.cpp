@@ -22,7 +22,7 @@ Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Ro
   Row none(law.coordinates());
   if (law.is_family) return none;
   const auto d = static_cast<Eigen::Index>(law.motions);
-  // Units of length and of motion, powers of two.
+  // The units of length and of motion are powers of two.
   const int arm = std::ilogb(law.length);
   const auto rotate = [&](Reals& x, int by) {
     for (Eigen::Index j = 0; j < d; ++j) {
@@ -39,7 +39,7 @@ Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Ro
   constexpr int kMostUnits = 200;
   const int travel = reach > 0 && std::isfinite(reach) ? std::ilogb(reach) : 0;
   if (std::abs(travel) > kMostUnits || std::abs(arm) > kMostUnits) return none;
-  // A function that is above 0 on the region, if it is narrow.
+  // This function is above 0 on the region, if that is narrow.
   Reals inwards = Reals::Zero(d + 1);
   for (Reals& x : points) {
     x.head(d) *= std::ldexp(1.0, -travel);
@@ -75,7 +75,7 @@ Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Ro
     }
   }
   nearest -= side * error / least * inwards;
-  // Back to the units of the file.
+  // The result is in the units of the file again.
   const int lowest = std::min({0, arm, travel});
   Row result(law.coordinates());
   for (Eigen::Index j = 0; j <= d; ++j) {

@@ -9,13 +9,14 @@
 
 namespace stickslip::search_detail {
 
-/// Whether cuts by the planes would make rays of so many bits that all that is exact is slow.
+/// Returns whether cuts by the planes would make rays of so many bits that exact arithmetic is
+/// slow.
 bool are_long(const std::vector<Row>& planes);
 
-/// In few bits, a little nearer to the motion than all of these planes, on this side of which
-/// it is, so that they have one sign beyond it; 0 if that is no plane of the region. Only where
-/// the region is narrow: what rounding takes away at its points can then be given back. Not of
-/// a margin.
+/// Returns a plane of few bits, a little nearer to the motion than all of these planes, which
+/// have the motion on this side; on that side of it all of them have one sign. Returns 0 if it
+/// would not cut the region, for a margin, and if the region is not narrow: only in a narrow
+/// one can what rounding takes away at its points be given back.
 Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Row>& planes,
                 const Reals& motion, int side);
 

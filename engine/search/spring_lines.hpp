@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What springs do along the lines of a region: on both of its ways, so that a twist that
-/// refutes the region must not see it. Such twists are a subspace, which doubles would miss. So
-/// it is with rays at infinity whose springs alone act, and balance each other.
+/// The wrenches of springs along the lines of a region. A line goes both ways, so a twist that
+/// refutes the region must not see these. Such twists are a subspace, which doubles would miss.
+/// The same is true of rays at infinity on which springs alone act, and balance each other.
 #pragma once
 
 #include <vector>
@@ -12,23 +12,24 @@
 
 namespace stickslip::search_detail {
 
-/// Of a region: for each line l the sum of k' N (N.l) over its springs, or each N where k' is
-/// uncertain.
+/// The wrenches of springs along a region's lines: for each line l the sum of k' N (N.l) over
+/// its springs. A spring whose k' is uncertain counts by itself, with N.
 class SpringLines {
  public:
   SpringLines(const Law& law, const MotionRegion& region);
 
-  /// Takes these generators as it takes lines; false if it has all of them.
+  /// Takes these generators as it takes lines. Returns false if it has all of them, or if there
+  /// are no springs.
   bool add(const std::vector<std::size_t>& generators);
-  /// Whether springs do nothing there.
+  /// Returns whether springs do nothing along them.
   bool empty() const { return across_.empty(); }
-  /// Whether a generator is one of them.
+  /// Returns whether a generator is one of them.
   bool has(std::size_t generator) const { return !empty() && is_in_[generator] != 0; }
-  /// One generator for each line, and all rays.
+  /// Returns one generator for each line, and all rays that were taken.
   const std::vector<std::size_t>& generators() const { return generators_; }
-  /// A twist of the subspace near this one.
+  /// Returns a twist of the subspace near this one.
   Row twist_near(const Row& y) const;
-  /// Takes from a wrench, in the law's units, what no such twist sees.
+  /// Takes from a wrench, in the law's units, the part that no such twist sees.
   void project(Reals& wrench) const;
 
  private:
@@ -37,13 +38,13 @@ class SpringLines {
 
   const Law& law_;
   const MotionRegion& region_;
-  bool has_springs_ = false;   ///< else all of this is empty
-  std::vector<char> is_in_{};  ///< by generator
+  bool has_springs_ = false;   ///< there are springs; else all of this is empty
+  std::vector<char> is_in_{};  ///< whether a generator is in, by its index
   std::vector<std::size_t> generators_;
-  std::vector<RationalRow> seen_{};  ///< what springs do on them
-  std::vector<RationalRow> basis_;   ///< of the twists, each 1 in a column of its own
+  std::vector<RationalRow> seen_{};  ///< the springs' wrenches on these generators
+  std::vector<RationalRow> basis_;   ///< a basis of the twists, each 1 in a column of its own
   std::vector<std::size_t> columns_;
-  std::vector<Reals> across_;  ///< what springs do, orthonormal, in the law's units
+  std::vector<Reals> across_;  ///< the springs' wrenches, orthonormal, in the law's units
 };
 
 }  // namespace stickslip::search_detail

@@ -3,9 +3,9 @@
 /// Branch and bound over regions of motions. What doubles propose is confirmed exactly.
 ///
 /// **Method.** A region is refuted by the point of least norm of the wrenches that it allows
-/// (Wolfe's method): if that is not 0, it is a virtual twist. Else the wrenches that add up to
-/// 0 are a relaxed equilibrium, and the region is cut where that breaks a law with the most
-/// energy.
+/// (Wolfe's method): if that is not 0, minus it is a virtual twist. Else the wrenches that add
+/// up to 0 are a relaxed equilibrium. The region is then cut where that breaks a law with the
+/// most energy.
 #pragma once
 
 #include <cstddef>
@@ -24,52 +24,55 @@ namespace stickslip {
 ///
 /// - `Region`, `Relaxed` with a `gap` (the widest breach of a law, over the energy), and
 ///   `Candidate`: what a relaxed equilibrium says to those who look for a real one;
-/// - `motions()`, and `deepest()`: the depth of a tree that is not to be exceeded;
-/// - `enter(region, depth)`: reads a region, which all that follows is about; false if no
-///   solution lies there;
-/// - `nearest(again)`: what nearest_wrench() finds, `again` with more effort;
-///   `may_try_again()`: whether that may find something else;
-/// - `confirm(twist)`: a twist near this one that refutes the region, exactly;
-/// - `relaxed(found)`, and `escapes(relaxed)`: it leads nowhere;
-/// - `candidate(relaxed)`, an optional;
-/// - `split(relaxed)` where it breaks a law noticeably, and `split_anywhere(relaxed)`: what
-///   else may lead on;
-/// - `branch(node)`: a node that was decided exactly, with its children;
-///   `keep_to_contacts()`: only such are to be split.
+/// - `motions()`, the number of coordinates of a motion, and `deepest()`, the largest depth of
+///   a node;
+/// - `enter(region, depth)`: reads a region, which all that follows is about; returns false if
+///   no solution lies there;
+/// - `nearest(again)`: returns what nearest_wrench() finds, `again` with more effort;
+///   `may_try_again()`: returns whether that may find something else;
+/// - `confirm(twist)`: returns a twist near this one that refutes the region, exactly;
+/// - `relaxed(found)`: returns the relaxed equilibrium, and `escapes(relaxed)` whether it leads
+///   nowhere, so that the search ends;
+/// - `candidate(relaxed)`: returns an optional Candidate;
+/// - `split(relaxed)`: splits where it breaks a law noticeably; `split_anywhere(relaxed)`:
+///   splits where else that may lead on;
+/// - `branch(node)`: returns a node that was decided exactly, with its children;
+///   `keep_to_contacts()`: allows splits at contacts only.
 template <class Forces>
 class TreeSearch {
  public:
-  using Region = typename Forces::Region;     ///< that of the forces
-  using Relaxed = typename Forces::Relaxed;   ///< likewise
+  using Region = typename Forces::Region;     ///< a node's region
+  using Relaxed = typename Forces::Relaxed;   ///< a relaxed equilibrium
   using Branch = BranchOf<TreeNode, Region>;  ///< a node with the regions of its children
 
-  /// One search, or several that share a limit.
+  /// Makes one search, or several that share a limit of nodes.
   TreeSearch(Forces forces, std::size_t node_limit)
       : forces_(std::move(forces)), node_limit_(node_limit) {}
 
-  /// Tries a relaxed equilibrium; true ends the search.
+  /// A function that tries a relaxed equilibrium; it returns true to end the search.
   using Candidate = std::function<bool(const typename Forces::Candidate&)>;
-  /// To be called with those that may be near real ones.
+  /// Sets the function to call with those that may be near real ones.
   void on_candidate(Candidate candidate) { candidate_ = std::move(candidate); }
 
-  /// A leaf that refutes the region, or the contact to split; nothing ends the search.
+  /// A function that returns a leaf that refutes the region, or the contact to split; nothing
+  /// ends the search.
   using Exact = std::function<std::optional<TreeNode>(const Region&)>;
-  /// To be asked where doubles do not decide, as beside an equilibrium. Then contacts alone are
-  /// split, so that the search ends.
+  /// Sets the function to ask where doubles do not decide, as beside an equilibrium. Then
+  /// contacts alone are split, so that the search ends.
   void on_doubt(Exact exact) {
     exact_ = std::move(exact);
     forces_.keep_to_contacts();
   }
 
-  /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
-  /// nodes more.
+  /// Appends a tree that refutes the region. Returns false if none was found; then `trees` has
+  /// some nodes more.
   bool refute(Region region, Trees& trees) {
     end_ = SearchEnd::kNone;
     return append_tree(std::move(region), trees,
                        [&](const Region& at, std::size_t depth) { return examine(at, depth); });
   }
 
-  /// One node of a tree: a leaf or a split; nothing where the search ends.
+  /// Returns one node of a tree, a leaf or a split; nothing if the search ends.
   std::optional<Branch> examine(const Region& region, std::size_t depth) {
     if (nodes_ == node_limit_) return stop(SearchEnd::kNodes);
     if (depth > forces_.deepest()) return stop(SearchEnd::kDepth);
@@ -100,10 +103,10 @@ class TreeSearch {
     return branch ? branch : stop(SearchEnd::kPlane);
   }
 
-  /// Of the last search.
+  /// Returns why the last search ended.
   SearchEnd end() const { return end_; }
-  std::size_t nodes() const { return nodes_; }  ///< looked at
-  Forces& forces() { return forces_; }          ///< what supplies them
+  std::size_t nodes() const { return nodes_; }  ///< how many were looked at
+  Forces& forces() { return forces_; }          ///< the supplier of forces
 
  private:
   std::optional<Branch> stop(SearchEnd end) {
@@ -111,8 +114,9 @@ class TreeSearch {
     return std::nullopt;
   }
 
-  /// Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ...
-  /// and where the relaxed one is nearer than before, or breaks no law.
+  /// Tries a relaxed equilibrium; returns true to end the search. Trying costs as much as many
+  /// nodes, so it is done only at counts 1, 2, 4, 8, ..., and where the relaxed one is ten
+  /// times nearer than before, or breaks no law.
   bool is_taken(const Relaxed& relaxed) {
     const bool is_near = relaxed.gap < least_gap_ / 10 || relaxed.gap == 0;
     if (is_near) least_gap_ = relaxed.gap;
@@ -126,7 +130,7 @@ class TreeSearch {
   std::size_t node_limit_;
   std::size_t nodes_ = 0;
   SearchEnd end_ = SearchEnd::kNone;
-  double least_gap_ = 1e-3;  ///< of relaxed equilibria that were tried
+  double least_gap_ = 1e-3;  ///< the least gap so far
   Candidate candidate_;
   Exact exact_;
 };

@@ -41,8 +41,8 @@ std::optional<FamilyModes::Piece> FamilyModes::piece_of(const FamilyMode& mode) 
 
 std::optional<FamilyModes::Piece> FamilyModes::next_piece(const FamilyMode& mode,
                                                           const ModePoint& point, bool up) {
-  // What ends the mode here: all changes together, and a few by themselves. Where none of these
-  // leads on, the search finds what does.
+  // Candidates for the next mode: all contacts that end the mode here change together, and a
+  // few of them alone. If no candidate leads on, the search finds the next mode.
   constexpr std::size_t kMostAlone = 8;
   FamilyMode all = mode;
   std::vector<FamilyMode> candidates;

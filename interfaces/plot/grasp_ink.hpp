@@ -68,7 +68,7 @@ struct GraspInk {
   Rational virtual_factor{0};  ///< the enlargement of virtual twists; 0 without such arrows
   std::vector<std::string> caption;  ///< paragraphs
 
-  /// A force of this size along a direction, or this force.
+  /// Returns the length of a force of this size, or the force as an arrow.
   double force_length(const Rational& size) const;
   InkPoint force(const Vector2& exact) const;
 

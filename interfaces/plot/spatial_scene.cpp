@@ -42,7 +42,7 @@ std::vector<std::vector<InkPoint>> boundary(
     const auto [from, to] = times > 0 ? edge : std::pair(edge.second, edge.first);
     next[from].insert(next[from].end(), static_cast<std::size_t>(std::abs(times)), to);
   }
-  // As many edges end at a vertex as begin there, so each way ends where it began.
+  // Each way ends where it began, as equally many edges end at a vertex and begin there.
   std::vector<std::vector<InkPoint>> rings;
   for (auto& [start, ends] : next) {
     while (!ends.empty()) {

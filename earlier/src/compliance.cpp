@@ -91,7 +91,7 @@ Witness springs_at(const Problem& problem, const States& states,
 
 /// Adds the conditions that v = P - k N.d and the tangential force allow the contact's state.
 void add_conditions(const ContactRow& row, SpringState state, LinearProgram& program) {
-  // -k N.d >= -P, or <= for a released spring.
+  // The row is -k N.d >= -P, or <= for a released spring.
   program.add_row(
       scaled(-row.stiffness, row.normal),
       state == SpringState::kDetached ? Relation::kLessEqual : Relation::kGreaterEqual,

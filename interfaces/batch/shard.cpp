@@ -131,7 +131,7 @@ void require_one_file(const std::vector<CompleteShard>& shards) {
   }
 }
 
-/// Reads the results of a shard, which must be all and end with the file.
+/// Reads the results of a shard, which must be complete and end with the file.
 void read_results(CompleteShard& shard, InputFile& file, BatchTally& tally) {
   const ShardHead& head = shard.head;
   FinishedResults results(file.stream(), shard.file, 1, shard.begin);

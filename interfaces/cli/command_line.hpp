@@ -32,10 +32,11 @@ class CommandOption {
   CommandOption& operator=(const CommandOption&) = delete;
 
   CommandOption* description(const std::string& text);
-  /// The name stands for the value in the help: "N", "FILE". A shell completes FILE and DIR.
+  /// Sets the name that stands for the value in the help: "N", "FILE". A shell completes FILE
+  /// and DIR.
   CommandOption* type_name(const std::string& name);
   CommandOption* required();
-  /// The help shows the value that the variable has now.
+  /// Shows in the help the value that the variable has now.
   CommandOption* capture_default_str();
   /// \{ Values are checked in this order, after each change of transform().
   CommandOption* check(const Check& check);

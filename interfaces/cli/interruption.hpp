@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Interruptions end the program by their signal, and no file half-written.
+/// Interruptions: the program ends by their signal, and no file stays half-written.
 #pragma once
 
 #include <functional>

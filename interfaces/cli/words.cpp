@@ -18,7 +18,7 @@ bool takes_value(const CommandOption& option) {
   return option.takes_value();
 }
 
-/// A command of the tree of commands.
+/// A command, and the words by which it is reached.
 struct NamedCommand {
   const Command* app;
   std::string name;  ///< as it is typed: "stickslip plot grasp"
@@ -120,7 +120,7 @@ std::string candidates(const Command& app, const std::vector<std::string>& befor
   const CommandOption* waiting = nullptr;  // the option that waits for its value
   for (const std::string& word : before) {
     if (waiting != nullptr) {
-      // In bash, --option=value is three words.
+      // An --option=value is three words in bash.
       if (word != "=") waiting = nullptr;
     } else if (is_option(word)) {
       const CommandOption* option = command.option(word);

@@ -27,7 +27,7 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t k)>& wo
   try {
     while (done.wait_for(kPause) == std::future_status::timeout) asked->check();
   } catch (const Cancelled&) {
-    // The others see it too, and all() throws.
+    // The other threads see the cancellation too, and all() throws.
   }
   done.get();
 }

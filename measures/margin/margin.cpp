@@ -18,7 +18,8 @@ using namespace margin_detail;
 
 namespace {
 
-/// In bits: from here on a margin's many equilibria take longer than its proofs by degree.
+/// The bits of numbers from which a margin's many equilibria take longer than its proofs by
+/// degree.
 constexpr std::size_t kLongDenominator = 1000;
 
 /// Checks one end of a segment after another.

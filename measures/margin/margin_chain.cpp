@@ -12,7 +12,8 @@ ModePoint FamilyModes::Piece::at(const Rational& multiple) const {
   const Rational rise = multiple - low.x[4];
   if (rise.is_zero()) return low;
   if (has_high() && multiple == high.x[4]) return high;
-  // A ray is added to the low end, between ends there is a combination of both.
+  // A multiple of a ray is added to the low end; a point between two ends is a combination of
+  // both.
   const Rational share = has_high() ? rise / (high.x[4] - low.x[4]) : rise;
   ModePoint point = low;
   const auto move = [&](Rational& from, const Rational& to) {

@@ -29,7 +29,7 @@ class FamilyModes {
                                            const std::optional<Rational>& high);
 
  private:
-  /// A mode, and a part of what it resists.
+  /// A mode, and a part of the multiples that it resists.
   struct Piece {
     FamilyMode mode;
     ModePoint low, high;

@@ -35,7 +35,8 @@ Rational share_of(const LawContact& c, const ShareWitness& witness, std::size_t 
   return 0;
 }
 
-/// In the plane: both slip one way, or not at all, and press against it if one of them does.
+/// Returns true if two equilibria in the plane agree at a contact: neither slips, or they slip
+/// one way at most, and each that presses there has all its friction against that slip.
 bool slip_alike(const LawContact& c, const ShareWitness& a, const ShareWitness& b,
                 std::size_t contact, const int (&presses)[2]) {
   const Row& slip = c.corners.front().slip.front();
@@ -48,7 +49,7 @@ bool slip_alike(const LawContact& c, const ShareWitness& a, const ShareWitness& 
          (presses[1] <= 0 || share_of(c, b, contact) == -sign);
 }
 
-/// Whether all combinations of the two are equilibria.
+/// Returns true if all combinations of the two are equilibria.
 bool are_of_one_mode(const GraspLaw& family, const Member& a, const Member& b) {
   for (std::size_t i = 0; i < family.contacts.size(); ++i) {
     const LawContact& c = family.contacts[i];
@@ -188,8 +189,9 @@ class SpatialMarginSearch {
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
   }
 
-  /// One leaf proves that at most 0 is resisted where the load grows along a free motion.
-  /// (Often that is rounding alone: see margin_within().)
+  /// Tries to refute all multiples above 0 by one leaf, which it can if the load grows along a
+  /// free motion. (Often the load does so by rounding alone: see margin_within().) Returns
+  /// false if it cannot.
   bool settle_unopposed() {
     const std::optional<Row> twist = unopposed_twist(model_.middle(1));
     const GraspLaw above = model_.within({0, {}, false});

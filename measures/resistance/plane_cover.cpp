@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is unbounded is cut off by a square frame that has all vertices, and all crossings of
-// rays, strictly inside: beyond it there is nothing but rays that no longer meet, so that what
-// is inside says all. In what comes back, ends on the frame are ends at infinity.
+// A square frame cuts off unbounded cells. It has all vertices, and all crossings of rays,
+// strictly inside; beyond it there are only rays that no longer meet, so the part inside tells
+// all. In the result, ends on the frame are ends at infinity.
 #include "plane_cover.hpp"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ bool comes_before(const Outline& a, const Outline& b) {
 /// Returns the thin edges as cells that are as long as possible; ends on the frame become
 /// directions to infinity.
 std::vector<PlaneCell> merge_thin_edges(const Overlay& overlay, const Integer& frame) {
-  // Edges of one line in order; lines by direction and foot.
+  // Edges are sorted along their line; lines by direction and foot.
   using Edge = std::pair<PlanePoint, PlanePoint>;
   std::map<std::pair<PlaneDirection, PlanePoint>, std::vector<Edge>> lines;
   for (Edge edge : overlay.thin_edges) {

@@ -2,14 +2,14 @@
 //
 // CGAL builds the arrangement of the cells' edges; this file reads it. All edges are segments:
 // the aggregate insertion of rays is not reliable in CGAL 5.5 (CGAL issue 7311), so unbounded
-// cells come cut off by a frame (plane_cover.cpp). Coordinates are rationals that are known in
-// intervals of doubles first, and exactly where those do not tell (Lazy_exact_nt): each number
-// by itself, as where the doubles of the filtered kernel (Epeck) overflow, it finds no
-// intersection of lines that have one.
+// cells come cut off by a frame (plane_cover.cpp). Coordinates are rationals in intervals of
+// doubles, and exact numbers if the intervals do not decide (Lazy_exact_nt). Each number is
+// filtered by itself: the filtered kernel (Epeck) misses intersections of lines when its
+// doubles overflow.
 //
 // Insides need no point location. Each edge knows by how much the number of cells to its left
-// exceeds that to its right; no cell is in the unbounded face; the numbers of all other faces
-// follow, along every path the same.
+// exceeds that to its right, and no cell is in the unbounded face. The numbers of all other
+// faces follow, the same along every path.
 #include "plane_overlay.hpp"
 
 #include <CGAL/Arr_curve_data_traits_2.h>

@@ -117,7 +117,7 @@ template <std::size_t D>
 bool is_certainly_unbalanced(std::vector<RestingContact<D>> contacts) {
   using Force = std::array<double, D>;
   constexpr std::size_t kForces = D == 3 ? 2 : 3;
-  // Torques are taken over a typical arm, a power of two, which rounds nothing.
+  // Torques are divided by a typical arm, a power of two, which rounds nothing.
   double force = 0;
   double torque = 0;
   for (const auto& c : contacts) {

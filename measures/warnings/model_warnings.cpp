@@ -87,7 +87,7 @@ bool preloads_balance(const Problem& problem) {
   for (std::size_t j = 0; j < 3; ++j) {
     IntegerVector5 axis{};
     axis[j] = 1;
-    // Half-spaces that contain their planes: neither makes anything strict.
+    // Both half-spaces contain their planes, so no condition is strict.
     at_rest = std::move(at_rest).plane_child(axis, Side::kPositive);
     at_rest = std::move(at_rest).plane_child(negated(axis), Side::kPositive);
   }
@@ -113,7 +113,8 @@ class StiffnessInDoubles {
   }
 
   bool may_differ(ContactId contact, const Rational& stiffness) {
-    // From rest doubles miss equilibria, and under this law let contacts open.
+    // Doubles that start from rest miss equilibria, and let contacts open, which the bilateral
+    // law forbids.
     if (!stable_ || problem_.law() == NormalLaw::kBilateral) return true;
     ContactDoubles& c = model_.contacts[contact.index()];
     const ContactDoubles before = c;

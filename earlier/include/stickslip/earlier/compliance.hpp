@@ -22,10 +22,10 @@
 /// - slips: its normal spring, c_n >= 0, and no friction, c_t = 0;
 /// - is detached: no force, and its spring is released, P - k N.d <= 0.
 ///
-/// It holds iff one of the 3^m combinations has a solution. That a detached contact has been
-/// released is part of what detached means: without it contact 1 of Fig. 1 could let go while
-/// it is compressed, and the load (0, 1, 0) with P = 1, which the paper says this method
-/// rejects, would be held by the other two.
+/// It holds iff one of the 3^m combinations has a solution. A detached contact must have been
+/// released: without this condition contact 1 of Fig. 1 could let go while it is compressed,
+/// and the load (0, 1, 0) with P = 1, which the paper says this method rejects, would be held
+/// by the other two.
 ///
 /// Neither model depends on the normal law.
 ///

@@ -27,9 +27,9 @@
 /// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Every
 /// solution has each contact touching (N.a = 0) or apart (N.a >= 0, c = 0), and slipping one
 /// way (T.a >= 0, force on the edge N - mu T), the other, or not (T.a = 0). In such a cell
-/// (1)-(3) are linear, and one exact program maximises w.a. What is not known of a contact is
-/// relaxed to N.a >= 0 and force in the cone, and a cell is split only where the maximiser
-/// breaks (2) or (3). The cells are closed, and all in them is a solution: none of them is left
+/// (1)-(3) are linear, and one exact program maximises w.a. An unknown condition of a contact
+/// is relaxed to N.a >= 0 and force in the cone, and a cell is split only where the maximiser
+/// breaks (2) or (3). The cells are closed, and all points in them are solutions: none is left
 /// out, and no border matters. Contacts with one line of action, or of slip, are split
 /// together.
 ///
@@ -45,12 +45,12 @@
 ///
 ///     |f_i| <= mu_i |n_i| a_i,     f_i = -mu_i |n_i| a_i s / |s|  if s = S_i a != 0.
 ///
-/// Discs of friction are put between polygons, and what the plane asks of edges is asked of
-/// their corners, by exact programs: forces in an inner polygon are in the cone, and a twist
-/// that no force of an outer polygon opposes is opposed by none in the cone. Polygons are
-/// refined where the programs' answers are. Slip is split into sectors of directions: friction
-/// is against a slip in the sector. What lies on a border whose numbers are irrational, or is
-/// nearer to one than the polygons, is undecided.
+/// Discs of friction are put between polygons, and exact programs ask of their corners what
+/// they ask of edges in the plane: forces in an inner polygon are in the cone, and a twist that
+/// no force of an outer polygon opposes is opposed by none in the cone. Polygons are refined
+/// where the programs' answers are. Slip is split into sectors of directions: friction is
+/// against a slip in the sector. A load on a border whose numbers are irrational, or nearer to
+/// one than the polygons, is undecided.
 ///
 /// Source: Pang and Trinkle, "Stability characterizations of rigid body contact problems with
 /// Coulomb friction", ZAMM 80(10), 2000; Haas-Heger et al., RSS 2018, Section II.

@@ -28,7 +28,7 @@ struct LoadSection {
   /// The coordinates s and t of the load that is not resisted, if it is in the section.
   std::optional<std::array<Rational, 2>> lost{};
 
-  /// The square of the norm of u (0) or v (1).
+  /// Returns the square of the norm of u (0) or v (1).
   Rational squared_norm(std::size_t axis, const LoadBall& ball) const;
 };
 

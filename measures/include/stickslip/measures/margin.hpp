@@ -11,12 +11,12 @@
 ///
 /// **Method.** Branch and bound with l as one more unknown (`search_family`) finds an
 /// equilibrium in a range not yet settled, or proves that there is none. An equilibrium is
-/// extended to all of its mode's interval by an exact ratio test, or two exact linear programs
-/// where the multiple does not fix the motion, and from the ends of that into the modes next to
-/// it, where a contact begins to slip, to stick, to open or to close; what is left of the range
-/// is searched again. Nothing is bisected: every end is where a condition of some mode has its
-/// zero. Where equilibria would have numbers of many thousand digits, what is resisted from 0
-/// on is proved by degree first, dozens of modes at a time, and only what that does not reach
+/// extended to all of its mode's interval by an exact ratio test, or by two exact linear
+/// programs if the multiple does not fix the motion. From the ends of the interval it is
+/// extended into the neighbouring modes, where a contact begins to slip, to stick, to open or
+/// to close. The rest of the range is searched again. Nothing is bisected: every end is a zero
+/// of a condition of some mode. If equilibria would have numbers of many thousand digits, the
+/// multiples from 0 on are proved by degree first, dozens of modes at a time, and only the rest
 /// is searched (margin_degree.hpp). Every search settles a range or adds a mode's interval, of
 /// which there are finitely many.
 #pragma once

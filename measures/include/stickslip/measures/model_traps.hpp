@@ -39,7 +39,7 @@ enum class ModelTrap {
   kReversedContact
 };
 
-/// "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness",
+/// Returns "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness" or
 /// "reversed-contact".
 const char* to_string(ModelTrap trap);
 
@@ -144,7 +144,7 @@ inline bool is_moderate(double value) {
 template <std::size_t D>
 bool is_certainly_unbalanced(std::vector<RestingContact<D>> contacts);
 
-/// \{ For the plane and for space.
+/// \{ The instances for the plane and for space.
 extern template bool is_certainly_unbalanced<3>(std::vector<RestingContact<3>>);
 extern template bool is_certainly_unbalanced<6>(std::vector<RestingContact<6>>);
 /// \}

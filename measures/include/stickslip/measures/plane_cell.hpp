@@ -4,8 +4,8 @@
 /// conv(points) + cone(directions).
 ///
 /// Points and directions have homogeneous coordinates g = (x, y, h), h >= 0: the point
-/// (x/h, y/h) if h > 0, the direction (x, y) if h = 0. A polyhedron is then what the cone of
-/// its generators cuts from the plane h = 1. Turning is counterclockwise from x to y.
+/// (x/h, y/h) if h > 0, the direction (x, y) if h = 0. A polyhedron is then the section of the
+/// cone of its generators by the plane h = 1. Turning is counterclockwise from x to y.
 #pragma once
 
 #include <array>

@@ -306,7 +306,7 @@ class LeastSearch {
   NormalLaw law_;
   PreloadOptions options_;
   const std::function<void(const LeastPreload&)>& progress_;
-  std::vector<GraspBox> known_;  ///< loads that are asked about, one each
+  std::vector<GraspBox> known_;  ///< single loads that are asked about
   Rational size_ = 0;            ///< the size of the largest load
   PreloadPatterns patterns_;
   RationalRow weights_{};  ///< the weights of the known preloads

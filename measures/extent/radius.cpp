@@ -90,7 +90,7 @@ class RadiusSearch {
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     refute();
     prove(0);
-    // A proof of the whole ball in space takes all nodes that there are, so it is not tried.
+    // A proof of a whole ball in space takes all nodes that there are: none are left for parts.
     if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
     return result_;
   }

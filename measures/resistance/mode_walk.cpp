@@ -12,7 +12,7 @@
 namespace stickslip::resistance_detail {
 namespace {
 
-/// The signs that occur at rays; zeros at motions are apart from those at directions.
+/// The signs that occur at rays; a zero counts only at a motion, not at a direction.
 struct RaySigns {
   bool positive = false;
   bool negative = false;

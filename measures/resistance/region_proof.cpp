@@ -165,7 +165,7 @@ class Partition {
   }
 
   /// Returns a side of a piece that some of the cell is beyond: the one that cuts the fewest
-  /// pieces, and then the one that leaves most of them on one side.
+  /// pieces, and then the one that leaves most of them outside, where f < 0.
   LoadFunction split_of_pieces(const LoadCell& cell,
                                const std::vector<std::size_t>& pieces) const {
     const LoadFunction* best = nullptr;

@@ -273,7 +273,8 @@ class Batch {
   std::atomic<std::size_t> written_{0};
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<Progress> progress_{std::in_place};
-  /// Without this, a reader of the results that ends would end a certificate half-written.
+  /// SIGPIPE by default would end the program, and leave a certificate half-written, as soon as
+  // the reader of the results ends.
   void (*on_broken_pipe_)(int) = std::signal(SIGPIPE, SIG_IGN);
   InterruptionMessage interruption_{[this] { return interruption_text(); }};
 };

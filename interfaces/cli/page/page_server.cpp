@@ -29,8 +29,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kConnections = 256;  ///< most of them wait for a client to send
-constexpr std::size_t kAnswers = 16;       ///< the requests that are worked on at a time
+constexpr std::size_t kConnections =
+    256;                              ///< at a time; most of them wait for a client to send
+constexpr std::size_t kAnswers = 16;  ///< the requests that are worked on at a time
 constexpr std::size_t kMostHeaderBytes = 16384;
 constexpr std::chrono::seconds kTimeToSend{5};      ///< the time for a whole request
 constexpr std::chrono::seconds kTimeToReceive{10};  ///< the time for a whole answer

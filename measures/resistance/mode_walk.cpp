@@ -12,7 +12,7 @@
 namespace stickslip::resistance_detail {
 namespace {
 
-/// The signs that occur at rays; a zero counts only at a motion, not at a direction.
+/// The signs of a plane on a region, and whether it is 0 at some motion there.
 struct RaySigns {
   bool positive = false;
   bool negative = false;

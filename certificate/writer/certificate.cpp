@@ -9,7 +9,8 @@
 namespace stickslip {
 namespace {
 
-/// NUMBER of FORMAT.md: a JSON integer where every JSON reader keeps it exact, else a string.
+/// Returns a NUMBER of FORMAT.md: a JSON integer if every JSON reader keeps it exact, else a
+/// string.
 std::string number(const Rational& value) {
   static const Integer kExactInDoubles = Integer(1) << 53;
   constexpr std::size_t kLongest = 65536;  // FORMAT.md, section 2
@@ -35,7 +36,7 @@ std::string indexed(const char* kind, ContactId contact) {
   return std::string("[\"") + kind + "\"," + std::to_string(contact.index()) + "]";
 }
 
-/// Brackets around brackets.
+/// Returns rows in brackets, in brackets.
 template <class Matrix>
 std::string rows(const Matrix& matrix) {
   std::string text;
@@ -44,7 +45,7 @@ std::string rows(const Matrix& matrix) {
 }
 
 struct NodeText {
-  bool margin;  ///< whose planes see the multiple as well
+  bool margin;  ///< whether planes see the multiple as well
 
   std::string operator()(const SlipSplit& node) const { return indexed("slip", node.contact); }
   std::string operator()(const SeparationSplit& node) const {
@@ -70,7 +71,7 @@ struct NodeText {
   }
 };
 
-/// `"uncertain": {...}` of what was asked for.
+/// Returns `"uncertain": {...}` of the tolerances that were asked for.
 std::string tolerances_text(const Tolerances& tolerances) {
   std::string text;
   for (const auto& [kind, tolerance] : given(tolerances)) {
@@ -97,8 +98,8 @@ std::string wrench_text(const WrenchBox& wrench) {
   return text;
 }
 
-/// All up to the verdict, of contacts under this load; `member` follows the law: a direction of
-/// the load, a plane of loads, an inertia.
+/// Returns all members up to the verdict, for contacts under this load. `member` follows the
+/// law: a direction of the load, a plane of loads, an inertia.
 std::string head(const Question& question, const std::string& wrench, const std::string& member,
                  const std::string& producer) {
   const GraspBox* box = question.box();
@@ -179,7 +180,7 @@ std::string segment_text(const SegmentByDegree& proof, const std::optional<Ratio
          list(proof.twist) + "],[" + list(proof.end_twist) + "]],\n " + shape_text(proof, true);
 }
 
-/// A share or F of FORMAT.md: in the plane a number.
+/// Returns a share or F of FORMAT.md: in the plane a number.
 std::string force_text(const RationalRow& force) {
   return force.size() == 1 ? number(force.front()) : "[" + list(force) + "]";
 }
@@ -196,7 +197,7 @@ std::string witness_text(const ShareWitness& witness) {
 
 using Friction = std::vector<std::pair<ContactId, RationalRow>>;
 
-/// The member `name`, a list of friction forces.
+/// Returns the member `name`, a list of friction forces.
 std::string friction_text(const char* name, const Friction& friction) {
   std::string text = std::string("\"") + name + "\": [";
   std::string separator;
@@ -207,7 +208,7 @@ std::string friction_text(const char* name, const Friction& friction) {
   return text + "]";
 }
 
-/// The member `answers`.
+/// Returns the member `answers`.
 std::string answers_text(const std::vector<RestProof::Answer>& answers) {
   std::string text = "\"answers\": [";
   std::string separator;
@@ -268,7 +269,7 @@ std::string point_text(const std::optional<Rational>& multiple, const ShortWitne
 
 namespace {
 
-/// What proves that one is stable.
+/// Writes the proof that a grasp is stable.
 struct ProofText {
   const Question& question;
 
@@ -309,7 +310,7 @@ namespace {
 std::string multiplier(const Rational& x) {
   return number(x);
 }
-/// One number in the plane, three in space.
+/// Returns one number in the plane, three in space.
 std::string multiplier(const RationalRow& x) {
   return x.size() == 1 ? number(x.front()) : "[" + list(x) + "]";
 }
@@ -325,7 +326,7 @@ std::string forces_text(const RigidForces& forces) {
   return text + "]";
 }
 
-/// Of a class.
+/// Writes the evidence of a class.
 struct RigidText {
   std::string operator()(const UnopposedMotion& motion) const {
     return " \"twist\": [" + list(motion.twist) + "]";

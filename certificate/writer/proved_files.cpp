@@ -11,7 +11,8 @@
 namespace stickslip {
 namespace {
 
-/// A file has no ball of loads: that is an option of the question.
+/// Returns the question about a box. A file has no ball of loads, so that is an option of the
+/// question.
 Question about(GraspBox box, NormalLaw law) {
   QuestionOptions options;
   options.law = law;

@@ -19,7 +19,7 @@ std::string constant(const Rational& value) {
 
 using Terms = std::vector<std::pair<Rational, std::string>>;
 
-/// (+ (* c x) ...), without the terms that are 0.
+/// Returns (+ (* c x) ...), without the terms that are 0.
 std::string sum(const Terms& terms) {
   std::string text;
   int count = 0;
@@ -56,7 +56,7 @@ std::string declared(const std::string& name) {
 
 std::string head(const Question& question, const char* where, const char* logic) {
   std::string name = question.description().name;
-  // What ends a line ends a comment, for some solvers also a carriage return.
+  // A character that ends a line ends a comment, for some solvers also a carriage return.
   std::replace_if(
       name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
       ' ');
@@ -65,8 +65,8 @@ std::string head(const Question& question, const char* where, const char* logic)
          "; normal law: " + to_string(question.law) + "\n(set-logic " + logic + ")\n";
 }
 
-/// The wrench of a unit of force along each axis at a point, by rows; the motion of the point
-/// is its transpose times the twist.
+/// Returns the wrench of a unit of force along each axis at a point, by rows; the motion of the
+/// point is its transpose times the twist.
 std::vector<RationalRow> unit_wrenches(const RationalRow& p) {
   if (p.size() == 2) return {{1, 0, Rational(-p[1])}, {0, 1, p[0]}};
   return {{1, 0, 0, 0, p[2], Rational(-p[1])},
@@ -74,7 +74,7 @@ std::vector<RationalRow> unit_wrenches(const RationalRow& p) {
           {0, 0, 1, p[1], Rational(-p[0]), 0}};
 }
 
-/// Normal force a where springs and preload press with v.
+/// Returns the law of a normal force a; springs and preload press with v.
 std::string normal_law(NormalLaw law, const std::string& a, const std::string& v) {
   const std::string closed = "(and (= " + a + " " + v + ") (>= " + a + " 0.0))";
   return line(law == NormalLaw::kBilateral
@@ -88,9 +88,9 @@ std::string squares(const std::vector<std::string>& terms) {
   return text + ")";
 }
 
-/// One grasp with Coulomb's cone as it is. A contact's forces are a n + f with f.n = 0, the
-/// slip is s: a is what the law of normals says, |f| <= mu a |n|, and where s is not 0, f is -t
-/// s of that length.
+/// Returns one grasp with Coulomb's cone as it is. A contact's forces are a n + f with f.n = 0,
+/// the slip is s. The law of normals gives a, |f| <= mu a |n|, and if s is not 0, f is -t s of
+/// that length.
 std::string nonlinear_text(const Question& question, const GraspBox& grasp) {
   const bool in_space = grasp.in_space();
   std::string text = head(question, in_space ? "in space" : "in the plane", "QF_NRA");

@@ -61,7 +61,8 @@ class ClassSweep {
     return result;
   }
 
-  /// The least and greatest value of a variable >= 0; nothing if the program has no point.
+  /// Returns the least and greatest value of a variable >= 0; nothing if the program has no
+  /// point.
   std::optional<Multiples> extent(LinearProgram program, std::size_t variable) {
     program.minimize(objective(variable, 1));
     const LpResult least = solved(program);
@@ -92,7 +93,7 @@ class ClassSweep {
     weak_ = extent(program, l);
   }
 
-  /// Whether the program has a point with a != 0, a being in the orthant.
+  /// Returns true if the program has a point with a != 0, a being in the orthant.
   bool moves(LinearProgram program) {
     program.minimize({-signs_[0], -signs_[1], -signs_[2]});
     const LpResult fastest = solved(program);
@@ -154,7 +155,8 @@ class ClassSweep {
     return open ? RigidClass::kOpen : RigidClass::kMustHold;
   }
 
-  /// The class changes only at ends: each is asked, and one multiple behind it.
+  /// Returns the ranges. The class changes only at ends, so it asks about each end and one
+  /// multiple behind it.
   std::vector<ClassRange> ranges() const {
     std::vector<Rational> ends{0};
     const auto add = [&](const Multiples& multiples) {
@@ -187,7 +189,7 @@ class ClassSweep {
   const Problem& family_;
   const Inertia& inertia_;
   std::size_t programs_left_;
-  std::array<int, 3> signs_{};  ///< of the orthant
+  std::array<int, 3> signs_{};  ///< the signs of the orthant
   std::optional<Multiples> weak_;
   std::vector<Multiples> moving_;
 };

@@ -16,7 +16,7 @@ using namespace earlier_detail;
 
 namespace {
 
-/// Beyond these contacts a grasp wrench space is not computed.
+/// A grasp wrench space of more contacts than these is not computed.
 constexpr std::size_t kMostContactsForWrenchSpace = 64;
 
 /// The first contact with friction in a passive equilibrium.
@@ -153,7 +153,7 @@ class MethodsAsked {
          {"forces", forces_json(planar_forces(a.forces))}});
   }
 
-  /// Of a rigid verdict, where there is one that tells.
+  /// Returns strong stability from the known rigid verdict, if that tells; else decides it.
   std::variant<StronglyStable, Acceleration, Undecided> strong_class() const {
     if (options_.verdict != nullptr) {
       if (const auto* stable = std::get_if<StronglyStable>(options_.verdict)) return *stable;
@@ -162,7 +162,8 @@ class MethodsAsked {
     return strongly_stable_load(problem_, options_.inertia);
   }
 
-  /// Not computed also when a normal has an irrational length.
+  /// Returns the answer about a wrench space; it is not computed for many contacts, or if a
+  /// normal has an irrational length.
   MethodAnswer wrench_space(ForceBound bound) {
     if (problem_.size() > kMostContactsForWrenchSpace) {
       const std::string limit = std::to_string(kMostContactsForWrenchSpace) + " contacts";
@@ -275,14 +276,14 @@ class MethodsAsked {
     return refuted(std::get<Trees>(result), "no motion loads the contacts enough");
   }
 
-  /// For methods that find forces and ask nothing of motions.
+  /// Returns an addition for methods that find forces and ask nothing of motions.
   std::string unless_passive() const {
     if (passive_stable_ != false) return "";
     return std::string(", but no motion ") + (bounded_ != nullptr ? "within the bound " : "") +
            "gives rise to such forces";
   }
 
-  /// For methods that find a motion, when the passive model has none.
+  /// Returns an addition for methods that find a motion, if the passive model has none.
   std::string however(const Witness& witness) const {
     if (passive_stable_ != false) return "";
     const Vector3 motion = coordinates(witness.twist);
@@ -291,13 +292,13 @@ class MethodsAsked {
     }
     const std::string breach = dissipation_breach(witness);
     if (!breach.empty()) return ", but this " + breach;
-    // A released spring under the bilateral law.
+    // The motion may break only the bilateral law, with a spring that is released.
     const std::optional<std::string> violation = find_violation(problem_, witness);
     return violation ? ", but " + *violation : "";
   }
 
-  /// What motion and forces do at the first contact where maximum dissipation forbids it: "lets
-  /// contact 0 slip without friction, though mu = 1/2". Empty if nowhere.
+  /// Returns how motion and forces break maximum dissipation at the first contact where they
+  /// do: "lets contact 0 slip without friction, though mu = 1/2". Empty if they do nowhere.
   std::string dissipation_breach(const Witness& witness) const {
     for (std::size_t i = 0; i < problem_.size(); ++i) {
       const ContactRow& row = problem_.rows()[i];
@@ -337,8 +338,8 @@ class MethodsAsked {
             {"forces", forces_json(witness.forces)}};
   }
 
-  /// "the forces (1, -1/2) at contact 0 and (1, 1/2) at contact 2": two of them, and how many
-  /// more.
+  /// Returns "the forces (1, -1/2) at contact 0 and (1, 1/2) at contact 2": two of them, and
+  /// how many more.
   std::string some_forces(const std::vector<ContactForce>& forces) const {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -353,12 +354,12 @@ class MethodsAsked {
   }
 
   const Problem& problem_;
-  const GraspBox* bounded_;  ///< if motions are bounded
+  const GraspBox* bounded_;  ///< set if motions are bounded
   const CompareOptions& options_;
   NumberText& text_;
-  std::optional<bool> passive_stable_;   ///< if it was asked and said so
-  std::optional<bool> weakly_stable_;    ///< the same
-  std::optional<bool> strongly_stable_;  ///< the same
+  std::optional<bool> passive_stable_;   ///< set if it was asked and said so
+  std::optional<bool> weakly_stable_;    ///< set likewise
+  std::optional<bool> strongly_stable_;  ///< set likewise
   std::optional<Rubbing> rubbing_;
 };
 

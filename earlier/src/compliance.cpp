@@ -22,14 +22,14 @@ std::vector<Rational> scaled(const Rational& factor, const Wrench& row) {
   return {entries.begin(), entries.end()};
 }
 
-/// A spring along a row of motions, whose force along it at rest is `rest`.
+/// A spring along a row of motions; `rest` is its force along the row at rest.
 struct RowSpring {
   RationalRow row;
   Rational stiffness;
   Rational rest;
 };
 
-/// K d = w + sum rest r, in the free variables d.
+/// Returns the program K d = w + sum rest r, in the free variables d.
 LinearProgram balance(const std::vector<RowSpring>& springs, const RationalRow& load) {
   std::vector<RationalRow> stiffness(load.size(), RationalRow(load.size()));
   RationalRow right = load;
@@ -48,8 +48,8 @@ LinearProgram balance(const std::vector<RowSpring>& springs, const RationalRow& 
   return program;
 }
 
-/// A motion y that stretches no spring, along which the load does work: the multipliers of an
-/// infeasible balance. K y = 0 says so, since y.K y = sum k (r.y)^2.
+/// Returns a motion y that stretches no spring, along which the load does work. It is the
+/// multipliers of an infeasible balance. K y = 0 proves it, since y.K y = sum k (r.y)^2.
 UnresistedMotion unresisted(const std::vector<RowSpring>& springs, const RationalRow& load,
                             const RationalRow& multipliers) {
   require(!dot(load, multipliers).is_zero(), "the load does no work");
@@ -89,9 +89,9 @@ Witness springs_at(const Problem& problem, const States& states,
   return springs;
 }
 
-/// v = P - k N.d and the tangential force must allow the contact's state.
+/// Adds the conditions that v = P - k N.d and the tangential force allow the contact's state.
 void add_conditions(const ContactRow& row, SpringState state, LinearProgram& program) {
-  // -k N.d >= -P, or <= for a released spring.
+  // The row is -k N.d >= -P, or <= for a released spring.
   program.add_row(
       scaled(-row.stiffness, row.normal),
       state == SpringState::kDetached ? Relation::kLessEqual : Relation::kGreaterEqual,
@@ -123,7 +123,8 @@ std::optional<Witness> solve_states(const Problem& problem, const States& states
   return springs;
 }
 
-/// The next combination, the last contact varying fastest; false after the last one.
+/// Goes to the next combination, the last contact varying fastest. Returns false after the last
+/// one.
 bool advance(States& states) {
   for (auto state = states.rbegin(); state != states.rend(); ++state) {
     if (*state == SpringState::kStick) {
@@ -139,7 +140,7 @@ bool advance(States& states) {
   return false;
 }
 
-/// The springs of contacts in space along x, y and z.
+/// Returns the springs of contacts in space along x, y and z.
 std::vector<RowSpring> springs_of(const GraspBox& grasp,
                                   const std::vector<FrictionDisc>& discs) {
   std::vector<RowSpring> springs;
@@ -156,7 +157,8 @@ std::vector<RowSpring> springs_of(const GraspBox& grasp,
   return springs;
 }
 
-/// How far a force is outside of its cone, if it is: pulling counts more than any friction.
+/// Returns how far a force is outside of its cone, if it is; pulling counts more than any
+/// friction.
 std::optional<std::pair<bool, Rational>> outside(const FrictionDisc& disc,
                                                  const Vector3& force) {
   const Vector3& n = disc.normal();

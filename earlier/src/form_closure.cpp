@@ -31,7 +31,7 @@ FormClosure checked(const std::vector<RationalRow>& normals, FormClosure closure
   return closure;
 }
 
-/// The first that are linearly independent.
+/// Returns the first normals that are linearly independent.
 std::vector<ContactId> spanning(const std::vector<RationalRow>& normals, std::size_t motions) {
   std::vector<ContactId> picked;
   std::vector<RationalRow> rows;
@@ -46,7 +46,7 @@ std::vector<ContactId> spanning(const std::vector<RationalRow>& normals, std::si
   return picked;
 }
 
-/// Nonzero, and orthogonal to all that do not span.
+/// Returns a row that is not 0 and orthogonal to all normals, which must not span.
 RationalRow orthogonal(const std::vector<RationalRow>& normals, std::size_t motions) {
   return null_space(matrix_of(normals, motions)).back();
 }
@@ -55,7 +55,8 @@ RationalRow orthogonal(const std::vector<RationalRow>& normals, std::size_t moti
 
 std::variant<FormClosure, FreeMotion> form_closure(const std::vector<RationalRow>& normals,
                                                    std::size_t motions) {
-  // sum (1 + x_i) N_i = 0, x >= 0: any positive multipliers are such, up to a common factor.
+  // The program is sum (1 + x_i) N_i = 0, x >= 0: any positive multipliers are of this form, up
+  // to a common factor.
   LinearProgram program;
   program.add_variables(normals.size(), VariableKind::kNonNegative);
   for (std::size_t j = 0; j < motions; ++j) {

@@ -18,10 +18,11 @@ Problem with_friction_times(const Problem& problem, const Rational& s) {
 
 namespace {
 
-/// No end: the cones of infinite friction.
+/// A factor of friction; nothing means infinite friction.
 using Factor = std::optional<Rational>;
 
-/// The least factor at which a contact force opposes the twist that none opposed before.
+/// Returns the least factor at which a contact force opposes the twist that none opposed
+/// before.
 Factor opposed_from(const Problem& problem, const Twist& y) {
   Factor least;
   for (const ContactRow& row : problem.rows()) {
@@ -33,7 +34,7 @@ Factor opposed_from(const Problem& problem, const Twist& y) {
   return least;
 }
 
-/// The least factor whose cones the forces are in.
+/// Returns the least factor whose cones the forces are in.
 Rational used_by(const Problem& problem, const std::vector<ContactForce>& forces) {
   Rational most = 0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -44,7 +45,7 @@ Rational used_by(const Problem& problem, const std::vector<ContactForce>& forces
   return most;
 }
 
-/// N.y >= s mu |T.y| in a program whose first three variables are y.
+/// Adds N.y >= s mu |T.y| to a program whose first three variables are y.
 void add_unopposed(LinearProgram& program, const ContactRow& row, const Factor& s) {
   for (const int side : {1, -1}) {
     const Wrench edge =
@@ -55,7 +56,7 @@ void add_unopposed(LinearProgram& program, const ContactRow& row, const Factor& 
 }
 
 /// Makes as many as possible of the sums of some variables positive, in a program whose points
-/// are a cone; says which. Nothing if it has no point.
+/// are a cone, and says which. Nothing if the program has no point.
 std::optional<std::vector<bool>> positive(LinearProgram program,
                                           const std::vector<std::vector<Rational>>& sums) {
   const std::size_t first = program.add_variables(sums.size(), VariableKind::kNonNegative);
@@ -85,9 +86,9 @@ bool is_feasible(const LinearProgram& program) {
   return !std::holds_alternative<Infeasible>(solve(program));
 }
 
-/// Whether no factor below r balances the load. So it is if some y with w.y >= 0 is unopposed
-/// at r, and some d with w.d > 0 at those contacts where N.y = 0: below r the others leave y +
-/// e d room for some e > 0.
+/// Returns true if no factor below r balances the load. This is so if some y with w.y >= 0 is
+/// unopposed at r, and some d with w.d > 0 is unopposed at those contacts that have N.y = 0:
+/// below r the other contacts leave y + e d room for some e > 0.
 bool all_below_move(const Problem& problem, const Factor& r) {
   LinearProgram program;
   program.add_variables(3, VariableKind::kFree);
@@ -108,9 +109,9 @@ bool all_below_move(const Problem& problem, const Factor& r) {
   return is_feasible(second);
 }
 
-/// Whether all factors above r balance the load. So it is if some forces in the cones of r
-/// balance one another, and others the load that are in these cones where the first press
-/// nothing: above r enough of the first has room for the second.
+/// Returns true if all factors above r balance the load. This is so if some forces in the cones
+/// of r balance one another, and others balance the load that are in these cones at contacts
+/// where the first press nothing: above r enough of the first makes room for the second.
 bool all_above_rest(const Problem& problem, const Rational& r) {
   const Problem at = with_friction_times(problem, r);
   const std::size_t m = problem.size();
@@ -155,7 +156,7 @@ Integer whole_part(const Rational& value) {
   return numerator(value) / denominator(value);
 }
 
-/// The fraction of the least denominator in low < x < high, 0 <= low.
+/// Returns the fraction of the least denominator in low < x < high, 0 <= low.
 Rational simplest_between(const Rational& low, const Rational& high) {
   const Rational whole = whole_part(low);
   if (whole + 1 < high) return whole + 1;

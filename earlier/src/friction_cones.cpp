@@ -15,7 +15,7 @@ using namespace earlier_detail;
 
 namespace {
 
-/// max(0, v), or v under the bilateral law.
+/// Returns max(0, v), or v under the bilateral law.
 Rational normal_law(const Problem& problem, const ContactRow& row, const Twist& d) {
   const Rational v = row.normal_coefficient(d);
   return problem.law() == NormalLaw::kUnilateral && v.sign() < 0 ? Rational(0) : v;
@@ -59,8 +59,9 @@ class RegionProgram {
     return {primitive_multiple(RationalRow{farkas[0], farkas[1], farkas[2]})};
   }
 
-  /// The contact, which may be open or closed here, whose a_i >= v_i the contradiction uses
-  /// most. A leaf counts no negative work of such contacts; without any the leaf refutes.
+  /// Returns the contact, which may be open or closed here, whose a_i >= v_i the contradiction
+  /// uses most. A leaf counts no negative work of such contacts; if there are none the leaf
+  /// refutes.
   ContactId most_used(const std::vector<Rational>& farkas) const {
     std::optional<std::size_t> most;
     for (std::size_t i = 0; i < problem_.size(); ++i) {
@@ -78,7 +79,7 @@ class RegionProgram {
     const Vector3 n = coordinates(row.stiffness * row.normal);
     std::vector<Rational> spring{n.begin(), n.end()};
     if (separations_[i] != Separation::kOpen) {
-      // a_i + k N.d = P, or >= while it may be open.
+      // The row is a_i + k N.d = P, or >= while the contact may be open.
       spring.resize(5 + 2 * i);
       spring[3 + 2 * i] = spring[4 + 2 * i] = 1;
       normal_rows_.push_back(program_.add_row(

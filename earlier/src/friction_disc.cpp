@@ -19,8 +19,8 @@ Vector3 times(const Rational& factor, const Vector3& v) {
   return plus(Vector3{}, factor, v);
 }
 
-/// A vector across n; a unit vector if |n| is rational: the reflection that takes z to n takes
-/// x there.
+/// Returns a vector across n; a unit vector if |n| is rational. The reflection that takes z to
+/// n takes x there.
 Vector3 across(const Vector3& n, const std::optional<Rational>& length) {
   if (!length) return n[0].is_zero() ? Vector3{1, 0, 0} : Vector3{n[1], -n[0], 0};
   const Vector3 h = plus(n, -*length, {0, 0, 1});
@@ -93,12 +93,13 @@ Sector FrictionDisc::near(const Vector3& tangent) const {
   return {static_cast<std::size_t>(turns + 4) % 4, t, t};
 }
 
-/// Not outside of the circle.
+/// Returns a point along d on the circle, or a little inside of it.
 Vector3 FrictionDisc::on_circle(const Vector3& d) const {
   return times(short_sqrt(square_ / dot(d, d), kBits).lower, d);
 }
 
-/// Where lines that touch the circle at these directions, or pass it, meet.
+/// Returns the point where lines meet that touch the circle at these directions, or pass it
+/// outside.
 Vector3 FrictionDisc::corner(const Vector3& before, const Vector3& after) const {
   const Rational a = dot(before, before);
   const Rational b = dot(before, after);

@@ -13,7 +13,7 @@ namespace stickslip {
 namespace earlier_detail {
 namespace {
 
-/// What must hold about a factor, among those that balance the load.
+/// Finds the factors about one that must hold, among those that balance the load.
 class HoldSweep {
  public:
   HoldSweep(const Problem& problem, const Inertia& inertia, const Rational& accuracy,
@@ -23,7 +23,7 @@ class HoldSweep {
         accuracy_(accuracy),
         most_programs_(most_programs) {}
 
-  /// Whether all factors of the range leave no acceleration.
+  /// Returns true if all factors of the range leave no acceleration.
   bool holds(const Rational& low, const std::optional<Rational>& high) {
     const AccelerationSearch search =
         search_accelerations(problem_, inertia_, {low, high}, most_programs_);
@@ -31,11 +31,11 @@ class HoldSweep {
     return !search.found && !search.limited;
   }
 
-  /// How far down from `held` to `least` all must hold.
+  /// Returns how far down from `held` to `least` all must hold.
   Rational down(Rational held, const Rational& least) {
     return least < held && !holds(least, held) ? toward(held, least) : least;
   }
-  /// The same upwards; nothing if there is no end.
+  /// Returns the same upwards; nothing if there is no end.
   std::optional<Rational> up(const Rational& held) {
     if (holds(held, std::nullopt)) return std::nullopt;
     Rational far = held;
@@ -46,11 +46,11 @@ class HoldSweep {
     }
     return far;
   }
-  /// The factor that was last found to be open.
+  /// Returns the factor that was last found to be open, once.
   std::optional<Rational> take_open() { return std::exchange(open_, std::nullopt); }
 
  private:
-  /// Whether all factors between hold, by parts of the range.
+  /// Returns true if all factors between hold, by parts of the range.
   bool holds_between(const Rational& one, const Rational& other, int halvings) {
     if (holds(std::min(one, other), std::max(one, other))) return true;
     if (halvings == 0) return false;
@@ -59,8 +59,8 @@ class HoldSweep {
            holds_between(middle, other, halvings - 1);
   }
 
-  /// From `held` on towards `end`, to which not all hold, or too much is in one range to be
-  /// seen.
+  /// Goes from `held` on towards `end`. Not all between hold, or one range has too much in it
+  /// to show that they do.
   Rational toward(Rational held, Rational end) {
     if (holds(end, end) && holds_between(held, end, kHalvings)) return end;
     for (int round = 0; round < 64 && abs(end - held) > accuracy_ * held; ++round) {
@@ -83,7 +83,7 @@ void add_point(std::vector<FactorRange>& known, const std::optional<Rational>& o
   if (open) known.push_back({RigidClass::kOpen, *open, *open, true, true});
 }
 
-/// With what is between the known ranges, which are in their order, as not known.
+/// Returns the known ranges, which are in their order, with unknown ranges between them.
 std::vector<FactorRange> filled(const std::vector<FactorRange>& known) {
   std::vector<FactorRange> result;
   std::optional<Rational> end = Rational(0);

@@ -19,7 +19,7 @@ struct UnitEdges {
   Vector3 minus;
 };
 
-/// Throws InputError at a normal of irrational length.
+/// Returns the edges by contact. Throws InputError at a normal of irrational length.
 std::vector<UnitEdges> unit_edges(const Problem& problem, const Rational& length) {
   require(length.sign() > 0, "the characteristic length must be above 0");
   std::vector<UnitEdges> result;
@@ -51,8 +51,8 @@ IntegerVector3 difference(const Vector3& a, const Vector3& b) {
   return primitive_multiple<3>({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
 }
 
-/// The polar {(u, h) : u.p <= h for all points p of the space}; its extreme rays are the
-/// facets. Cone starts as h >= 0, which is the condition of the point 0.
+/// Returns the facets: they are the extreme rays of the polar {(u, h) : u.p <= h for all points
+/// p of the space}. Cone starts as h >= 0, which is the condition of the point 0.
 std::vector<HalfSpace> l1_facets(const std::vector<UnitEdges>& edges) {
   Cone polar;
   for (const UnitEdges& e : edges) {
@@ -61,7 +61,7 @@ std::vector<HalfSpace> l1_facets(const std::vector<UnitEdges>& edges) {
     }
   }
   if (!polar.lines().empty()) {
-    // On a line h = 0, since h >= 0 both ways.
+    // A line has h = 0, since h >= 0 both ways.
     const IntegerVector5& line = polar.lines().front();
     const IntegerVector3 u{line[0], line[1], line[2]};
     return {{u, 0}, {negated(u), 0}};
@@ -76,8 +76,8 @@ std::vector<HalfSpace> l1_facets(const std::vector<UnitEdges>& edges) {
   return facets;
 }
 
-/// What the direction u sees of the Minkowski sum: h(u) = max u.x, and the edges of triangles
-/// on which the maximum is attained.
+/// The support of the Minkowski sum in the direction u: h(u) = max u.x, and the edges of
+/// triangles on which the maximum is attained.
 struct Support {
   Rational offset = 0;
   std::vector<IntegerVector3> edges;
@@ -92,14 +92,14 @@ struct Support {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (heights[k] != top || heights[next] != top) continue;
-        // Without friction two corners are one.
+        // Two corners are one without friction.
         const IntegerVector3 edge = difference(corners[next], corners[k]);
         if (!is_zero(edge)) edges.push_back(edge);
       }
     }
   }
 
-  /// Two independent edges.
+  /// Returns true if two edges are independent.
   bool is_facet() const {
     return std::any_of(edges.begin(), edges.end(), [&](const IntegerVector3& edge) {
       return !is_zero(cross(edges.front(), edge));
@@ -108,7 +108,7 @@ struct Support {
 };
 
 std::vector<HalfSpace> linf_facets(const std::vector<UnitEdges>& triangles) {
-  // Up to sign, without repetition.
+  // Directions are listed up to sign, without repetition.
   std::set<IntegerVector3> directions;
   for (const UnitEdges& e : triangles) {
     for (IntegerVector3 edge :
@@ -130,7 +130,7 @@ std::vector<HalfSpace> linf_facets(const std::vector<UnitEdges>& triangles) {
     if (support.is_facet()) facets.push_back({u, support.offset});
   }
   if (!facets.empty()) return facets;
-  // At most one direction: the space is a segment or a point.
+  // There is at most one direction: the space is a segment or a point.
   IntegerVector3 u{0, 0, 1};
   if (!directions.empty()) {
     u = primitive(cross(*directions.begin(), u));
@@ -148,7 +148,7 @@ std::vector<HalfSpace> wrench_space_facets(const Problem& problem, ForceBound bo
       bound == ForceBound::kL1 ? l1_facets(edges) : linf_facets(edges);
   for (const HalfSpace& facet : facets) {
     require(!is_zero(facet.normal) && facet.offset.sign() >= 0, "a facet does not hold 0");
-    // The sum over all contacts, or the best of them.
+    // The reach is the sum over all contacts, or the best of them.
     Rational reach = 0;
     for (const UnitEdges& e : edges) {
       const Rational here = std::max(
@@ -177,12 +177,12 @@ GraspQuality ferrari_canny_quality(const std::vector<HalfSpace>& facets) {
 
 namespace {
 
-/// > 0 when a, b, c turn left.
+/// Returns a positive number if a, b, c turn left.
 Rational turn(const Vector2& a, const Vector2& b, const Vector2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Andrew's monotone chain (Inf. Proc. Letters 9(5), 1979).
+/// Returns the hull by Andrew's monotone chain (Inf. Proc. Letters 9(5), 1979).
 std::vector<Vector2> convex_hull(std::vector<Vector2> points) {
   std::sort(points.begin(), points.end(), [](const Vector2& a, const Vector2& b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);

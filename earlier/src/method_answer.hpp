@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What the rows of a comparison have in common, in the plane and in space.
+/// The common part of the rows of a comparison in the plane and in space.
 #pragma once
 
 #include <functional>
@@ -29,66 +29,67 @@ enum class MethodId {
   kFrictionCones,
 };
 
-/// How a method is named, and what it asks.
+/// The name of a method, and the question that it asks.
 struct Method {
   MethodId id;
   const char* name;
   const char* source;  ///< who proposed it
   bool about_the_load;
-  bool in_space;  ///< whether it is done there
+  bool in_space;  ///< whether it applies in space
 
   std::string word() const;  ///< "grasp-wrench-space-L1"
 };
 
 const std::vector<Method>& all_methods();
 
-/// What a method says: verdict, reason, evidence.
+/// The answer of a method: verdict, reason, evidence.
 struct MethodAnswer {
   std::string verdict;
   std::string why;
   Json evidence{};
 };
 
-/// \{ "stable" or "unstable"; that it was given up; that a number does not serve it.
+/// \{ Return the answer "stable" or "unstable"; that of a search that was given up; that of a
+/// method that a number does not serve.
 MethodAnswer of_load(bool accepts, std::string why, Json evidence);
 MethodAnswer given_up(const Undecided& undecided);
 MethodAnswer not_for(const InputError& error);
 /// \}
 
 std::string contact_name(std::size_t index);  ///< "contact 0"
-/// What is to be said of a motion that a method found and the question does not count.
+/// The words for a motion that a method found beyond the question's bound.
 inline constexpr const char* kBeyondBound = ", but that moves beyond the bound";
-/// "(7 leaves refuted)"
+/// Returns "(7 leaves refuted)".
 std::string leaves_refuted(std::size_t count);
-/// `why`, and in parentheses how many leaves were refuted.
+/// Returns an answer with `why`, and in parentheses how many leaves were refuted.
 MethodAnswer refuted(const Trees& refutation, const std::string& why);
 
-/// \{ What these find says, in the plane and in space.
+/// \{ Return the answers for these results, in the plane and in space.
 MethodAnswer closure_answer(const std::variant<FormClosure, FreeMotion>& found,
                             NumberText& text);
 MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text);
 /// \}
 
-/// The verdict of the passive model about one grasp, by what decides boxes, which knows bounds
-/// on motions.
+/// Returns the verdict of the passive model about one grasp. The engine for boxes decides it,
+/// as that knows bounds on motions.
 MethodAnswer passive_answer(const GraspBox& grasp, NormalLaw law, NumberText& text);
 
-/// The answers of those of `among` whose words are given, or of all, and whether they agree
-/// with the first, if that is the passive model. Throws InputError ("methods") at a word of no
-/// method.
+/// Returns the answers of those of `among` whose words are given, or of all, and whether they
+/// agree with the first, if that is the passive model. Throws InputError ("methods") at a word
+/// of no method.
 std::vector<MethodRow> asked(const std::vector<Method>& among,
                              const std::vector<std::string>& words,
                              const std::function<MethodAnswer(MethodId)>& answer);
 
-/// \{ As compare_methods(), in the plane and in space. `bounded` is the grasp if motions are
-/// bounded, of which the problem knows nothing; else null.
+/// \{ Do what compare_methods() does, in the plane and in space. `bounded` is the grasp if
+/// motions are bounded, which the problem does not know; else null.
 Comparison compare_in_plane(const Problem& problem, const GraspBox* bounded,
                             const CompareOptions& options, NumberText& text);
 Comparison compare_in_space(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
                             NumberText& text);
 /// \}
 
-/// By what weak and strong stability say, as far as they were asked.
+/// Returns the class by weak and strong stability, as far as they were asked.
 std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bool> strongly);
 
 }  // namespace stickslip::earlier_detail

@@ -25,7 +25,7 @@ std::variant<std::vector<Rational>, NoPower> most_power(LinearProgram program,
     if (optimal->value.sign() >= 0) return coprime(1, optimal->dual);
     return optimal->point;
   }
-  // A point of the ray with w.a > 0.
+  // The point returned is far enough along the ray that w.a > 0.
   const auto& [start, ray] = std::get<Unbounded>(solved);
   const Rational step = 1 + abs(dot(load, start)) / dot(load, ray);
   std::vector<Rational> x = start;

@@ -9,7 +9,7 @@ namespace {
 
 using Slip = RigidCell::Slip;
 
-/// The sign of lambda if v = lambda u; 0 if there is none.
+/// Returns the sign of lambda if v = lambda u; 0 if there is no such lambda.
 int proportion(const Wrench& u, const Wrench& v) {
   const IntegerVector<3> one = primitive_multiple(coordinates(u));
   const IntegerVector<3> other = primitive_multiple(coordinates(v));
@@ -166,7 +166,7 @@ class Search {
         friction_(friction),
         programs_left_(most_programs) {}
 
-  /// False ends the search.
+  /// Returns false to end the search.
   bool refutes(const RigidCell& cell) {
     if (programs_left_ == 0) {
       result.limited = true;

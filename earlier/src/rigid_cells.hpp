@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The rigid-body model (load_classes.hpp) cell by cell: where it is known of each contact on
-/// which sides of 0 its N.a and T.a are, the model is linear.
+/// The rigid-body model (load_classes.hpp) cell by cell. The model is linear in a cell, where
+/// each contact's N.a and T.a are known to be on one side of 0.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace stickslip::earlier_detail {
 
-/// By what all friction is multiplied: from low to high, or without an end.
+/// The factors of all friction, from low to high, or without an end.
 struct FrictionRange {
   Rational low = 1;
   std::optional<Rational> high = Rational(1);
@@ -26,8 +26,8 @@ struct CellPoint {
   std::vector<ContactForce> forces;  ///< by ContactId
 };
 
-/// A set of accelerations and forces, closed and convex: each contact is in one of these
-/// conditions, in those that it is not known to be in it is relaxed.
+/// A closed and convex set of accelerations and forces. Each contact is in one of these
+/// conditions; an unknown condition is relaxed.
 class RigidCell {
  public:
   enum class Slip {
@@ -37,18 +37,18 @@ class RigidCell {
     kNone    ///< T.a = 0
   };
 
-  /// Of which nothing is known.
+  /// Makes the cell of which nothing is known.
   explicit RigidCell(const Problem& problem)
       : touch_(problem.size(), Touch::kUnknown), slip_(problem.size(), Slip::kUnknown) {}
 
-  /// The cells of this split, which cover all solutions of the model in this one.
+  /// Returns the cells of this split, which cover all solutions of the model in this one.
   std::vector<RigidCell> children(const Problem& problem, const RigidSplit& split) const;
 
   Touch touch(std::size_t contact) const { return touch_[contact]; }
   Slip slip(std::size_t contact) const { return slip_[contact]; }
 
-  /// A split at a contact where the point breaks the model, if there is one: at all factors in
-  /// the range. None is left only where all that it breaks is known.
+  /// Returns a split at a contact where the point breaks the model at all factors in the range.
+  /// Nothing only if all conditions that it breaks are known.
   std::optional<RigidSplit> split_for(const Problem& problem, const CellPoint& point,
                                       const Rational& least_friction) const;
 
@@ -58,18 +58,19 @@ class RigidCell {
 };
 
 /// The accelerations and forces of a cell that obey Newton's law, as a linear program. Its
-/// variables are a, one for each edge of a cone, and more that are added behind them.
+/// variables are a, one for each edge of a cone, and any that are added behind them.
 class CellProgram {
  public:
   CellProgram(const Problem& problem, const Inertia& inertia, const RigidCell& cell,
               const FrictionRange& friction = {});
 
-  /// With the load growing by l u, l a new variable; returns its index.
+  /// Lets the load grow by l u, with l a new variable; returns its index.
   std::size_t add_growth(const Wrench& u);
-  /// The program, to be extended and solved. Balance is in its last rows but those added.
+  /// Returns the program, to be extended and solved. Its last rows but added ones are balance.
   LinearProgram program() const;
 
-  /// A point with w.a > 0, of the greatest w.a if there is one; or the leaf that refutes all.
+  /// Returns a point with w.a > 0, of the greatest w.a if there is one; or the leaf that
+  /// refutes all.
   std::variant<CellPoint, RigidLeaf> moving() const;
 
  private:
@@ -84,15 +85,16 @@ class CellProgram {
   const Problem& problem_;
   LinearProgram program_;
   std::vector<Edge> edges_;
-  std::vector<std::optional<std::size_t>> slip_rows_;  ///< by contact; its normal's is its own
+  std::vector<std::optional<std::size_t>> slip_rows_;  ///< by contact; the row of its normal
+                                                       ///< has its own number
   std::array<std::vector<Rational>, 3> balance_;
 };
 
-/// What became of a search for accelerations along which the load does work.
+/// The result of a search for accelerations along which the load does work.
 struct AccelerationSearch {
-  std::vector<RigidNode> tree;     ///< if there are none: why, for all factors of the range
+  std::vector<RigidNode> tree;  ///< a proof that there are none, for all factors of the range
   std::optional<CellPoint> found;  ///< a solution of the model, if the range is one factor
-  bool limited = false;            ///< neither, within the limit
+  bool limited = false;            ///< whether the search found neither within the limit
 };
 
 AccelerationSearch search_accelerations(const Problem& problem, const Inertia& inertia,

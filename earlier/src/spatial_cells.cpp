@@ -166,7 +166,7 @@ bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
 
 namespace {
 
-/// The fraction with the least denominator in [low, high], 0 <= low.
+/// Returns the fraction with the least denominator in [low, high], 0 <= low.
 Rational simplest(const Rational& low, const Rational& high) {
   const Integer whole = numerator(low) / denominator(low);
   if (Rational(whole) == low) return low;
@@ -181,7 +181,7 @@ class SpatialSearch {
                 std::size_t most_programs)
       : discs_(discs), load_(load), inertia_(inertia), programs_left_(most_programs) {}
 
-  /// False ends the search.
+  /// Returns false to end the search.
   bool refutes(const SpatialCell& cell, std::size_t depth) {
     for (;;) {
       if (programs_left_ == 0 || depth > 2 * discs_.size() + 250) {
@@ -215,7 +215,7 @@ class SpatialSearch {
   SpatialSearchResult result;
 
  private:
-  /// Where a point breaks the model most, by a part of the load's power.
+  /// The place where a point breaks the model most, by a part of the load's power.
   struct Breach {
     double power = 0;
     std::size_t contact = 0;
@@ -254,7 +254,7 @@ class SpatialSearch {
     return worst;
   }
 
-  /// Finer polygons where a force leaves its cone.
+  /// Makes polygons finer where a force leaves its cone. Returns false if none can be.
   bool refines(const SpatialCell& cell, const SpatialPoint& point) {
     bool finer = false;
     for (std::size_t i = 0; i < discs_.size(); ++i) {
@@ -312,8 +312,8 @@ class SpatialSearch {
     return true;
   }
 
-  /// Whether an exact solution is where the point is: the same contacts touch, and slip in the
-  /// simplest directions near theirs.
+  /// Returns true if an exact solution is near the point: the same contacts touch, and slip in
+  /// the simplest directions near theirs.
   bool is_near_a_solution(const SpatialCell& cell, const SpatialPoint& point) {
     if (attempts_left_ == 0) return false;
     --attempts_left_;

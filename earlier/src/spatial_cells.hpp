@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The rigid-body model in space cell by cell, as rigid_cells.hpp in the plane: in a cell it is
-/// relaxed to a linear program.
+/// The rigid-body model in space cell by cell, as rigid_cells.hpp has it in the plane: in a
+/// cell it is relaxed to a linear program.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,19 @@
 
 namespace stickslip::earlier_detail {
 
-/// The contacts of a point in space.
+/// Returns the contacts of a grasp in space without uncertain numbers.
 std::vector<FrictionDisc> discs_of(const GraspBox& grasp);
-/// The load.
+/// Returns the load.
 Vector6 load_of(const GraspBox& grasp);
 
-/// What is known of a contact.
+/// The known state of a contact.
 struct SpatialLabel {
   enum class Slip {
     kUnknown,
     kNone,    ///< S a = 0
-    kSector,  ///< S a in `sector` of contact `owner`, friction against directions of it
-    kLine     ///< S a a multiple >= 0 of `line`, friction against that
+    kSector,  ///< S a is in `sector` of contact `owner`, friction against directions of the
+              ///< sector
+    kLine     ///< S a is a multiple >= 0 of `line`, friction against that
   };
   Touch touch = Touch::kUnknown;
   Slip slip = Slip::kUnknown;
@@ -33,10 +34,10 @@ struct SpatialLabel {
   std::size_t owner = 0;
   Vector3 line{};
 };
-/// By contact.
+/// The states by contact.
 using SpatialCell = std::vector<SpatialLabel>;
 
-/// Which of the polygons around discs and in them.
+/// The polygons around discs or in them.
 enum class DiscPolygon { kOuter, kInner };
 
 /// Accelerations and forces, by contact.
@@ -45,17 +46,18 @@ struct SpatialPoint {
   SpatialForces forces;
 };
 
-/// The accelerations and forces of a cell that obey Newton's law; without an inertia those at
-/// rest.
+/// The accelerations and forces of a cell that obey Newton's law; without an inertia the forces
+/// at rest.
 class SpatialProgram {
  public:
-  /// Requires kLine of no contact whose friction is not rational.
+  /// Requires that no contact is kLine unless its friction is rational.
   SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
                  const Inertia* inertia, const SpatialCell& cell, DiscPolygon polygon);
 
-  /// Forces at rest, or none; then the twist that proves it is in `twist`.
+  /// Returns forces at rest; or nothing, and the twist that proves it in `twist`.
   std::optional<SpatialForces> at_rest(Vector6& twist) const;
-  /// A point with w.a > 0, of the greatest w.a if there is one; or the leaf that refutes all.
+  /// Returns a point with w.a > 0, of the greatest w.a if there is one; or the leaf that
+  /// refutes all.
   std::variant<SpatialPoint, RigidLeaf> moving() const;
 
  private:
@@ -68,7 +70,7 @@ class SpatialProgram {
     std::size_t contact;
     Vector3 friction;
   };
-  /// Of a contact's N.a, or of its slip along a covector.
+  /// The meaning of a row: a contact's N.a, or its slip along a covector.
   struct SpatialRowOf {
     std::size_t contact;
     std::optional<Vector3> along;
@@ -83,19 +85,19 @@ class SpatialProgram {
   std::array<std::vector<Rational>, 6> balance_;
 };
 
-/// What became of a search for accelerations along which the load does work.
+/// The result of a search for accelerations along which the load does work.
 struct SpatialSearchResult {
-  std::vector<RigidNode> tree;         ///< if there are none: why
+  std::vector<RigidNode> tree;         ///< a proof that there are none
   std::optional<SpatialPoint> found;   ///< a solution of the model
-  std::optional<Undecided> undecided;  ///< neither
+  std::optional<Undecided> undecided;  ///< why the search found neither
 };
 
 SpatialSearchResult search_spatial_accelerations(std::vector<FrictionDisc>& discs,
                                                  const Vector6& load, const Inertia& inertia,
                                                  std::size_t most_programs);
 
-/// Whether these are a solution of the model, exactly; with an acceleration of 0, forces at
-/// rest.
+/// Returns true if the point is exactly a solution of the model; with an acceleration of 0, if
+/// its forces are a solution at rest.
 bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
                  const Inertia& inertia, const SpatialPoint& point);
 

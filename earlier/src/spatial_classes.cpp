@@ -9,10 +9,10 @@ using namespace earlier_detail;
 
 namespace {
 
-/// Rounds of refinement: polygons are then within about a billionth of the disc.
+/// The most rounds of refinement: polygons are then within about a billionth of the disc.
 constexpr int kMostRounds = 40;
 
-/// Along y the load does work, and no force in a cone opposes it.
+/// Returns true if the load does work along y, and no force in a cone opposes y.
 bool is_unopposed(const std::vector<FrictionDisc>& discs, const Vector6& load,
                   const Vector6& y) {
   for (const FrictionDisc& disc : discs) {
@@ -23,8 +23,8 @@ bool is_unopposed(const std::vector<FrictionDisc>& discs, const Vector6& load,
   return dot(load, y).sign() > 0;
 }
 
-/// Directions in which a corner of the inner polygon may just balance the load: against what it
-/// pulls along the contact.
+/// Adds corners to the inner polygons in directions in which they may just balance the load:
+/// against the pull of the load along the contact.
 void add_corners_against(std::vector<FrictionDisc>& discs, const Vector6& load) {
   const Vector3 force{load[0], load[1], load[2]};
   for (FrictionDisc& disc : discs) {

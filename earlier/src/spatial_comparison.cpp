@@ -21,7 +21,7 @@ std::vector<Method> methods_in_space() {
   return result;
 }
 
-/// Throws InputError naming a method of the plane alone.
+/// Throws InputError at the name of a method of the plane alone.
 void check_in_space(const std::vector<std::string>& words) {
   for (const Method& method : all_methods()) {
     if (method.in_space || std::find(words.begin(), words.end(), method.word()) == words.end())
@@ -112,7 +112,7 @@ class MethodsInSpace {
                        "no force in the cones opposes the load along ");
   }
 
-  /// Of a rigid verdict, where there is one.
+  /// Returns weak stability from the known rigid verdict, if there is one; else decides it.
   LoadClass weak_class() const {
     if (verdict_ != nullptr) {
       if (const auto* motion = std::get_if<UnopposedMotion>(verdict_)) return *motion;
@@ -215,7 +215,7 @@ class MethodsInSpace {
     if (along.is_zero()) {
       return "linear springs put friction without a normal force on " + here + beyond;
     }
-    // |f_t|^2 / f_n^2
+    // The ratio is |f_t|^2 / f_n^2.
     const Rational ratio = (dot(f, f) * square - along * along) / (along * along);
     return "linear springs put friction of " + text_.root(1, ratio) +
            " of the normal force on " + here + beyond;
@@ -239,7 +239,7 @@ class MethodsInSpace {
         {{"twist", number_json(found.motion)}, {"forces", forces_json(found.forces)}});
   }
 
-  /// For methods that find forces and ask nothing of motions.
+  /// Returns an addition for methods that find forces and ask nothing of motions.
   std::string unless_passive() const {
     if (passive_stable_ != false) return "";
     return ", but no motion" + within_bound(grasp_) + " gives rise to such forces";
@@ -262,9 +262,9 @@ class MethodsInSpace {
   NumberText& text_;
   const RigidVerdict* verdict_;
   std::optional<RigidVerdict> found_;
-  std::optional<bool> passive_stable_;   ///< if it was asked and said so
-  std::optional<bool> weakly_stable_;    ///< the same
-  std::optional<bool> strongly_stable_;  ///< the same
+  std::optional<bool> passive_stable_;   ///< set if it was asked and said so
+  std::optional<bool> weakly_stable_;    ///< set likewise
+  std::optional<bool> strongly_stable_;  ///< set likewise
   std::optional<Undecided> class_undecided_;
 };
 

@@ -81,8 +81,8 @@ class SpatialConesSearch {
     return Outcome::kRefuted;
   }
 
-  /// Motions and forces of a region, with normal forces that may be more than their law says
-  /// where a contact is open or closed.
+  /// Returns motions and forces of a region. A contact that may be open or closed may have more
+  /// normal force than its law says.
   std::optional<MotionAndForces> solved(const Region& region, DiscPolygon polygon) {
     --left_;
     LinearProgram program;
@@ -130,7 +130,7 @@ class SpatialConesSearch {
     return found;
   }
 
-  /// stiffness N.d, by the coordinates of d.
+  /// Returns stiffness N.d, by the coordinates of d.
   RationalRow spring_row(std::size_t contact) const {
     RationalRow row;
     for (const Rational& n : discs_[contact].normal_row()) {
@@ -153,7 +153,7 @@ class SpatialConesSearch {
            discs_[contact].square() * force.normal * force.normal;
   }
 
-  /// Keeps what obeys all laws, exactly.
+  /// Keeps the point if it obeys all laws exactly.
   bool accept(const MotionAndForces& found) {
     Vector6 sum = load_;
     for (std::size_t i = 0; i < discs_.size(); ++i) {

@@ -19,11 +19,11 @@ class UnitDisc {
   UnitDisc(const UncertainContact& contact, std::size_t index, const Rational& length)
       : disc_(contact), unit_(1 / rational_length(contact, index)), length_(length) {}
 
-  /// The point with friction along the direction of the disc with this place.
+  /// Returns the point with friction along the direction of the disc at this place.
   RationalRow point(std::size_t quarter, const Rational& t) const {
     Vector3 force = disc_.normal();
     if (disc_.has_friction()) {
-      // Its length is rational, as that of the normal is.
+      // The friction has a rational length, as the normal has.
       force = plus(force, -1, *disc_.against(disc_.direction(quarter, t)));
     }
     const Vector6 w = disc_.wrench(force);
@@ -34,12 +34,12 @@ class UnitDisc {
     return result;
   }
 
-  /// The motion that does the work u.x.
+  /// Returns the motion that does the work u.x.
   Vector6 motion(const RationalRow& u) const {
     return {u[0], u[1], u[2], u[3] / length_, u[4] / length_, u[5] / length_};
   }
 
-  /// Whether u.x <= 0 for all its points.
+  /// Returns true if u.x <= 0 for all its points.
   bool is_below(const RationalRow& u) const {
     const Vector6 d = motion(u);
     const Rational along = dot(disc_.normal_row(), d);
@@ -47,7 +47,7 @@ class UnitDisc {
     return along.sign() <= 0 && disc_.square() * dot(slip, slip) <= along * along;
   }
 
-  /// At least the largest u.x of its points.
+  /// Returns at least the largest u.x of its points.
   Rational reach(const RationalRow& u) const {
     const Vector6 d = motion(u);
     const Vector3 slip = disc_.slip(d);
@@ -56,7 +56,7 @@ class UnitDisc {
     return unit_ * (dot(disc_.normal_row(), d) + friction);
   }
 
-  /// Near the place of the point farthest along u, to 2^-bits of its angle.
+  /// Returns a place near that of the point farthest along u, to 2^-bits of its angle.
   Sector farthest(const RationalRow& u, unsigned bits) const {
     const Vector3 slip = disc_.slip(motion(u));
     if (slip == Vector3{}) return {};
@@ -80,8 +80,8 @@ struct Facet {
   Rational distance_squared() const { return offset * offset / dot(normal, normal); }
 };
 
-/// The hull of 0 and points, by the polar {(u, h) : u.x <= h for all points x}; its extreme
-/// rays are the facets.
+/// The hull of 0 and points. Its facets are the extreme rays of the polar {(u, h) : u.x <= h
+/// for all points x}.
 class Hull {
  public:
   void add(const RationalRow& x) {
@@ -93,13 +93,13 @@ class Hull {
     ++points_;
   }
 
-  /// Orthogonal to all points, if they have no volume.
+  /// Returns a row orthogonal to all points, if they have no volume.
   std::optional<RationalRow> flat() const {
     if (polar_.lines().empty()) return std::nullopt;
     return normal_of(polar_.lines().front());
   }
 
-  /// Requires volume.
+  /// Returns the facet nearest to 0. Requires volume.
   Facet nearest() const {
     std::optional<Facet> best;
     Rational least = 0;
@@ -114,8 +114,8 @@ class Hull {
     return *best;
   }
 
-  /// Inside the cone of the u with u.x <= 0 for all points x, if there is one: the facets
-  /// through 0 are at its border.
+  /// Returns a row inside the cone of the u with u.x <= 0 for all points x, if there is such a
+  /// cone: the facets through 0 are at its border.
   std::optional<RationalRow> inside_polar() const {
     RationalRow sum(6);
     bool has_any = false;
@@ -158,7 +158,7 @@ WrenchBall wrench_ball(const GraspBox& grasp, const Rational& length,
     return is_new;
   };
   for (std::size_t i = 0; i < discs.size(); ++i) {
-    // A triangle about.
+    // The hull starts with a triangle of each disc, nearly an equilateral one.
     add(i, 0, 0);
     if (grasp.contacts[i].friction.low.is_zero()) continue;
     add(i, 1, Rational(1, 4));

@@ -41,7 +41,7 @@ void add_range(NamedFiles& files, NormalLaw law, const PreloadRange& range) {
   add_boxes(files, "range", law, range.boxes);
 }
 
-/// What all answers begin with.
+/// Returns the members that all answers begin with.
 Json question_json(const Question& question) {
   Json json;
   json["name"] = question.description().name;
@@ -53,7 +53,8 @@ Json question_json(const Question& question) {
   return json;
 }
 
-/// The multiples, and whether each preload may vary for itself between the first and the last.
+/// Adds the multiples, and whether each preload may vary for itself between the first and the
+/// last.
 void add_range(Json& json, const PreloadRange& range) {
   Json& multiples = json["multiples"] = Json::array();
   for (const auto& [low, high] : range.multiples) {

@@ -10,7 +10,7 @@ namespace stickslip {
 
 namespace {
 
-/// Above 0.
+/// Returns the value of an option, which must be above 0.
 Rational positive_option(const std::string& option, const std::string& value,
                          const char* meaning) {
   Rational number = number_option(option, value);
@@ -45,7 +45,7 @@ GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
                      "a quality is that of one grasp: give one number for each, or ask "
                      "radius --uncertain wrench=ball:R");
   }
-  // As GraspBox::check() would say of a tolerance, of the options.
+  // GraspBox::check() says the same of a tolerance; this says it of the options.
   const std::size_t coordinates = grasp.in_space() ? 3 : 2;
   if (!shape.about.empty() && shape.about.size() != coordinates) {
     throw InputError("", "--about",

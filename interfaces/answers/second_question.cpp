@@ -51,7 +51,7 @@ Rational squared_length(const RationalRow& load, const Law& law, const Rational&
   return sum;
 }
 
-/// A typical length of the grasp in few bits.
+/// Returns a typical length of the grasp in few bits.
 Rational typical_length(const Law& law) {
   constexpr int kBits = 4;
   return rational_in_bits(law.length, kBits);
@@ -67,7 +67,7 @@ std::optional<RationalRow> without_rounding(const Law& law, const RationalRow& l
   if (opposed == load) return std::nullopt;
   RationalRow off = load;
   for (std::size_t j = 0; j < off.size(); ++j) off[j] -= opposed[j];
-  static const Rational kRounding = parse_rational("1e-24");  // of squares
+  static const Rational kRounding = parse_rational("1e-24");  // the bound on squares
   if (squared_length(off, law, length) > kRounding * squared_length(load, law, length)) {
     return std::nullopt;
   }

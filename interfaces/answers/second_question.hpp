@@ -20,7 +20,7 @@ namespace stickslip::answers_detail {
 ///   about the line through two fingers.
 std::optional<Question> second_question(const Question& question, const Verdict& verdict);
 
-/// Returns the direction of a margin without what no contact opposes, if that is a part of less
+/// Returns the direction of a margin without the part that no contact opposes, if that is less
 /// than 1e-12 of it; else nothing.
 std::optional<RationalRow> opposed_direction(const Question& question);
 

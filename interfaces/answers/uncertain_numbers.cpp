@@ -10,7 +10,7 @@ namespace stickslip {
 
 namespace {
 
-/// Of all numbers of a box, certain ones too.
+/// Returns all numbers of a box, certain ones too.
 std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
   std::vector<UncertainNumber> all;
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
@@ -44,7 +44,7 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
   return all;
 }
 
-/// By how much a grasp has turned the normal of a contact of the box, this way.
+/// Returns by how much a grasp has turned the normal of a contact of the box, this way.
 Rational turn_of(const UncertainContact& c, const RationalRow& turned, std::size_t way) {
   const RationalRow across = turns_of(c)[way].direction;
   return dot(across, turned) * dot(c.normal, c.normal) /

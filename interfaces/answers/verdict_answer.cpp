@@ -37,7 +37,7 @@ Answer about_box(Question question, BoxDecision decision, const AnswerOptions& o
           std::move(warnings)};
 }
 
-/// What proves that it is stable.
+/// Adds the evidence that the grasp is stable.
 struct EvidenceJson {
   const Answer& answer;
   Json& json;
@@ -84,7 +84,7 @@ struct EvidenceJson {
   }
 };
 
-/// What the verdict says, and why.
+/// Adds the verdict and its reasons.
 struct VerdictJson {
   const Answer& answer;
   Json& json;
@@ -231,7 +231,7 @@ Json to_json(const Answer& answer) {
   const GraspBox* box = question.box();
   Json json;
   json["verdict"] = name_of(answer.verdict);
-  // One grasp is none, though it is proved as if it were.
+  // One grasp is no box, though it is proved as if it were.
   if (box != nullptr && !box->is_point()) json["box"] = true;
   json["name"] = question.description().name;
   if (!question.case_name.empty()) json["case"] = question.case_name;

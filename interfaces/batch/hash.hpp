@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A hash that tells texts apart. Nothing is proved by it.
+/// A hash that tells texts apart. It proves nothing.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace stickslip::batch_detail {
 
-/// FNV-1a, 64 bits.
+/// The hash FNV-1a, 64 bits.
 class Hash {
  public:
   void add(char c) { hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL; }
@@ -17,7 +17,7 @@ class Hash {
     for (const char c : text) add(c);
   }
 
-  /// 16 digits.
+  /// Returns 16 digits.
   std::string digits() const {
     constexpr const char* kDigits = "0123456789abcdef";
     std::string text;

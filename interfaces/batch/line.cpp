@@ -47,7 +47,9 @@ std::optional<BatchLine> BatchLines::next() {
     line.text.clear();
     line.unreadable = error;
   }
-  if (lines_.begin() >= end_) return std::nullopt;  // behind blank lines, which were the last
+  if (lines_.begin() >= end_)
+    return std::nullopt;  // the end is behind blank lines, which were
+                          // the last
   line.number = lines_.number();
   return line;
 }
@@ -169,7 +171,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   } catch (const InputError& error) {
     return failed(line, error);
   }
-  // A file that cannot be written ends the batch: it is no property of the line.
+  // A file that cannot be written ends the batch, as it is no property of the line.
   if (!certificate.empty()) {
     const std::string name = "/line-" + std::to_string(line.number) + ".json";
     write_whole_file(options_.certificate_folder + name, certificate);

@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-/// The last member of a result, and what closes it.
+/// Returns the last member of a result, and the end of the line.
 std::string check_of(std::string_view members) {
   batch_detail::Hash hash;
   hash.add(members);
@@ -60,7 +60,7 @@ std::optional<FinishedResult> FinishedResults::next() {
   JsonNode result;
   try {
     result = parse_json(line_);
-  } catch (const InputError&) {  // as little a result as null
+  } catch (const InputError&) {  // no more a result than null is
   }
   const JsonNode* const key = result.find("key");
   if (key == nullptr || key->kind != JsonNode::Kind::kString) {

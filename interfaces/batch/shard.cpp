@@ -30,7 +30,7 @@ std::optional<Shard> parse_shard(std::string_view text) {
   return Shard{*index, *count};
 }
 
-/// The member of a head; `good` becomes false if it is not there or of another kind.
+/// Returns the member of a head; `good` becomes false if it is not there or of another kind.
 std::string member_text(const JsonNode& head, const char* name, JsonNode::Kind kind,
                         bool& good) {
   const JsonNode* const found = head.find(name);
@@ -65,8 +65,8 @@ std::optional<ShardHead> parse_head(const std::string& line) {
   return head;
 }
 
-/// Where the part of the shard before ends and that of this one begins, unless a line goes on
-/// there.
+/// Returns where the part of the shard before ends and that of this one begins, unless a line
+/// goes on there.
 std::uintmax_t cut(std::uintmax_t bytes, std::size_t shards_before, std::size_t count) {
   return bytes / count * shards_before + bytes % count * shards_before / count;
 }
@@ -131,7 +131,7 @@ void require_one_file(const std::vector<CompleteShard>& shards) {
   }
 }
 
-/// Reads the results of a shard, which must be all and end with the file.
+/// Reads the results of a shard, which must be complete and end with the file.
 void read_results(CompleteShard& shard, InputFile& file, BatchTally& tally) {
   const ShardHead& head = shard.head;
   FinishedResults results(file.stream(), shard.file, 1, shard.begin);
@@ -211,8 +211,8 @@ MeasuredShard measure_shard(std::istream& grasps, std::uintmax_t bytes, const Sh
   batch_detail::Hash hash;
   std::uintmax_t at = 0;
   std::size_t lines = 0;
-  bool inside = false;  // of the shard
-  bool blank = true;    // the line so far
+  bool inside = false;  // inside of the shard
+  bool blank = true;    // the line is blank so far
   std::streambuf& in = *grasps.rdbuf();
   constexpr int kEnd = std::streambuf::traits_type::eof();
   const auto begin = [&] {

@@ -97,7 +97,7 @@ std::string bound_text(const GraspBox& box) {
   }
   std::string text;
   for (const Rational& number : numbers) {
-    char digits[32];  // of a natural bound two, which are exact
+    char digits[32];  // two digits suffice for a natural bound
     std::snprintf(digits, sizeof digits, "%.2g", to_double(number));
     const bool is_short = denominator(number) != 1 && parse_rational(digits) == number;
     text += (text.empty() ? "" : ",") + (is_short ? std::string(digits) : to_string(number));

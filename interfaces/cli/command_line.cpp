@@ -197,7 +197,7 @@ CommandOption* Command::get_option(const std::string& name) {
 CommandLine::CommandLine(const std::string& name, const std::string& description,
                          const std::string& version)
     : parsed_(std::make_unique<CLI::App>(description, name)) {
-  constexpr std::size_t kColumns = 34;  // of the help, for names
+  constexpr std::size_t kColumns = 34;  // the columns of the help for names
   parsed_->set_version_flag("--version", version);
   parsed_->get_formatter()->column_width(kColumns);
   program_.reset(new Command(parsed_.get()));

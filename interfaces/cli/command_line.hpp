@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A command line described: commands, options and arguments, and what they write to. CLI11
-/// reads it, and command_line.cpp alone includes that library.
+/// The description of a command line: commands, options and arguments, and the variables that
+/// they set. CLI11 reads it, and command_line.cpp alone includes that library.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,11 @@ class Option;
 namespace stickslip {
 
 /// An option or an argument of a command. Functions that describe it return it, so that they
-/// chain. A name given where there is none, or twice, throws CLI11's errors, which are
+/// chain. A name that no option has, or that is taken, throws CLI11's errors, which are
 /// std::exceptions.
 class CommandOption {
  public:
-  /// Says what is wrong with a value; an empty text if nothing is.
+  /// Returns the error in a value; an empty text if there is none.
   using Check = std::function<std::string(const std::string& value)>;
   /// Whether the help shows the values that may be chosen behind the name of the type.
   enum class InHelp { kShown, kHidden };
@@ -32,19 +32,20 @@ class CommandOption {
   CommandOption& operator=(const CommandOption&) = delete;
 
   CommandOption* description(const std::string& text);
-  /// The name stands for the value in the help: "N", "FILE". A shell completes FILE and DIR.
+  /// Sets the name that stands for the value in the help: "N", "FILE". A shell completes FILE
+  /// and DIR.
   CommandOption* type_name(const std::string& name);
   CommandOption* required();
-  /// The help shows the value that the variable has now.
+  /// Shows in the help the value that the variable has now.
   CommandOption* capture_default_str();
   /// \{ Values are checked in this order, after each change of transform().
   CommandOption* check(const Check& check);
   CommandOption* choices(const std::vector<std::string>& values, InHelp help = InHelp::kShown);
   CommandOption* transform(const std::function<std::string(std::string)>& change);
   /// \}
-  /// One word may hold several values with this between them.
+  /// Lets one word hold several values with this between them.
   CommandOption* delimiter(char between);
-  /// The next word is never another value of it.
+  /// Keeps the next word from ever being another value of it.
   CommandOption* takes_one_word();
   CommandOption* excludes(CommandOption* other);
   CommandOption* needs(CommandOption* other);
@@ -65,7 +66,7 @@ class CommandOption {
   CLI::Option* parsed_;
 };
 
-/// A command, and all that stands below it. It is given a reference to each variable that the
+/// A command, and all commands below it. It is given a reference to each variable that the
 /// parser sets.
 class Command {
  public:
@@ -73,8 +74,8 @@ class Command {
   Command& operator=(const Command&) = delete;
   ~Command();
 
-  /// \{ An option by its names, as in "--output,-o", or an argument, whose name has no dash.
-  /// The variable is set if it is given.
+  /// \{ Add an option by its names, as in "--output,-o", or an argument, whose name has no
+  /// dash. The variable is set if it is given.
   CommandOption* add_option(const std::string& names, std::string& value,
                             const std::string& description);
   CommandOption* add_option(const std::string& names, std::vector<std::string>& values,
@@ -89,28 +90,28 @@ class Command {
                           const std::string& description);
   /// \}
   Command* add_subcommand(const std::string& name, const std::string& description);
-  /// The text stands below the options in the help.
+  /// Sets the text below the options in the help.
   void footer(const std::string& text);
-  /// `work` is what the command does, once the line is read.
+  /// Sets the work of the command, which runs once the line is read.
   void callback(const std::function<void()>& work);
-  /// One of its commands has to be given.
+  /// Requires that one of its commands is given.
   void require_subcommand();
-  /// Neither the help nor a completion shows it.
+  /// Hides it from the help and from completions.
   Command* hide();
 
   const std::string& name() const;
   std::string description() const;
   bool is_hidden() const;
-  /// The help of the command where it is called so: "stickslip plot grasp".
+  /// Returns the help of the command where it is called so: "stickslip plot grasp".
   std::string help(const std::string& called) const;
-  /// \{ These stand in the order in which they were added, after --help and --version; those
-  /// hidden included.
+  /// \{ The commands and options in the order in which they were added, after --help and
+  /// --version; hidden ones included.
   std::vector<const Command*> subcommands() const;
   std::vector<const CommandOption*> options() const;
   /// \}
-  /// The option that is called so, dashes included; nullptr if there is none.
+  /// Returns the option that is called so, dashes included; nullptr if there is none.
   const CommandOption* find_option(const std::string& name) const;
-  /// The option that is called so, which is there.
+  /// Returns the option that is called so, which must be there.
   CommandOption* get_option(const std::string& name);
 
  private:
@@ -137,10 +138,10 @@ class CommandLine {
 
   /// The reason why a command line was not carried out.
   struct Stopped {
-    bool asked_for_help;  ///< or for the version
-    std::string text;     ///< what was asked for, or what is wrong
+    bool asked_for_help;  ///< whether help or the version was asked for
+    std::string text;     ///< the text that was asked for, or the error
   };
-  /// Reads a command line and calls what the command does; what that throws is passed on.
+  /// Reads a command line and runs the command's work. Throws what that work throws.
   std::optional<Stopped> run(int argc, const char* const* argv);
 
  private:

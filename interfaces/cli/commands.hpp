@@ -25,8 +25,8 @@ enum ExitCode : int {
 inline const std::string kExitCodes = "0 done, 2 bad input or usage";
 inline const std::string kExitCodesWithLimit = kExitCodes + ", 3 undecided within a limit";
 
-/// What --help says below the options, in the form that help2man reads: notes and the exit
-/// codes, and a last section of examples, one command a line.
+/// Returns the text of --help below the options, in the form that help2man reads: notes and the
+/// exit codes, and a last section of examples, one command a line.
 inline std::string footer_text(const std::string& notes, const std::string& exit_codes,
                                const std::string& example) {
   return notes + (notes.empty() ? "" : "\n") + "Exit codes: " + exit_codes +
@@ -48,22 +48,22 @@ void add_snap_command(Command& app, int& exit_code);
 void add_example_command(Command& app, int& exit_code);
 void add_export_command(Command& app, int& exit_code);
 void add_plot_command(Command& app, int& exit_code);
-/// \{ `plot region` and `plot quality`, beside `region` and `quality`.
+/// \{ Add `plot region` and `plot quality`, which are beside `region` and `quality`.
 void add_region_plot(Command& plot, int& exit_code);
 void add_quality_plot(Command& plot, int& exit_code);
 /// \}
 void add_page_command(Command& app, int& exit_code);
 void add_serve_command(Command& app, int& exit_code);
 void add_help_command(Command& app, int& exit_code);
-/// `completion`, which prints the scripts, and what they call, `complete`, which is hidden.
+/// Adds `completion`, which prints the scripts, and the hidden `complete`, which they call.
 void add_completion_command(Command& app, int& exit_code);
 
-/// What the program says when it is given nothing to do.
+/// Prints the introduction of a program that is given nothing to do.
 void introduce(const Command& app);
 
-/// Of a command line that the parser did not take: throws InputError for the first word that
-/// stands where a command or an option should, and is none; it says which may have been meant.
-/// Of options only if `options_too`.
+/// Throws InputError for the first unknown word where a command or an option should stand, in a
+/// command line that the parser did not take; it says which word may have been meant. Looks at
+/// options only if `options_too`.
 void refuse_unknown_words(const Command& app, const std::vector<std::string>& words,
                           bool options_too);
 

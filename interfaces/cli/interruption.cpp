@@ -22,7 +22,8 @@ struct Message {
   std::function<std::string()> text;
 };
 
-/// Never destroyed: the thread below lives on while the program ends.
+/// Returns the message, which is never destroyed: the thread below lives on while the program
+/// ends.
 Message& message() {
   static auto* const one = new Message;
   return *one;
@@ -33,7 +34,7 @@ void say_message() {
   if (!message().text) return;
   const std::string text =
       (isatty(STDERR_FILENO) == 1 ? kClearLine : "") + message().text() + "\n";
-  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody to tell
+  if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody hears of it
 }
 
 struct Stop {
@@ -41,13 +42,13 @@ struct Stop {
   std::function<void()> call;
 };
 
-/// Never destroyed, either.
+/// Returns the stop, which is never destroyed, either.
 Stop& stop() {
   static auto* const one = new Stop;
   return *one;
 }
 
-/// False if there is nothing to call, or no more.
+/// Calls the stop once. Returns false if there is none to call, or no more.
 bool call_stop() {
   const std::lock_guard<std::mutex> lock(stop().mutex);
   const std::function<void()> call = std::exchange(stop().call, nullptr);
@@ -55,7 +56,8 @@ bool call_stop() {
   return call != nullptr;
 }
 
-/// In a thread of its own, where waiting is allowed, as it is not in a signal handler.
+/// Waits for signals in a thread of its own, where waiting is allowed; a signal handler may not
+/// wait.
 void wait_for(sigset_t signals) {
   int signal_number = 0;
   do {
@@ -87,13 +89,14 @@ void finish_files_when_interrupted() {
       sigaddset(&signals, signal_number);
     }
   }
-  // Every thread has them blocked, so that sigwait gets them.
+  // Every thread has the signals blocked, so that sigwait gets them.
   sigset_t before;
   pthread_sigmask(SIG_BLOCK, &signals, &before);
   try {
     std::thread(wait_for, signals).detach();
   } catch (const std::system_error&) {
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);  // no thread to be had: as if not called
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);  // there is no thread to be had: this does
+                                                     // nothing then
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Interruptions end the program by their signal, and no file half-written.
+/// Interruptions: the program ends by their signal, and no file stays half-written.
 #pragma once
 
 #include <functional>
@@ -8,15 +8,15 @@
 
 namespace stickslip {
 
-/// From now on SIGINT, SIGTERM and SIGHUP wait for files that are being written (core/file.hpp)
-/// and then end the program, by the same signal, so that whoever started it knows. Those that
-/// are ignored (nohup) stay so. For main, before there are other threads.
+/// Makes SIGINT, SIGTERM and SIGHUP wait for files that are being written (core/file.hpp) and
+/// then end the program, by the same signal, so that whoever started it knows. Signals that are
+/// ignored (nohup) stay so. Call it in main, before there are other threads.
 void finish_files_when_interrupted();
 
 /// Ends the program by this signal when the files that are being written are done.
 [[noreturn]] void end_by_signal(int signal_number);
 
-/// What an interruption says on standard error while this lives, a line. There is one at a
+/// The line that an interruption writes on standard error while this lives. There is one at a
 /// time. `text` is called by another thread, when no FileWrite lives any more.
 class InterruptionMessage {
  public:

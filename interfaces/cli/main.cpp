@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   }
   std::cout.flush();
   if (!std::cout) {
-    errno = 0;  // why it failed may be long forgotten: another write meets the same
+    errno = 0;  // the reason may be long forgotten: another write meets the same
     [[maybe_unused]] const ssize_t again = ::write(STDOUT_FILENO, "\n", 1);
     std::cerr << "stickslip: " << stickslip::cannot_write("<stdout>", errno).what() << '\n';
     return stickslip::kBadInput;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Options that several subcommands have: what is asked about a grasp file, and how numbers are
+/// Options that several subcommands have: the question about a grasp file, and how numbers are
 /// printed.
 #pragma once
 
@@ -26,41 +26,43 @@ class QuestionArguments {
  public:
   /// Adds GRASP, --wrench, --case, --preload and --normal-law.
   void add_to(Command& command);
-  /// As add_to, and --uncertain, for a command that answers questions that are boxes: of
-  /// others, question() and questions() refuse them.
+  /// Does what add_to does, and adds --uncertain, for a command that answers questions that are
+  /// boxes. Without it question() and questions() refuse boxes.
   void add_with_uncertain_to(Command& command);
-  /// As add_to, for a command that answers about one grasp also where lengths of normals are
-  /// enclosed.
+  /// Does what add_to does, for a command that answers about one grasp even if lengths of
+  /// normals are enclosed.
   void add_with_enclosures_to(Command& command);
-  /// As add_to, and --direction and --preload-direction, for a command that asks about a
-  /// margin.
+  /// Does what add_to does, and adds --direction and --preload-direction, for a command that
+  /// asks about a margin.
   void add_with_directions_to(Command& command);
   /// Adds --max-motion.
   void add_max_motion_to(Command& command);
   /// Adds the options of add_to without GRASP, for commands that read many.
   void add_options_to(Command& command);
-  /// The same but --wrench and --case, for what does not depend on a load: it is then 0.
+  /// Adds the same without --wrench and --case, for an answer that does not depend on a load:
+  /// the load is then 0.
   void add_without_wrench_to(Command& command);
-  /// --case alone, whose load replaces that 0.
+  /// Adds --case alone, whose load replaces that 0.
   CommandOption* add_case_to(Command& command, const std::string& description);
 
-  /// What to replace. Throws InputError naming the option.
+  /// Returns the options of the question. Throws InputError naming the option.
   QuestionOptions options() const;
-  /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
+  /// Reads the file and replaces what the options say. Throws InputError naming the file or
+  /// option.
   Question question() const;
-  /// The same; but of a file with cases, if no load is chosen, the question of each.
+  /// Returns the same; of a file with cases, if no load is chosen, the question of each.
   std::vector<Question> questions() const;
-  /// \{ The same, of a grasp in the plane or in space.
+  /// \{ Return the same for a grasp in the plane or in space.
   Question any_question() const;
   std::vector<Question> any_questions() const;
   /// \}
-  /// The file itself, and what is to be replaced, as it is spelled.
+  /// The file itself, and the options as they are spelled.
   GraspFile file() const { return read_any_grasp_file(file_); }
   const QuestionText& text() const { return text_; }
   const std::string& name_of_argument() const { return file_; }  ///< GRASP as it was given
-  /// Of the file, in errors.
+  /// Returns the name of the file in errors.
   std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
-  /// Whether --case is given.
+  /// Returns true if --case is given.
   bool chooses_case() const { return !text_.case_name.empty(); }
 
  private:
@@ -74,10 +76,10 @@ class QuestionArguments {
   QuestionText text_;
   bool has_no_wrench_ = false;
   bool takes_boxes_ = false;
-  bool takes_bounds_ = false;  ///< of motions
+  bool takes_bounds_ = false;  ///< whether it takes bounds on motions
 };
 
-/// --json, --floats and --exact, of every subcommand that answers in numbers.
+/// The options --json, --floats and --exact, of every subcommand that answers in numbers.
 struct NumberOptions {
   bool json = false;
   bool floats = false;
@@ -88,32 +90,33 @@ struct NumberOptions {
   operator NumberText() const { return NumberText(exact, "; --exact prints all digits"); }
 };
 
-/// For people: "name, case: ", or what there is of it.
+/// Returns the words "name, case: ", or a part of them, for people.
 std::string heading(const Question& question);
 
-/// For people, a line: "Units: force N, length mm, torque N mm."; nothing if nobody gave them.
+/// Returns a line for people: "Units: force N, length mm, torque N mm."; nothing if nobody gave
+/// units.
 std::string units_text(const Question& question);
 
-/// For people: "unilateral (contacts may detach)".
+/// Returns "unilateral (contacts may detach)", for people.
 std::string law_text(NormalLaw law);
 
-/// For people, three lines: why there is no verdict, and what may help.
+/// Returns three lines for people: why there is no verdict, and what may help.
 std::string undecided_text(const Undecided& undecided, bool is_box);
 
-/// For people, a line: which engine answered under which law.
+/// Returns a line for people: which engine answered under which law.
 std::string engine_text(const std::string& engine, NormalLaw law);
 
-/// The GRASP argument alone.
+/// Adds the GRASP argument alone.
 void add_grasp_argument(Command& command, std::string& file);
 
-/// -o of a command that writes one file of this sort.
+/// Adds -o for a command that writes one file of this sort.
 CommandOption* add_output_option(Command& command, std::string& output,
                                  const std::string& sort);
 
 /// Accepts the whole numbers from 0 to `most`, spelled in digits.
 CommandOption::Check whole_number(std::uint64_t most);
 
-/// An option whose value is a number of things, 0 or more; the help shows its default.
+/// Adds an option whose value is a number of things, 0 or more; the help shows its default.
 template <class Count>
 void add_count_option(Command& command, const std::string& option, Count& count,
                       const std::string& description,
@@ -124,24 +127,24 @@ void add_count_option(Command& command, const std::string& option, Count& count,
       ->capture_default_str();
 }
 
-/// --uncertain.
+/// Adds --uncertain.
 void add_uncertain_option(Command& command, std::string& uncertain,
                           const std::string& description);
 
-/// --length, --about, --body, --at-most and --accuracy, of what asks about a quality.
+/// Adds --length, --about, --body, --at-most and --accuracy, for a question about a quality.
 std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text);
 
-/// --node-limit, of every command that searches by cones.
+/// Adds --node-limit, for a command that searches by cones.
 void add_node_limit_option(Command& command, std::size_t& node_limit);
 
-/// --time-limit, in seconds.
+/// Adds --time-limit, in seconds.
 void add_time_limit_option(Command& command, unsigned& seconds, const std::string& description);
 
 /// Writes NAME.json and NAME.certificate.json for each name into that folder.
 void write_proved_files(const std::string& option, const std::string& folder,
                         const std::vector<std::pair<std::string, ProvedFiles>>& files);
 
-/// --threads, 0 to 1024.
+/// Adds --threads, 0 to 1024.
 template <class Count>
 void add_threads_option(Command& command, Count& threads, const std::string& description) {
   constexpr std::uint64_t kMostThreads = 1024;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What people read on a terminal: small tables, and how far long work has come.
+/// Output for people on a terminal: small tables, and the progress of long work.
 #pragma once
 
 #include <chrono>
@@ -9,18 +9,18 @@
 
 namespace stickslip {
 
-/// Numbers go to the right, words to the left.
+/// The alignment of columns: numbers go to the right, words to the left.
 enum class Align { kLeft, kRight };
 
-/// Lines of aligned columns, two blanks apart; the first row is the heading.
+/// Returns lines of aligned columns, two blanks apart; the first row is the heading.
 std::string format_table(const std::vector<std::vector<std::string>>& rows,
                          Align align = Align::kRight);
 
-/// What takes a terminal's cursor to the start of its line and clears it.
+/// The codes that take a terminal's cursor to the start of its line and clear the line.
 inline constexpr const char* kClearLine = "\r\033[K";
 
-/// Writes to standard error if that is a terminal, else nothing: first after a second, then a
-/// few times a second, over its own line. The destructor clears it.
+/// Shows progress on standard error if that is a terminal, else nothing: first after a second,
+/// then a few times a second, over its own line. The destructor clears it.
 class Progress {
  public:
   Progress();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How the subcommands that look for traps of the model print what they find.
+/// Printed warnings of the subcommands that look for traps of the model.
 #pragma once
 
 #include "command_line.hpp"
@@ -8,10 +8,10 @@
 
 namespace stickslip {
 
-/// --no-warnings.
+/// Adds --no-warnings.
 void add_no_warnings_option(Command& command, bool& no_warnings);
 
-/// For people, a line each.
+/// Prints the warnings for people, a line each.
 void print(const Warnings& warnings);
 
 }  // namespace stickslip

@@ -18,7 +18,7 @@ bool takes_value(const CommandOption& option) {
   return option.takes_value();
 }
 
-/// A command of the tree of commands.
+/// A command, and the words by which it is reached.
 struct NamedCommand {
   const Command* app;
   std::string name;  ///< as it is typed: "stickslip plot grasp"
@@ -26,7 +26,7 @@ struct NamedCommand {
   /// The commands below it, hidden ones included.
   std::vector<const Command*> subcommands() const { return app->subcommands(); }
 
-  /// Goes down to the subcommand `word`; false if there is none.
+  /// Goes down to the subcommand `word`. Returns false if there is none.
   bool enter(const std::string& word) {
     for (const Command* below : subcommands()) {
       if (below->name() != word) continue;
@@ -36,7 +36,7 @@ struct NamedCommand {
     return false;
   }
 
-  /// The option that a word such as --option=value or -oFILE gives, or nullptr.
+  /// Returns the option that a word such as --option=value or -oFILE gives, or nullptr.
   const CommandOption* option(const std::string& word) const {
     const CommandOption* found = app->find_option(word.substr(0, word.find('=')));
     if (found != nullptr || word[1] == '-') return found;
@@ -45,12 +45,12 @@ struct NamedCommand {
   }
 };
 
-/// Whether this is a word for an option, and not an argument such as - or -1.
+/// Returns true if this is a word for an option, and not an argument such as - or -1.
 bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (word[1] < '0' || word[1] > '9');
 }
 
-/// Whether the value of the option that `word` gives is the next word.
+/// Returns true if the next word is the value of the option that `word` gives.
 bool value_follows(const CommandOption& option, const std::string& word) {
   return takes_value(option) &&
          (word[1] == '-' ? word.find('=') == std::string::npos : word.size() == 2);
@@ -77,15 +77,15 @@ void enter(NamedCommand& command, const std::string& word) {
                    did_you_mean(option, known) + command.name + " --help lists its options");
 }
 
-/// What may stand in a place of the command line: a word and a tab and its description on each
-/// line; or FILE or DIR alone, for what the shell knows.
+/// Returns a line for a word that may stand in a place of the command line: the word, a tab and
+/// its description. FILE or DIR alone is for names that the shell knows.
 std::string line(const std::string& word, const std::string& description) {
   return word + "\t" +
          description.substr(0, std::min(description.find(". "), description.find("; "))) + "\n";
 }
 
-/// The values of an option or argument, each behind `prefix`. The parser knows their sort by a
-/// name, FILE or "NAME:{a,b}".
+/// Returns the values of an option or argument, each behind `prefix`. The parser knows their
+/// sort by a name, FILE or "NAME:{a,b}".
 std::string values(const CommandOption& option, const std::string& prefix) {
   const std::string sort = option.type_name();
   if (sort == "FILE" || sort == "DIR") return sort + "\n";
@@ -112,15 +112,15 @@ std::string options(const Command& command) {
   return lines;
 }
 
-/// What `current`, the last word of a line that is being typed, may become.
+/// Returns the words that `current`, the last word of a line that is being typed, may become.
 std::string candidates(const Command& app, const std::vector<std::string>& before,
                        const std::string& current) {
   NamedCommand command{&app, app.name()};
-  std::size_t given = 0;                   // arguments
-  const CommandOption* waiting = nullptr;  // for its value
+  std::size_t given = 0;                   // the arguments given
+  const CommandOption* waiting = nullptr;  // the option that waits for its value
   for (const std::string& word : before) {
     if (waiting != nullptr) {
-      // In bash, --option=value is three words.
+      // An --option=value is three words in bash.
       if (word != "=") waiting = nullptr;
     } else if (is_option(word)) {
       const CommandOption* option = command.option(word);
@@ -147,7 +147,7 @@ std::string candidates(const Command& app, const std::vector<std::string>& befor
   return options(*command.app);
 }
 
-/// Of the lines those for words that begin with `start`, unless it is for the shell to say.
+/// Returns those lines whose words begin with `start`, and those that leave it to the shell.
 std::string matching(const std::string& lines, const std::string& start) {
   std::istringstream all(lines);
   std::string result;

@@ -28,12 +28,13 @@ void check_sizes(const Question& question, const Claim& claim) {
   }
 }
 
-/// Whether the claimed motion is within the bound on motions, if both are there.
+/// Returns true if the claimed motion is within the bound on motions, or one of the two is not
+/// given.
 bool is_allowed(const Claim& claim, const GraspBox& grasp) {
   return !claim.twist || grasp.allows(*claim.twist);
 }
 
-/// Of one with another verdict.
+/// Returns the class of a claim with another verdict than the exact one.
 ClaimClass class_of(const ThresholdDistance& distance, const Rational& tie_distance) {
   const auto smallest = distance.smallest();
   if (!smallest) return ClaimClass::kWrong;

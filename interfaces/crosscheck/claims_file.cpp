@@ -15,12 +15,12 @@ using Kind = JsonNode::Kind;
 constexpr const char* kThreeNumbers = "an array of three numbers";
 constexpr const char* kSixNumbers = "an array of six numbers, the grasp being in space";
 
-/// A motion or a wrench.
+/// Reads a motion or a wrench.
 RationalRow read_row(const JsonNode& node, const std::string& path, bool in_space) {
   return read_vector(node, path, in_space ? 6 : 3, in_space ? kSixNumbers : kThreeNumbers);
 }
 
-/// A value of two spellings: whether it is the first.
+/// Reads a value of two spellings. Returns true if it is the first.
 bool is_first(const JsonNode& node, const std::string& path, const std::string& first,
               const std::string& second) {
   if (node.kind == Kind::kString && (node.text == first || node.text == second)) {
@@ -34,7 +34,7 @@ GraspFile read_grasp(const JsonNode& node, StreamedGrasp& reader, const std::str
     return within("grasp", [&] { return reader.finish_any(node, Intervals::kRefused); });
   }
   expect(node, Kind::kString, "grasp", "a grasp {...} or the name of a grasp file");
-  // Never "-": standard input may be where the claims come from.
+  // A "-" is a file name here, as standard input may be where the claims come from.
   const bool absolute = !node.text.empty() && node.text.front() == '/';
   return read_any_grasp_file(
       absolute ? node.text : (folder.empty() ? "." : folder) + "/" + node.text,
@@ -76,8 +76,8 @@ Rational length_of(const Vector2& normal, std::size_t contact) {
               kSnapRemedy);
 }
 
-/// The elements of claim.forces or of claim.force_vectors, of which it may not be known yet
-/// whether the grasp is in space.
+/// The elements of claim.forces or of claim.force_vectors. It may not be known yet whether the
+/// grasp is in space.
 class ForceList {
  public:
   ForceList(std::string path, const char* form) : path_(std::move(path)), form_(form) {}
@@ -92,7 +92,7 @@ class ForceList {
 
   const std::string& path() const { return path_; }
 
-  /// One for each contact, of so many numbers.
+  /// Returns the forces; checks that there is one for each contact, of so many numbers.
   const std::vector<RationalRow>& checked(std::size_t contacts, std::size_t numbers,
                                           const char* form) const {
     if (forces_.size() != contacts) {
@@ -120,7 +120,7 @@ constexpr const char* kVectors = "an array of two numbers [fx, fy]";
 constexpr const char* kVectorsInSpace =
     "an array of three numbers [fx, fy, fz], the grasp being in space";
 
-/// Normal and tangential forces as vectors, in the plane.
+/// Returns normal and tangential forces as vectors, in the plane.
 std::vector<RationalRow> vectors_of(const std::vector<RationalRow>& magnitudes,
                                     const Grasp& grasp) {
   std::vector<RationalRow> forces;

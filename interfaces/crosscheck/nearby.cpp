@@ -13,7 +13,7 @@
 namespace stickslip::crosscheck_detail {
 namespace {
 
-/// Motion and forces alone.
+/// Returns the motion and forces alone.
 NearbyEquilibrium equilibrium_of(const Grasp& grasp, const Witness& witness) {
   NearbyEquilibrium found;
   const auto& [x, y, r] = witness.twist;
@@ -25,7 +25,7 @@ NearbyEquilibrium equilibrium_of(const Grasp& grasp, const Witness& witness) {
   return found;
 }
 
-/// The same in space.
+/// Returns the same in space.
 NearbyEquilibrium equilibrium_of(const GraspBox& grasp, const ShareWitness& witness) {
   NearbyEquilibrium found;
   found.twist = {witness.twist.begin(), witness.twist.end()};
@@ -50,8 +50,8 @@ ApproximateEquilibrium approximate(const Grasp& grasp, const Claim& claim) {
   return result;
 }
 
-/// In space, in doubles: what bears more than `small` is closed, and sticks. Without a motion
-/// nothing moves.
+/// Returns the modes that a claim in space suggests, in doubles: a contact with more force than
+/// `small` is closed, and sticks. If no motion is claimed nothing moves.
 NearEquilibrium modes_of_claim(const GraspBox& grasp, const GraspLaw& law, const Claim& claim,
                                double small) {
   NearEquilibrium near;
@@ -78,7 +78,7 @@ NearEquilibrium modes_of_claim(const GraspBox& grasp, const GraspLaw& law, const
       near.normal[i] = to_double(low) / length;
     }
     if (near.normal[i] * length <= small) near.normal[i] = 0;
-    // Back into the cone, with a little to spare.
+    // The force is put back into the cone, with a little to spare.
     const double most = to_double(grasp.contacts[i].friction.low) * near.normal[i] * length;
     const double size = norm_of(near.friction[i]);
     if (size > most) {
@@ -88,7 +88,7 @@ NearEquilibrium modes_of_claim(const GraspBox& grasp, const GraspLaw& law, const
   return near;
 }
 
-/// Nothing that has friction may slip in it.
+/// Returns an exact equilibrium like the claim, in which no contact with friction slips.
 std::optional<ShareWitness> find_spatial_witness_like(const Question& question,
                                                       const Claim& claim) {
   const GraspBox& grasp = *question.box();

@@ -10,19 +10,20 @@
 
 namespace stickslip::crosscheck_detail {
 
-/// ClaimReport::claimed_slip of this motion.
+/// Returns ClaimReport::claimed_slip of this motion.
 std::vector<Sign> slip_of(const GraspBox& grasp, const RationalRow& twist);
 
-/// Whether the claimed motion and forces, whose residuals these are, are an equilibrium.
+/// Returns true if the claimed motion and forces, whose residuals these are, are an
+/// equilibrium.
 bool is_equilibrium(const ClaimResiduals& residuals);
 
-/// The claim, which is an equilibrium, as a verdict in space; nothing unless lengths of normals
-/// are rational where they matter.
+/// Returns the claim, which is an equilibrium, as a verdict in space; nothing unless lengths of
+/// normals are rational where they matter.
 std::optional<Stable> verdict_by(const Question& question, const Claim& claim);
 
-/// With the modes that the claim suggests or, if none is found, that of the answer, which is
-/// Stable; nothing if that has none, either. `grasp` is that of the answer, and a claim that is
-/// an equilibrium is its own. Requires a claimed twist or forces.
+/// Returns an equilibrium with the modes that the claim suggests or, if none is found, that of
+/// the answer, which is Stable; nothing if that states none, either. `grasp` is that of the
+/// answer. A claim that is an equilibrium is its own. Requires a claimed twist or forces.
 std::optional<NearbyEquilibrium> nearby_equilibrium(const GraspBox& grasp, const Answer& answer,
                                                     const Claim& claim, bool is_its_own);
 

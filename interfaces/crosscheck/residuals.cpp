@@ -32,7 +32,7 @@ ResidualScale residual_scale(const GraspBox& grasp, const Claim& claim) {
   if (scale.force.is_zero()) scale.force = 1;
   scale.motion = scale.force / stiffest;
   if (const auto& d = claim.twist) {
-    // Of rotations the reverse of torques.
+    // Rotations count times the length, as torques count over it.
     scale.motion = std::max(scale.motion, size_of(*d, 1 / scale.length));
   }
   return scale;

@@ -9,20 +9,21 @@
 
 namespace stickslip::crosscheck_detail {
 
-/// a + factor b, of as many coordinates.
+/// Returns a + factor b, of as many coordinates.
 RationalRow sum(RationalRow a, const Rational& factor, const RationalRow& b);
 
-/// The largest |entry|; 0 of none.
+/// Returns the largest |entry|; 0 of none.
 Rational largest(const RationalRow& row);
 
-/// The largest |coordinate| of a contact, 1 if all are 0: a torque divided by it is like a
-/// force.
+/// Returns the largest |coordinate| of a contact, 1 if all are 0: a torque divided by it is
+/// like a force.
 Rational largest_coordinate(const GraspBox& grasp);
 
-/// The components of one wrench.
+/// Returns the components of one wrench.
 RationalRow components(const WrenchBox& wrench);
 
-/// The largest of the components of its force, and of those of its torque over a length.
+/// Returns the largest of the components of its force, and of those of its torque over a
+/// length.
 Rational size_of(const RationalRow& wrench, const Rational& length);
 
 /// A contact of one grasp: normal n of any length L, unit normal n/L.
@@ -31,20 +32,21 @@ class ContactGeometry {
   /// The contact must outlive this.
   explicit ContactGeometry(const UncertainContact& contact);
 
-  /// L^2.
+  /// Returns L^2.
   const Rational& square() const { return square_; }
-  /// A force on the object at this contact with its torque about the origin.
+  /// Returns a force on the object at this contact with its torque about the origin.
   RationalRow wrench_of(const RationalRow& force) const;
-  /// How the motion d moves the point of contact.
+  /// Returns how the motion d moves the point of contact.
   RationalRow displacement(const RationalRow& d) const;
-  /// The a of v = a n + (what is across n).
+  /// Returns the a of v = a n + (a part across n).
   Rational along(const RationalRow& v) const;
-  /// What of it is across n.
+  /// Returns the part of v across n.
   RationalRow across(const RationalRow& v) const;
-  /// P - k u.(n/L), with u how the point is moved: the normal force while it is not negative.
+  /// Returns P - k u.(n/L), with u the displacement of the point: the normal force while it is
+  /// not negative.
   RootSum separation(const RationalRow& moved) const;
-  /// In the plane of t, n turned by +90 degrees, in v: of a slip, its sign. In space whether v
-  /// has anything across n.
+  /// Returns in the plane the sign of v along t, n turned by +90 degrees: of a slip, its sign.
+  /// In space returns whether v has a part across n.
   int slip_sign(const RationalRow& v) const;
 
  private:

@@ -15,7 +15,7 @@ using namespace crosscheck_detail;
 
 namespace {
 
-/// Once more: the distance is at most this.
+/// Lowers the distance to this value, if that is less.
 void lower(std::optional<DistanceBounds>& distance, const Rational& value) {
   if (!distance || value < *distance->high) distance = DistanceBounds{value, value};
 }
@@ -43,7 +43,7 @@ bool has_preload(const GraspBox& grasp) {
                      [](const UncertainContact& c) { return !c.preload.low.is_zero(); });
 }
 
-/// In space, of one load by a margin along it, as far as that is known.
+/// Returns the bounds in space by a margin along the load, as far as that is known.
 std::optional<DistanceBounds> bounds_along_load(const Question& question, bool stable,
                                                 std::size_t node_limit) {
   const RationalRow load = components(question.box()->wrench);
@@ -53,19 +53,20 @@ std::optional<DistanceBounds> bounds_along_load(const Question& question, bool s
   base.wrench = WrenchBox(load.size());
   family.direction = load;
   SpatialMarginOptions options;
-  // The class of a claim does not depend on it: a second or two, and not half a minute.
+  // The class of a claim does not depend on this margin: it may take a second or two, and not
+  // half a minute.
   constexpr std::size_t kFewNodes = 100;
   options.search.node_limit = node_limit != 0 ? node_limit : kFewNodes;
   const SpatialMargin margin = find_margin(family, options);
 
   DistanceBounds bounds;
-  // Up to where the verdict is known to be the same, on both sides of 1.
+  // `same` is how far the verdict is known to be the same, on both sides of 1.
   std::optional<Rational> same;
   bool is_known = false;
   for (const MarginInterval& known : stable ? margin.resisted() : margin.refuted()) {
     if (known.low > 1 || (known.high && *known.high < 1)) continue;
     is_known = true;
-    // Below 0 no multiples are asked about; but no load at all is held without preload.
+    // No multiples below 0 are asked about; but no load at all is held without preload.
     const bool has_change_below = !known.low.is_zero() || (!stable && !has_preload(base));
     if (has_change_below) same = 1 - known.low;
     if (known.high && (!same || *known.high - 1 < *same)) same = *known.high - 1;
@@ -82,10 +83,11 @@ std::optional<DistanceBounds> bounds_along_load(const Question& question, bool s
   return bounds;
 }
 
-/// All loads beside that of the grasp.
+/// The box of all loads beside that of the grasp.
 class LoadsBeside {
  public:
-  /// Whose forces differ by at most this, and whose torques by as much times the length.
+  /// Takes the loads whose forces differ by at most the tie distance times the size of the
+  /// load, and whose torques by at most as much times the length.
   LoadsBeside(const Question& question, bool stable, const ClaimOptions& options)
       : grasp_(*question.box()), law_(question.law), stable_(stable), options_(options) {
     const auto [force, length] = scale_of(grasp_);
@@ -95,8 +97,8 @@ class LoadsBeside {
     }
   }
 
-  /// Whether any has the other verdict; nothing if that is not known, and then `limit` says
-  /// why.
+  /// Returns true if any of the loads has the other verdict; nothing if that is not known, and
+  /// then `limit` says why.
   std::optional<bool> differ(std::optional<std::string>& limit) const {
     if (options_.tie_distance.is_zero()) return false;
     GraspBox all = grasp_;
@@ -131,7 +133,7 @@ class LoadsBeside {
     return is_stable(decide(other)) == !stable_;
   }
 
-  /// Along the load and along the axes.
+  /// Returns true if a load along the load or along an axis has the other verdict.
   bool differs_at_some() const {
     std::vector<RationalRow> changes{
         sum(RationalRow(reach_.size()), options_.tie_distance, components(grasp_.wrench))};
@@ -162,7 +164,7 @@ std::optional<DistanceBounds> ThresholdDistance::smallest() const {
     if (way->high && (!result->high || *way->high < *result->high)) result->high = way->high;
   }
   if (all_at_once) {
-    result->low = all_at_once->low;  // of the other ways as well
+    result->low = all_at_once->low;  // bounds the other ways as well
   } else if (limit) {
     result = DistanceBounds{0, result ? result->high : std::nullopt};
   }
@@ -174,7 +176,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
   ThresholdDistance result;
   ConeOptions options;
   options.node_limit = node_limit;
-  /// What is resisted, or nothing at the limit.
+  /// Returns the margin, or nothing at the limit.
   const auto margin = [&](const Problem& base, const Wrench& direction) {
     auto found = find_margin(base.along({direction}), options);
     if (auto* undecided = std::get_if<Undecided>(&found)) {
@@ -187,7 +189,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
   if (!(load == Wrench{})) {
     if (const auto found = margin(problem.with_wrench({}), load)) {
       for (const MarginInterval& interval : found->resisted) {
-        // 0 is where the multiples begin, and not where resistance does.
+        // Multiples begin at 0; this is no end of what is resisted.
         if (interval.low.sign() > 0) lower(result.along_load, abs(interval.low - 1));
         if (interval.high) lower(result.along_load, abs(*interval.high - 1));
       }
@@ -201,7 +203,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
       const auto found = margin(problem, direction);
       if (!found || found->resisted.empty()) continue;
       const MarginInterval& first = found->resisted.front();
-      // The nearest change: the end of what holds, or the beginning of what would.
+      // The nearest change is the end of what holds, or the beginning of what would.
       const bool holds = first.low.is_zero();
       if (holds && !first.high) continue;
       const Rational& change = holds ? *first.high : first.low;

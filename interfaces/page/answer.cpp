@@ -31,18 +31,18 @@ using namespace page_detail;
 
 namespace {
 
-/// Of the finest cells of maps.
+/// The depths of the finest cells of maps.
 constexpr unsigned kCoarsestMap = 2;
 constexpr unsigned kFinestMap = 4;
-/// By which part what is proved and what is refuted may differ.
+/// The part by which the proved and the refuted radius may differ.
 const Rational kQualityAccuracy(1, 20);
 
-/// Why a part cannot be had.
+/// The reason why a part cannot be had.
 struct NotToBeHad {
   std::string why;
 };
 
-/// The part of a text that a file of version 2 begins with. A file of version 1 is one, too.
+/// Returns the text as a file of version 2: one of version 1 differs in the number alone.
 std::string in_version2(std::string text) {
   const std::string first = "\"stickslip-grasp/1\"";
   const std::size_t at = text.find(first);
@@ -54,7 +54,8 @@ std::string text_of(const GraspFile& file) {
   return in_version2(write_grasp_file(file));
 }
 
-/// What is asked about: a page has its bodies once, and not with each example of a box.
+/// Returns the file without its body: a page has its bodies once, and not with each example of
+/// a box.
 GraspFile without_body(GraspFile file) {
   auto* box = std::get_if<GraspBox>(&file.content);
   if (box == nullptr) return file;
@@ -165,9 +166,9 @@ Json mechanism_json(const GraspBox& grasp) {
           {"springs", std::move(springs)}};
 }
 
-// What may be drawn of an equilibrium, where the proof says none.
+// Motions and forces near an equilibrium may be drawn if the proof states none.
 
-/// With as many coordinates as the file has.
+/// Returns a vector with as many coordinates as the file has.
 RationalRow in_file(const Question& question, const Vector3& v) {
   return {v.begin(), v.begin() + (question.in_space() ? 3 : 2)};
 }
@@ -181,7 +182,8 @@ Json near_json_of_any(const Answer& answer, const Stable& stable) {
   return {{"twist_float", in_doubles_json(stable.motion)}, {"contacts", std::move(contacts)}};
 }
 
-/// In the plane of the grasp in the middle, with rational normals.
+/// Returns what may be drawn near an equilibrium; in the plane that of the grasp in the middle,
+/// with rational normals.
 Json near_json(const Answer& answer) {
   const auto* proved = std::get_if<Stable>(&answer.verdict);
   if (proved == nullptr || !std::holds_alternative<StabilityProof>(proved->proof)) return {};
@@ -205,7 +207,8 @@ Json near_json(const Answer& answer) {
           {"contacts", std::move(contacts)}};
 }
 
-/// The claims of a margin on its way, in order; their proofs may be long.
+/// Returns the claims of a margin on its way, in order; without their proofs, which may be
+/// long.
 SpatialMargin without_proofs(const SpatialMargin& so_far) {
   SpatialMargin claims;
   claims.work = so_far.work;
@@ -222,7 +225,8 @@ SpatialMargin without_proofs(const SpatialMargin& so_far) {
   return claims;
 }
 
-/// Some grasps of a box hold and some do not, so that nothing but its verdict is shown.
+/// Refuses a part about a box: some of its grasps may hold and some not, so only its verdict is
+/// shown.
 [[noreturn]] void refuse_box() {
   throw NotToBeHad{
       "the question is about more than one grasp, and this is about one: give numbers for all "
@@ -239,14 +243,14 @@ SpatialMargin without_proofs(const SpatialMargin& so_far) {
   throw NotToBeHad{"the grasp is in space, and this is found in the plane only"};
 }
 
-/// `instead` is what may be done about it.
+/// Refuses a part about several bodies; `instead` says what else may be done.
 void refuse_several(const Question& question, const std::string& instead = "") {
   if (question.mechanism() == nullptr) return;
   throw NotToBeHad{"there are several bodies, and the page has this of one" +
                    (instead.empty() ? "" : "; " + instead)};
 }
 
-/// Of one body in the plane.
+/// Returns the one grasp of one body in the plane; refuses any other.
 const LoadedGrasp& one_grasp(const Question& question) {
   if (question.in_space()) refuse_space();
   if (const GraspBox* box = question.box()) {
@@ -299,14 +303,15 @@ class PageAnswer {
   void add_message(const std::string& message) { messages_.push_back(message); }
 
  private:
-  /// About one grasp, unless more than loads in a ball is uncertain.
+  /// Returns the question about one grasp, unless more than loads in a ball is uncertain.
   const Question& centre() const { return centre_ ? *centre_ : question_; }
 
   Question ask_about(const QuestionText& text) const {
     return ask_with_options(file_, question_options(text), name_, true);
   }
 
-  /// Null if `find` says why, or is not done in time. It may give what it has on its way.
+  /// Adds a part. It is null if `find` says why, or is not done in time; `find` may give what
+  /// it has on its way.
   void part(Json& json, const std::string& name, const std::function<void(Json& found)>& find) {
     Json found;
     const auto say = [&](const std::string& why) { add_message(name + ": " + why + "."); };
@@ -341,6 +346,7 @@ class PageAnswer {
     const auto find = [&](Json& found) {
       AnswerOptions options;
       options.engine = Engine::kBranchAndBound;  // pictures need exact forces, however long
+                                                 // they are
       options.node_limit = limits_.node_limit;
       options.warnings = warnings ? WarningsAsked::kAll : WarningsAsked::kNone;
       answer = answer_to(question_, options);
@@ -359,12 +365,12 @@ class PageAnswer {
     if (!answer) return;
     if (const auto certificate = certificate_of(*answer)) json["certificate"] = *certificate;
     part(json, "near", [&](Json& found) { found = near_json(*answer); });
-    // While a verdict has to follow a drag, it is alone.
+    // A verdict that has to follow a drag comes alone.
     if (limits_.limits_verdict || !json["decide"].contains("examples")) return;
     part(json, "examples", [&](Json& found) { found = examples(json["decide"]["examples"]); });
   }
 
-  /// Of grasp files: what a page shows of each.
+  /// Returns the answers of a page about each of these grasp files.
   Json examples(const Json& files) const {
     QuestionText asked;
     asked.normal_law = asked_.normal_law;
@@ -403,7 +409,8 @@ class PageAnswer {
     found = to_json(answer_to(centre(), plane));
   }
 
-  /// Of forces in the plane of axes that the load is in, or nearest to. Coarse, and then finer.
+  /// Finds the region of forces in the plane of axes that the load is in, or nearest to. The
+  /// cells are coarse at first, and then finer.
   void region_in_cells(Json& found) const {
     if (!centre().box()->is_point()) refuse_box();
     RationalRow origin = one_load();
@@ -420,7 +427,7 @@ class PageAnswer {
     u[axes[0]] = v[axes[1]] = 1;
     origin[axes[0]] = origin[axes[1]] = 0;
     LoadWindow plane = load_window(centre(), origin, u, v);
-    // The load itself is to be seen.
+    // The window shows the load itself.
     for (MapAxis* axis : {&plane.s, &plane.t}) {
       axis->range.high = std::max(axis->range.high, Rational(most * Rational(5, 4)));
       axis->range.low = -axis->range.high;
@@ -440,7 +447,7 @@ class PageAnswer {
     return load;
   }
 
-  /// The load is the direction, and nothing else of it is left.
+  /// Returns the question about multiples of the load: the load becomes the direction.
   QuestionText along_the_load() const {
     const GraspBox* box = centre().box();
     if (question_.is_one_planar_body() && box != nullptr && !box->is_point()) refuse_box();
@@ -459,7 +466,7 @@ class PageAnswer {
     return text;
   }
 
-  /// `found` becomes the margin; of claims first what is known so far.
+  /// Sets `found` to the margin; claims come first as far as they are known.
   void margin(Json& found) const {
     const Question question = ask_about(along_the_load());
     if (question.has_claims()) {
@@ -497,7 +504,7 @@ class PageAnswer {
     });
   }
 
-  /// What is known so far, and then all.
+  /// Gives what is known so far, and then all.
   void quality(Json& json) {
     std::optional<Quality> quality;
     part(json, "quality", [&](Json& found) {
@@ -522,7 +529,7 @@ class PageAnswer {
     part(json, "lost", [&](Json& found) { found = under(quality->radii.example->wrench); });
   }
 
-  /// What a page shows of the grasp under another load.
+  /// Returns the answer of a page about the grasp under another load.
   Json under(const WrenchBox& load) const {
     QuestionText text = asked_in_centre_;
     text.case_name.clear();
@@ -547,12 +554,12 @@ class PageAnswer {
     }
   }
 
-  std::string text_;  ///< of the file, with its body
+  std::string text_;  ///< the text of the file, with its body
   GraspFile file_;
   QuestionText asked_;
   const PageLimits& limits_;
   const std::string& name_;
-  QuestionText asked_in_centre_;  ///< without a ball, if nothing else is uncertain
+  QuestionText asked_in_centre_;  ///< the question without a ball, if nothing else is uncertain
   Question question_;
   std::optional<Question> centre_;  ///< the same as a question, if it is another
   std::vector<std::string> messages_;

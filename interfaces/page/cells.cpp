@@ -26,8 +26,8 @@ Motion unit_motion(const IntegerVector3& a) {
   return unit(rationals(a));
 }
 
-/// The grasp from its own middle, in units of its size: there the middles of cells are where
-/// people see them.
+/// The frame of the grasp's own middle, in units of its size: there the middles of cells are
+/// where people see them.
 class CellFrame {
  public:
   explicit CellFrame(const Grasp& grasp) {
@@ -52,7 +52,7 @@ class CellFrame {
     return Grasp(std::move(contacts));
   }
 
-  /// A motion as the body's own frame sees it.
+  /// Returns a motion as the body's own frame sees it.
   Json motion_json(const Vector3& d) const {
     return drawn_unit(
         Vector3{size_ * d[0] + d[2] * centre_.y, size_ * d[1] - d[2] * centre_.x, d[2]});
@@ -116,7 +116,8 @@ class SphereCells {
     return all_.sign_to_the_left(halfedge) == Sign::kPositive ? n : negated(n);
   }
 
-  /// Between its ends. These may be opposite, and then their sum is nothing.
+  /// Returns a motion between the ends of an edge. The ends may be opposite, and then their sum
+  /// is 0.
   Motion middle_of(HalfedgeId halfedge) const {
     const IntegerVector3 normal = left_normal(halfedge);
     if (all_.vertices() == 0) return unit_motion({-normal[1], normal[0], 0});
@@ -126,7 +127,7 @@ class SphereCells {
     return plus(unit_motion(all_.ray(from)), unit_motion(all_.ray(to)));
   }
 
-  /// A motion inside, and the boundary.
+  /// Returns a motion inside of a face, and the face's boundary.
   std::pair<Motion, Json> face(FaceId id) const {
     Json boundary = Json::array();
     const std::optional<HalfedgeId> first = all_.boundary(id);

@@ -26,7 +26,7 @@ inline Json in_doubles_json(const RationalRow& v) {
   return json;
 }
 
-/// Of length 1. The entries, of which one is not 0, may be beyond the doubles.
+/// Returns a vector of length 1. The entries, of which one is not 0, may be beyond the doubles.
 template <std::size_t n>
 std::array<double, n> unit(const std::array<Rational, n>& v) {
   Rational largest = 0;
@@ -41,7 +41,8 @@ std::array<double, n> unit(const std::array<Rational, n>& v) {
   return result;
 }
 
-/// Of length 1, each entry with nine digits: the page is shorter, and a drawing the same.
+/// Returns a vector of length 1, each entry with nine digits: the page is shorter, and a
+/// drawing the same.
 template <std::size_t n>
 Json drawn_unit(const std::array<Rational, n>& v) {
   Json json = Json::array();

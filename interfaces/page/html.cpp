@@ -19,7 +19,7 @@ const std::string& web_file(const std::string& name) {
   return found->second;
 }
 
-/// The element with a file that the page includes.
+/// Returns the element with a file that the page includes.
 std::string element(const std::string& name, const std::string& nonce) {
   const std::string ending = name.substr(name.find_last_of('.') + 1);
   if (ending == "css") return "<style id=\"" + name + "\">\n" + web_file(name) + "</style>";
@@ -27,7 +27,7 @@ std::string element(const std::string& name, const std::string& nonce) {
   return "<script" + attribute + ">\n" + web_file(name) + "</script>";
 }
 
-/// Whether the comment begins with this word, which is taken off.
+/// Returns true if the comment begins with this word, and takes the word off.
 bool takes(std::string_view& comment, std::string_view word) {
   if (comment.substr(0, word.size()) != word) return false;
   comment.remove_prefix(word.size());
@@ -49,7 +49,7 @@ std::string json_in_html(const Json& json) {
 }
 
 std::string page_html(const Json& answer, const std::string& nonce) {
-  // A live page may come to another grasp.
+  // A live page may come to another grasp, so it has the scripts for space.
   const bool in_space = answer.at("live").is_true() || answer.at("dimension").count() == 6;
   const std::string_view frame = web_file("page.html");
   std::string html;

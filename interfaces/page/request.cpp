@@ -10,17 +10,17 @@
 namespace stickslip {
 namespace {
 
-/// Of the true unit normal.
+/// The most that a snapped normal differs from the true unit normal.
 const Rational kSnapWithin(1, 1000000000);
 
-/// The text of a number, or of a string.
+/// Returns the text of a number, or of a string.
 std::string spelled(const JsonNode& node, const std::string& path, const char* expected) {
   if (node.kind != JsonNode::Kind::kNumber)
     expect(node, JsonNode::Kind::kString, path, expected);
   return node.text;
 }
 
-/// "WX,WY,T", as a string or as an array.
+/// Returns "WX,WY,T", given as a string or as an array.
 std::string wrench_text(const JsonNode& node, const std::string& path) {
   constexpr const char* kExpected = "a wrench, as in \"0,1,0\" or [0, 1, 0]";
   if (node.kind != JsonNode::Kind::kArray) return spelled(node, path, kExpected);
@@ -36,7 +36,7 @@ bool truth(const JsonNode& node, const std::string& path) {
   return node.text == "true";
 }
 
-/// Normals of irrational length become rational unit vectors, as of `stickslip snap`.
+/// Turns normals of irrational length into rational unit vectors, as `stickslip snap` does.
 void snap(GraspFile& file) {
   if (in_space(file.content) || mechanism_of(file.content) != nullptr) return;
   if (auto* one = std::get_if<LoadedGrasp>(&file.content)) {
@@ -56,7 +56,7 @@ struct Request {
   PageParts parts;
 };
 
-/// Members that are null are as if they were not there.
+/// Reads the options. A member that is null counts as absent.
 void read_options(const JsonNode& node, Request& request) {
   const std::string path = "options";
   expect_object(node, path,
@@ -122,7 +122,7 @@ Json error_json(const std::string& message, const std::string& place) {
   return {{"error", {{"message", message}, {"place", place}}}};
 }
 
-/// The words of a command line, as members of a request.
+/// Returns the place of an error as a member of a request: words of a command line are renamed.
 std::string place_of(const InputError& error) {
   const std::string& place = error.place();
   return place.rfind("--", 0) == 0 ? "options." + place.substr(2) : place;

@@ -13,7 +13,7 @@
 namespace stickslip::plot_detail {
 namespace {
 
-/// Of the plane, with 0 for z.
+/// Returns a vector in space; one of the plane has 0 for z.
 Vector3 of_space(const RationalRow& v) {
   return {v.at(0), v.at(1), v.size() > 2 ? v[2] : Rational(0)};
 }
@@ -109,7 +109,7 @@ class BodiesReader {
     }
   }
 
-  /// Of what somebody gave of a body.
+  /// Calls f for each vertex that somebody gave of a body.
   template <class Function>
   void for_each_vertex(std::size_t b, Function f) const {
     if (const Mesh* mesh = mesh_of(b)) {
@@ -145,7 +145,7 @@ class BodiesReader {
     const std::vector<SpatialContactInk> contacts = contacts_of(b);
     const Link* link = link_of(b);
     if (link == nullptr || link->slides) return sketch(contacts, question_.in_space());
-    std::vector<InkVector> points;  // from hinge to hinge
+    std::vector<InkVector> points;  // the points from hinge to hinge
     for (const SpatialContactInk& c : contacts) points.push_back(c.at);
     for (std::size_t other = 0; other < bodies(); ++other) {
       const Link* held = link_of(other);
@@ -155,7 +155,7 @@ class BodiesReader {
     return sketch_of_link(points, question_.in_space());
   }
 
-  /// With normals into the body.
+  /// Returns the contacts of a body, with normals into it.
   std::vector<SpatialContactInk> contacts_of(std::size_t b) const {
     if (mechanism_ == nullptr) return contacts_;
     std::vector<SpatialContactInk> own;
@@ -168,7 +168,7 @@ class BodiesReader {
     return own;
   }
 
-  /// Those of the witness, or near the equilibrium.
+  /// Reads the forces of the witness, or those near the equilibrium.
   void read_forces(const Stable& stable) {
     if (const auto* witness = std::get_if<ShareWitness>(&stable.proof)) {
       forces_ = forces_of(grasp_, witness->twist, witness->shares);
@@ -186,7 +186,7 @@ class BodiesReader {
             ink_.force_length(exact[2])};
   }
 
-  /// "1/2,-3": with as many coordinates as the file has.
+  /// Returns "1/2,-3": with as many coordinates as the file has.
   std::string text_of(const Vector3& v) const {
     return to_string(v[0]) + "," + to_string(v[1]) +
            (question_.in_space() ? "," + to_string(v[2]) : "");
@@ -208,7 +208,7 @@ class BodiesReader {
 
   void add_loads() {
     const std::vector<Rational> w = load();
-    std::vector<std::pair<InkVector, Vector3>> pulls;  // where, and the force
+    std::vector<std::pair<InkVector, Vector3>> pulls;  // the point and the force of each pull
     if (mechanism_ == nullptr) pulls.push_back({{}, of_space(w)});
     for (std::size_t b = 0; mechanism_ != nullptr && b < bodies(); ++b) {
       if (link_of(b) != nullptr || shapes_[b].points.empty()) continue;
@@ -236,8 +236,9 @@ class BodiesReader {
     }
   }
 
-  /// Where a force with this torque about the origin acts on a body: near its middle, on the
-  /// line along which it may be shifted, if that meets the body; else in the middle.
+  /// Returns the point at which a force with this torque about the origin acts on a body: near
+  /// its middle, on the line along which it may be shifted, if that meets the body; else in the
+  /// middle.
   InkVector point_of_pull(const Shape& shape, const Vector3& pull,
                           const Vector3& torque) const {
     const InkVector middle = shape.middle();
@@ -259,7 +260,7 @@ class BodiesReader {
     return stickslip::dot(off, off) <= reach ? at : middle;
   }
 
-  /// Of one body: with the torque about the centre of the scene.
+  /// Describes the load of one body, with the torque about the centre of the scene.
   void describe_load(const std::vector<Rational>& w) {
     const Vector3 arm = stickslip::cross(centre_, of_space(w));
     const Vector3 torque{w[3] - arm[0], w[4] - arm[1], w[5] - arm[2]};
@@ -271,7 +272,8 @@ class BodiesReader {
     ink_.describe_load(w, {centre_[0], centre_[1], centre_[2]}, text, question_.law);
   }
 
-  /// A load or a state of several bodies: what is not 0 of it.
+  /// Returns the entries of a load or a state of several bodies that are not 0, with their
+  /// names.
   std::string named(const std::vector<Rational>& values) const {
     std::string text;
     for (std::size_t j = 0; j < values.size(); ++j) {
@@ -308,7 +310,7 @@ class BodiesReader {
     }
   }
 
-  /// The ends of a piece of a hinge's axis, or of the line along which a link slides.
+  /// Returns the ends of a piece of a hinge's axis, or of the line along which a link slides.
   std::array<InkPoint, 2> held_by(const Link& link, std::size_t b,
                                   const LineOfSight& side) const {
     constexpr double kPin = 0.15;
@@ -346,7 +348,7 @@ class BodiesReader {
                 "floating point, for people, and proves nothing.");
   }
 
-  /// In space: a shift and a turn about the origin.
+  /// Returns the motion of a body in space: a shift and a turn about the origin.
   RationalRow twist_of(BodyIndex body, const RationalRow& motion) const {
     if (mechanism_ == nullptr) return motion;
     RationalRow twist;
@@ -357,7 +359,7 @@ class BodiesReader {
     return twist;
   }
 
-  /// Of the body that it presses, at the contact, seen from the other one.
+  /// Returns the motion, at the contact, of the body that it presses, seen from the other one.
   Vector3 move_at(std::size_t contact, const RationalRow& motion) const {
     const UncertainContact& c = grasp_.contacts[contact];
     const Vector3& p = contacts_[contact].position;
@@ -369,7 +371,7 @@ class BodiesReader {
   }
 
   void add_motion(const RationalRow& motion) {
-    // The contacts may move less than the bodies, and not at all.
+    // The contacts may move less than the bodies, or not at all.
     Rational largest = 0;
     for (std::size_t b = 0; b < bodies(); ++b) {
       const RationalRow d = twist_of(b, motion);
@@ -395,7 +397,8 @@ class BodiesReader {
     }
   }
 
-  /// Enlarged, and linear in the twist, as the model is.
+  /// Returns the shape moved by the enlarged motion, which is linear in the twist, as the model
+  /// is.
   Shape moved_by(Shape shape, const RationalRow& d) const {
     const Rational& factor = ink_.motion_factor;
     const InkVector shifted =
@@ -420,7 +423,7 @@ class BodiesReader {
   std::vector<SpatialContactInk> contacts_;
   std::vector<Shape> shapes_;         ///< by body
   std::vector<SpatialForce> forces_;  ///< of a stable verdict
-  const char* value_ = "data-value";  ///< the attribute for what the forces and motions are
+  const char* value_ = "data-value";  ///< the attribute for the values of forces and motions
   GraspInk ink_;
 };
 

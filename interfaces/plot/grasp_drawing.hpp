@@ -9,11 +9,11 @@
 
 namespace stickslip::plot_detail {
 
-/// How wide it is, with margins.
+/// The width of the picture, with margins.
 inline constexpr double kGraspWidth = 800;
 
-/// All of plot_grasp() but its title, for which there is room above; returns the baseline of
-/// the line below.
+/// Draws all of plot_grasp() but its title, which has room above. Returns the baseline of the
+/// line below.
 double draw_grasp(Svg& svg, const Question& question, const Verdict& verdict);
 
 }  // namespace stickslip::plot_detail

@@ -18,7 +18,7 @@ const Rational kLongestMotion(3, 10);
 /// with at most the other length.
 const Rational kShortestLoad(1, 8);
 const Rational kEnlargedLoad(3, 5);
-const Rational kFarPivot(3, 2);  ///< from the centre, in scene units
+const Rational kFarPivot(3, 2);  ///< the distance from the centre, in scene units
 constexpr std::size_t kMostListed = 12;
 const Rational kLongTwist(100000);  ///< entries from here on are hard to read
 
@@ -64,7 +64,7 @@ class GraspReader {
   }
 
  private:
-  /// The force of contact i, exactly.
+  /// Returns the force of contact i, exactly.
   Vector2 force(const Witness& witness, std::size_t i) const {
     return force_vector(grasp_.contacts()[i].normal, witness.forces[i]);
   }
@@ -80,7 +80,7 @@ class GraspReader {
     }
   }
 
-  /// The wrench as a force at the centre of the scene and a torque about it.
+  /// Adds the wrench as a force at the centre of the scene and a torque about it.
   void add_load() {
     const Vector2& centre = frame_.centre;
     scene_.torque = wrench_.torque - (centre.x * wrench_.y - centre.y * wrench_.x);
@@ -99,7 +99,7 @@ class GraspReader {
   /// Adds an arrow for the motion of each contact and the body's ghost; returns the factor of
   /// enlargement.
   Rational add_motion(const Twist& d, const std::string& css_class) {
-    // The contacts may move less than the body, and not at all.
+    // The contacts may move less than the body, or not at all.
     Rational largest = std::max(largest_entry(displacement(frame_.centre, d)),
                                 Rational(abs(d.r) * frame_.radius));
     for (const Contact& c : grasp_.contacts()) {
@@ -139,7 +139,7 @@ class GraspReader {
                          "The forces balance w; checked exactly.");
   }
 
-  /// The outline as the motion moves it: linear in d, as the model is.
+  /// Returns the outline as the motion moves it: linear in d, as the model is.
   std::vector<std::vector<InkPoint>> moved_outline(const Twist& d,
                                                    const Rational& factor) const {
     const Vector2 shift = displacement(frame_.centre, d);
@@ -165,8 +165,8 @@ class GraspReader {
           std::to_string(proof.leaves) +
           " leaves. Shown is the largest: " + listed(proof.largest_leaf, "conditions") + ".");
     }
-    // Along the leaf's twist the wrenches of load and contacts together do negative work
-    // whatever the contacts do; so against it, they drive the object.
+    // The wrenches of load and contacts together do negative work along the leaf's twist,
+    // whatever the contacts do. So they drive the object against it.
     Twist drift = twist_of(negated(proof.largest_leaf_twist));
     const Rational largest =
         std::max(largest_entry({drift.x, drift.y}), Rational(abs(drift.r)));
@@ -200,7 +200,8 @@ class GraspReader {
         contacts_text("; ", idle, "cannot oppose it", "cannot oppose it") + ".");
   }
 
-  /// Whether some force that the contact can have in the leaf does negative work on the drift.
+  /// Returns true if some force that the contact can have in the leaf does negative work on the
+  /// drift.
   bool can_oppose(std::size_t i, const Twist& drift, const RefutationSummary& proof) const {
     const ContactId contact(i);
     if (proof.largest_leaf_open.count(contact) > 0) return false;
@@ -223,7 +224,7 @@ class GraspReader {
     }
   }
 
-  /// "a, b", or how many of what they are.
+  /// Returns "a, b", or how many items there are and what they are.
   static std::string listed(const std::vector<std::string>& items, const std::string& what) {
     if (items.size() > kMostListed) return std::to_string(items.size()) + " " + what;
     std::string text;
@@ -293,7 +294,7 @@ void GraspInk::set_title(const std::string& name, const std::string& of_case) {
 }
 
 void GraspInk::choose_sizes() {
-  // Shorter when there are many, so that they leave room for the rest.
+  // Cones are shorter if there are many, so that they leave room for the rest.
   const auto count = static_cast<double>(preloads.size());
   cone_length = kLongestCone * std::min(1.0, 2.2 / std::sqrt(count));
   for (const Rational& preload : preloads) force_unit = std::max(force_unit, preload);

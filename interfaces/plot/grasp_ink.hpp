@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What a picture of a verdict says, in scene coordinates (picture_frame.hpp), before it is
+/// The content of a picture of a verdict in scene coordinates (picture_frame.hpp), before it is
 /// laid out on a page.
 #pragma once
 
@@ -24,78 +24,82 @@ struct Arrow {
   Svg::Attributes attributes;
 };
 
-/// A body as it is seen from one side: rings.
+/// A body as rings, as it is seen from one side.
 struct BodyInk {
-  std::string name{};                             ///< of several
-  std::vector<std::vector<InkPoint>> outline{};   ///< none: nothing is known of it
-  std::vector<std::vector<InkPoint>> ghost{};     ///< after the motion or the virtual twist
-  RingsAround within = RingsAround::kOddTimes;    ///< of outline and ghost
-  std::optional<std::array<InkPoint, 2>> held{};  ///< of a link: a piece of its joint's line
+  std::string name{};                            ///< its name, of several
+  std::vector<std::vector<InkPoint>> outline{};  ///< none: its shape is not known
+  std::vector<std::vector<InkPoint>> ghost{};   ///< the outline after the motion or the virtual
+                                                ///< twist
+  RingsAround within = RingsAround::kOddTimes;  ///< the meaning of outline and ghost
+  std::optional<std::array<InkPoint, 2>> held{};  ///< a piece of the joint's line of a link
 };
 
-/// The grasp as it is seen from one side: the plane, or space.
+/// The grasp as it is seen from one side, in the plane or in space.
 struct SceneInk {
   std::string heading;                    ///< empty in the plane
-  std::array<std::size_t, 2> axes{0, 1};  ///< of the object frame that point right and up
+  std::array<std::size_t, 2> axes{0, 1};  ///< the axes of the object frame that point right and
+                                          ///< up
   std::vector<ContactInk> contacts;
   std::vector<std::vector<InkPoint>> cones;  ///< by contact: a polygon
   std::vector<BodyInk> bodies;
   std::optional<InkPoint> pivot;  ///< the centre of rotation of the virtual twist, if near
   std::vector<Arrow> arrows;      ///< some may have no length
-  Rational torque{0};             ///< of the load, about the centre; counterclockwise as seen
+  Rational torque{0};  ///< the load's torque about the centre; counterclockwise as seen
 
   bool has_outline() const;
   bool has_ghost() const;
 };
 
 struct GraspInk {
-  std::string title;               ///< of the grasp and its case
+  std::string title;               ///< the names of the grasp and its case
   std::optional<Units> units;      ///< nothing if nobody gave them
-  bool of_several = false;         ///< bodies
-  bool outline_is_given = false;   ///< of all, or else some are hulls of their contacts
+  bool of_several = false;         ///< whether there are several bodies
+  bool outline_is_given = false;   ///< whether all outlines are given; else some are hulls of
+                                   ///< their contacts
   std::vector<Rational> preloads;  ///< by contact
   std::vector<ContactMark> marks;  ///< by contact
   std::vector<SceneInk> scenes;    ///< one in the plane, three in space
-  double cone_length = 0;          ///< and that of normals
+  double cone_length = 0;          ///< the length of cones and normals
   Rational force_unit{0};          ///< the largest force, 0 if there is none; drawn this long:
   static constexpr double kLongestForce = 0.6;
-  Rational load_factor{1};           ///< of enlargement of the load beyond the other forces
-  std::string torque;                ///< of the load, about the centre; empty if there is none
-  Rational motion_factor{0};         ///< of enlargement; 0 without such arrows
-  Rational virtual_factor{0};        ///< likewise
+  Rational load_factor{1};     ///< the enlargement of the load beyond the other forces
+  std::string torque;          ///< the load's torque about the centre; empty if there is none
+  Rational motion_factor{0};   ///< the enlargement of motions; 0 without such arrows
+  Rational virtual_factor{0};  ///< the enlargement of virtual twists; 0 without such arrows
   std::vector<std::string> caption;  ///< paragraphs
 
-  /// A force of this size along a direction, or this force.
+  /// Returns the length of a force of this size, or the force as an arrow.
   double force_length(const Rational& size) const;
   InkPoint force(const Vector2& exact) const;
 
   void set_title(const std::string& name, const std::string& of_case);
-  /// By the preloads: of cones, and the least force unit.
+  /// Chooses the size of cones, and the least force unit, by the preloads.
   void choose_sizes();
-  /// Enlarges a load whose largest component this is, if it would be too short to see.
+  /// Enlarges a load whose largest component is `largest`, if it would be too short to see.
   void choose_load_factor(const Rational& largest);
-  /// \{ Of the caption: a load, or one with its coordinates, drawn at the centre, with this
+  /// \{ Add to the caption a load, or one with its coordinates, drawn at the centre, with this
   /// torque there.
   void describe_load(const std::string& load, NormalLaw law);
   void describe_load(const std::vector<Rational>& wrench, const std::vector<Rational>& centre,
                      const std::string& torque_there, NormalLaw law);
   /// \}
-  /// Of the caption: a motion, and what is to be said of the forces.
+  /// Adds to the caption a motion, and a remark on the forces.
   void describe_motion(const std::string& motion, const std::string& of_forces);
 };
 
-/// "1/2,-3": a force or a motion as an attribute has it.
+/// Returns "1/2,-3": a force or a motion as an attribute has it.
 std::string pair_text(const Vector2& v);
 
-/// In the plane: a sector, so that wide cones look wide.
+/// Returns a cone in the plane: a sector, so that wide cones look wide.
 std::vector<InkPoint> planar_cone(const ContactInk& contact, const Rational& friction,
                                   double length);
 
-/// A round factor for motions whose largest component is this, in a scene of this radius; 0 if
-/// nothing moves.
+/// Returns a round factor for motions whose largest component is `largest`, in a scene of this
+/// radius; 0 if nothing moves.
 Rational enlargement(const Rational& largest, const Rational& radius);
 
-/// \{ Of one body in the plane; of one in space or several. Throws as plot_grasp does.
+/// \{ Return the ink of one body in the plane; that of one in space or several. Throw as
+/// plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
 GraspInk bodies_ink(const Question& question, const Verdict& verdict);
 /// \}

@@ -15,12 +15,12 @@ using namespace plot_detail;
 
 namespace {
 
-// In pixels. The scene is on the left, the legend on the right, the caption below.
+// Lengths in pixels. The scene is on the left, the legend on the right, the caption below.
 constexpr double kPanelTop = 52;
 constexpr double kPanelWidth = 470;
 constexpr double kMostPanelHeight = 440;
 constexpr double kHeading = 18;      ///< above a view of space
-constexpr double kAroundScene = 38;  ///< for fingers and numbers
+constexpr double kAroundScene = 38;  ///< room for fingers and numbers
 constexpr double kLegendLeft = kMargin + kPanelWidth + 24;
 constexpr double kLegendText = kLegendLeft + 62;
 constexpr double kRow = 25;
@@ -31,7 +31,7 @@ double head_of(const std::string& css_class) {
   return css_class == "force" || css_class == "load" ? kHead : kSmallHead;
 }
 
-/// A bar across `along`, of length 1.
+/// Draws a bar across `along`, of length 1.
 void draw_bar(Svg& svg, InkPoint at, InkPoint along, Svg::Attributes attributes = {}) {
   const InkPoint across = 8 * quarter_turn(along);
   svg.line(at - across, at + across, "preload", std::move(attributes));
@@ -51,7 +51,7 @@ class GraspPlot {
     return svg.finish();
   }
 
-  /// All but the title; returns the baseline of the line below.
+  /// Draws all but the title; returns the baseline of the line below.
   double draw_below(Svg& svg) {
     double y = ink_.scenes.size() == 1 ? draw_plane(svg) : draw_sides(svg);
     y += 26;
@@ -66,7 +66,7 @@ class GraspPlot {
   }
 
  private:
-  /// From where to where there is ink along an axis of the object frame.
+  /// The range with ink along an axis of the object frame.
   struct Range {
     double low = -0.4;  // around the load
     double high = 0.4;
@@ -102,14 +102,15 @@ class GraspPlot {
     return found;
   }
 
-  /// The view in which the ranges of the scene's axes have their middle in this panel's.
+  /// Returns the view in which the ranges of the scene's axes have their middle in this
+  /// panel's.
   View view_in(const Box& panel, const SceneInk& scene,
                const std::array<Range, 3>& ranges) const {
     const InkPoint middle{ranges[scene.axes[0]].middle(), ranges[scene.axes[1]].middle()};
     return {0.5 * (panel.low + panel.high) - scale_ * on_page_direction(middle), scale_};
   }
 
-  /// The scene on the left and the legend on the right; returns the y of the lower end.
+  /// Draws the scene on the left and the legend on the right; returns the y of the lower end.
   double draw_plane(Svg& svg) {
     const std::array<Range, 3> all = ranges();
     scale_ = std::min((kPanelWidth - 2 * kAroundScene) / all[0].size(),
@@ -121,7 +122,7 @@ class GraspPlot {
     return std::max(bottom, draw_legend(svg));
   }
 
-  /// Three views with one scale: from above, with the legend beside it; below it from the
+  /// Draws three views with one scale: from above, with the legend beside it; below it from the
   /// front, with the same x, and beside that from the right, with the same z.
   double draw_sides(Svg& svg) {
     const std::array<Range, 3> all = ranges();
@@ -187,7 +188,7 @@ class GraspPlot {
     for (const BodyInk& body : scene.bodies) draw_name(svg, view, body, labels);
   }
 
-  /// In the body, where there is room.
+  /// Writes the name in the body, if there is room.
   static void draw_name(Svg& svg, const View& view, const BodyInk& body, LabelPlacer& labels) {
     if (body.name.empty() || body.outline.empty()) return;
     constexpr const char* kClass = "small halo";
@@ -203,13 +204,13 @@ class GraspPlot {
     labels.place(svg, kClass, body.name, places);
   }
 
-  /// How a link is held: a ring, and of an axis that is not seen from its end a line.
+  /// Draws how a link is held: a ring, and a line for an axis that is not seen from its end.
   static void draw_held(Svg& svg, InkPoint from, InkPoint to) {
     if (length(to - from) > 0.01) svg.line(from, to, "rule joint");
     svg.circle(0.5 * (from + to), 4, "hollow joint");
   }
 
-  /// Of the arrow of its normal.
+  /// Returns the tip of the arrow of its normal.
   InkPoint tip_of(const ContactInk& contact) const {
     return contact.at + ink_.cone_length * contact.normal;
   }
@@ -234,7 +235,7 @@ class GraspPlot {
     }
   }
 
-  /// At the tip that a force of this size along the normal would have.
+  /// Draws preloads at the tip that a force of this size along the normal would have.
   void draw_preloads(Svg& svg, const SceneInk& scene, const View& view) const {
     for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
       const Rational& preload = ink_.preloads[i];
@@ -246,7 +247,7 @@ class GraspPlot {
     }
   }
 
-  /// A small cross where a load acts.
+  /// Draws a small cross where a load acts.
   static void draw_frame(Svg& svg, InkPoint at) {
     svg.path(SvgPath()
                  .move(at - InkPoint{6, 0})
@@ -273,7 +274,7 @@ class GraspPlot {
     return std::find(ink_.marks.begin(), ink_.marks.end(), mark) != ink_.marks.end();
   }
 
-  /// A round force as a bar.
+  /// Draws a round force as a bar.
   void draw_force_scale(Svg& svg, InkPoint left) const {
     const double longest = scale_ * GraspInk::kLongestForce;
     const double share = std::min(1.0, kLongestBar / longest);
@@ -292,7 +293,7 @@ class GraspPlot {
              "force " + short_text(force) + force_unit(ink_.units));
   }
 
-  /// Explains what is in the picture. Returns the y of its lower end.
+  /// Draws the legend of the picture. Returns the y of its lower end.
   double draw_legend(Svg& svg) const {
     const SceneInk& first = ink_.scenes.front();
     double y = kPanelTop + 18;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kBehindFinger = 25;     ///< pixels from a contact to its number
 constexpr double kFinger = 13;           ///< half its length, in pixels
 constexpr double kLabelDistance = 12;    ///< pixels; nearer numbers share a label
-constexpr std::size_t kMostNumbers = 3;  ///< of one label
+constexpr std::size_t kMostNumbers = 3;  ///< the most numbers of one label
 
 double cross(InkPoint a, InkPoint b) {
   return a.x * b.y - a.y * b.x;
@@ -40,7 +40,7 @@ std::vector<InkPoint> hull_of(const std::vector<ContactInk>& contacts) {
   return convex_hull(std::move(points));
 }
 
-/// What holds a contact: a short hatched line behind it. `inwards` has length 1.
+/// Draws a finger that holds a contact: a short hatched line behind it. `inwards` has length 1.
 void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
   constexpr double kHalfLength = 13;
   const InkPoint along = quarter_turn(inwards);
@@ -56,7 +56,7 @@ void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
 
 }  // namespace
 
-// Andrew's monotone chain.
+// The algorithm is Andrew's monotone chain.
 std::vector<InkPoint> convex_hull(std::vector<InkPoint> points) {
   std::sort(points.begin(), points.end(),
             [](InkPoint a, InkPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });

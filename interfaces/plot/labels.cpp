@@ -7,24 +7,25 @@
 namespace stickslip::plot_detail {
 namespace {
 
-constexpr double kLineHeight = 1.45;  ///< of the size of the font
+constexpr double kLineHeight = 1.45;  ///< the line height in sizes of the font
 constexpr double kAscent = 0.8;
 constexpr double kDescent = 0.26;
-constexpr double kBold = 1.25;       ///< wider than the regular font
-constexpr double kMonospace = 0.73;  ///< with the letter spacing of states
+constexpr double kBold = 1.25;       ///< the width over that of the regular font
+constexpr double kMonospace = 0.73;  ///< a character, with the letter spacing of states
 constexpr double kApart = 2;         ///< pixels around a label
 constexpr double kInkStep = 5;       ///< pixels between the points that stand for a line
 constexpr int kDirections = 16;
 constexpr int kRings = 8;
 constexpr double kRing = 11;        ///< pixels from one to the next
-constexpr double kTurnCost = 0.2;   ///< for each direction tried before, in points of ink
+constexpr double kTurnCost = 0.2;   ///< the cost of each direction tried before, in points of
+                                    ///< ink
 constexpr double kRingCost = 2;     ///< points of covered ink
-constexpr int kPlaces = 16;         ///< tried in each direction of a polygon
-constexpr double kAwayCost = 0.05;  ///< for each pixel from its middle
+constexpr int kPlaces = 16;         ///< the places tried in each direction of a polygon
+constexpr double kAwayCost = 0.05;  ///< the cost of each pixel from its middle
 constexpr double kAdjacent = 22;    ///< pixels; labels further away get a line
-constexpr double kBehindCost = 12;  ///< for each line between a label and its anchor
+constexpr double kBehindCost = 12;  ///< the cost of each line between a label and its anchor
 
-/// Of the characters from blank to tilde, in hundredths of the size of the font.
+/// The widths of the characters from blank to tilde, in hundredths of the size of the font.
 constexpr unsigned char kWidths[] = {
     32, 40, 46, 84, 64, 95, 78, 28, 39, 39, 50, 84, 32, 36,  32, 34, 64, 64, 64,
     64, 64, 64, 64, 64, 64, 64, 34, 34, 84, 84, 84, 56, 102, 69, 69, 73, 77, 67,
@@ -44,14 +45,14 @@ double font_size(const std::string& css_class) {
   return 13;
 }
 
-/// Bytes of the UTF-8 character at the start of a text that is not empty.
+/// Returns the bytes of the UTF-8 character at the start of a text that is not empty.
 std::size_t character_size(std::string_view text) {
   std::size_t size = 1;
   while (size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) ++size;
   return size;
 }
 
-/// In sizes of the font.
+/// Returns the width in sizes of the font.
 double character_width(std::string_view character) {
   if (character.size() > 3) return 1.4;  // emoji are wider than their square
   const char first = character[0];
@@ -84,14 +85,14 @@ InkPoint nearest_in(const Box& box, InkPoint p) {
   return {std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y)};
 }
 
-/// The line to a label that is not next to its anchor; empty if it is.
+/// Returns the line to a label that is not next to its anchor; empty if it is next to it.
 std::vector<InkPoint> leader(InkPoint anchor, const Box& box) {
   const InkPoint near = nearest_in(box, anchor);
   if (length(near - anchor) <= kAdjacent) return {};
   return points_on(anchor, near);
 }
 
-/// Whether two lines cross, ends excluded.
+/// Returns true if two lines cross, ends excluded.
 bool cross_each_other(InkPoint a, InkPoint b, InkPoint c, InkPoint d) {
   const auto side = [](InkPoint from, InkPoint to, InkPoint p) {
     return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
@@ -110,7 +111,8 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 bool crosses(InkPoint from, InkPoint to, const Box& box) {
-  // The part of the line that is within the box along each axis (Liang and Barsky).
+  // begin and end: the part of the line that is within the box along each axis (Liang and
+  // Barsky).
   double begin = 0;
   double end = 1;
   const auto cut = [&](double start, double step, double low, double high) {
@@ -216,7 +218,7 @@ std::vector<LabelPlace> places_around(InkPoint point, double gap, InkPoint first
   std::vector<LabelPlace> places;
   for (int ring = 0; ring < kRings; ++ring) {
     for (int k = 0; k < kDirections; ++k) {
-      // Alternately to both sides of the first direction.
+      // Turns go alternately to both sides of the first direction.
       const int turn = k % 2 == 0 ? -k / 2 : (k + 1) / 2;
       const double angle = std::atan2(first.y, first.x) + 2 * M_PI * turn / kDirections;
       const InkPoint out{std::cos(angle), std::sin(angle)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Cells that are proved one by one, in pictures of maps and of sections.
+/// Drawn cells of maps and of sections, each of which is proved by itself.
 #pragma once
 
 #include "stickslip/interfaces/svg.hpp"
@@ -8,8 +8,8 @@
 
 namespace stickslip::plot_detail {
 
-/// A rectangle from its upper left corner on, that looks as its verdict does and has its exact
-/// ends in data-x and data-y.
+/// Draws a rectangle from its upper left corner on. It looks as its verdict does and has its
+/// exact ends in data-x and data-y.
 void draw_cell(Svg& svg, const MapCell& cell, InkPoint from, InkPoint to);
 
 }  // namespace stickslip::plot_detail

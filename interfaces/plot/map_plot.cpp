@@ -17,7 +17,7 @@ namespace {
 constexpr double kMapSide = 480;
 constexpr double kLeft = 96;
 
-/// From an axis to the panel, 0 to kMapSide.
+/// Returns the place of a value along the panel, 0 to kMapSide.
 double along(const MapAxis& axis, const Rational& value) {
   const Rational length = axis.range.high - axis.range.low;
   return kMapSide * to_double((value - axis.range.low) / length);
@@ -28,7 +28,7 @@ struct Look {
   const char* words;
 };
 
-/// By the verdict's place in Verdict.
+/// The looks, by the verdict's place in Verdict.
 constexpr Look kLooks[] = {{"hue0", "stable, proved throughout each cell"},
                            {"hatch5", "unstable, proved throughout each cell"},
                            {"paper", ""},
@@ -45,7 +45,7 @@ void draw_rectangle(Svg& svg, InkPoint from, InkPoint to, const std::string& css
   svg.element("rect", all);
 }
 
-/// Round values, with their texts.
+/// Returns the round values of an axis.
 std::vector<Rational> ticks(const MapAxis& axis) {
   const Rational step = round_down((axis.range.high - axis.range.low) / 4);
   const Rational steps = axis.range.low / step;

@@ -9,20 +9,20 @@
 
 namespace stickslip::plot_detail {
 
-/// Lengths of arrow heads, in pixels: of forces, and of what accompanies them.
+/// The lengths of arrow heads, in pixels: of forces, and of other arrows.
 inline constexpr double kHead = 11;
 inline constexpr double kSmallHead = 8;
 
-/// A path of five points: tail, neck, tip and the two corners of the head, which shrinks with
-/// short arrows. Nothing is drawn when tail and tip are the same.
+/// Draws a path of five points: tail, neck, tip and the two corners of the head, which shrinks
+/// with short arrows. Draws nothing if tail and tip are the same.
 void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_class,
                 Svg::Attributes attributes = {}, double head = kHead);
 
-/// An arc about `centre` with an arrow head. The angle is no measure of anything.
+/// Draws an arc about `centre` with an arrow head. The angle is no measure of anything.
 void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise,
                  Svg::Attributes attributes = {});
 
-/// What a contact does in an equilibrium; or, where there is none, whether it opposes the
+/// The behaviour of a contact in an equilibrium; or, if there is none, whether it opposes the
 /// virtual twist that proves so.
 enum class ContactMark {
   kUnknown,
@@ -35,11 +35,11 @@ enum class ContactMark {
   kCannotOppose
 };
 
-/// "0", "+", "-", "slips", "open", "loses", "cannot oppose", or "".
+/// Returns "0", "+", "-", "slips", "open", "loses", "cannot oppose", or "".
 const char* name_of(ContactMark mark);
 
-/// A disc, a triangle that points where the object slips, a square, a ring, or a full or hollow
-/// diamond. `tangent` is the contact's, on the page, of length 1.
+/// Draws a disc, a triangle that points where the object slips, a square, a ring, or a full or
+/// hollow diamond. `tangent` is the contact's, on the page, of length 1.
 void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
                   Svg::Attributes attributes = {}, std::string_view tooltip = {});
 

@@ -13,7 +13,7 @@ Vector2 difference(const Vector2& a, const Vector2& b) {
   return {a.x - b.x, a.y - b.y};
 }
 
-/// The largest that is not above `value` > 0.
+/// Returns the largest power of ten that is not above `value` > 0.
 Rational power_of_ten_below(const Rational& value) {
   // The number of digits gives the power of ten to within one.
   const auto digits = [](const Integer& n) { return static_cast<long>(n.str().size()); };
@@ -24,7 +24,7 @@ Rational power_of_ten_below(const Rational& value) {
   return ten;
 }
 
-/// The nearest number of four significant digits; of two, the one away from 0.
+/// Returns the nearest number of four significant digits; of two, the one away from 0.
 Rational few_digits(const Rational& value) {
   if (value.is_zero()) return 0;
   const Rational size = abs(value);
@@ -34,7 +34,7 @@ Rational few_digits(const Rational& value) {
   return value.sign() < 0 ? Rational(-rounded) : rounded;
 }
 
-/// Of a number of four significant digits.
+/// Returns the decimal text of a number of four significant digits.
 std::string decimal(const Rational& value) {
   const std::string text = to_readable_string(value);
   if (text.find('/') == std::string::npos) return text;
@@ -81,7 +81,7 @@ Surroundings surroundings(const std::vector<std::vector<Rational>>& points, std:
   if (points.empty()) return found;
   std::vector<Rational> middle(axes);
   Rational size = 0;
-  Rational distance = 0;  // of the middle
+  Rational distance = 0;  // the distance of the middle
   for (std::size_t j = 0; j < axes; ++j) {
     const auto [low, high] =
         std::minmax_element(points.begin(), points.end(),

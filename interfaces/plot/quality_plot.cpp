@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kAside = 56;     ///< left of a section, for the numbers of its axis
 constexpr double kHeadings = 24;  ///< above a section
-constexpr double kBelow = 56;     ///< for the numbers and the name of its axis
+constexpr double kBelow = 56;     ///< room for the numbers and the name of its axis
 constexpr double kSide = (kGraspWidth - 2 * kMargin) / 2 - kAside - 8;
 
 std::string text_of(const Rational& a, const Rational& b) {
@@ -67,7 +67,7 @@ class QualityPlot {
  private:
   bool is_stable() const { return quality_.stable == true; }
 
-  /// To follow the name.
+  /// Returns the words that follow the name.
   std::string radii_text() const {
     if (!is_stable()) return quality_.stable ? "no quality" : "quality undecided";
     if (quality_.scales && quality_.refuted) return "quality 0";
@@ -77,7 +77,7 @@ class QualityPlot {
                             : proved + " or more";
   }
 
-  /// Of a vector that is no axis: its direction, to two digits.
+  /// Returns the direction, to two digits, of a vector that is no axis.
   static std::string direction_text(const RationalRow& vector) {
     Rational largest = 0;
     for (const Rational& x : vector) largest = std::max<Rational>(largest, abs(x));
@@ -91,7 +91,7 @@ class QualityPlot {
     return text + ")";
   }
 
-  /// By which the load differs from the one in the centre, along an axis.
+  /// Returns the name of an axis: how loads along it differ from the one in the centre.
   std::string name_of_axis(const RationalRow& z) const {
     const std::size_t forces = z.size() == 6 ? 3 : 2;
     const auto is_zero = [](const Rational& x) { return x.is_zero(); };
@@ -202,7 +202,7 @@ class QualityPlot {
     }
   }
 
-  /// Round numbers, in the norm of the balls, the same along both axes.
+  /// Draws round numbers, in the norm of the balls, the same along both axes.
   void draw_scale(Svg& svg, const LoadSection& section, InkPoint corner) const {
     const Rational reach = quality_.refuted.value_or(quality_.proved) * kSectionReach;
     const Rational step = round_down(reach / 2);
@@ -228,7 +228,7 @@ class QualityPlot {
     svg.close();
   }
 
-  /// What is in the sections; returns the baseline of the line below.
+  /// Draws the key of the sections; returns the baseline of the line below.
   double draw_key(Svg& svg, double y) const {
     const bool exact = std::holds_alternative<PlaneUnion>(sections_.front().resisted);
     svg.open("g", {{"class", "key"}});

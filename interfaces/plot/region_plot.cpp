@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kRegionSide = 520;  ///< side of the window
 constexpr std::size_t kMostLabels = 12;
-constexpr int kSamples = 32;  ///< of the region in each direction, that labels avoid
+constexpr int kSamples = 32;  ///< samples of the region in each direction, which labels avoid
 
 std::string text_of(const PlanePoint& point) {
   return to_string(point[0]) + "," + to_string(point[1]);
@@ -60,7 +60,7 @@ class RegionPlot {
     std::string text;
   };
 
-  /// At round numbers, as far apart as their texts need.
+  /// Finds ticks at round numbers, as far apart as their texts need.
   void find_ticks() {
     const Rational step = round_down(half_ / 2);
     Rational first = 0;
@@ -69,7 +69,7 @@ class RegionPlot {
       ticks_.push_back({at, short_text(at)});
       widest_tick_ = std::max(widest_tick_, text_width("small", ticks_.back().text));
     }
-    // Every line, every second, ... but always the origin's.
+    // Lines are every one, every second, ... but always the origin's.
     const double apart = kRegionSide / 2 * to_double(step / half_);
     std::size_t every = 1;
     while (static_cast<double>(every) * apart < widest_tick_ + 8) ++every;
@@ -93,7 +93,7 @@ class RegionPlot {
       for (const PlanePoint& vertex : curve.vertices()) see(vertex);
     }
     for (const PlanePoint& point : region_.points) see(point);
-    // Nothing but the origin has no size: any window shows it.
+    // The origin alone has no size: any window shows it.
     half_ = half_.is_zero() ? Rational(2) : half_ * Rational(8, 5);
   }
 
@@ -106,7 +106,7 @@ class RegionPlot {
     return abs(point[0]) == half_ || abs(point[1]) == half_;
   }
 
-  /// Whether an edge of what is visible is the frame's, not the region's.
+  /// Returns true if an edge of the visible part is the frame's, not the region's.
   bool along_frame(const PlanePoint& a, const PlanePoint& b) const {
     for (std::size_t j = 0; j < 2; ++j) {
       if (a[j] == b[j] && abs(a[j]) == half_) return true;
@@ -135,7 +135,7 @@ class RegionPlot {
     }
   }
 
-  /// Lines at round numbers, axes through the origin, and the frame.
+  /// Draws lines at round numbers, axes through the origin, and the frame.
   void draw_grid(Svg& svg) const {
     svg.open("g", {{"class", "grid"}});
     for (const auto& [value, text] : ticks_) {
@@ -197,7 +197,7 @@ class RegionPlot {
     for (const auto& [from, to] : borders_) {
       svg.line(place(from), place(to), "border",
                {{"data-from", text_of(from)}, {"data-to", text_of(to)}});
-      // The frame cuts off what has no end.
+      // The frame cuts off unbounded borders.
       const InkPoint along = unit(place(to) - place(from));
       if (on_frame(to))
         draw_arrow(svg, place(to), place(to) + kHead * along, "border unbounded");
@@ -285,15 +285,15 @@ class RegionPlot {
   const Question& question_;
   const WrenchPlane& plane_;
   const PlaneUnion& region_;
-  Rational half_ = 0;  ///< of the window's side
+  Rational half_ = 0;  ///< half of the window's side
   std::set<PlanePoint> corners_;
   PlaneUnion visible_;
-  std::vector<std::pair<PlanePoint, PlanePoint>> borders_;  ///< of what is visible
+  std::vector<std::pair<PlanePoint, PlanePoint>> borders_;  ///< the borders of the visible part
   std::vector<Tick> ticks_;
   double widest_tick_ = 0;
-  std::vector<std::string> t_name_;  ///< of the axis, in lines
-  double left_ = 0;                  ///< of the window
-  double width_ = 0;                 ///< of the page
+  std::vector<std::string> t_name_;  ///< the name of the axis, in lines
+  double left_ = 0;                  ///< the left side of the window
+  double width_ = 0;                 ///< the width of the page
   std::size_t left_out_ = 0;         ///< corners without a label
 };
 

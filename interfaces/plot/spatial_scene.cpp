@@ -17,13 +17,13 @@ InkVector in_length_1(const Vector3& v) {
   return sum({}, 1 / std::sqrt(stickslip::dot(near, near)), near);
 }
 
-/// Rings that wind around all faces counterclockwise, and around nothing else: of the edges of
-/// the faces, each run counterclockwise as it is seen, those that no other face runs back
-/// along.
+/// Returns rings that wind around all faces counterclockwise, and around nothing else. They are
+/// those edges of the faces, each run counterclockwise as it is seen, that no other face runs
+/// back along.
 std::vector<std::vector<InkPoint>> boundary(
     const std::vector<InkPoint>& vertices, const std::vector<std::vector<std::size_t>>& faces) {
   std::map<std::pair<std::size_t, std::size_t>, int>
-      runs;  // of each edge, one way less the other
+      runs;  // the runs of each edge, one way less the other
   for (const std::vector<std::size_t>& face : faces) {
     double area = 0;
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -42,7 +42,7 @@ std::vector<std::vector<InkPoint>> boundary(
     const auto [from, to] = times > 0 ? edge : std::pair(edge.second, edge.first);
     next[from].insert(next[from].end(), static_cast<std::size_t>(std::abs(times)), to);
   }
-  // As many edges end at a vertex as begin there, so that each way ends where it began.
+  // Each way ends where it began, as equally many edges end at a vertex and begin there.
   std::vector<std::vector<InkPoint>> rings;
   for (auto& [start, ends] : next) {
     while (!ends.empty()) {
@@ -59,7 +59,7 @@ std::vector<std::vector<InkPoint>> boundary(
   return rings;
 }
 
-/// Two directions orthogonal to the normal, of which one is in a coordinate plane.
+/// Adds two directions orthogonal to the normal, one of them in a coordinate plane.
 void add_tangents(SpatialContactInk& c) {
   const InkVector& n = c.normal;
   const auto least = static_cast<std::size_t>(
@@ -153,7 +153,7 @@ Shape sketch(const std::vector<SpatialContactInk>& contacts, bool in_space) {
   };
   for (const SpatialContactInk& c : contacts) {
     for (const InkVector* tangent : {&c.across, &c.along}) {
-      // In the plane one of them leads out of it.
+      // One of the tangents of the plane leads out of it.
       if (!in_space && std::abs((*tangent)[2]) > 0.5) continue;
       for (const double side : {-0.3, 0.3, -0.4, 0.4}) {
         const double inwards = std::abs(side) < 0.35 ? 0.12 : 0.5;

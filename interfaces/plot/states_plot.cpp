@@ -22,21 +22,22 @@ constexpr double kStatesWidth = 920;
 constexpr double kDiscMiddle = 238;  ///< y of the discs and of the grasp
 constexpr double kDiscRadius = 148;
 
-/// Counterclockwise and clockwise motions: r > 0 and r < 0.
+/// The views of counterclockwise and of clockwise motions: r > 0 and r < 0.
 constexpr std::array<View, 2> kDiscs{View{{412, kDiscMiddle}, kDiscRadius},
                                      View{{750, kDiscMiddle}, kDiscRadius}};
 constexpr View kGraspView{{122, kDiscMiddle}, 66};
 constexpr double kHalfPanel = 98;
 
-/// Places of a number on its circle, from the rim on.
+/// The places of a number on its circle, from the rim on.
 constexpr int kSpots = 48;
 constexpr int kFirstSpot = 5;
 
-/// The states of more are too long for labels.
+/// The states of more contacts are too long for labels.
 constexpr std::size_t kMostLabelledContacts = 12;
 
-/// The contacts and the lines along their tangents: the centres of rotation about which they
-/// stick. `grasp` is in scene coordinates. Returns how many contacts found no room for numbers.
+/// Draws the contacts and the lines along their tangents: the centres of rotation about which
+/// they stick. `grasp` is in scene coordinates. Returns how many contacts found no room for
+/// numbers.
 std::size_t draw_grasp_panel(Svg& svg, const Grasp& grasp) {
   const std::vector<ContactInk> contacts = contact_ink(grasp, {});
   const InkPoint corner = kGraspView.origin - InkPoint{kHalfPanel, kHalfPanel};
@@ -66,7 +67,7 @@ std::size_t draw_grasp_panel(Svg& svg, const Grasp& grasp) {
   return left_out;
 }
 
-/// "3 contacts on 3 circles, rank 3: ..."
+/// Returns "3 contacts on 3 circles, rank 3: ...".
 std::string counts_text(const ArrangementCounts& c) {
   const auto count = [](std::size_t n, const std::string& one, const std::string& many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
@@ -79,13 +80,13 @@ std::string counts_text(const ArrangementCounts& c) {
          ", all-stick (d = 0) included.";
 }
 
-/// Motions that turn about points at distance 1 in the scene.
+/// Draws the motions that turn about points at distance 1 in the scene.
 void draw_rings(Svg& svg) {
   const double ring = length(project({std::sqrt(0.5), 0, std::sqrt(0.5)}));
   for (const View& disc : kDiscs) svg.circle(disc.origin, kDiscRadius * ring, "ring");
 }
 
-/// The rims, what is drawn in which disc, and which translations are where.
+/// Draws the rims, the headings of the discs, and the translations on the rims.
 void draw_rims(Svg& svg) {
   constexpr std::array<const char*, 2> kTitles{"counterclockwise, r > 0", "clockwise, r < 0"};
   for (std::size_t disc = 0; disc < 2; ++disc) {
@@ -138,7 +139,8 @@ class StatesPlot {
   }
 
  private:
-  using Pieces = std::array<std::vector<InkPoint>, 2>;  ///< of a cell, by disc, on the page
+  using Pieces = std::array<std::vector<InkPoint>, 2>;  ///< the pieces of a cell, by disc, on
+                                                        ///< the page
 
   static std::vector<InkPoint> on_disc(std::size_t disc,
                                        const std::vector<SpherePoint>& points) {
@@ -156,8 +158,8 @@ class StatesPlot {
             on_disc(1, upper_half_.edge(cells_.antipode(edge)))};
   }
 
-  /// Few faces: a colour for each antipodal pair, hatched where contact 0 slips -. Many: shaded
-  /// by how many contacts slip +.
+  /// Returns the fills of faces. Few faces have a colour for each antipodal pair, hatched where
+  /// contact 0 slips -; many are shaded by how many contacts slip +.
   std::vector<std::string> face_fills(const std::vector<SlipState>& states) const {
     std::vector<std::string> fills;
     std::map<SlipState, int> hues;
@@ -221,7 +223,7 @@ class StatesPlot {
     }
   }
 
-  /// A number stands on the side where its contact slips +.
+  /// Writes the number of each contact on the side where it slips +.
   void label_circles(Svg& svg) {
     for (std::size_t c = 0; c < cells_.circles().normals.size(); ++c) {
       for (const Sign side : {Sign::kPositive, Sign::kNegative}) {
@@ -254,8 +256,8 @@ class StatesPlot {
       for (const int step : {i, kSpots - i}) {
         const double angle = M_PI * step / kSpots;
         const auto at = [&](double a) { return project(upper_half_.on_circle(circle, a)); };
-        // The positive side is to the left; at the same place of the other disc is the
-        // opposite motion.
+        // The positive side is to the left. At the same place of the other disc is the opposite
+        // motion.
         const double sign = (disc == 0 ? 1 : -1) * to_int(side);
         const InkPoint off =
             sign * on_page_direction(quarter_turn(unit(at(angle + kStep) - at(angle - kStep))));
@@ -266,7 +268,7 @@ class StatesPlot {
     return places;
   }
 
-  /// Each visible part of a face, where there is room.
+  /// Labels each visible part of a face, if there is room.
   void label_faces(Svg& svg) {
     if (grasp_.size() == 0 || grasp_.size() > kMostLabelledContacts) return;
     for (std::size_t i = 0; i < face_pieces_.size(); ++i) {
@@ -309,7 +311,7 @@ class StatesPlot {
     svg.set_height(y);
   }
 
-  /// What the faces' colours mean, from the baseline y on.
+  /// Draws the key of the faces' colours, from the baseline y on.
   void draw_key(Svg& svg, double& y) const {
     double x = kMargin;
     std::string text;
@@ -330,7 +332,7 @@ class StatesPlot {
   }
 
   PictureFrame frame_;
-  Grasp grasp_;  ///< in the scene
+  Grasp grasp_;  ///< the grasp in the scene
   ArrangementStructure cells_;
   UpperHalf upper_half_;
   bool has_hues_;
@@ -338,8 +340,8 @@ class StatesPlot {
   std::vector<Pieces> face_pieces_;
   LabelPlacer labels_{{kDiscs[0].origin - InkPoint{kDiscRadius + 8, kDiscRadius + 8},
                        kDiscs[1].origin + InkPoint{kDiscRadius + 8, kDiscRadius + 8}}};
-  std::size_t labelled_ = 0;  ///< faces
-  std::size_t left_out_ = 0;  ///< numbers
+  std::size_t labelled_ = 0;  ///< faces with a label
+  std::size_t left_out_ = 0;  ///< numbers without room
 };
 
 }  // namespace

@@ -16,15 +16,18 @@ inline constexpr int kHues = 8;
 /// Colours for areas in an order: classes "shade0" (light), ....
 inline constexpr int kShades = 9;
 
-/// In pixels, of all pictures: around them, from a line of text to the next, and above a chart.
+/// Lengths in pixels, of all pictures: around them, from a line of text to the next, and above
+/// a chart.
 inline constexpr double kMargin = 24;
 inline constexpr double kLine = 19;
 inline constexpr double kTop = 64;
 
-/// Colours in rules, not in custom properties: converters know no var().
+/// Returns the rules. Colours are in the rules, not in custom properties: converters know no
+/// var().
 std::string_view stylesheet();
 
-/// The fills "hatch0", ... are patterns; they must be defined before they are used.
+/// Defines the fills "hatch0", ...: they are patterns, which must be defined before they are
+/// used.
 void define_hatching(Svg& svg);
 
 }  // namespace stickslip::plot_detail

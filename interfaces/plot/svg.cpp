@@ -13,8 +13,8 @@ namespace {
 constexpr double kLargest = 1e9;
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// The length of the UTF-8 sequence that `text` starts with if it spells a character of XML
-/// 1.0; otherwise 0.
+/// Returns the length of the UTF-8 sequence that `text` starts with if it spells a character of
+/// XML 1.0; otherwise 0.
 std::size_t xml_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -195,7 +195,7 @@ std::string Svg::finish() {
                {"height", h},
                {"viewBox", "0 0 " + w + " " + h}});
   text_ += "<title>" + svg_escape(title_) + "</title>\n<style>\n" + style_ + "</style>\n";
-  // Paper of its own, so that ink is legible whatever lies behind the picture.
+  // The picture has its own paper, so that ink is legible whatever lies behind it.
   element("rect", {{"class", "paper"}, {"width", w}, {"height", h}});
   text_ += inside;
   close();

@@ -28,7 +28,7 @@ SpherePoint to_sphere(const IntegerVector3& v) {
   return p;
 }
 
-/// A circle's visible half.
+/// The visible half of a circle.
 struct Track {
   SpherePoint e1, e2;
 
@@ -57,13 +57,13 @@ void sample(double begin, double end, const PointAt& at, std::vector<SpherePoint
   for (int i = 0; i <= steps; ++i) points.push_back(at(begin + (end - begin) * i / steps));
 }
 
-/// Along the rim, counterclockwise.
+/// Adds points along the rim, counterclockwise.
 void sample_rim(const SpherePoint& from, const SpherePoint& to,
                 std::vector<SpherePoint>& points) {
   const double begin = std::atan2(from[1], from[0]);
   double turn = std::atan2(to[1], to[0]) - begin;
   if (turn < 0) turn += 2 * M_PI;
-  // No visible part of a face has more of the rim than a half.
+  // A visible part of a face has at most half of the rim.
   if (turn > 1.5 * M_PI) return;
   sample(
       begin, begin + turn,
@@ -105,7 +105,7 @@ UpperHalf::Span UpperHalf::span(HalfedgeId halfedge) const {
   const VertexId a = cells_.origin(halfedge);
   const VertexId b = cells_.target(halfedge);
   const Track track(n);
-  // An edge is no longer than half a circle, so at most one of its ends is cut off, and it
+  // An edge is no longer than half a circle. So at most one of its ends is cut off, and it
   // comes back to neither side of the rim.
   const bool rises_at_a = height(a) == Sign::kZero &&
                           stickslip::dot(vertices_[a.index()], rising_point(n)).sign() > 0;
@@ -148,7 +148,7 @@ std::vector<SpherePoint> UpperHalf::face(FaceId face) const {
       HalfedgeId next = cells_.next(h);
       const bool goes_on = s.ends_at_vertex && span(next).is_visible;
       if (!goes_on) {
-        // Along the rim to where the border rises again.
+        // The way goes along the rim to where the border rises again.
         while (!span(next).is_visible) next = cells_.next(next);
         sample_rim(track.at(M_PI), Track(normal(next)).e1, points);
       }

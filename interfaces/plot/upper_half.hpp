@@ -2,9 +2,9 @@
 /// \file
 /// The cells of an arrangement cut down to the hemisphere r >= 0, as curves.
 ///
-/// Which parts of an edge are visible is decided exactly; only the points between its ends are
-/// rounded. The other hemisphere needs nothing of its own: what is visible of a cell there is
-/// the antipode of what is visible here of the antipodal cell.
+/// The visible parts of an edge are decided exactly; only the points between its ends are
+/// rounded. The other hemisphere needs no code of its own: the visible part of a cell there is
+/// the antipode of the visible part here of the antipodal cell.
 ///
 /// No circle may be the rim r = 0, and none is: tangents are not zero.
 #pragma once
@@ -20,8 +20,8 @@ namespace stickslip::plot_detail {
 /// A point of the unit sphere.
 using SpherePoint = std::array<double, 3>;
 
-/// Lambert's azimuthal equal-area projection of r >= 0 to the unit disc of the scene (y up),
-/// turned so that a rotation lies in the direction of its centre, (-y, x) / r.
+/// Returns Lambert's azimuthal equal-area projection of r >= 0 to the unit disc of the scene (y
+/// up), turned so that a rotation lies in the direction of its centre, (-y, x) / r.
 InkPoint project(const SpherePoint& p);
 
 class UpperHalf {
@@ -29,17 +29,18 @@ class UpperHalf {
   /// Keeps a reference.
   explicit UpperHalf(const ArrangementStructure& cells);
 
-  /// The sign of r.
+  /// Returns the sign of r.
   Sign height(VertexId vertex) const { return sign_of(vertices_[vertex.index()][2]); }
   SpherePoint place(VertexId vertex) const;
 
-  /// From one end of the visible part to the other; empty if there is none.
+  /// Returns the visible part from one end to the other; empty if there is none.
   std::vector<SpherePoint> edge(EdgeId edge) const;
 
-  /// The visible part's border, counterclockwise as seen from outside; empty if there is none.
+  /// Returns the visible part's border, counterclockwise as seen from outside; empty if there
+  /// is none.
   std::vector<SpherePoint> face(FaceId face) const;
 
-  /// The point at `angle` on the visible half of a circle, 0 and pi on the rim.
+  /// Returns the point at `angle` on the visible half of a circle, 0 and pi on the rim.
   SpherePoint on_circle(CircleId circle, double angle) const;
 
  private:
@@ -52,7 +53,7 @@ class UpperHalf {
     bool ends_at_vertex = false;  ///< and not where the rim cuts the edge
   };
   Span span(HalfedgeId halfedge) const;
-  /// Of the circle, positive to the left.
+  /// Returns the normal of the circle, positive to the left.
   IntegerVector3 normal(HalfedgeId halfedge) const;
 
   const ArrangementStructure& cells_;

@@ -25,8 +25,8 @@ struct BoundedBox {
   std::shared_ptr<const ProvedPreloads> refused{};  ///< perhaps about a box around this one
 };
 
-/// Boxes that cover all preloads of the budget by the distance, largest first; those without a
-/// load before all others.
+/// Boxes that cover all preloads of the budget, by the distance, largest first. Boxes without a
+/// load come before all others.
 using Cover = std::multimap<Rational, BoundedBox, std::greater<Rational>>;
 
 class BallSearch {
@@ -82,7 +82,7 @@ class BallSearch {
   }
 
  private:
-  /// What the load of a grasp has more than that which is asked about.
+  /// Returns the load of a grasp less the load that is asked about.
   RationalRow beside(const GraspBox& loaded) const {
     RationalRow z;
     for (std::size_t j = 0; j < loaded.wrench.size(); ++j) {
@@ -104,8 +104,8 @@ class BallSearch {
     return seems_held(with_preloads(loaded(z, distance), preloads), law_, options_.box);
   }
 
-  /// A distance in this direction at which the load is not resisted, nearly the least; or
-  /// `most` if it is there.
+  /// Returns a distance in this direction at which the load is not resisted, nearly the least;
+  /// or `most` if the load at that distance is resisted.
   Rational distance_along(const RationalRow& preloads, const RationalRow& z,
                           Rational most) const {
     if (resists(preloads, z, most)) return most;
@@ -124,8 +124,8 @@ class BallSearch {
     return high;
   }
 
-  /// The least of them, or something below `enough`. A proposal: between two directions the
-  /// distance may be less.
+  /// Returns the least distance over all directions, or one that is at most `enough`. A
+  /// proposal: between two directions the distance may be less.
   Rational distance_at(const RationalRow& preloads, const Rational& enough = 0) const {
     if (!resists(preloads, directions_.front(), 0)) return 0;
     Rational least = most_;
@@ -160,7 +160,8 @@ class BallSearch {
     }
   }
 
-  /// The ball of what is found, whose nearest load that is too much is a direction from now on.
+  /// Improves the weights and keeps the ball that these preloads resist, if it is larger. The
+  /// nearest load that is too much becomes a direction.
   void climb_and_take(RationalRow weights) {
     constexpr int kMostRounds = 4;
     for (int round = 0; round < kMostRounds; ++round) {
@@ -186,7 +187,7 @@ class BallSearch {
     }
   }
 
-  /// A load that all of a box refuse, nearer than the one that is known.
+  /// Looks for a load that all of a box refuse, nearer than the one that is known.
   void look(Rational& distance, BoundedBox& bounded, RationalRow& middle,
             Rational& at_middle) const {
     const PreloadBox box = below_sum(bounded.box, budget_);
@@ -202,7 +203,7 @@ class BallSearch {
     };
     at_middle = resists(middle, directions_.front(), 0) ? most_ : Rational(0);
     if (at_middle.is_zero() && refuse_at(directions_.front(), 0)) return;
-    // A load that all refuse is one that these refuse.
+    // A load that all preloads of the box refuse is refused at these corners.
     const RationalRow high_one = high_corner(box);
     const RationalRow low_one = low_corner(box);
     std::vector<std::pair<Rational, const RationalRow*>> ways;
@@ -220,7 +221,7 @@ class BallSearch {
     constexpr std::size_t kMostWays = 3;
     if (ways.size() > kMostWays) ways.resize(kMostWays);
     for (const auto& [at, z] : ways) {
-      // From just above upwards, as far as that is of use.
+      // Tries go from just above upwards, as far as a refusal is of use.
       Rational above = std::max<Rational>(at, most_ / 1024) / 32;
       while (at + above < distance && at + above < most_ && !refuse_at(*z, at + above)) {
         above *= 4;
@@ -240,7 +241,7 @@ class BallSearch {
     };
     int climbs = 0;
     while (count < most_boxes && is_of_interest()) {
-      constexpr std::size_t kAtOnce = 8;  // whatever the machine
+      constexpr std::size_t kAtOnce = 8;  // the same on every machine
       std::vector<std::pair<Rational, BoundedBox>> boxes;
       while (!cover.empty() && boxes.size() < kAtOnce && is_of_interest()) {
         auto& [distance, first] = *cover.begin();

@@ -20,14 +20,14 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t k)>& wo
     });
   };
   if (asked == nullptr) return all();
-  // Only this thread may ask whether it is to end. It would not, were it to wait for a long k
-  // of another: so it takes no part.
+  // Only this thread may ask whether it is to end. While it worked on a long k it would not
+  // ask, so it takes no part.
   std::future<void> done = std::async(std::launch::async, all);
   constexpr std::chrono::milliseconds kPause{50};
   try {
     while (done.wait_for(kPause) == std::future_status::timeout) asked->check();
   } catch (const Cancelled&) {
-    // The others see it too, and all() throws.
+    // The other threads see the cancellation too, and all() throws.
   }
   done.get();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A loop on all threads of the machine, which whoever asked for it may break off.
+/// A loop on all threads of the machine that its caller may break off.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,9 @@
 
 namespace stickslip::extent_detail {
 
-/// Calls work(k) for all k < count, in no particular order. What is in force of a Cancellation
-/// is so on all these threads. Throws what one of them does, once no other is at work.
+/// Calls work(k) for all k < count, in no particular order. A Cancellation in force here is in
+/// force on all these threads. If a call throws, this throws the same, once no other thread is
+/// at work.
 void in_parallel(std::size_t count, const std::function<void(std::size_t k)>& work);
 
 }  // namespace stickslip::extent_detail

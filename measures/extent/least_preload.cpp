@@ -18,19 +18,20 @@ using namespace extent_detail;
 
 namespace {
 
-/// What is looked at next: boxes by the least sum in them, and those alike as they came.
+/// The boxes to look at next, by the least sum in them; equal ones stay in the order in which
+/// they came.
 using OpenBoxes = std::multimap<Rational, PreloadBox>;
 
-/// Whether one grasp under this load is decided soon, and its margins are exact: in the plane,
-/// without a bound on motions.
+/// Returns true if one grasp under this load is decided soon, and its margins are exact: in the
+/// plane, without a bound on motions.
 bool is_cheap(const GraspBox& load) {
   return load.is_one_planar_body() && !load.ball && !load.is_bounded();
 }
 
-/// What a box turned out to be.
+/// The result of a look at a box.
 struct Looked {
   std::optional<ProvedPreloads> refused{};
-  bool middle_may_hold = true;  ///< no load that is known says otherwise
+  bool middle_may_hold = true;  ///< false if some known load says otherwise
 };
 
 class LeastSearch {
@@ -78,8 +79,8 @@ class LeastSearch {
   bool found() const { return result_.preloads.has_value(); }
   Rational sum() const { return sum_of(*result_.preloads); }
 
-  /// Loads that are asked about: of a ball in the plane some of them, which say soonest that it
-  /// is not held.
+  /// Adds loads that are known to be asked about. A ball in the plane adds some of its loads,
+  /// which show soonest that it is not held.
   void know(const GraspBox& load) {
     GraspBox centre = load;
     centre.ball.reset();
@@ -97,7 +98,8 @@ class LeastSearch {
     });
   }
 
-  /// With proofs for balls, of which a load that is not resisted is remembered.
+  /// Returns a proof for each load if these preloads hold all loads; nothing if they do not.
+  /// Only balls need proofs. Remembers a load of a ball that is not resisted.
   std::optional<std::vector<ProvedPreloads>> hold(const RationalRow& preloads) {
     if (!may_hold(preloads)) return std::nullopt;
     std::vector<ProvedPreloads> held;
@@ -120,7 +122,8 @@ class LeastSearch {
     return held;
   }
 
-  /// Whether preloads with these weights are better than what is known, which they become.
+  /// Returns true if preloads with these weights are better than the known ones, and keeps
+  /// them.
   bool take(const RationalRow& weights) {
     if (found() && sum_of(weights) >= sum()) return false;
     const RationalRow preloads = patterns_.preloads(weights);
@@ -133,7 +136,8 @@ class LeastSearch {
     return true;
   }
 
-  /// Less of all or of one, and perhaps a part of that more of another, in ever smaller steps.
+  /// Tries less of all weights or of one, perhaps with a part of that added to another, in ever
+  /// smaller steps.
   void improve() {
     const bool is_dear = !is_cheap(asked_.front());
     std::size_t tries = is_dear ? 200 : 3000;
@@ -189,7 +193,8 @@ class LeastSearch {
     return false;
   }
 
-  /// To the least multiple, which of certain loads in the plane is known exactly.
+  /// Reduces the preloads to their least multiple. For certain loads in the plane that is known
+  /// exactly.
   void shrink() {
     std::vector<GraspBox> held;
     for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
@@ -227,8 +232,8 @@ class LeastSearch {
     }
   }
 
-  /// Nothing of a larger sum is of interest: a little more than the sum that is known, in few
-  /// digits.
+  /// Returns a sum above which no preloads are of interest: a little more than the known sum,
+  /// in few digits.
   Rational ceiling() const {
     if (!found()) return result_.limit;
     const Rational unit = size_of({point_interval(sum())}) / 256;
@@ -259,7 +264,7 @@ class LeastSearch {
       return !found() || least < (1 - options_.accuracy) * sum();
     };
     while (!open.empty() && count < most_boxes && is_of_interest(open.begin()->first)) {
-      constexpr std::size_t kAtOnce = 8;  // whatever the machine
+      constexpr std::size_t kAtOnce = 8;  // the same on every machine
       std::vector<PreloadBox> boxes;
       while (!open.empty() && boxes.size() < kAtOnce && is_of_interest(open.begin()->first)) {
         boxes.push_back(below_sum(std::move(open.begin()->second), ceiling()));
@@ -301,10 +306,10 @@ class LeastSearch {
   NormalLaw law_;
   PreloadOptions options_;
   const std::function<void(const LeastPreload&)>& progress_;
-  std::vector<GraspBox> known_;  ///< loads that are asked about, one each
-  Rational size_ = 0;            ///< of the largest
+  std::vector<GraspBox> known_;  ///< single loads that are asked about
+  Rational size_ = 0;            ///< the size of the largest load
   PreloadPatterns patterns_;
-  RationalRow weights_{};  ///< of the preloads that are known
+  RationalRow weights_{};  ///< the weights of the known preloads
   LeastPreload result_;
 };
 

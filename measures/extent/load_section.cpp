@@ -46,8 +46,8 @@ class Sections {
     return z;
   }
 
-  /// By which force and torque the load differs. A link does not feel all of them: then the one
-  /// that is found may be farther than need be, and is no help.
+  /// Finds the force and torque by which the load differs. They are not unique if a link feels
+  /// only some of them; then the ones found may be farther than need be, and are no help.
   void find_lost(const WrenchBox& load, const Rational& radius) {
     RationalRow off(load.size());
     for (std::size_t j = 0; j < load.size(); ++j) off[j] = load[j].low - grasp_.wrench[j].low;
@@ -88,7 +88,7 @@ class Sections {
   const LoadBall& ball_;
   BallPart part_;
   Rational reach_;
-  RationalRow lost_;  ///< a force and a torque; or empty
+  RationalRow lost_;  ///< a force and a torque, or empty
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Which loads of a ball are too much, as doubles say. They only propose: a decision of each
-/// load disposes.
+/// A proposal by doubles: which loads of a ball are too much. Each such load is decided before
+/// it counts.
 #pragma once
 
 #include <optional>
@@ -21,17 +21,19 @@ struct Suspect {
 
 class LostLoads {
  public:
-  /// Nothing if doubles know of no equilibrium of the centre. `box` is the centre with the
-  /// ball, of which multiples up to `limit` are of interest. Both must outlive this.
+  /// Returns nothing if doubles find no equilibrium of the centre. `box` is the centre with the
+  /// ball; its multiples up to `limit` are of interest. Both must outlive this.
   static std::optional<LostLoads> of(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                                      const Rational& accuracy, const Rational& limit);
 
-  /// Whether doubles find no equilibrium there and a little beyond, as Newton's method misses
-  /// one at times.
+  /// Returns true if doubles find no equilibrium at this load, nor a little beyond it (Newton's
+  /// method misses one at times).
   bool contains(const Suspect& load) const;
-  /// Where on this way from the centre the equilibrium is lost first, up to a factor of two.
+  /// Returns where on this way from the centre the equilibrium is lost first, up to a factor of
+  /// two; nothing if it is not lost below the limit.
   std::optional<Suspect> first_along(const box_detail::Place& place) const;
-  /// To where its way begins to be lost, within an eighth of the accuracy.
+  /// Moves the load along its way to where the equilibrium is first lost, within an eighth of
+  /// the accuracy.
   void draw_in(Suspect& load) const;
 
  private:
@@ -46,7 +48,7 @@ class LostLoads {
   Rational accuracy_;
   Rational limit_;
   NearEquilibrium at_centre_;
-  mutable NearEquilibrium last_;  ///< that was found, from which the next is sought first
+  mutable NearEquilibrium last_;  ///< the last one found, where the search for the next begins
 };
 
 }  // namespace stickslip::extent_detail

@@ -24,7 +24,7 @@ namespace {
 struct AxisName {
   const char* name;
   AxisKind kind;
-  bool of_contacts;  ///< may have the index of one
+  bool of_contacts;  ///< may have the index of one contact
 };
 
 constexpr AxisName kNames[] = {
@@ -32,7 +32,7 @@ constexpr AxisName kNames[] = {
     {"preload", AxisKind::kPreload, true},   {"wrench", AxisKind::kWrench, false},
     {"load", AxisKind::kLoad, false},        {"direction", AxisKind::kDirection, false}};
 
-/// cos of an angle in degrees, to within 2^-100.
+/// Returns cos of an angle in degrees, to within 2^-100.
 Interval cosine(const Rational& degrees) {
   constexpr mpfr_prec_t kPrecision = 192;
   // |degrees| <= 360: the angle is off by less than 2^-180, and the cosine changes no faster.
@@ -58,7 +58,8 @@ Interval cosine(const Rational& degrees) {
   return {Rational(scaled - 2, unit), Rational(scaled + 2, unit)};
 }
 
-/// cos over an interval of degrees: extremes at its ends and at multiples of 180 inside.
+/// Returns cos over an interval of degrees, whose extremes are at its ends and at multiples of
+/// 180 inside.
 Interval cosine(const Interval& degrees) {
   const Interval first = cosine(degrees.low);
   const Interval last = cosine(degrees.high);
@@ -79,7 +80,7 @@ Interval product(const Interval& a, const Interval& b) {
           *std::max_element(ends.begin(), ends.end())};
 }
 
-/// sqrt(square), or a decimal interval around it.
+/// Returns sqrt(square), or a decimal interval around it.
 Interval root(const Rational& square) {
   if (const auto exact = exact_sqrt(square)) return point_interval(*exact);
   constexpr int kDigits = 40;
@@ -129,8 +130,8 @@ bool varies_load(const MapAxis& axis) {
          axis.kind == AxisKind::kDirection || axis.kind == AxisKind::kAlong;
 }
 
-/// A direction turns the wrench of the grasp as it is, before anything else; and what is added
-/// to it is not multiplied.
+/// Returns the order in which an axis acts. A direction turns the wrench of the grasp before
+/// anything else; a multiple that is added comes last, so that no factor multiplies it.
 int place_of(const MapAxis& axis) {
   return axis.kind == AxisKind::kDirection ? 0 : axis.kind == AxisKind::kAlong ? 2 : 1;
 }
@@ -154,7 +155,7 @@ class Quadtree {
         take_(take),
         progress_(progress) {}
 
-  /// Level by level, some cells at a time, by as many threads as there are.
+  /// Goes level by level, some cells at a time, on as many threads as there are.
   void run() {
     std::vector<OpenCell> open{{x_axis_.range, y_axis_.range}};
     for (unsigned depth = 0; !open.empty(); ++depth) {
@@ -192,7 +193,8 @@ class Quadtree {
     if (progress_) progress_(done_);
   }
 
-  /// Of cells inside of which verdicts do not differ: others need no search for a proof.
+  /// Tries to prove the cells whose corners, and middle, have one verdict. Others need no
+  /// search for a proof.
   std::vector<std::optional<BoxDecision>> prove(const std::vector<OpenCell>& cells,
                                                 unsigned depth) {
     std::vector<Point> corners;
@@ -228,7 +230,7 @@ class Quadtree {
     return decisions;
   }
 
-  /// The verdicts of those that are not known: each corner is one of several cells.
+  /// Decides the points that are not known yet: each corner is one of several cells.
   void decide(const std::vector<Point>& points) {
     std::vector<std::pair<const Point, std::optional<bool>>*> added;
     for (const Point& point : points) {
@@ -266,7 +268,7 @@ class Quadtree {
   std::map<Point, std::optional<bool>> points_;
 };
 
-/// The ends behind the equals sign.
+/// Returns the ends behind the equals sign.
 Interval axis_range(std::string_view text, std::size_t equals, std::size_t colon,
                     const std::string& axis) {
   const auto fail = [&](const std::string& problem, const std::string& remedy) {
@@ -283,7 +285,7 @@ Interval axis_range(std::string_view text, std::size_t equals, std::size_t colon
   return range;
 }
 
-/// The wrench "WX,WY,T", or six numbers in space.
+/// Returns the wrench "WX,WY,T", or six numbers in space.
 RationalRow wrench_along(const GraspBox& grasp, const std::string& text,
                          const std::string& axis) {
   RationalRow w = numbers_option(axis, text);
@@ -406,7 +408,7 @@ void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
                      "let axes vary friction, stiffness or preload; or give wrench=T, a "
                      "tolerance of each component");
   }
-  // What is wrong with a cell is wrong with all of them together.
+  // Any error of a cell is an error of the whole rectangle, so the whole is checked first.
   box_of_cell(grasp, x_axis, y_axis, x_axis.range, y_axis.range, options.uncertain);
   Quadtree(grasp, law, x_axis, y_axis, options, take, progress).run();
 }

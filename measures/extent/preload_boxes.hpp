@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Boxes of preloads, and what is known of one grasp with these.
+/// Boxes of preloads, and proofs about one grasp with these preloads.
 #pragma once
 
 #include <utility>
@@ -10,46 +10,51 @@
 
 namespace stickslip::extent_detail {
 
-/// An interval a contact.
+/// One interval for each contact.
 using PreloadBox = std::vector<Interval>;
 
-/// Those of a grasp, by contact; of a box the least.
+/// Returns the preloads of a grasp by contact; of uncertain ones the least.
 RationalRow preloads_of(const GraspBox& grasp);
-/// \{ The grasp with these preloads.
+/// \{ Return the grasp with these preloads.
 GraspBox with_preloads(GraspBox grasp, const RationalRow& preloads);
 GraspBox with_preloads(GraspBox grasp, const PreloadBox& preloads);
 /// \}
 
 Rational sum_of(const RationalRow& row);
-/// The corner of the least preloads, and that of the most.
+/// Returns the corner of the least preloads, or that of the most.
 RationalRow low_corner(const PreloadBox& box);
 RationalRow high_corner(const PreloadBox& box);
 RationalRow middle_of(const PreloadBox& box);
 
-/// Without what has a larger sum in any case. Requires that some preloads have not.
+/// Returns the box without preloads whose sum is larger than `most` whatever the others are.
+/// Requires that some preloads of the box have no larger sum.
 PreloadBox below_sum(PreloadBox box, const Rational& most);
-/// Cut at the middle of its widest side.
+/// Cuts the box at the middle of its widest side.
 std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box);
 
-/// The least power of two that is as large as the largest number of a load; 1 if it is 0.
+/// Returns the least power of two that is as large as the largest number of a load; 1 if the
+/// load is 0.
 Rational size_of(const WrenchBox& wrench);
 
-/// Whether it seems that one grasp resists its load: a proposal. In the plane that is decided;
-/// else Newton's method finds an equilibrium, or misses it, which takes much less time.
+/// Returns true if one grasp seems to resist its load: a proposal. In the plane this is a
+/// decision; else Newton's method finds an equilibrium, or misses it, which takes much less
+/// time.
 bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options);
 
-/// What one of many proofs may take: less than one that was asked for alone.
+/// Returns options for one of many proofs, which may take less than one that was asked for
+/// alone.
 SearchOptions of_many(SearchOptions options, const GraspBox& grasp);
 
-/// Whether a load may be refused throughout a box of preloads: it seems to be by a few grasps
-/// in it.
+/// Returns true if some load may be refused throughout a box of preloads: a few grasps in the
+/// box seem to refuse it.
 bool may_refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
                 const SearchOptions& options);
-/// A proof of it, if one is found.
+/// Returns a proof that the load is refused throughout the box, if one is found.
 std::optional<ProvedPreloads> refuse(const GraspBox& load, const PreloadBox& box, NormalLaw law,
                                      const SearchOptions& options);
 
-/// What is known of multiples of the preloads of these loads, which hold them.
+/// Returns which multiples of their preloads hold these loads, as far as is known. Requires
+/// that the preloads hold them.
 PreloadRange range_of(const std::vector<GraspBox>& held, NormalLaw law,
                       const SearchOptions& options);
 

@@ -13,7 +13,7 @@ namespace stickslip::extent_detail {
 using namespace box_detail;
 namespace {
 
-/// A side of a friction cone: what its contact exerts with a normal force of 1.
+/// A side of a friction cone: the wrench that its contact exerts with a normal force of 1.
 struct ConeSide {
   std::size_t contact;
   std::array<Rational, 3> wrench;
@@ -46,7 +46,7 @@ std::vector<ConeSide> cone_sides(const GraspBox& grasp) {
 /// Forces along the sides of cones, 0 or more.
 struct SideForces {
   RationalRow forces;
-  std::uint64_t support;  ///< those that are not 0, a bit each
+  std::uint64_t support;  ///< the forces that are not 0, a bit each
 };
 
 std::uint64_t support_of(const RationalRow& forces) {
@@ -57,7 +57,8 @@ std::uint64_t support_of(const RationalRow& forces) {
   return support;
 }
 
-/// The extreme ones among forces that balance: those of which no other has a smaller support.
+/// Returns the extreme forces among forces that balance: those of which no other has a smaller
+/// support.
 std::vector<SideForces> extreme(std::vector<SideForces> all) {
   std::sort(all.begin(), all.end(),
             [](const SideForces& a, const SideForces& b) { return a.support < b.support; });
@@ -76,7 +77,8 @@ std::vector<SideForces> extreme(std::vector<SideForces> all) {
   return result;
 }
 
-/// One equation of balance after the other: of two forces on either side of it the sum on it.
+/// Returns forces that balance. Adds one equation after the other: two forces on either side of
+/// it give their sum on it.
 std::vector<SideForces> balanced_forces(const std::vector<ConeSide>& sides) {
   std::vector<SideForces> found;
   for (std::size_t k = 0; k < sides.size(); ++k) {

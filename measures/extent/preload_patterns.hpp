@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What preloads a search may choose: sums of patterns, each of sum 1, with weights of 0 or
+/// The preloads that a search may choose: sums of patterns, each of sum 1, with weights of 0 or
 /// more.
 #pragma once
 
@@ -12,15 +12,16 @@ namespace stickslip::extent_detail {
 
 class PreloadPatterns {
  public:
-  /// One for each contact alone; or, `balanced`, the extreme ones of those that friction can
-  /// balance without a load and a motion. Of one grasp; throws InputError where that is not
-  /// known: unless it is one body in the plane, with few contacts and rational lengths.
+  /// Makes one pattern for each contact alone; or, if `balanced`, the extreme ones among the
+  /// preloads that friction can balance without a load and a motion. Throws InputError if these
+  /// are not known: that takes one body in the plane, few contacts and rational lengths.
+  /// Requires one grasp.
   PreloadPatterns(const GraspBox& grasp, bool balanced);
 
-  /// Whether there is one for each contact, so that weights are preloads.
+  /// Returns true if each contact has its own pattern, so that weights are preloads.
   bool are_contacts() const { return are_contacts_; }
   std::size_t size() const { return patterns_.size(); }
-  /// The preloads with these weights, of the same sum.
+  /// Returns the preloads with these weights; their sum is that of the weights.
   RationalRow preloads(const RationalRow& weights) const;
 
  private:

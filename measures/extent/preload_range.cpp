@@ -10,7 +10,7 @@ namespace stickslip::extent_detail {
 using namespace box_detail;
 namespace {
 
-/// The multiples that are in both.
+/// Returns the multiples that are in both.
 std::vector<MarginInterval> common(const std::vector<MarginInterval>& some,
                                    const std::vector<MarginInterval>& others) {
   std::vector<MarginInterval> both;
@@ -24,8 +24,8 @@ std::vector<MarginInterval> common(const std::vector<MarginInterval>& some,
   return both;
 }
 
-/// From no preloads on, so that forces of springs stay as they are. Nothing if the search ended
-/// at its limit.
+/// Returns the margin of multiples of the preloads. The family begins with no preloads, so that
+/// forces of springs stay as they are. Nothing if the search ended at its limit.
 std::optional<PreloadMargin> margin_of(const GraspBox& load, NormalLaw law,
                                        const SearchOptions& options) {
   PreloadDirection growth;
@@ -53,7 +53,8 @@ std::vector<MarginInterval> resisted(const PreloadMargin& of) {
   return std::get<SpatialMargin>(of.margin).resisted();
 }
 
-/// Every choice of preloads up to a multiple of them, as far as one proof a load leads.
+/// Proves every choice of preloads up to a multiple of them, as far as one proof for each load
+/// leads.
 PreloadRange boxes_above(const std::vector<GraspBox>& held, NormalLaw law,
                          const SearchOptions& options) {
   PreloadRange range;

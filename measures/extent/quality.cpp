@@ -10,7 +10,8 @@
 namespace stickslip {
 namespace {
 
-/// The largest force of the load and of preloads, rounded up to a power of two; 1 if all are 0.
+/// Returns the largest force of the load and of preloads, rounded up to a power of two; 1 if
+/// all are 0.
 Rational typical_force(const GraspBox& grasp) {
   Rational most = 0;
   const auto consider = [&](const Interval& force) {

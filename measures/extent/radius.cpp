@@ -17,10 +17,10 @@ using namespace extent_detail;
 
 namespace {
 
-/// The largest factor that leaves the box valid, or `most`.
+/// Returns the largest factor that leaves the box valid, or `most`.
 Rational valid_limit(const GraspBox& centre, const GraspBox& box, const Rational& most) {
   Rational limit = most;
-  // Where an end must stay above 0, and not reach it.
+  // An end that must stay above 0 may not reach it.
   const Rational inside(1023, 1024);
   const auto keep = [&](const Rational& at, const Rational& low, bool may_reach) {
     if (low >= at) return;
@@ -44,22 +44,22 @@ Rational valid_limit(const GraspBox& centre, const GraspBox& box, const Rational
   return limit;
 }
 
-/// Longer numbers are longer than all that doubles spell.
+/// A number with more bits is longer than any that doubles spell.
 constexpr std::size_t kLongBits = 4096;
 
 bool is_long(const Rational& x) {
   return !x.is_zero() && std::max(msb(abs(numerator(x))), msb(denominator(x))) > kLongBits;
 }
 
-/// The double nearest to a long number, unless that is 0 or beyond them; all others as they
-/// are.
+/// Returns the double nearest to a long number, unless that is 0 or beyond doubles; other
+/// numbers stay.
 Rational shortened(const Rational& x) {
   if (!is_long(x)) return x;
   const double near = to_double(x);
   return std::isfinite(near) && near != 0 ? rational_from_double(near) : x;
 }
 
-/// Each number so, which keeps their order; nothing if that changes none.
+/// Shortens each number, which keeps their order; nothing if that changes none.
 std::optional<GraspBox> shortened(GraspBox box) {
   bool is_changed = false;
   const auto shorten = [&](Rational& x) {
@@ -90,13 +90,13 @@ class RadiusSearch {
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     refute();
     prove(0);
-    // In space a proof of the whole takes all nodes that there are.
+    // A proof of a whole ball in space takes all nodes that there are: none are left for parts.
     if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
     return result_;
   }
 
-  /// The same, of what another search found for numbers near these: a few proofs in place of
-  /// many.
+  /// Returns the same radii from those that another search found for numbers near these: a few
+  /// proofs in place of many.
   Radius confirm(const RadiusSearch& near) {
     result_.limit = valid_limit(centre_, box_, options_.most);
     result_.stable = is_stable(centre_, law_, options_.box);
@@ -121,8 +121,8 @@ class RadiusSearch {
  private:
   static constexpr std::size_t kMostParts = 16;
 
-  /// Whether the grasp at a place of the box of this factor has the other verdict; if so, it is
-  /// remembered when the factor is smaller than what was known.
+  /// Returns true if the grasp at a place of the box of this factor has the other verdict.
+  /// Remembers it if the factor is smaller than the known one.
   bool differs(const Place& place, const Rational& factor) {
     const GraspBox box = box_.scaled(centre_, factor);
     GraspBox grasp = Examples(box, law_).at(place);
@@ -137,7 +137,8 @@ class RadiusSearch {
     return true;
   }
 
-  /// Suspects near the centre, and then those at the edge of the box that these give.
+  /// Seeks counterexamples: suspects near the centre, and then those at the edge of the box
+  /// that these give.
   void refute() {
     if (*result_.stable) follow();
     if (box_.ball) {
@@ -154,7 +155,7 @@ class RadiusSearch {
     try_all_corners();
   }
 
-  /// To where an equilibrium of the centre is lost.
+  /// Follows an equilibrium of the centre to where it is lost.
   void follow() {
     const std::vector<NearEquilibrium> here =
         near_equilibria(GraspLaw(centre_, law_).middle(), needs_enclosure(centre_));
@@ -175,7 +176,7 @@ class RadiusSearch {
     }
   }
 
-  /// Of few numbers.
+  /// Tries all corners, if the numbers are few.
   void try_all_corners() {
     const std::size_t numbers = Examples(box_, law_).middle().size();
     constexpr std::size_t kFew = 6;
@@ -189,9 +190,9 @@ class RadiusSearch {
     }
   }
 
-  /// To where this corner begins to differ, which it does at `high`.
+  /// Closes in on where this corner begins to differ, below `high`, where it does.
   void close_in(const Place& place, Rational low, Rational high) {
-    // At a centre on a threshold every factor has a counterexample.
+    // Every factor has a counterexample if the centre is on a threshold.
     const Rational kLeast(1, 1 << 20);
     while (high - low > options_.accuracy / 8 * high && high > kLeast) {
       const Rational middle = short_middle(low, high);
@@ -199,8 +200,8 @@ class RadiusSearch {
     }
   }
 
-  /// Seeks a load of a ball that is too much, as near as may be: along axes and between them;
-  /// then it turns to where the border is nearer.
+  /// Seeks a load of a ball that is too much, as near as may be, along axes and between them.
+  /// Then turns it to where the border is nearer.
   void refute_ball() {
     if (!box_.is_one_planar_body() && seek_in_doubles()) return;
     const std::vector<Place> starts = Examples(box_, law_).ball_directions();
@@ -218,8 +219,8 @@ class RadiusSearch {
     if (turn_nearby()) turn_to_normals();
   }
 
-  /// Where a decision takes long: doubles say which load is worth one. False if they know of no
-  /// equilibrium of the centre.
+  /// Seeks with doubles, which say which load is worth a decision, as decisions take long here.
+  /// Returns false if doubles find no equilibrium of the centre.
   bool seek_in_doubles() {
     const auto lost = LostLoads::of(centre_, box_, law_, options_.accuracy, result_.limit);
     if (!lost) return false;
@@ -255,8 +256,8 @@ class RadiusSearch {
     return true;
   }
 
-  /// Turns it by smaller and smaller steps to where it is nearer; what is not confirmed is
-  /// forgotten.
+  /// Turns the suspect by smaller and smaller steps to where the border is nearer. A suspect
+  /// that is not confirmed is forgotten.
   void descend(const LostLoads& lost, Suspect suspect) {
     for (int steps = 2; steps <= 64; steps *= 2) {
       const Suspect before = suspect;
@@ -278,7 +279,7 @@ class RadiusSearch {
     }
   }
 
-  /// Whether it, or another a little beyond it, is decided to be too much.
+  /// Returns true if the suspect, or another a little beyond it, is decided to be too much.
   bool confirm(const Suspect& suspect, const Rational& most) {
     for (const Rational& beyond : {Rational(0), Rational(1, 4), Rational(2)}) {
       const Rational factor = suspect.factor * (1 + beyond * options_.accuracy);
@@ -288,7 +289,7 @@ class RadiusSearch {
     return false;
   }
 
-  /// What a decision of one grasp may take.
+  /// Returns the limits of a decision of one grasp.
   SearchOptions seeking() const {
     SearchOptions options = options_.box;
     constexpr std::size_t kNodes = 2000;
@@ -297,8 +298,8 @@ class RadiusSearch {
     return options;
   }
 
-  /// Whether some way near that of the nearest load that is too much leads to one that is
-  /// nearer.
+  /// Returns true if a way near that of the nearest load that is too much leads to a nearer
+  /// one.
   bool turn_nearby() {
     bool is_nearer = false;
     for (int steps = 2; result_.example && steps <= 32; steps *= 2) {
@@ -319,8 +320,8 @@ class RadiusSearch {
     return is_nearer;
   }
 
-  /// Of a ball of loads: along the normals of the border at the nearest load that is known to
-  /// be too much, which are the virtual twists that refute it.
+  /// Turns the way of a ball's load along the normals of the border at the nearest load that is
+  /// known to be too much. The normals are the virtual twists that refute it.
   void turn_to_normals() {
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds && result_.example; ++round) {
@@ -333,7 +334,8 @@ class RadiusSearch {
     }
   }
 
-  /// Those first along which the border is nearest, if it is flat.
+  /// Returns the ways along the normals, those first along which the border is nearest, if it
+  /// is flat.
   std::vector<Place> along_normals() const {
     const Verdict verdict = decide_box(*result_.example, law_, seeking()).verdict;
     const auto* unstable = std::get_if<Unstable>(&verdict);
@@ -371,7 +373,8 @@ class RadiusSearch {
   void suspect(const Rational& size) {
     const GraspBox box = box_.scaled(centre_, size);
     for (const Place& place : extent_detail::suspects(Examples(box, law_), *result_.stable)) {
-      // Outwards to the first box where this corner differs, and then inwards to its edge.
+      // The search goes outwards to the first box where this corner differs, and then inwards
+      // to its edge.
       Rational low = 0;
       Rational high = std::min(size, bound());
       bool found = differs(place, high);
@@ -384,7 +387,7 @@ class RadiusSearch {
     }
   }
 
-  /// No factor from here on is of interest.
+  /// Returns the factor from which on no factor is of interest.
   Rational bound() const { return result_.refuted ? *result_.refuted : result_.limit; }
 
   bool try_to_prove(const Rational& factor, std::size_t parts) {
@@ -396,9 +399,9 @@ class RadiusSearch {
     return true;
   }
 
-  /// From near the bound downwards, and then by bisection between the largest that is proved
-  /// and the bound. Boxes without a proof may be part of larger ones that have one: it may miss
-  /// some, and what it finds is proved.
+  /// Tries factors from near the bound downwards, and then bisects between the largest proved
+  /// one and the bound. A box without a proof may be part of a larger one that has one; so the
+  /// search may miss some proofs, but what it finds is proved.
   void prove(std::size_t parts) {
     Rational high = bound();
     if (!result_.refuted) {
@@ -406,7 +409,7 @@ class RadiusSearch {
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
       if (result_.proved.is_zero() && try_to_prove(short_middle(near, high), parts)) return;
-      // A smaller box may have no proof where a larger one has. While much is open that is
+      // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
       const bool is_much_open = 3 * result_.proved < 2 * bound();
       Rational least_failed = high;
@@ -439,7 +442,7 @@ class RadiusSearch {
   const RadiusOptions& options_;
   const std::function<void(const Radius&)>& progress_;
   Radius result_;
-  Place example_place_;  ///< of result_.example
+  Place example_place_;  ///< the place of result_.example
 };
 
 }  // namespace

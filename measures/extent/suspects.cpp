@@ -63,8 +63,8 @@ std::vector<Place> suspects(const Examples& examples, bool middle_is_stable) {
     if (off[0].has_value() != off[1].has_value()) best[n] = off[0] ? -1 : 1;
   }
   places.push_back(best);
-  // Less friction, more friction, and the opposite of what was found: thresholds that go the
-  // other way far from the middle.
+  // Tries less friction, more friction, and the opposite of what was found: far from the middle
+  // thresholds may go the other way.
   for (const int friction : {-1, 1}) {
     Place place = best;
     for (std::size_t n = 0; n < numbers.size(); ++n) {
@@ -74,7 +74,7 @@ std::vector<Place> suspects(const Examples& examples, bool middle_is_stable) {
   }
   constexpr std::size_t kFew = 12;
   if (numbers.size() > kFew) return places;
-  // One number at a time.
+  // Tries one number at a time.
   const std::optional<double> reached = distance(examples, best);
   double least = reached ? sign * *reached : HUGE_VAL;
   Place improved = best;

@@ -18,7 +18,8 @@ using namespace margin_detail;
 
 namespace {
 
-/// In bits: from here on a margin's many equilibria take longer than its proofs by degree.
+/// The bits of numbers from which a margin's many equilibria take longer than its proofs by
+/// degree.
 constexpr std::size_t kLongDenominator = 1000;
 
 /// Checks one end of a segment after another.
@@ -27,7 +28,7 @@ class FamilyJudge {
   explicit FamilyJudge(const Problem& family)
       : family_(family), signs_(family), forces_(family) {}
 
-  /// Of the member with the multiple; without one, a ray.
+  /// Requires an equilibrium of the member with the multiple; without one, a ray.
   void require_equilibrium(const std::optional<Rational>& multiple,
                            const ShortWitness& witness) {
     const Twist& d = witness.twist;
@@ -87,7 +88,7 @@ class MarginSearch {
       open_between_segments();
       return search_all();
     }
-    // The multiple 0 is where the engine for single loads is quick, and most often stable.
+    // The engine for single loads is quick at the multiple 0, which is most often stable.
     ConeWork cone;
     count(work_.ranges);
     Verdict verdict = decide_by_cones(family_.at(0), options_, &cone);
@@ -117,7 +118,7 @@ class MarginSearch {
     return assemble(std::move(refuted));
   }
 
-  /// What the segments, which are increasing, leave.
+  /// Opens the ranges that the segments, which are increasing, leave.
   void open_between_segments() {
     Rational low = 0;
     bool has_low = true;
@@ -157,7 +158,7 @@ class MarginSearch {
     ConeWork cone;
     auto found = search_family(family_.within(gap), options, &cone);
     work_.cone += cone;
-    // Of all nodes, and not of those that were left.
+    // Names the limit for all nodes, not the part of it that was left for this search.
     if (std::holds_alternative<Undecided>(found)) {
       return limit_reached(options_.node_limit);
     }
@@ -182,7 +183,7 @@ class MarginSearch {
   Margin assemble(std::vector<std::pair<Rational, Trees>> refuted) {
     Margin margin;
     std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) {
-      // A point that is alone comes before what may begin at it.
+      // A segment of one multiple comes before any that begins at it.
       if (a.low != b.low) return a.low < b.low;
       return a.high && (!b.high || *a.high < *b.high);
     });

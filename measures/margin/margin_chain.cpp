@@ -12,7 +12,8 @@ ModePoint FamilyModes::Piece::at(const Rational& multiple) const {
   const Rational rise = multiple - low.x[4];
   if (rise.is_zero()) return low;
   if (has_high() && multiple == high.x[4]) return high;
-  // A ray is added to the low end, between ends there is a combination of both.
+  // A multiple of a ray is added to the low end; a point between two ends is a combination of
+  // both.
   const Rational share = has_high() ? rise / (high.x[4] - low.x[4]) : rise;
   ModePoint point = low;
   const auto move = [&](Rational& from, const Rational& to) {
@@ -41,8 +42,8 @@ std::optional<FamilyModes::Piece> FamilyModes::piece_of(const FamilyMode& mode) 
 
 std::optional<FamilyModes::Piece> FamilyModes::next_piece(const FamilyMode& mode,
                                                           const ModePoint& point, bool up) {
-  // What ends the mode here: all changes together, and a few by themselves. Where none of these
-  // leads on, the search finds what does.
+  // Candidates for the next mode: all contacts that end the mode here change together, and a
+  // few of them alone. If no candidate leads on, the search finds the next mode.
   constexpr std::size_t kMostAlone = 8;
   FamilyMode all = mode;
   std::vector<FamilyMode> candidates;

@@ -23,26 +23,26 @@ class FamilyModes {
   FamilyModes(const FamilyModes&) = delete;
   FamilyModes& operator=(const FamilyModes&) = delete;
 
-  /// Segments, each beginning where the one before ends, that contain the point and go as far
-  /// down to `low` and up to `high` as the modes next to each other reach.
+  /// Returns segments, each beginning where the one before ends, that contain the point. They
+  /// go down to `low` and up to `high` as far as neighbouring modes reach.
   std::vector<MarginSegment> chain_through(const MarginPoint& point, const Rational& low,
                                            const std::optional<Rational>& high);
 
  private:
-  /// A mode, and a part of what it resists.
+  /// A mode, and a part of the multiples that it resists.
   struct Piece {
     FamilyMode mode;
     ModePoint low, high;
 
     bool has_high() const { return !high.x[3].is_zero(); }
-    /// Requires a multiple of the piece.
+    /// Returns the equilibrium of this multiple, which must be in the piece.
     ModePoint at(const Rational& multiple) const;
     Piece part(const Rational& from, const std::optional<Rational>& to) const;
   };
 
-  /// All that the mode resists.
+  /// Returns all that the mode resists.
   std::optional<Piece> piece_of(const FamilyMode& mode);
-  /// A mode next to this one at the point that goes further, up or down.
+  /// Returns the piece of a neighbouring mode at the point that goes further, up or down.
   std::optional<Piece> next_piece(const FamilyMode& mode, const ModePoint& point, bool up);
   ShortWitness witness_at(const FamilyMode& mode, const ModePoint& point);
   MarginSegment segment_of(const Piece& piece);

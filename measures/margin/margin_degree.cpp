@@ -7,7 +7,7 @@
 namespace stickslip::margin_detail {
 namespace {
 
-/// A multiple in few bits.
+/// Returns a multiple in few bits.
 Rational short_multiple(double value) {
   constexpr int kBits = 6;
   return rational_in_bits(value, kBits);
@@ -21,16 +21,16 @@ std::vector<MarginSegment> DegreeChain::find() {
   const double growth = search_.force_of(0, 1);
   if (!search_.is_possible()) return found;
   if (before == 0) {
-    // Where nothing is but what grows, all multiples above 0 have one verdict.
+    // Without any other load all multiples above 0 have one verdict.
     const std::optional<Motion> at = search_.settle(1, 1, nullptr);
     auto proof = at ? search_.prove_segment({1, {}}, *at, *at, true) : std::nullopt;
     if (proof) found.push_back({0, {}, {}, {}, std::move(proof)});
     return found;
   }
-  // Where the growing load is as large as what was there before.
+  // At this multiple the growing load is as large as the load before.
   const double typical = before / growth;
   Rational low = 0;
-  // Beyond what no proof is found for, there may be more.
+  // More may be resisted beyond a multiple for which no proof is found.
   for (const double leap : {0.0, 0.06, 0.25, 1.0}) {
     if (leap > 0) low += short_multiple(leap * typical);
     extend(low, typical, found);
@@ -57,7 +57,7 @@ void DegreeChain::extend(const Rational& low, double typical,
     const double multiple = to_double(here);
     if (multiple >= next_ray) {
       next_ray = 2 * multiple;
-      // Where friction has no smooth way to the ray itself, what is near it will do.
+      // Friction may have no smooth way to the ray itself; then a motion near it will do.
       constexpr double kNearRay = 1e-3;
       auto end = search_.settle(0, multiple, &*at);
       if (!end) end = search_.settle(kNearRay, multiple, &*at);

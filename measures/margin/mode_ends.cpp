@@ -9,7 +9,7 @@
 namespace stickslip::margin_detail {
 namespace {
 
-/// a + factor * b
+/// Returns a + factor * b.
 template <std::size_t n>
 std::array<Rational, n> sum(std::array<Rational, n> a, const Rational& factor,
                             const std::array<Rational, n>& b) {
@@ -23,7 +23,7 @@ Rational value(const IntegerVector5& plane, const Vector5& x) {
   return sum;
 }
 
-/// Makes the left square of the rows the unit matrix. False if it is singular.
+/// Makes the left square of the rows the unit matrix. Returns false if it is singular.
 bool eliminate(std::vector<std::vector<Rational>>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto pivot =
@@ -42,13 +42,14 @@ bool eliminate(std::vector<std::vector<Rational>>& rows) {
   return true;
 }
 
-/// The edge of its friction cone on which a contact pushes; 0 also where it sticks.
+/// Returns the sign of the edge of its friction cone on which a contact pushes; 0 also if it
+/// sticks.
 int edge_of(const Problem& family, const FamilyMode& mode, std::size_t contact) {
   if (family.row(ContactId(contact)).friction.is_zero()) return 0;
   return -to_int(mode[contact].slip);
 }
 
-/// T_i divided by the primitive vector of its circle, whose first entry that is not 0 is
+/// Returns T_i divided by the primitive vector of its circle, whose first nonzero entry is
 /// positive.
 Rational scale_on_circle(const ContactRow& row, const IntegerVector5& plane) {
   if (!plane[0].is_zero()) return row.tangent.x / Rational(plane[0]);
@@ -109,7 +110,7 @@ std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) {
     auto circle = std::find_if(line.circles.begin(), line.circles.end(),
                                [&](const Circle& c) { return c.plane == plane; });
     if (circle == line.circles.end()) {
-      // More than three are never independent.
+      // More than three circles are never independent.
       if (line.circles.size() == 3) return std::nullopt;
       line.circles.push_back({plane, {}, {}, 0, 0});
       circle = line.circles.end() - 1;
@@ -119,7 +120,7 @@ std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) {
     const Rational scale = row.friction * abs(scale_on_circle(row, plane));
     circle->limit = sum(std::move(circle->limit), scale, family_.separation(contact));
   }
-  // Unknown: d and F. Right sides: at h = 1, l = 0; and at h = 0, l = 1.
+  // The unknowns are d and F; the right sides are at h = 1, l = 0 and at h = 0, l = 1.
   const std::array<Vector5, 3>& forces = forces_.of(mode);
   const std::size_t unknowns = 3 + line.circles.size();
   std::vector<std::vector<Rational>> rows(unknowns, std::vector<Rational>(unknowns + 2));
@@ -146,9 +147,9 @@ std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) {
   return line;
 }
 
-/// The first point on which no condition fails, from the line's start upwards or from its end,
-/// which is the ray, downwards; nothing if there is none. Each round satisfies a condition that
-/// no later one fails.
+/// Returns the first point on which no condition fails, from the line's start upwards or from
+/// its end, which is the ray, downwards; nothing if there is none. Each round satisfies a
+/// condition that no later one fails.
 std::optional<Vector5> ModeLines::within(const std::vector<Condition>& conditions,
                                          const Line& line, bool from_above) {
   const Double5 start = in_doubles(primitive_multiple(line.start));
@@ -188,7 +189,7 @@ std::optional<ModeEnds> ModeLines::ends_of(const FamilyMode& mode, const Line& l
       conditions.push_back({signs_.slip(i), -mode[i].slip});
     }
   }
-  std::vector<IntegerVector5> left;  // of friction, below and above
+  std::vector<IntegerVector5> left;  // room for friction, below and above
   for (const Circle& circle : line.circles) {
     for (const int side : {-1, 1}) {
       Vector5 f = circle.limit;
@@ -209,7 +210,7 @@ std::optional<ModeEnds> ModeLines::ends_of(const FamilyMode& mode, const Line& l
 ModePoint ModeLines::point_at(const Line& line, const Vector5& x) const {
   ModePoint point{x, {}};
   for (const Circle& circle : line.circles) {
-    // Of all contacts on the circle the same share of their friction is used.
+    // All contacts on the circle use the same share of their friction.
     const Rational friction = x[3] * circle.friction + x[4] * circle.friction_rate;
     const Rational share = friction.is_zero() ? Rational(0) : friction / dot(circle.limit, x);
     for (const std::size_t i : circle.contacts) {

@@ -4,18 +4,18 @@
 /// them.
 ///
 /// **Method.** In a mode the force of a closed contact is v_i(x) (N_i + sigma mu_i T_i), with
-/// sigma = -1, 0 or 1 as it slips; where contacts stick, those on one circle T_c.d = 0 push
+/// sigma = -1, 0 or 1 as it slips. Contacts that stick and share one circle T_c.d = 0 push
 /// along one wrench T_c, with friction F_c together. Balance is
 ///
 ///     w h + u l + S x + sum F_c T_c = 0,  T_c.d = 0,  S = sum (N_i + sigma mu_i T_i) (x) v_i
 ///
 /// Usually these 3 + c equations have one solution (d, F) for each multiple: the motions are a
 /// *line*, on which every condition of the mode (v_i >= 0, v_i <= 0, tau_i >= 0, tau_i <= 0,
-/// |F_c| <= sum mu_i v_i) is linear in l and bounds it on one side. The ends are found by a
-/// ratio test: doubles propose the condition that fails first, exact signs (point_signs.hpp)
-/// say whether another fails before. S changes from mode to mode only by the contacts that
-/// do: a mode costs O(m) operations in double and a few tens exact ones. Where the motions are
-/// no line, the region's linear program serves (region_program.hpp).
+/// |F_c| <= sum mu_i v_i) is linear in l and bounds it on one side. A ratio test finds the
+/// ends: doubles propose the condition that fails first, exact signs (point_signs.hpp) say
+/// whether another fails before. S changes from mode to mode only by the contacts that do, so a
+/// mode costs O(m) operations in double and a few tens of exact ones. If the motions are no
+/// line, the region's linear program serves (region_program.hpp).
 #pragma once
 
 #include <array>
@@ -28,14 +28,15 @@
 
 namespace stickslip::margin_detail {
 
-/// A mode as a set of motions: closed means v >= 0 on all of it, and where there is friction
-/// slip has the sign throughout.
+/// A mode as a set of motions: closed means v >= 0 on all of it, and a contact with friction
+/// has one sign of slip throughout.
 using FamilyMode = std::vector<ContactMode>;
 
-/// An equilibrium of a mode with its multiple, or what may be added to one without end.
+/// An equilibrium of a mode with its multiple; or a ray, any multiple of which may be added to
+/// one.
 struct ModePoint {
   Vector5 x;  ///< with h = 1; or h = 0, l = 1
-  /// b where contacts stick, by contact; all other forces follow from x.
+  /// The friction b of sticking contacts, by contact; all other forces follow from x.
   std::vector<std::pair<std::size_t, Rational>> friction;
 };
 
@@ -44,30 +45,32 @@ struct ModeEnds {
   ModePoint high;  ///< h = 0 if there is no highest multiple
 };
 
-/// Whether the contact sticks as long as the mode lasts.
+/// Returns true if the contact sticks as long as the mode lasts.
 inline bool sticks(const Problem& family, const FamilyMode& mode, std::size_t contact) {
   return mode[contact].closed && mode[contact].slip == Sign::kZero &&
          !family.row(ContactId(contact)).friction.is_zero();
 }
 
-/// S of one mode after another, from which it changes only by the contacts that do.
+/// The matrix S of one mode after another. From mode to mode it changes only by the contacts
+/// that do.
 class ForceSum {
  public:
   explicit ForceSum(const Problem& family) : family_(family) {}
 
-  /// The wrench of the forces at x, but for friction where contacts stick, is S x.
+  /// Returns S: the forces at x have the wrench S x, without friction of contacts that stick.
   const std::array<Vector5, 3>& of(const FamilyMode& mode);
 
  private:
   const Problem& family_;
-  FamilyMode mode_;  ///< of which sum_ is the sum
+  FamilyMode mode_;  ///< the mode of sum_
   std::array<Vector5, 3> sum_{};
 };
 
-/// The ends of a mode by two linear programs over its region; nothing if it resists nothing.
+/// Returns the ends of a mode by two linear programs over its region; nothing if it resists
+/// nothing.
 std::optional<ModeEnds> ends_by_programs(const Problem& family, const FamilyMode& mode);
 
-/// The same for one mode after another, which had better be alike.
+/// Finds the ends of one mode after another; it is fastest if they are alike.
 class ModeLines {
  public:
   /// A family for all l >= 0, which has to outlive this.
@@ -76,11 +79,11 @@ class ModeLines {
 
   std::optional<ModeEnds> ends(const FamilyMode& mode);
 
-  /// Whether the mode that was last asked for is a line.
+  /// Returns true if the mode that was last asked for is a line.
   bool was_line() const { return was_line_; }
 
  private:
-  /// Contacts that stick, with T_i a multiple of the same vector.
+  /// Contacts that stick, whose T_i are multiples of the same vector.
   struct Circle {
     IntegerVector5 plane;
     std::vector<std::size_t> contacts;
@@ -88,8 +91,8 @@ class ModeLines {
     Rational friction, friction_rate;  ///< F = friction + l friction_rate
   };
   struct Line {
-    Vector5 start{};  ///< h = 1, l = 0
-    Vector5 rate{};   ///< h = 0, l = 1
+    Vector5 start{};  ///< the point at h = 1, l = 0
+    Vector5 rate{};   ///< the change, with h = 0, l = 1
     std::vector<Circle> circles;
   };
   struct Condition {

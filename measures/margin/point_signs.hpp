@@ -7,19 +7,20 @@
 
 namespace stickslip::margin_detail {
 
-/// A linear function of x = (d, h, l), exact up to a positive factor, and itself rounded.
+/// A linear function of x = (d, h, l), exact up to a positive factor, with rounded coefficients
+/// beside.
 struct FilteredFunction {
   const IntegerVector5* plane;
-  const Double5* rounded;  ///< none: always exact
+  const Double5* rounded;  ///< nullptr: the sign is always computed exactly
 };
 
-/// Exact signs: from doubles where their error bound decides (search/double_model.hpp), else
-/// from integers.
+/// Exact signs: doubles decide if their error bound allows (search/double_model.hpp), else
+/// integers.
 class PointSigns {
  public:
   explicit PointSigns(const Problem& problem) : problem_(problem), model_(problem) {}
 
-  /// The point whose signs are asked for from now on.
+  /// Sets the point whose signs are asked for from now on.
   void go_to(const Vector5& x) {
     x_ = primitive_multiple(x);
     rounded_ = in_doubles(x_);

@@ -12,7 +12,7 @@
 namespace stickslip::margin_detail {
 namespace {
 
-using Function = Vector5;  ///< of points
+using Function = Vector5;  ///< a function of points
 
 Function sum(Function a, const Rational& factor, const Function& b) {
   for (std::size_t j = 0; j < 5; ++j) a[j] += factor * b[j];
@@ -33,7 +33,7 @@ class Cell {
     }
   }
 
-  /// row.e
+  /// Returns row.e, e the motion relative to the centre of K.
   Function of_motion(const RationalRow& row) const {
     Function f{row[0], row[1], row[2], 0, 0};
     f = sum(std::move(f), -dot(row, shape_.twist), s_);
@@ -67,14 +67,15 @@ class Cell {
   Function s_, t_;
 };
 
-/// Rounded to a part in 256 of K, as one whose walls have this column.
+/// Rounds to a part in 256 of the width of K; `steepest` is the largest entry of the walls'
+/// column.
 Rational rounded(double value, double steepest) {
   if (!(steepest > 0) || !std::isfinite(steepest)) return rational_from_double(value);
   const double grain = std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(steepest))) - 8);
   return rational_from_double(std::round(value / grain) * grain);
 }
 
-/// K and A in few bits, with the middle of K going from one motion to another; all 0 if
+/// Returns K and A in few bits, with the middle of K going from one motion to another; all 0 if
 /// something is not finite.
 SegmentByDegree in_few_bits(const Eigen::Matrix3d& walls, const Eigen::Matrix3d& direction,
                             const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -101,10 +102,10 @@ SegmentByDegree in_few_bits(const Eigen::Matrix3d& walls, const Eigen::Matrix3d&
   return shape;
 }
 
-/// How large K is to be.
+/// A size of K to try.
 struct CellSize {
-  double force;  ///< left over on the walls, over all normal forces
-  double slip;   ///< over which friction is smooth, beside what that force moves
+  double force;  ///< the force left over on the walls, over all normal forces
+  double slip;   ///< the slip over which friction is smooth, beside what that force moves
 };
 constexpr std::array<CellSize, 10> kSizes{{{0.3, 1},
                                            {0.3, 0.1},
@@ -122,7 +123,7 @@ constexpr std::array<CellSize, 10> kSizes{{{0.3, 1},
 SegmentSearch::SegmentSearch(const Problem& problem)
     : problem_(problem), crowd_(problem), model_(crowd_.model()), balance_(model_) {}
 
-/// What acts on the member with h and l, more or less.
+/// Returns about the size of the load and preloads of the member with h and l.
 double SegmentSearch::force_of(double h, double l) const {
   const auto size = [&](const Double3& w) {
     return std::hypot(w[0], w[1]) + std::fabs(w[2]) / model_.length;
@@ -134,15 +135,15 @@ double SegmentSearch::force_of(double h, double l) const {
   return force;
 }
 
-/// Where the load moves springs that neither open nor slip.
+/// Returns the motion under the load if springs neither open nor slip.
 SegmentSearch::Motion SegmentSearch::sprung(double h, double l) const {
   const Motion load = h * Motion(model_.load.data()) + l * Motion(model_.growth.data());
   const Motion d = solution(spring_stiffness(model_), load);
   return d.allFinite() ? d : Motion::Zero();
 }
 
-/// An equilibrium of the member with h and l, in doubles: with friction less and less smooth,
-/// as far as that goes.
+/// Returns an equilibrium of the member with h and l, in doubles, with friction less and less
+/// smooth, as far as that goes.
 std::optional<SegmentSearch::Motion> SegmentSearch::settle(double h, double l,
                                                            const Motion* near) {
   const double force = force_of(h, l);
@@ -161,7 +162,7 @@ std::optional<SegmentSearch::Motion> SegmentSearch::settle(double h, double l,
     }
     return best.has_value();
   };
-  // At rest contacts without preload do not resist.
+  // Contacts without preload do not resist at rest, so springs are tried as well.
   if (near == nullptr || !relax(*near, kNear)) {
     if (!relax(Motion::Zero(), kFar)) relax(sprung(h, l), kFar);
   }
@@ -177,7 +178,7 @@ std::optional<SegmentByDegree> SegmentSearch::prove_segment(const MarginInterval
   const Motion middle = (from + to) / 2;
   const std::optional<Motion> there = settle(h, l, &middle);
   if (!there) return std::nullopt;
-  // Half of the multiples are easier, until they are few.
+  // Half of the multiples are easier, until few are left; so a long range gets few tries.
   return prove_around(*there, range, from, to, is_short ? kSizes.size() : 4);
 }
 
@@ -196,7 +197,7 @@ std::optional<SegmentByDegree> SegmentSearch::prove_around(const Motion& there,
   constexpr double kWithin = 0.7;
   const Motion middle = (from + to) / 2;
   for (std::size_t attempt = 0; attempt < tries; ++attempt) {
-    // What served last comes first.
+    // The size that served last comes first.
     const CellSize& size = kSizes[attempt == 0            ? last_size_
                                   : attempt <= last_size_ ? attempt - 1
                                                           : attempt];

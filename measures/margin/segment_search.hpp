@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The search for segments by degree (certificate/FORMAT.md, section 5), of the members of a
-/// family: a parallelepiped of motions K that holds an equilibrium, and moves with the
-/// multiple. What it takes is digits of the contacts' own numbers, however long the equilibria
-/// themselves would be.
+/// The search for segments by degree (certificate/FORMAT.md, section 5): a parallelepiped of
+/// motions K that moves with the multiple of a family and holds an equilibrium of each member.
+/// The numbers of such a proof have about as many digits as those of the contacts, however long
+/// the equilibria would be.
 ///
 /// **Method.** Equilibria are followed in doubles (smooth_balance.hpp). K goes in a straight
-/// line from one of them to another and is |J e| <= rho by coordinates: J is how forces answer
-/// motions half-way, with friction made smooth over the slips that K has, so that on a wall a
-/// force of about rho is left over, whatever friction does that K leaves open. The trees of the
+/// line from one of them to another and is |J e| <= rho by coordinates. J is how forces answer
+/// motions half-way, with friction made smooth over the slips that K has. So on a wall a force
+/// of about rho is left over, whatever the friction that K leaves open does. The trees of the
 /// walls are sought for one rho after another.
 #pragma once
 
@@ -20,10 +20,10 @@
 
 namespace stickslip::margin_detail {
 
-/// What it took; reproducible.
+/// The work of a search; reproducible.
 struct DegreeWork {
   std::size_t proofs = 0;  ///< parallelepipeds tried
-  ConeWork cone;           ///< of the trees of their walls
+  ConeWork cone;           ///< the work of the trees of their walls
 };
 
 class SegmentSearch {
@@ -33,19 +33,19 @@ class SegmentSearch {
   /// A family for all l >= 0, which has to outlive this.
   explicit SegmentSearch(const Problem& problem);
 
-  /// What all proofs took.
+  /// Returns the work of all proofs.
   DegreeWork work() const { return {proofs_, crowd_.work()}; }
 
-  /// Whether proofs are worth trying.
+  /// Returns true if proofs are worth trying.
   bool is_possible() const { return model_.is_moderate && model_.stiffness > 0; }
-  /// What acts on the member with h and l, more or less.
+  /// Returns about the size of the load and preloads of the member with h and l.
   double force_of(double h, double l) const;
-  /// An equilibrium of the member with h and l, in doubles: with friction less and less smooth,
-  /// as far as that goes; from another one if there is one near.
+  /// Returns an equilibrium of the member with h and l, in doubles. Friction is made less and
+  /// less smooth, as far as that goes. The search begins at `near`, if that is given.
   std::optional<Motion> settle(double h, double l, const Motion* near);
 
-  /// That all multiples of a range are resisted, between equilibria at its ends; of a short one
-  /// with more patience.
+  /// Seeks a proof that all multiples of a range are resisted, between equilibria at its ends.
+  /// A short range gets more tries.
   std::optional<SegmentByDegree> prove_segment(const MarginInterval& range, const Motion& from,
                                                const Motion& to, bool is_short);
 
@@ -61,7 +61,7 @@ class SegmentSearch {
   const DoubleModel& model_;
   std::size_t proofs_ = 0;
   SmoothBalance balance_;
-  std::size_t last_size_ = 0;  ///< of K, that served
+  std::size_t last_size_ = 0;  ///< the index of the size of K that served last
 };
 
 }  // namespace stickslip::margin_detail

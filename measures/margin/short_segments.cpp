@@ -12,7 +12,8 @@ namespace {
 
 using Signs = std::vector<Sign>;
 
-/// Of all between two motions, or in two modes at once.
+/// Returns the signs of slip of all motions between two, or those that two modes ask for
+/// together: a sign other than 0 wins.
 Signs inside(Signs slips, const Signs& others) {
   for (std::size_t i = 0; i < slips.size(); ++i) {
     if (slips[i] == Sign::kZero) slips[i] = others[i];
@@ -20,7 +21,7 @@ Signs inside(Signs slips, const Signs& others) {
   return slips;
 }
 
-/// What slips in both.
+/// Returns the signs that both have; elsewhere 0.
 Signs common(Signs slips, const Signs& others) {
   for (std::size_t i = 0; i < slips.size(); ++i) {
     if (slips[i] != others[i]) slips[i] = Sign::kZero;
@@ -28,7 +29,7 @@ Signs common(Signs slips, const Signs& others) {
   return slips;
 }
 
-/// One end of a segment, with whatever its forces need.
+/// One end of a segment, with the numbers that its forces need.
 class SegmentEnd {
  public:
   SegmentEnd(const Problem& family, PointSigns& signs, const std::optional<Rational>& multiple,
@@ -48,15 +49,15 @@ class SegmentEnd {
 
   const Signs& slips() const { return slips_; }
 
-  /// Whether some friction cannot be on the edges that both ask for.
+  /// Returns true if some friction cannot be on the edges that both ask for.
   bool are_opposite(const Signs& slips, const Signs& others) const {
     return std::any_of(has_friction_.begin(), has_friction_.end(), [&](std::size_t i) {
       return slips[i] != Sign::kZero && slips[i] == -others[i];
     });
   }
 
-  /// Whether friction has no choice where these slips leave it open: it is along vectors that
-  /// are linearly independent.
+  /// Returns true if these slips leave no choice of friction: where they leave it open, it is
+  /// along linearly independent vectors.
   bool is_determined(const Signs& slips) const {
     std::vector<Vector3> open;
     for (const std::size_t i : has_friction_) {
@@ -70,7 +71,7 @@ class SegmentEnd {
     return !dot(normal, open[2]).is_zero();
   }
 
-  /// With few shares; nothing if none is found.
+  /// Returns forces with few shares of friction; nothing if none are found.
   std::optional<ShortWitness> few(const Signs& slips) const {
     Witness witness{{x_[0], x_[1], x_[2]}, {}};
     for (std::size_t i = 0; i < family_.size(); ++i) {
@@ -100,7 +101,7 @@ void shorten(std::vector<MarginSegment>& segments, const Problem& family) {
   const auto end_of = [&](const MarginSegment& s) {
     return SegmentEnd(family, signs, s.high, s.end.twist);
   };
-  // Friction at the ends of a segment is that of its inside.
+  // Friction at the ends of a segment is on the edges that its inside asks for.
   std::vector<Signs> slips;
   for (const MarginSegment& segment : segments) {
     if (segment.proof) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The segments of a margin in few words.
+/// Shorter statements of the segments of a margin.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,9 @@
 
 namespace stickslip::margin_detail {
 
-/// The same motions, with few shares of friction (few_shares.hpp) at both ends of each segment,
-/// and where one ends as the next begins the same, so that it need be checked once only.
+/// Keeps the motions and chooses few shares of friction (few_shares.hpp) at both ends of each
+/// segment. Where one segment ends as the next begins, both get the same shares, so that they
+/// need be checked only once.
 void shorten(std::vector<MarginSegment>& segments, const Problem& family);
 
 }  // namespace stickslip::margin_detail

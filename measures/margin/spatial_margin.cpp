@@ -23,7 +23,8 @@ struct Member {
   std::optional<ShareWitness> witness;  ///< where nothing that has friction slips
 };
 
-/// What friction does at a witness of this contact in the plane, over what there may be.
+/// Returns the friction of this contact at a witness in the plane, over the most that it may
+/// be.
 Rational share_of(const LawContact& c, const ShareWitness& witness, std::size_t contact) {
   const Row& slip = c.corners.front().slip.front();
   const int sign = dot(slip, primitive_multiple(witness.twist)).sign();
@@ -34,7 +35,8 @@ Rational share_of(const LawContact& c, const ShareWitness& witness, std::size_t 
   return 0;
 }
 
-/// In the plane: both slip one way, or not at all, and press against it if one of them does.
+/// Returns true if two equilibria in the plane agree at a contact: neither slips, or they slip
+/// one way at most, and each that presses there has all its friction against that slip.
 bool slip_alike(const LawContact& c, const ShareWitness& a, const ShareWitness& b,
                 std::size_t contact, const int (&presses)[2]) {
   const Row& slip = c.corners.front().slip.front();
@@ -47,7 +49,7 @@ bool slip_alike(const LawContact& c, const ShareWitness& a, const ShareWitness& 
          (presses[1] <= 0 || share_of(c, b, contact) == -sign);
 }
 
-/// Whether all combinations of the two are equilibria.
+/// Returns true if all combinations of the two are equilibria.
 bool are_of_one_mode(const GraspLaw& family, const Member& a, const Member& b) {
   for (std::size_t i = 0; i < family.contacts.size(); ++i) {
     const LawContact& c = family.contacts[i];
@@ -141,17 +143,17 @@ class SpatialMarginSearch {
   static constexpr std::size_t kStarts = 3;
   static constexpr std::size_t kLittle = 400;  // nodes
 
-  /// Of all searches together.
+  /// Returns true if all searches together have spent their nodes.
   bool is_spent() const { return margin_.work.nodes > searches_ * node_limit_; }
-  /// Of a wall's tree.
+  /// Returns the node limit of the tree of one wall.
   std::size_t wall_limit() const { return std::max<std::size_t>(node_limit_ / 24, 1); }
-  /// What is resisted is followed no farther.
+  /// Returns the multiple beyond which no equilibrium is followed.
   Rational most() const { return 1024 * unit_; }
   Rational least_step(const Rational& multiple) const {
     return accuracy_ * std::max(multiple, Rational(unit_ / 16)) / 2;
   }
 
-  /// Where the laws are homogeneous all multiples above 0 have one verdict.
+  /// Settles homogeneous laws: all multiples above 0 have one verdict.
   void settle_at_once() {
     const GraspLaw there = model_.middle(1);
     const auto holds = [&](const NearEquilibrium& near) {
@@ -178,7 +180,7 @@ class SpatialMarginSearch {
       margin_.ended_far = may_be_far_ && search.end() == SearchEnd::kUnbounded;
       return;
     }
-    // With l in place of h, which is in none of the laws.
+    // l takes the place of h, which is in none of the laws.
     for (TreeNode& node : tree) {
       if (auto* split = std::get_if<PlaneCut>(&node)) {
         std::swap(split->plane[model_.motions], split->plane[model_.motions + 1]);
@@ -187,8 +189,9 @@ class SpatialMarginSearch {
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
   }
 
-  /// One leaf proves that at most 0 is resisted where the load grows along a free motion.
-  /// (Often that is rounding alone: see margin_within().)
+  /// Tries to refute all multiples above 0 by one leaf, which it can if the load grows along a
+  /// free motion. (Often the load does so by rounding alone: see margin_within().) Returns
+  /// false if it cannot.
   bool settle_unopposed() {
     const std::optional<Row> twist = unopposed_twist(model_.middle(1));
     const GraspLaw above = model_.within({0, {}, false});
@@ -196,13 +199,14 @@ class SpatialMarginSearch {
     for (const NearEquilibrium& near : equilibria_of(model_.middle(0))) {
       if (claim_one(member(0, near))) break;
     }
-    // No proof by degree is about 0 where it is not about others; and 0 may be resisted.
+    // A proof by degree about 0 needs one about other multiples, so 0 may be resisted without a
+    // claim; the refuted range then begins above it.
     const Rational low = margin_.claims.empty() ? least_step(0) : Rational(0);
     margin_.claims.emplace_back(RefutedMultiples{low, {}, Trees{TwistLeaf{*twist}}});
     return true;
   }
 
-  /// Where to look for what is resisted, if that does not begin at 0.
+  /// Returns the multiples at which to look for what is resisted, if that does not begin at 0.
   std::vector<Rational> seeds() const {
     std::vector<Rational> result{0};
     for (Rational multiple = unit_ / 8; multiple <= 64 * unit_; multiple *= 2) {
@@ -211,7 +215,7 @@ class SpatialMarginSearch {
     return result;
   }
 
-  /// Follows an equilibrium of this multiple both ways, if no claim is about it.
+  /// Follows an equilibrium of this multiple up and down, if no claim is about it.
   void look_at(const Rational& multiple) {
     if (is_spent()) return;
     Rational floor = 0;
@@ -230,7 +234,7 @@ class SpatialMarginSearch {
     }
   }
 
-  /// Claims this one multiple.
+  /// Claims that this one multiple is resisted. Returns false if no proof is found.
   bool claim_one(const Member& at) {
     if (at.witness) {
       claim_resisted(at.multiple, at.multiple, SpatialSegment{*at.witness, {}});
@@ -246,7 +250,7 @@ class SpatialMarginSearch {
     return proof.has_value();
   }
 
-  /// What lies between claims, below and above them.
+  /// Claims what it can between the resisted ranges, below and above them.
   void claim_between() {
     std::vector<std::pair<Rational, Rational>> known;
     for (const MultiplesClaim& claim : margin_.claims) {
@@ -254,7 +258,7 @@ class SpatialMarginSearch {
       known.emplace_back(resisted.low, *resisted.high);
     }
     std::sort(known.begin(), known.end());
-    // What is above all is mostly refuted at once.
+    // The range above all others comes first, as it is mostly refuted at once.
     std::vector<Range> gaps;
     Range gap{0, {}, true, 0, most()};
     for (const auto& [from, to] : known) {
@@ -267,7 +271,7 @@ class SpatialMarginSearch {
     for (auto range = gaps.rbegin(); range != gaps.rend(); ++range) claim_all(*range);
   }
 
-  /// How far it came.
+  /// Returns the multiple that it came to.
   Rational follow_from_zero() {
     for (const NearEquilibrium& near : equilibria_of(model_.middle(0))) {
       const Rational end = follow(member(0, near), most());
@@ -276,7 +280,7 @@ class SpatialMarginSearch {
     return 0;
   }
 
-  /// Follows what was followed up to a multiple farther, if it can be.
+  /// Follows the equilibria at the multiple `end` farther, if it can; returns how far it came.
   Rational follow_on(const Rational& end) {
     for (const NearEquilibrium& near : equilibria_of(model_.middle(end))) {
       const Rational farther = follow(member(end, near), most());
@@ -285,8 +289,8 @@ class SpatialMarginSearch {
     return end;
   }
 
-  /// Whether all that is a little above a multiple is refuted by a search that takes little:
-  /// then nothing is followed there. It says as well whether far motions end a search.
+  /// Returns true if a short search refutes all that is a little above a multiple: then nothing
+  /// is followed there. Records as well whether far motions ended the search.
   bool refuted_at_once(const Rational& end) {
     for (const int steps : {1, 5}) {
       const Rational low = end + steps * least_step(end);
@@ -303,8 +307,8 @@ class SpatialMarginSearch {
     return false;
   }
 
-  /// (low, high), and low as well if has_low; what is resisted there may be followed to the
-  /// floor and the ceiling.
+  /// The range (low, high), and low as well if has_low. Equilibria in it may be followed down
+  /// to the floor and up to the ceiling.
   struct Range {
     Rational low;
     std::optional<Rational> high;
@@ -313,7 +317,7 @@ class SpatialMarginSearch {
     Rational ceiling;
   };
 
-  /// Claims what can be claimed.
+  /// Claims as much of a range as it can.
   void claim_all(const Range& range) {
     if (range.high && *range.high <= range.low) return;
     if (auto tree = settle(range)) {
@@ -322,7 +326,8 @@ class SpatialMarginSearch {
     }
   }
 
-  /// A tree that refutes all of a range; or it claims what can be claimed of parts of it.
+  /// Returns a tree that refutes all of a range; or else claims what it can of its parts, and
+  /// returns nothing.
   std::optional<Trees> settle(const Range& range) {
     const auto& [low, high, has_low, floor, ceiling] = range;
     if (high && *high - low <= 2 * least_step(*high)) return std::nullopt;
@@ -357,7 +362,7 @@ class SpatialMarginSearch {
       return std::nullopt;
     }
     if (may_be_far_ && search.end() == SearchEnd::kUnbounded) {
-      margin_.ended_far = true;  // in all parts of the range as well
+      margin_.ended_far = true;  // so too in all parts of the range
       return std::nullopt;
     }
     const Rational middle = high ? (low + *high) / 2 : std::max(Rational(2 * low), unit_);
@@ -370,7 +375,7 @@ class SpatialMarginSearch {
     return std::nullopt;
   }
 
-  /// The tree of both sides of a multiple, the upper of which has it.
+  /// Returns the tree of both sides of a multiple, which belongs to the upper side.
   Trees joined(const Rational& multiple, const Trees& below, const Trees& above) const {
     Row plane(model_.coordinates());
     plane[model_.motions] = -numerator(multiple);
@@ -381,7 +386,7 @@ class SpatialMarginSearch {
     return both;
   }
 
-  /// Where what is refuted touches, the upper part was refuted with its low end.
+  /// Joins refuted ranges that touch: the upper one was refuted with its low end.
   void join_refuted() {
     std::vector<MultiplesClaim> claims;
     for (auto& claim : margin_.claims) {
@@ -397,8 +402,8 @@ class SpatialMarginSearch {
     margin_.claims = std::move(claims);
   }
 
-  /// Claims what an equilibrium can be followed through towards a multiple; returns how far it
-  /// came.
+  /// Follows an equilibrium towards a multiple, and claims the ranges on the way; returns how
+  /// far it came.
   Rational follow(Member from, const Rational& to) {
     while (from.multiple != to) {
       const Rational before = from.multiple;
@@ -410,13 +415,13 @@ class SpatialMarginSearch {
     return from.multiple;
   }
 
-  /// From one multiple towards another, by at most a step.
+  /// Returns a multiple from one towards another, by at most a step.
   static Rational towards(const Rational& from, const Rational& to, const Rational& step) {
     return from < to ? std::min(Rational(from + step), to)
                      : std::max(Rational(from - step), to);
   }
 
-  /// As far as its mode goes, if that is one in which nothing slips.
+  /// Follows by witnesses as far as their mode goes, if nothing slips in it.
   Member follow_by_witnesses(Member from, const Rational& to) {
     Member last = from;
     Rational step = abs(to - from.multiple);
@@ -442,7 +447,7 @@ class SpatialMarginSearch {
     return last;
   }
 
-  /// As far as friction holds whatever is closed.
+  /// Follows as far as friction holds all contacts that are closed.
   Member follow_at_rest(Member from, const Rational& to) {
     Rational step = abs(to - from.multiple);
     constexpr int kMostProofs = 64;  // where small steps alone are proved, others serve better
@@ -465,7 +470,7 @@ class SpatialMarginSearch {
     return from;
   }
 
-  /// A proof that takes no tree, for all multiples of a range.
+  /// Returns a proof that takes no tree, for all multiples of a range.
   std::optional<decltype(ResistedMultiples::proof)> prove_still(
       const MultipleRange& range, const NearEquilibrium& middle) const {
     const GraspLaw members = model_.within(range);
@@ -474,8 +479,8 @@ class SpatialMarginSearch {
     return std::nullopt;
   }
 
-  /// In steps that are small first, until there is a witness. Only where that leads nowhere are
-  /// proofs tried that take long.
+  /// Follows by degree, in steps that are small first, until there is a witness. Proofs that
+  /// take long are tried only if this leads nowhere.
   Member follow_by_degree(Member from, const Rational& to) {
     const Rational begin = from.multiple;
     const Rational first = 4 * least_step(begin);
@@ -560,15 +565,16 @@ class SpatialMarginSearch {
   }
 
   GraspLaw model_;
-  bool is_rational_ = true;  ///< all lengths that matter, so that there may be witnesses
+  bool is_rational_ = true;  ///< all lengths that matter are rational, so that there may be
+                             ///< witnesses
   Rational accuracy_;
   std::size_t node_limit_;
   const std::function<void(const SpatialMargin&)>& progress_;
   Rational unit_ = 1;  ///< a typical multiple, a power of 2
   bool is_homogeneous_ = true;
-  bool takes_long_ = false;  ///< proofs are tried that take many nodes
+  bool takes_long_ = false;  ///< proofs that take many nodes are tried
   bool may_be_far_ = false;  ///< far motions may take all time, and rounding decides them
-  std::size_t searches_ = kMostSearches;  ///< whose nodes may be spent by now
+  std::size_t searches_ = kMostSearches;  ///< searches whose nodes may be spent by now
   SpatialMargin margin_;
 };
 

@@ -27,7 +27,7 @@ LoadHull hull_of(const LoadCell& cell, const WrenchPlane& plane) {
   return hull;
 }
 
-/// Of the points of a region with all loads of a hull.
+/// Returns the points of a region, each with all loads of a hull.
 std::vector<LoadedGenerator> loaded_generators(const MotionRegion& region,
                                                const LoadHull& hull) {
   std::vector<LoadedGenerator> result;
@@ -59,7 +59,7 @@ CellRefuter::CellRefuter(const Problem& problem, const WrenchPlane& plane,
       law_(planar_law(problem.with_wrench({}))),
       root_(MotionRegion::root(law_)) {}
 
-/// By the exact program.
+/// Decides a region by the exact linear program.
 TreeNode CellRefuter::decide(const MotionRegion& region) {
   ++work_.programs;
   std::vector<std::optional<Sign>> slips;

@@ -12,15 +12,15 @@
 
 namespace stickslip::resistance_detail {
 
-/// One search after another, with a common limit.
+/// Makes one refutation after another, under a common limit.
 class CellRefuter {
  public:
-  /// All must outlive this.
+  /// The arguments must outlive this.
   CellRefuter(const Problem& problem, const WrenchPlane& plane,
               const RegionProofOptions& options, RegionProofWork& work);
 
-  /// Appends a tree about a cell none of whose loads is resisted; nothing and false at the
-  /// limit.
+  /// Appends a tree about a cell none of whose loads is resisted. At the limit appends nothing
+  /// and returns false.
   bool refute(const LoadCell& cell, std::vector<RegionNode>& tree);
 
  private:
@@ -30,7 +30,7 @@ class CellRefuter {
   const WrenchPlane& plane_;
   const RegionProofOptions& options_;
   RegionProofWork& work_;
-  Law law_;  ///< whose loads are those of one cell after another
+  Law law_;  ///< the law; its loads are those of one cell after another
   MotionRegion root_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace stickslip::resistance_detail {
 
-/// All are turned into the half-plane to the left of the first, and sorted by angle.
+/// The segments are turned into the half-plane to the left of the first, and sorted by angle.
 std::vector<PolygonStep> half_way_round(const std::vector<IntegerVector3>& tangents,
                                         const IntegerVector3& axis) {
   std::vector<IntegerVector3> across;  // a quarter turn to the left of each, as seen

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Friction that may lie anywhere between the edges of cones, as a polygon.
+/// The polygon of friction that may lie anywhere between the edges of cones.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,17 @@
 
 namespace stickslip::resistance_detail {
 
-/// A segment [-1, 1] t_k of a sum, and the end of it that a step leads to.
+/// A step along a polygon: a segment [-1, 1] t_k of a sum, and the end of it that the step
+/// leads to.
 struct PolygonStep {
   std::size_t segment;
   int end;  ///< -1 or 1
 };
 
-/// Seen along an axis that none of them is parallel to, segments add up to a polygon. Half of
-/// the way round it, counterclockwise: at the beginning each is at the other end than that of
-/// its step; after all of the steps comes the opposite of each, in the same order. (Steps that
-/// look parallel make up one edge.)
+/// Returns half of the way round the polygon that the segments add up to, seen along an axis
+/// that none of them is parallel to. The way is counterclockwise. At its beginning each segment
+/// is at the end opposite to its step; the other half takes the opposite of each step, in the
+/// same order. (Steps that look parallel make up one edge.)
 std::vector<PolygonStep> half_way_round(const std::vector<IntegerVector3>& tangents,
                                         const IntegerVector3& axis);
 

@@ -39,8 +39,8 @@ std::optional<LoadCell> LoadCell::part(const LoadFunction& f, bool strictly) con
   return part;
 }
 
-/// What they have in common is convex: if no strict function is 0 on all of it, none is at the
-/// mean of points where one of them is not.
+/// The common part of both closures is convex. So if no strict function is 0 on all of it, none
+/// is 0 at the mean of points, one for each function, at which it is not 0.
 bool LoadCell::meets(const ConvexLoads& other) const {
   std::vector<const LoadFunction*> cuts;
   for (const LoadFunction& f : closure_.sides) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Cells of a plane of loads as a tree cuts them: convex, and open at some of their borders.
+/// Convex cells of a plane of loads as a tree cuts them, open at some of their borders.
 #pragma once
 
 #include <optional>
@@ -23,32 +23,35 @@ struct LoadSigns {
   bool are_mixed() const { return negative && positive; }
 };
 
-/// A convex polyhedron in the plane, with what is needed of it again and again.
+/// A convex polyhedron in the plane, with its generators and sides, which are needed again and
+/// again.
 struct ConvexLoads {
   explicit ConvexLoads(PlaneCell cell);
 
   PlaneCell cell;
   std::vector<HomogeneousPoint> generators;
-  std::vector<LoadFunction> sides;  ///< it is where all of these are >= 0
+  std::vector<LoadFunction> sides;  ///< the polyhedron is where all of these are >= 0
 
   LoadSigns signs(const LoadFunction& f) const;
-  /// As closed sets.
+  /// Returns true if this is within the other; both are closed.
   bool is_within(const ConvexLoads& other) const;
 };
 
-/// The points of a closed convex set where some functions, nonnegative on it, are not 0.
+/// A closed convex set without the points at which any of some functions, nonnegative on it, is
+/// 0.
 class LoadCell {
  public:
   /// The whole plane.
   LoadCell();
 
   const ConvexLoads& closure() const { return closure_; }
-  /// Of those that make it smaller than its closure, the ones that are 0 somewhere on that.
+  /// The strict functions that are 0 somewhere on the closure: they make the cell smaller than
+  /// that.
   const std::vector<LoadFunction>& strict() const { return strict_; }
 
-  /// The part with f >= 0, or strictly f > 0; nothing if that has no point.
+  /// Returns the part with f >= 0, or strictly f > 0; nothing if that part has no point.
   std::optional<LoadCell> part(const LoadFunction& f, bool strictly) const;
-  /// Whether it has a point of the other set, which is closed.
+  /// Returns true if the cell has a point of the other set, which is closed.
   bool meets(const ConvexLoads& other) const;
 
  private:

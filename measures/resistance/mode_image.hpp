@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What rays of motions resist, in coordinates of a plane of wrenches: estimated, and exactly
-/// where that does not tell.
+/// The loads that rays of motions resist, in coordinates of a plane of wrenches: estimated, and
+/// exact if an estimate does not tell.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ namespace stickslip::resistance_detail {
 
 using IntegerVector4 = IntegerVector<4>;
 
-/// Of two images on either side of the plane, the first of them above it: between them in it.
+/// Returns the point in the plane between two images on either side of it; `above` has n > 0.
 HomogeneousPoint crossing(const IntegerVector4& above, const IntegerVector4& below);
 /// Adds generators of the section by the plane of the cone of these images.
 void add_section(const std::vector<IntegerVector4>& images,
                  std::vector<HomogeneousPoint>& points);
 
-/// The signs with which the contacts of MotionRay::sticking have their friction.
+/// The signs of the friction of the contacts of MotionRay::sticking.
 using FrictionSigns = std::vector<std::int8_t>;
 
 /// A generator of what a mode resists: a ray with friction on edges of the cones.
@@ -39,26 +39,26 @@ class ModeImages {
 
   GeneratorIndex index_of(RayIndex ray, const FrictionSigns& signs);
   RayIndex ray(GeneratorIndex g) const { return generators_[g].ray; }
-  /// Up to a positive factor.
+  /// An estimate up to a positive factor.
   const std::array<NearNumber, 4>& estimate(GeneratorIndex g) const {
     return generators_[g].estimate;
   }
-  /// Up to a positive factor; primitive.
+  /// The exact image up to a positive factor, primitive.
   const IntegerVector4& exact(GeneratorIndex g);
-  /// Of n.
+  /// The sign of n.
   int side(GeneratorIndex g);
 
-  /// What a contact that slips + (k = 0) or - (1) adds to (s, t, n) for each unit of
-  /// MotionRay::values.
+  /// Returns the addition to (s, t, n) of a contact that slips + (k = 0) or - (1), for each
+  /// unit of MotionRay::values.
   const std::array<NearNumber, 3>& slipping(std::size_t contact, int k) const {
     return slipping_[2 * contact + static_cast<std::size_t>(k)];
   }
-  /// What h adds.
+  /// Returns the addition of h.
   const std::array<NearNumber, 3>& at_rest() const { return at_rest_; }
-  /// (s, t, n, h) of no wrench, primitive.
+  /// Returns (s, t, n, h) of no wrench, primitive.
   const IntegerVector4& no_wrench() const { return no_wrench_; }
-  /// The same as slipping(), for each unit of the separation plane, times a common factor; and
-  /// what h adds.
+  /// Returns the same as slipping(), for each unit of the separation plane, times a common
+  /// factor. exact_at_rest() is the addition of h, times the same factor.
   const IntegerVector4& exact_slipping(std::size_t contact, int k) const {
     return exact_slipping_[2 * contact + static_cast<std::size_t>(k)];
   }

@@ -10,7 +10,7 @@
 namespace stickslip::resistance_detail {
 namespace {
 
-/// The vertices of the friction of classes that stick, in order round the polygon that it is:
+/// Returns the vertices of the polygon of friction of classes that stick, in order round it:
 /// each with the signs of the classes.
 std::vector<FrictionSigns> friction_polygon(const MotionRays& rays,
                                             const std::vector<std::size_t>& sticking) {
@@ -32,7 +32,7 @@ std::vector<FrictionSigns> friction_polygon(const MotionRays& rays,
   return vertices;
 }
 
-/// The vertices in order, if the edges are one cycle through all; else nothing.
+/// Returns the vertices in order, if the edges are one cycle through all; else nothing.
 std::vector<std::size_t> cycle_of(const std::set<std::pair<std::size_t, std::size_t>>& edges,
                                   std::size_t vertices) {
   if (vertices < 3 || edges.size() != vertices) return {};
@@ -134,7 +134,8 @@ void ModeSections::add_still(const PlaneCell& cell) {
   add_piece(modes, cell);
 }
 
-/// False if the section may not be a polygon with the vertices and edges that signs tell.
+/// Adds the section as a polygon. Returns false if it may not be one with the vertices and
+/// edges that signs tell.
 bool ModeSections::add_polygon(const std::vector<GeneratorIndex>& generators,
                                const std::vector<TightPlanes>& on,
                                const std::vector<int>& sides, std::size_t facets) {
@@ -154,7 +155,7 @@ bool ModeSections::add_polygon(const std::vector<GeneratorIndex>& generators,
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       if (on_facets[v].contains(f)) ends.push_back(v);
     }
-    // All of them: not a facet but a plane that all lies in.
+    // A plane that all vertices lie in is no facet.
     if (ends.size() == 2 && vertices.size() > 2) edges.emplace(ends[0], ends[1]);
     if (ends.size() > 2 && ends.size() < vertices.size()) return false;
   }
@@ -183,8 +184,8 @@ bool ModeSections::is_at_infinity(const SectionVertex& v) const {
   return rays_[images_.ray(v.first)].h == 0 && rays_[images_.ray(v.second)].h == 0;
 }
 
-/// Whether the vertices turn left or right, as three of them do that are not on one line; 0
-/// if all are.
+/// Returns the turn of the vertices, left or right, by three that are not on one line; 0 if all
+/// are on one.
 int ModeSections::turn_of(const std::vector<SectionVertex>& polygon) {
   const std::size_t n = polygon.size();
   std::vector<std::array<NearNumber, 3>> near;
@@ -226,7 +227,7 @@ const HomogeneousPoint& ModeSections::exact(const SectionVertex& vertex) {
   return found->second;
 }
 
-/// The section, by exact points; nothing if it is empty.
+/// Returns the section, by exact points; nothing if it is empty.
 std::optional<PlaneCell> ModeSections::hull(const std::vector<GeneratorIndex>& generators) {
   std::set<IntegerVector4> images;
   for (const GeneratorIndex g : generators) images.insert(images_.exact(g));

@@ -12,7 +12,7 @@
 namespace stickslip::resistance_detail {
 namespace {
 
-/// The signs that occur, of rays of motions those of 0 apart.
+/// The signs of a plane on a region, and whether it is 0 at some motion there.
 struct RaySigns {
   bool positive = false;
   bool negative = false;
@@ -31,7 +31,7 @@ class ModeWalk {
         work_(work),
         sections_(sections) {}
 
-  /// False if the limit on modes was exceeded.
+  /// Returns false if the limit on modes was exceeded.
   bool find() {
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
       WalkedRegion root;
@@ -71,14 +71,14 @@ class ModeWalk {
     return result;
   }
 
-  /// Some motion but 0.
+  /// Returns true if some motion but 0 is in the region.
   bool has_motion(const WalkedRegion& region) const {
     const bool only_rest = region.rays.size() == 1 && region.rays.front() == rays_.rest();
     return !only_rest && std::any_of(region.rays.begin(), region.rays.end(),
                                      [&](RayIndex ray) { return rays_[ray].h > 0; });
   }
 
-  /// The part where a plane that does not cut the region is 0.
+  /// Returns the part of the region in a plane that does not cut it.
   WalkedRegion face(const WalkedRegion& region, PlaneIndex plane) const {
     WalkedRegion result = region;
     result.rays.erase(std::remove_if(result.rays.begin(), result.rays.end(),
@@ -94,8 +94,8 @@ class ModeWalk {
     });
   }
 
-  /// Closed is >= 0 throughout and > 0 somewhere. False if the region has no motion, or as the
-  /// bilateral law allows none of it.
+  /// Sets the separations that are known; closed is >= 0 throughout and > 0 somewhere. Returns
+  /// false if the region has no motion, or if the bilateral law allows none of its motions.
   bool settle_separations(WalkedRegion& region) const {
     for (std::size_t i = 0; i < contacts_; ++i) {
       if (region.separations[i] == Known::kNegative) continue;
@@ -110,7 +110,8 @@ class ModeWalk {
     return has_motion(region);
   }
 
-  /// Whether n < 0, or n > 0, for all loads of all its motions but those without force.
+  /// Returns true if n < 0, or n > 0, for all loads of all motions of the region but those
+  /// without force.
   bool is_beside_plane(const WalkedRegion& region) {
     for (const int side : {-1, 1}) {
       bool beside = true;
@@ -138,7 +139,7 @@ class ModeWalk {
     return false;
   }
 
-  /// The largest side * n at a ray.
+  /// Returns a bound of side * n at a ray.
   NearNumber largest_across(const WalkedRegion& region, RayIndex ray, int side) const {
     const MotionRay& motion = rays_[ray];
     const auto turned = [&](const NearNumber& e) { return side > 0 ? e : -e; };
@@ -167,8 +168,8 @@ class ModeWalk {
     return sum;
   }
 
-  /// What splits and rays say of the slips: a class that touches the region at motions is known
-  /// only if a split says so.
+  /// Finds the slips that splits and rays tell. A class that is 0 at motions of the region is
+  /// known only if a split says so.
   void find_slips(const WalkedRegion& region) {
     slips_now_ = region.slips;
     for (std::size_t c = 0; c < slips_now_.size(); ++c) {
@@ -179,7 +180,7 @@ class ModeWalk {
     }
   }
 
-  /// The plane that cuts the region and leaves n most open; nothing at a mode.
+  /// Returns the plane that cuts the region and leaves n most open; nothing at a mode.
   std::optional<PlaneIndex> plane_to_split(const WalkedRegion& region) const {
     std::optional<PlaneIndex> best;
     double most = -1;
@@ -218,7 +219,7 @@ class ModeWalk {
     return best;
   }
 
-  /// False if the limit on modes was exceeded.
+  /// Returns false if the limit on modes was exceeded.
   bool visit(WalkedRegion region) {
     throw_if_cancelled();
     ++work_.nodes;
@@ -270,7 +271,7 @@ class ModeWalk {
     return visit(std::move(between));
   }
 
-  /// Facets have a ray on them.
+  /// Drops the planes that no ray of the region is on: they are no facets.
   void drop_far_planes(WalkedRegion& region) const {
     std::vector<PlaneIndex>& planes = region.facets;
     planes.erase(std::remove_if(planes.begin(), planes.end(),
@@ -282,7 +283,8 @@ class ModeWalk {
                  planes.end());
   }
 
-  /// A region that no plane cuts any more. False if the limit on modes was exceeded.
+  /// Visits a region that no plane cuts any more. Returns false if the limit on modes was
+  /// exceeded.
   bool visit_mode(WalkedRegion region) {
     ++work_.modes;
     if (options_.mode_limit != 0 && work_.modes > options_.mode_limit) return false;
@@ -317,7 +319,7 @@ class ModeWalk {
   const ResistibleOptions& options_;
   ResistibleWork& work_;
   ModeSections& sections_;
-  std::vector<Known> slips_now_;  ///< of the region looked at
+  std::vector<Known> slips_now_;  ///< the slips of the region at hand
   std::set<WalkedRegion> faces_seen_;
 };
 

@@ -18,7 +18,7 @@ Integer largest_entry_of(const HomogeneousMotion& x) {
   return largest;
 }
 
-/// Over the largest entry.
+/// Returns x over its largest entry, in doubles.
 std::array<double, 4> scaled_to_one(const HomogeneousMotion& x) {
   std::array<double, 4> result = in_doubles(x);
   double largest = 0;
@@ -29,8 +29,9 @@ std::array<double, 4> scaled_to_one(const HomogeneousMotion& x) {
   return result;
 }
 
-/// Not aligned with anything that people choose: planes through these would coincide with
-/// those of contacts, which is no error but takes longer.
+/// Returns four directions that are not aligned with anything that people choose. Planes
+/// through the directions could else coincide with those of contacts, which is no error but
+/// takes longer.
 const std::array<IntegerVector3, 4>& corners() {
   static const std::array<IntegerVector3, 4> all{
       IntegerVector3{83, 19, 7}, IntegerVector3{-31, 71, 13}, IntegerVector3{-23, -43, 67},

@@ -13,7 +13,7 @@
 
 namespace stickslip::resistance_detail {
 
-/// (d, h), h >= 0, or a plane of them; primitive.
+/// A ray (d, h), h >= 0, or a plane of rays; primitive.
 using HomogeneousMotion = IntegerVector<4>;
 
 /// \{ Indices of rays, and of planes.
@@ -21,24 +21,25 @@ using RayIndex = std::uint32_t;
 using PlaneIndex = std::uint32_t;
 /// \}
 
-/// What is known of a ray. Doubles are over the largest coefficient of the plane and the
-/// largest entry of the ray.
+/// A ray, with the values of all planes on it. Doubles are over the largest coefficient of the
+/// plane and the largest entry of the ray.
 struct MotionRay {
   HomogeneousMotion x;
-  double h = 0;                ///< 0 iff h = 0, else as `values`
-  std::vector<double> values;  ///< of each plane: the sign exact, the error below kValueError
+  double h = 0;                ///< 0 iff h = 0, else with the error of `values`
+  std::vector<double> values;  ///< by plane: the sign is exact, the error below kValueError
   bool is_free = false;        ///< no contact has a force there
   /// The slip classes that stick there with friction, increasing.
   std::vector<std::uint32_t> sticking;
 };
 
-/// Of MotionRay::values. Both factors of four products are at most 1 and off by at most 2^-51.
+/// The error bound of MotionRay::values. Both factors of four products are at most 1 and off by
+/// at most 2^-51.
 inline constexpr double kValueError = 1e-14;
 
 /// Contacts whose slip planes coincide: they stick together.
 struct SlipClass {
   IntegerVector3 tangent;             ///< primitive; slips are positive along it
-  std::vector<std::size_t> contacts;  ///< with friction
+  std::vector<std::size_t> contacts;  ///< the contacts with friction
 };
 
 /// The planes that tell modes apart, and the rays met so far, each once.
@@ -47,8 +48,8 @@ class MotionRays {
   explicit MotionRays(const Problem& problem);
 
   const std::vector<SlipClass>& classes() const { return classes_; }
-  /// Of a contact with friction: its class, and whether it slips + when its class does (1) or
-  /// - (-1). Without friction: no class.
+  /// A contact with friction has a class, and a sense: 1 if it slips + when its class does, -1
+  /// if it slips -. A contact without friction has no class.
   static constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
   std::size_t class_of(std::size_t contact) const { return class_of_[contact]; }
   int sense(std::size_t contact) const { return sense_[contact]; }
@@ -62,18 +63,19 @@ class MotionRays {
   PlaneIndex infinity() const { return slip(classes_.size()); }
   PlaneIndex wall(std::size_t a, std::size_t b) const { return wall_[a][b]; }
   /// \}
-  /// A positive multiple of what it is called after.
+  /// Returns a positive multiple of the plane's function.
   const HomogeneousMotion& plane(PlaneIndex p) const { return planes_[p]; }
 
-  /// h = 0; any three span a cone with no other of them inside, and all four the space.
+  /// Rays with h = 0; any three span a cone with no other of them inside, and all four the
+  /// space.
   RayIndex corner(std::size_t k) const { return corner_[k]; }
-  /// d = 0.
+  /// The ray d = 0.
   RayIndex rest() const { return rest_; }
 
   RayIndex index_of(HomogeneousMotion x);
   const MotionRay& operator[](RayIndex index) const { return rays_[index]; }
   std::size_t size() const { return rays_.size(); }
-  /// The ray between two on either side of the plane.
+  /// Returns the ray in the plane between two rays on either side of it.
   RayIndex between(RayIndex a, RayIndex b, PlaneIndex p);
 
  private:
@@ -87,8 +89,8 @@ class MotionRays {
   std::vector<std::size_t> class_of_;
   std::vector<int> sense_;
   std::vector<HomogeneousMotion> planes_;
-  std::vector<std::array<double, 4>> rows_;  ///< of planes
-  std::vector<Integer> largest_;             ///< of planes
+  std::vector<std::array<double, 4>> rows_;  ///< the planes over their largest coefficients
+  std::vector<Integer> largest_;             ///< the largest coefficients of the planes
   std::array<std::array<PlaneIndex, 4>, 4> wall_{};
   std::array<RayIndex, 4> corner_{};
   RayIndex rest_ = 0;

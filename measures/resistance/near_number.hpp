@@ -11,15 +11,15 @@
 
 namespace stickslip::resistance_detail {
 
-/// Stands for a real number x with |x - value| <= error. Without an error it is known to be
-/// 0, whatever is added up or multiplied: exactly 0 stays exactly 0. Beyond the range of
-/// doubles the error is infinite or not a number, and no sign is known.
+/// An estimate of a real number x with |x - value| <= error. An error of 0 with the value 0
+/// means that x is exactly 0; sums and products keep that. Beyond the range of doubles the
+/// error is infinite or not a number, and no sign is known.
 struct NearNumber {
   double value = 0;
   double error = 0;
 
   bool is_zero() const { return value == 0 && error == 0; }  ///< exactly
-  /// Of x, if it is certain.
+  /// Returns the sign of x, if it is certain.
   std::optional<int> sign() const {
     if (value > error) return 1;
     if (value < -error) return -1;
@@ -28,7 +28,7 @@ struct NearNumber {
   }
 };
 
-/// \{ More than the rounding of one operation: relative, and of what is nearly 0.
+/// \{ Bounds above the rounding of one operation: relative, and absolute for results near 0.
 inline constexpr double kRounding = 0x1p-51;
 inline constexpr double kLeast = 0x1p-1070;
 /// \}

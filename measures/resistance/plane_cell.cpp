@@ -13,8 +13,9 @@ PlaneDirection left_normal(const PlaneDirection& d) {
   return {-d[1], d[0]};
 }
 
-/// Extreme points of a set of homogeneous points, counterclockwise: the monotone chain (Andrew
-/// 1979) in the affine plane l = 1 for a linear l that is positive on all of them.
+/// Returns the extreme points of a set of homogeneous points, counterclockwise, by the monotone
+/// chain (Andrew 1979) in the affine plane l = 1 for a linear l that is positive on all of
+/// them.
 std::vector<HomogeneousPoint> convex_hull(const std::vector<HomogeneousPoint>& points,
                                           const HomogeneousPoint& l) {
   std::vector<std::pair<PlanePoint, const HomogeneousPoint*>> sorted;
@@ -95,7 +96,7 @@ PlaneCell PlaneCell::hull(std::vector<HomogeneousPoint> generators) {
     cell.set_without_line(std::move(points), {});
     return cell;
   }
-  // How far the directions go to either side of the first, up to half a turn.
+  // left and right: how far the directions go to either side of the first, up to half a turn.
   const PlaneDirection& first = directions.front();
   PlaneDirection left = first;
   PlaneDirection right = first;
@@ -125,7 +126,7 @@ PlaneCell PlaneCell::hull(std::vector<HomogeneousPoint> generators) {
   return cell;
 }
 
-/// The cell lies between two borders along the line, or to the left of one.
+/// Sets a cell between two borders along the line, or to the left of one.
 void PlaneCell::set_with_line(const std::vector<HomogeneousPoint>& points, PlaneDirection line,
                               bool half_plane) {
   const PlaneDirection normal = left_normal(line);
@@ -139,7 +140,7 @@ void PlaneCell::set_with_line(const std::vector<HomogeneousPoint>& points, Plane
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  // The foot of the perpendicular from the origin.
+  // The vertex of a border is the foot of the perpendicular from the origin.
   const auto add_border = [&](const Rational& at, const PlaneDirection& along, bool as_edge) {
     const Rational scale = at / Rational(dot(normal, normal));
     vertices_.push_back({scale * Rational(normal[0]), scale * Rational(normal[1])});
@@ -160,8 +161,8 @@ void PlaneCell::set_with_line(const std::vector<HomogeneousPoint>& points, Plane
 
 void PlaneCell::set_without_line(std::vector<HomogeneousPoint> points,
                                  std::vector<PlaneDirection> rays) {
-  // A linear function that is positive on all generators: on the rays through x and y, then on
-  // the points through h.
+  // l is a linear function that is positive on all generators: first on the rays, through x and
+  // y, then on the points, through h.
   HomogeneousPoint l{0, 0, 1};
   if (rays.size() == 1) {
     l[0] = rays[0][0];
@@ -175,7 +176,7 @@ void PlaneCell::set_without_line(std::vector<HomogeneousPoint> points,
   }
   for (const PlaneDirection& ray : rays) points.push_back(homogeneous(ray));
   std::vector<HomogeneousPoint> hull = convex_hull(points, l);
-  // Begin where the border comes from infinity: at the left one of two rays.
+  // The outline begins where the border comes from infinity: at the left one of two rays.
   const auto begin =
       rays.empty() ? std::min_element(
                          hull.begin(), hull.end(),

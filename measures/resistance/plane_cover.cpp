@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is unbounded is cut off by a square frame that has all vertices, and all crossings of
-// rays, strictly inside: beyond it there is nothing but rays that no longer meet, so that what
-// is inside says all. In what comes back, ends on the frame are ends at infinity.
+// A square frame cuts off unbounded cells. It has all vertices, and all crossings of rays,
+// strictly inside; beyond it there are only rays that no longer meet, so the part inside tells
+// all. In the result, ends on the frame are ends at infinity.
 #include "plane_cover.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ PlaneDirection direction(const PlanePoint& from, const PlanePoint& to) {
   return primitive_multiple<2>({to[0] - from[0], to[1] - from[1]});
 }
 
-/// The point of the line nearest to the origin.
+/// Returns the point of the line nearest to the origin.
 PlanePoint foot(const PlanePoint& point, const PlaneDirection& along) {
   return PlaneCell::hull({homogeneous(point), homogeneous(along), homogeneous(negated(along))})
       .vertices()
@@ -51,7 +51,7 @@ Outline outline_of(const OverlayChain& chain) {
     if (vertices.empty()) vertices.push_back(foot(points.front(), *outline.to));
     return outline;
   }
-  // A vertex may be there twice, so compare what follows it, too.
+  // A vertex may be there twice, so the vertices that follow it are compared, too.
   std::vector<PlanePoint> least = vertices;
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     std::rotate(vertices.begin(), vertices.begin() + 1, vertices.end());
@@ -61,14 +61,15 @@ Outline outline_of(const OverlayChain& chain) {
   return outline;
 }
 
-/// By the least vertex, which is convex iff the outline runs counterclockwise.
+/// Returns true if the outline runs clockwise. At its least vertex the outline is convex iff it
+/// runs counterclockwise.
 bool is_hole(const Outline& outline) {
   if (!outline.is_closed()) return false;
   const std::vector<PlanePoint>& v = outline.vertices;
   return determinant(homogeneous(v.back()), homogeneous(v[0]), homogeneous(v[1])).sign() < 0;
 }
 
-/// 0: the outside, 1: open, 2: a hole.
+/// Returns 0 for the outside, 1 for an open outline and 2 for a hole, as the order of outlines.
 auto order_of(const Outline& outline) {
   return std::make_tuple(!outline.is_closed() ? 1
                          : is_hole(outline)   ? 2
@@ -80,9 +81,10 @@ bool comes_before(const Outline& a, const Outline& b) {
   return order_of(a) < order_of(b);
 }
 
-/// As long as possible, and with ends on the frame at infinity.
+/// Returns the thin edges as cells that are as long as possible; ends on the frame become
+/// directions to infinity.
 std::vector<PlaneCell> merge_thin_edges(const Overlay& overlay, const Integer& frame) {
-  // Edges of one line in order; lines by direction and foot.
+  // Edges are sorted along their line; lines by direction and foot.
   using Edge = std::pair<PlanePoint, PlanePoint>;
   std::map<std::pair<PlaneDirection, PlanePoint>, std::vector<Edge>> lines;
   for (Edge edge : overlay.thin_edges) {
@@ -112,7 +114,7 @@ std::vector<PlaneCell> merge_thin_edges(const Overlay& overlay, const Integer& f
   return curves;
 }
 
-/// Where a ray leaves the frame.
+/// Returns the point where a ray leaves the frame.
 PlanePoint exit_of(const HomogeneousPoint& start, const HomogeneousPoint& towards,
                    const Integer& frame) {
   const PlanePoint p = point_of(start);
@@ -128,7 +130,7 @@ PlanePoint exit_of(const HomogeneousPoint& start, const HomogeneousPoint& toward
   return end;
 }
 
-/// The edges of a cover within a frame, with points that are listed once.
+/// The edges of a cover within a frame; each point is listed once.
 class FramedEdges {
  public:
   explicit FramedEdges(const Integer& frame) : frame_(frame) {}
@@ -143,10 +145,11 @@ class FramedEdges {
     edges.push_back({from, end(edge.to, edge.from), cells});
   }
 
-  /// A change of the number of cells on the way round the frame, where an edge that has been
-  /// added ends.
+  /// A change of the number of cells on the way round the frame, at the end of an edge that has
+  /// been added.
   struct Change {
-    std::pair<int, Rational> place;  ///< the side, from the right one, and how far along it
+    std::pair<int, Rational> place;  ///< the side, counted from the right one, and how far
+                                     ///< along it
     std::size_t point;
     int more;
   };
@@ -158,8 +161,8 @@ class FramedEdges {
     return points.size() - 1;
   }
 
-  /// From `start`, where cells are so many, counterclockwise: the parts of the frame that are
-  /// inside of cells, as their borders.
+  /// Adds the parts of the frame that are inside of cells, as their borders, counterclockwise
+  /// from `start`, which is in so many cells.
   void add_frame(std::size_t start, int cells, std::vector<Change> changes) {
     const Rational f(frame_);
     for (const PlanePoint& corner :
@@ -208,7 +211,7 @@ class FramedEdges {
   std::map<HomogeneousPoint, std::size_t> index_;
 };
 
-/// Over their largest.
+/// Returns the line over its largest entry, as estimates.
 std::array<NearNumber, 3> estimates_of(const HomogeneousPoint& line) {
   const std::array<double, 3> values = in_doubles(line);
   double largest = 0;
@@ -221,7 +224,8 @@ std::array<NearNumber, 3> estimates_of(const HomogeneousPoint& line) {
   return result;
 }
 
-/// At least the coordinates of the point where two lines cross, rounded up; 0 if they do not.
+/// Returns at least the size of the coordinates of the point where two lines cross, rounded up;
+/// 0 if they do not cross.
 Integer crossing_within(const HomogeneousPoint& a, const std::array<NearNumber, 3>& near_a,
                         const HomogeneousPoint& b, const std::array<NearNumber, 3>& near_b) {
   const auto minor = [](const auto& p, const auto& q, std::size_t j, std::size_t k) {
@@ -269,7 +273,7 @@ void PlaneCover::add(const PlaneCell& cell) {
     return;
   }
   for (const PlaneEdge& edge : cell.edges()) add_border(edge, 1);
-  // A strip has two rays, against one another, and nothing in between.
+  // The two rays of a strip are opposite, and there is nothing in between.
   const std::vector<PlaneDirection>& rays = cell.rays();
   if (rays.size() == 2 && turn(rays[0], rays[1]) > 0) add_arc(rays[0], rays[1]);
   if (rays.size() == 3) {  // a line both ways, and the normal of a half-plane
@@ -316,7 +320,7 @@ bool PlaneCover::is_bounded() const {
                      [](const PlaneCell& cell) { return cell.is_bounded(); });
 }
 
-/// One to the right that nothing goes along.
+/// Returns a direction to the right that no ray goes along.
 PlaneDirection PlaneCover::clear_direction() const {
   std::set<PlaneDirection> taken;
   for (const auto& [ends, unused] : edges_) {
@@ -339,8 +343,8 @@ int PlaneCover::cells_towards(const PlaneDirection& direction) const {
   }));
 }
 
-/// Half the side of the frame, a power of 2. Beyond it rays cross neither one another nor the
-/// clear direction from the origin.
+/// Returns half the side of the frame, a power of 2. Beyond it rays cross neither one another
+/// nor the clear direction from the origin.
 Integer PlaneCover::half_side(const PlaneDirection& clear) const {
   Integer most = 1;
   std::set<HomogeneousPoint> lines;

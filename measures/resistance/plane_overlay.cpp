@@ -2,14 +2,14 @@
 //
 // CGAL builds the arrangement of the cells' edges; this file reads it. All edges are segments:
 // the aggregate insertion of rays is not reliable in CGAL 5.5 (CGAL issue 7311), so unbounded
-// cells come cut off by a frame (plane_cover.cpp). Coordinates are rationals that are known in
-// intervals of doubles first, and exactly where those do not tell (Lazy_exact_nt): each number
-// by itself, as where the doubles of the filtered kernel (Epeck) overflow, it finds no
-// intersection of lines that have one.
+// cells come cut off by a frame (plane_cover.cpp). Coordinates are rationals in intervals of
+// doubles, and exact numbers if the intervals do not decide (Lazy_exact_nt). Each number is
+// filtered by itself: the filtered kernel (Epeck) misses intersections of lines when its
+// doubles overflow.
 //
 // Insides need no point location. Each edge knows by how much the number of cells to its left
-// exceeds that to its right; no cell is in the unbounded face; the numbers of all other faces
-// follow, along every path the same.
+// exceeds that to its right, and no cell is in the unbounded face. The numbers of all other
+// faces follow, the same along every path.
 #include "plane_overlay.hpp"
 
 #include <CGAL/Arr_curve_data_traits_2.h>
@@ -31,8 +31,8 @@ namespace {
 
 constexpr std::size_t kUnset = static_cast<std::size_t>(-1);
 
-/// What an edge carries, directed from its lexicographically smaller end to the other: cells to
-/// its left less cells to its right. Where edges overlap these add.
+/// The number that an edge carries, directed from its lexicographically smaller end to the
+/// other: cells to its left less cells to its right. Numbers of overlapping edges add.
 using Step = int;
 
 struct FaceLabel {
@@ -82,7 +82,7 @@ int step_over(Halfedge edge) {
   return edge->direction() == CGAL::ARR_LEFT_TO_RIGHT ? step : -step;
 }
 
-/// Calls visit(halfedge) for all that have the face to their left.
+/// Calls visit(halfedge) for all halfedges that have the face to their left.
 template <class Visit>
 void for_each_halfedge(Face face, Visit visit) {
   const auto walk = [&](Arrangement::Ccb_halfedge_circulator first) {
@@ -107,7 +107,7 @@ class OverlayReader {
     label_vertices();
     count_cells();
     number_areas();
-    // Those that begin on the frame first: a closed one has no better place to begin.
+    // Borders that begin on the frame come first; a closed border may begin anywhere.
     for (const bool from_frame : {true, false}) {
       for (Halfedge edge : arrangement_.halfedge_handles()) {
         if (edge->data() || !is_border(edge)) continue;
@@ -170,7 +170,7 @@ class OverlayReader {
 
   bool is_side(const Coordinate& value) const { return value == side_ || value == -side_; }
 
-  /// Whether they are on the frame.
+  /// Marks the vertices that are on the frame.
   void label_vertices() {
     for (Arrangement::Vertex_handle vertex : arrangement_.vertex_handles()) {
       const Kernel::Point_2& p = vertex->point();
@@ -178,7 +178,7 @@ class OverlayReader {
     }
   }
 
-  /// On one side of it, then.
+  /// Returns true if the edge lies along one side of the frame.
   bool is_along_frame(Halfedge edge) const {
     if (!edge->source()->data() || !edge->target()->data()) return false;
     const Kernel::Point_2& a = edge->source()->point();
@@ -186,12 +186,12 @@ class OverlayReader {
     return (a.x() == b.x() && is_side(a.x())) || (a.y() == b.y() && is_side(a.y()));
   }
 
-  /// Between an area to its left and the outside.
+  /// Returns true if the edge is between an area to its left and the outside.
   bool is_border(Halfedge edge) const {
     return is_inside(edge->face()) && !is_inside(edge->twin()->face()) && !is_along_frame(edge);
   }
 
-  /// The next edge of the border: edges inside of the area are crossed.
+  /// Returns the next edge of the border; edges inside of the area are crossed.
   Halfedge next_on_border(Halfedge edge) const {
     Halfedge next = edge->next();
     while (is_inside(next->twin()->face())) next = next->twin()->next();

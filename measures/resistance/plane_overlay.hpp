@@ -26,7 +26,7 @@ struct Overlay {
   std::vector<std::pair<PlanePoint, PlanePoint>> thin_edges;
 };
 
-/// A segment between two of a list of points, with so many more cells to its left than to its
+/// A segment between two points of a list, with so many more cells to its left than to its
 /// right. A cell that is a segment counts for nothing.
 struct OverlayEdge {
   std::size_t from = 0;
@@ -34,10 +34,10 @@ struct OverlayEdge {
   int cells = 0;
 };
 
-/// Requires segments that are no points, together the whole borders of bounded cells. If frame
-/// > 0, all lie in the square [-frame, frame]^2, and its sides are no borders: the inside goes
-/// on beyond them. Fast where each point is listed once. Inside
-/// is what is in at least so many cells.
+/// Returns the overlay; inside means in at least `least` cells. Requires segments that are no
+/// points, together the whole borders of bounded cells. If frame > 0, all must lie in the
+/// square [-frame, frame]^2, and its sides are no borders: the inside goes on beyond them. It
+/// is faster if each point is listed once.
 Overlay overlay(const std::vector<PlanePoint>& points, const std::vector<OverlayEdge>& edges,
                 const Integer& frame, int least);
 

@@ -13,8 +13,8 @@ using namespace resistance_detail;
 
 namespace {
 
-/// Where the edge from `upper` to `lower` meets a line from p in direction `along` (see
-/// is_inside): how far from p and, to tell ties, how the distance grows below the line.
+/// Returns where the edge from `upper` to `lower` meets a line from p in direction `along` (see
+/// is_inside): the distance from p and, to break ties, how it grows below the line.
 std::pair<Rational, Rational> distance(const PlaneDirection& along, const HomogeneousPoint& p,
                                        const HomogeneousPoint& upper, const Integer& above,
                                        const HomogeneousPoint& lower, const Integer& below) {
@@ -28,8 +28,9 @@ std::pair<Rational, Rational> distance(const PlaneDirection& along, const Homoge
   return {along_at(meet) - along_at(p), Rational(dot(along, down), sinking)};
 }
 
-/// Shoots from p towards an edge's middle. The first edge met tells on which side p is. The
-/// line is taken a little to the right of p, so that it meets no vertex.
+/// Returns true if p is inside. Shoots from p towards an edge's middle; the first edge met
+/// tells on which side p is. The line is taken a little to the right of p, so that it meets no
+/// vertex.
 bool is_inside(const PlaneArea& area, const HomogeneousPoint& p) {
   std::vector<PlaneEdge> edges;
   for (const Outline& outline : area.outlines) {

@@ -23,13 +23,13 @@ struct ModePiece {
   ConvexLoads loads;
 };
 
-/// Those that lie in no other.
+/// Returns the pieces that lie in no other.
 std::vector<ModePiece> largest_of(const std::vector<ResistiblePiece>& pieces) {
   std::vector<ModePiece> found;
   for (const ResistiblePiece& piece : pieces) {
     found.push_back({piece.modes, ConvexLoads(piece.cell)});
   }
-  // The larger ones first, so that of equal ones the first stays.
+  // The larger pieces come first, so that of equal ones the first stays.
   std::stable_sort(found.begin(), found.end(), [](const ModePiece& a, const ModePiece& b) {
     return a.loads.cell.dimension() > b.loads.cell.dimension();
   });
@@ -47,7 +47,7 @@ std::vector<ModePiece> largest_of(const std::vector<ResistiblePiece>& pieces) {
   return result;
 }
 
-/// An equilibrium of the closed mode under a load that it resists.
+/// Returns an equilibrium of the closed mode under a load that it resists.
 ShortWitness witness_in(const Problem& problem, const std::vector<ContactMode>& mode) {
   const auto outcome = solve_region(problem, Region::of_mode(problem, mode), nullptr);
   const auto* point = std::get_if<RelaxedPoint>(&outcome);
@@ -85,7 +85,7 @@ class Partition {
     }
   }
 
-  /// Why it failed, if it did.
+  /// Builds the proof. Returns why it failed, or nothing.
   std::optional<Undecided> build() {
     std::vector<std::size_t> all_pieces(pieces_.size());
     for (std::size_t k = 0; k < all_pieces.size(); ++k) all_pieces[k] = k;
@@ -97,7 +97,7 @@ class Partition {
   RegionProof proof;
 
  private:
-  /// A piece of the region's border, with the region where f >= 0, at least next to it.
+  /// A part of the region's border. The region is where f >= 0, at least next to it.
   struct Border {
     ConvexLoads loads;
     LoadFunction f;
@@ -107,7 +107,7 @@ class Partition {
                                   const std::vector<std::size_t>& pieces_before,
                                   const std::vector<std::size_t>& borders_before,
                                   std::size_t depth) {
-    // Far below what the format allows, so that the searches have room.
+    // The limit is far below the format's, so that the searches have room.
     constexpr std::size_t kDeepest = 240;
     if (depth > kDeepest) {
       return Undecided{"the outlines of the region cut each other too often for a proof",
@@ -148,7 +148,7 @@ class Partition {
     return std::nullopt;
   }
 
-  /// The line that cuts the fewest other borders.
+  /// Returns the line that cuts the fewest other borders.
   const LoadFunction& split_of_borders(const std::vector<std::size_t>& borders) const {
     const LoadFunction* best = nullptr;
     std::size_t fewest = 0;
@@ -164,8 +164,8 @@ class Partition {
     return *best;
   }
 
-  /// Of the sides of pieces that some of the cell is beyond, the one that cuts the fewest
-  /// pieces, and then the one that leaves most of them outside.
+  /// Returns a side of a piece that some of the cell is beyond: the one that cuts the fewest
+  /// pieces, and then the one that leaves most of them outside, where f < 0.
   LoadFunction split_of_pieces(const LoadCell& cell,
                                const std::vector<std::size_t>& pieces) const {
     const LoadFunction* best = nullptr;
@@ -176,7 +176,8 @@ class Partition {
       for (const LoadFunction& f : pieces_[k].loads.sides) {
         const LoadSigns signs = cell.closure().signs(f);
         if (!signs.negative) continue;
-        // A piece may also touch the cell from outside, where that is closed: a last resort.
+        // A piece may also touch the cell, where that is closed, from outside; its side is a
+        // last resort.
         std::pair<std::size_t, std::size_t> score{signs.positive ? 0 : pieces_.size() + 1, 0};
         for (const std::size_t other : pieces) {
           const LoadSigns there = pieces_[other].loads.signs(f);
@@ -193,7 +194,7 @@ class Partition {
     return *best;
   }
 
-  /// In the proof, of a piece, which is added if it is new there.
+  /// Returns the number of a piece in the proof; adds the piece if it is new there.
   std::size_t number_of(std::size_t index) {
     if (!numbers_[index]) {
       numbers_[index] = proof.pieces.size();
@@ -222,7 +223,7 @@ class Partition {
   const Problem& problem_;
   const WrenchPlane& plane_;
   std::vector<ModePiece> pieces_;
-  std::vector<std::optional<std::size_t>> numbers_;  ///< in the proof, by piece
+  std::vector<std::optional<std::size_t>> numbers_;  ///< by piece: its number in the proof
   std::vector<Border> borders_;
   RegionProofWork& work_;
   std::size_t node_limit_;

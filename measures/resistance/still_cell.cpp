@@ -20,13 +20,13 @@ void add_to(IntegerVector4& sum, const IntegerVector4& what, int times) {
 std::optional<PlaneCell> still_cell(const MotionRays& rays, const ModeImages& images) {
   struct Generator {
     IntegerVector3 tangent;
-    IntegerVector4 image;  // half of what friction moves the wrench by, times 2
+    IntegerVector4 image;  // half of the range over which friction moves the wrench, times 2
   };
   const MotionRay& rest = rays[rays.rest()];
   const auto preload = [&](std::size_t i) {
     return dot(rays.plane(rays.separation(i)), rest.x);
   };
-  // All is times 2, as is the middle between two edges.
+  // All images are times 2, so that the middle between two edges has no fraction.
   IntegerVector4 middle = images.exact_at_rest();
   add_to(middle, images.exact_at_rest(), 1);
   std::size_t contacts = rays.slip(0);

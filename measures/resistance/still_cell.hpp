@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What a grasp resists without moving.
+/// The loads that a grasp resists without moving.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@
 
 namespace stickslip::resistance_detail {
 
-/// The wrenches of the plane that are resisted at d = 0, under preloads alone: friction
-/// anywhere in its cones makes them a zonotope, which the plane cuts in points of its edges.
-/// Those along one generator come from the vertices of the zonotope seen along it, a polygon,
-/// of which one goes round once. O(m^2 log m) signs and O(m^2) sums for m contacts.
+/// Returns the wrenches of the plane that are resisted at d = 0, under preloads alone. Friction
+/// anywhere in its cones makes them a zonotope; the section by the plane has its vertices on
+/// edges of that. The edges along one generator come from the vertices of the zonotope seen
+/// along it, a polygon, of which one goes round once. O(m^2 log m) signs and O(m^2) sums for m
+/// contacts.
 std::optional<PlaneCell> still_cell(const MotionRays& rays, const ModeImages& images);
 
 }  // namespace stickslip::resistance_detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The planes that rays are on, and by them which rays are neighbours.
+/// The planes that rays are on, which tell the rays that are neighbours.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace stickslip::resistance_detail {
 
-/// Those planes of a list that something is on.
+/// A set of planes of a list: those that something is on.
 class TightPlanes {
  public:
   explicit TightPlanes(std::size_t size) : words_((size + 63) / 64) {}
@@ -35,7 +35,7 @@ class TightPlanes {
   std::vector<std::uint64_t> words_;
 };
 
-/// Of the list of planes, with room for more at its end.
+/// Returns the planes of the list that the ray is on, with room for `more` planes at the end.
 inline TightPlanes tight_at(const MotionRays& rays, RayIndex ray,
                             const std::vector<PlaneIndex>& planes, std::size_t more = 0) {
   TightPlanes result(planes.size() + more);
@@ -45,7 +45,8 @@ inline TightPlanes tight_at(const MotionRays& rays, RayIndex ray,
   return result;
 }
 
-/// By the combinatorial test (cone.cpp): no third ray is on all planes that both are on.
+/// Returns true if no third ray is on all planes that both are on: the combinatorial test of
+/// cone.cpp.
 inline bool are_neighbours(const std::vector<TightPlanes>& tight, std::size_t a,
                            std::size_t b) {
   const TightPlanes shared = tight[a] & tight[b];

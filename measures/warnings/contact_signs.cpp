@@ -32,8 +32,8 @@ bool is_on(const OutlineEdge& edge, const RationalRow& p) {
          dot(row_of(edge.inwards), p) == dot(row_of(edge.inwards), row_of(edge.from));
 }
 
-/// Whether the opposite of `force` can press a body at a place with these normals, of one edge
-/// or of two that meet; not if it is between more.
+/// Returns true if the opposite of `force` can press a body at a place with these normals, of
+/// one edge or of two that meet; false between more edges.
 bool presses_when_reversed(const std::vector<RationalRow>& normals, RationalRow force) {
   for (Rational& entry : force) entry = -entry;
   if (normals.size() == 1) return dot(normals[0], force).sign() > 0;
@@ -77,7 +77,8 @@ class ContactSigns {
   }
 
  private:
-  /// Of the body into which sign n points.
+  /// Returns true if p is on the outline of `body`, and only the opposite of sign n can press
+  /// it there. Requires that sign n is the direction in which the contact pushes the body.
   bool leaves_outline(BodyIndex body, const UncertainContact& c, int sign) const {
     if (!body || edges_[*body].empty()) return false;
     std::vector<RationalRow> normals;
@@ -92,7 +93,8 @@ class ContactSigns {
     return presses_when_reversed(normals, std::move(force));
   }
 
-  /// Of the body into which sign n points.
+  /// Returns true if some known points of `body` are behind the contact, against sign n, and
+  /// none are in front.
   bool is_on_wrong_side(BodyIndex body, const UncertainContact& c, int sign) const {
     const RationalRow here = middles(c.position);
     const Rational square = dot(c.normal, c.normal);
@@ -100,7 +102,7 @@ class ContactSigns {
     for (RationalRow x : points_[*body]) {
       for (std::size_t j = 0; j < x.size(); ++j) x[j] -= here[j];
       const Rational side = dot(c.normal, x);
-      // On the plane, as rounded numbers have it.
+      // Rounded numbers put x on the plane.
       if (kFlatness * kFlatness * side * side <= square * dot(x, x)) continue;
       if (sign * side.sign() > 0) return false;
       any = true;
@@ -108,7 +110,8 @@ class ContactSigns {
     return any;
   }
 
-  /// Of a contact by the ground, on whose wrong side its body is.
+  /// Returns true if every contact of the body with the ground on whose wrong side it is pushes
+  /// it where its load pulls. Requires a contact by the ground with its body on the wrong side.
   bool is_off_ground(const UncertainContact& c) const {
     if (mechanism_.bodies[*c.of].link) return false;
     const std::size_t first = mechanism_.first_coordinate(*c.of);
@@ -125,7 +128,7 @@ class ContactSigns {
 
   const GraspBox& grasp_;
   const Mechanism& mechanism_;
-  std::vector<std::vector<RationalRow>> points_;  ///< known of each body
+  std::vector<std::vector<RationalRow>> points_;  ///< the known points of each body
   std::vector<std::vector<std::vector<OutlineEdge>>> edges_;
 };
 

@@ -117,7 +117,7 @@ template <std::size_t D>
 bool is_certainly_unbalanced(std::vector<RestingContact<D>> contacts) {
   using Force = std::array<double, D>;
   constexpr std::size_t kForces = D == 3 ? 2 : 3;
-  // Torques are taken over a typical arm, a power of two, which rounds nothing.
+  // Torques are divided by a typical arm, a power of two, which rounds nothing.
   double force = 0;
   double torque = 0;
   for (const auto& c : contacts) {
@@ -178,7 +178,7 @@ bool is_certainly_unbalanced(std::vector<RestingContact<D>> contacts) {
   // leaves room for second order.
   const double roundings = 64 + static_cast<double>(contacts.size());
   constexpr double kUnitRoundoff = 1.2e-16;
-  constexpr double kVanishing = 1e-150;  // below which squares may vanish
+  constexpr double kVanishing = 1e-150;  // squares may vanish below this
   return magnitude > kVanishing &&
          most_work(y)->work < -(2 * error + kUnitRoundoff * roundings * magnitude);
 }

@@ -20,7 +20,8 @@ std::optional<std::string> large_motion_of(const Question& question, const Twist
   const std::vector<Contact>& contacts = question.loaded().grasp.contacts();
   std::vector<std::array<Rational, 2>> points;
   for (const Contact& c : contacts) points.push_back({c.position.x, c.position.y});
-  // A witness may have a denominator of thousands of digits: once, and not at each contact.
+  // A witness may have a denominator of thousands of digits, so it is scaled once, not at each
+  // contact.
   const ScaledTwist scaled(d);
   const Twist& t = scaled.twist;
   const auto moved = [&](std::size_t i) -> Rational {
@@ -32,7 +33,7 @@ std::optional<std::string> large_motion_of(const Question& question, const Twist
                       !question.assumed_stiffness.empty());
 }
 
-/// Of a family at its multiple.
+/// Returns the warning about lost preload of a problem, or of a family at its multiple.
 std::optional<std::string> lost_preload_of(const Problem& problem, const Twist& d,
                                            const Rational& multiple = 0) {
   const IntegerVector5 point = primitive_multiple<5>({d.x, d.y, d.r, 1, multiple});
@@ -49,7 +50,7 @@ bool is_preloaded(const Problem& problem) {
                      [](const ContactRow& row) { return !row.preload.is_zero(); });
 }
 
-/// In doubles; nothing if a number is not moderate.
+/// Returns the preloaded contacts in doubles; nothing if a number is not moderate.
 std::optional<std::vector<RestingContact<3>>> preloaded_contacts(const Problem& problem) {
   std::vector<RestingContact<3>> contacts;
   bool moderate = true;
@@ -68,7 +69,7 @@ std::optional<std::vector<RestingContact<3>>> preloaded_contacts(const Problem& 
     for (std::size_t j = 0; j < 3; ++j) {
       c.push[j] = preload * read(normal[j]);
       c.friction[0][j] = friction * read(tangent[j]);
-      constexpr double kRounding = 1e-15;  // of fewer than five factors and products
+      constexpr double kRounding = 1e-15;  // fewer than five factors and products
       c.error[j] = kRounding * (std::fabs(c.push[j]) + std::fabs(c.friction[0][j]));
     }
   }
@@ -76,7 +77,7 @@ std::optional<std::vector<RestingContact<3>>> preloaded_contacts(const Problem& 
   return contacts;
 }
 
-/// Whether friction balances the normal forces P_i at the motion 0, without load.
+/// Returns true if friction balances the normal forces P_i at the motion 0, without load.
 bool preloads_balance(const Problem& problem) {
   auto contacts = preloaded_contacts(problem);
   if (contacts && is_certainly_unbalanced(std::move(*contacts))) return false;
@@ -86,7 +87,7 @@ bool preloads_balance(const Problem& problem) {
   for (std::size_t j = 0; j < 3; ++j) {
     IntegerVector5 axis{};
     axis[j] = 1;
-    // Half-spaces that contain their planes: neither makes anything strict.
+    // Both half-spaces contain their planes, so no condition is strict.
     at_rest = std::move(at_rest).plane_child(axis, Side::kPositive);
     at_rest = std::move(at_rest).plane_child(negated(axis), Side::kPositive);
   }
@@ -94,13 +95,13 @@ bool preloads_balance(const Problem& problem) {
   return std::holds_alternative<RelaxedPoint>(outcome);
 }
 
-/// Of what is no family.
+/// Requires that the problem is no family.
 void add_unbalanced_preload(const Problem& problem, ModelWarnings& warnings) {
   if (!is_preloaded(problem) || preloads_balance(problem)) return;
   warnings.add(ModelTrap::kUnbalancedPreload, unbalanced_preload());
 }
 
-/// What varying one stiffness does, as far as doubles tell.
+/// Proposes, by doubles, whether another stiffness of one contact changes the verdict.
 class StiffnessInDoubles {
  public:
   StiffnessInDoubles(const Problem& problem, bool stable)
@@ -112,7 +113,8 @@ class StiffnessInDoubles {
   }
 
   bool may_differ(ContactId contact, const Rational& stiffness) {
-    // From rest doubles miss equilibria, and under this law let contacts open.
+    // Doubles that start from rest miss equilibria, and let contacts open, which the bilateral
+    // law forbids.
     if (!stable_ || problem_.law() == NormalLaw::kBilateral) return true;
     ContactDoubles& c = model_.contacts[contact.index()];
     const ContactDoubles before = c;

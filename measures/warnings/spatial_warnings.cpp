@@ -20,8 +20,8 @@ Vector3 point_of(const UncertainContact& c) {
   return {c.position[0].low, c.position[1].low, c.position[2].low};
 }
 
-/// A grasp of one body, seen in space. (Of one in the plane friction across it changes
-/// nothing that the warnings are about.)
+/// Returns a grasp of one body as one in space. (Friction across a planar grasp changes nothing
+/// that the warnings are about.)
 GraspBox seen_in_space(GraspBox grasp) {
   if (grasp.in_space()) return grasp;
   for (UncertainContact& c : grasp.contacts) {
@@ -33,7 +33,7 @@ GraspBox seen_in_space(GraspBox grasp) {
   return grasp;
 }
 
-/// A motion likewise.
+/// Returns a motion as one in space.
 RationalRow seen_in_space(const RationalRow& motion) {
   if (motion.size() != 3) return motion;
   return {motion[0], motion[1], 0, 0, 0, motion[2]};
@@ -57,7 +57,8 @@ std::optional<std::string> large_motion_of(const GraspBox& grasp, const Rational
                       stiffness_was_assumed);
 }
 
-/// With these preloads. What is kept is rounded up where a normal has an irrational length.
+/// Returns the warning about lost preload of a grasp with these preloads. Kept forces are
+/// rounded up if a normal has an irrational length.
 std::optional<std::string> lost_preload_of(const GraspBox& grasp,
                                            const std::vector<Rational>& preloads,
                                            const RationalRow& d) {
@@ -72,7 +73,7 @@ std::optional<std::string> lost_preload_of(const GraspBox& grasp,
   });
 }
 
-/// In doubles; nothing if a number is not moderate.
+/// Returns the preloaded contacts in doubles; nothing if a number is not moderate.
 std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
     const GraspBox& grasp, const std::vector<Rational>& preloads) {
   std::vector<RestingContact<6>> contacts;
@@ -95,7 +96,7 @@ std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
     const UncertainContact& c = grasp.contacts[i];
     const Double3 point = read_three(point_of(c));
     const Double3 normal = unit(read_three(vector3(c.normal)));
-    Double3 across{};  // to the axis that is the least along the normal
+    Double3 across{};  // along the axis that is the least along the normal
     std::size_t least = 0;
     for (std::size_t j = 1; j < 3; ++j) {
       if (std::fabs(normal[j]) < std::fabs(normal[least])) least = j;

@@ -9,7 +9,7 @@
 namespace stickslip {
 namespace {
 
-/// The part of the rectangle that has this verdict.
+/// Returns the part of the rectangle that has this verdict.
 Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const MapAxis& x,
                   const MapAxis& y) {
   const auto area = [](const Interval& a, const Interval& b) -> Rational {

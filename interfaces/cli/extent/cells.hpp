@@ -12,19 +12,19 @@
 
 namespace stickslip {
 
-/// How finely to look, and where proofs go.
+/// How finely to look, and the folder for proofs.
 struct CellsAsked {
   unsigned depth = MapOptions().depth;
   std::size_t node_limit = 0;
   std::string certificates{};  ///< a folder, or empty
-  Tolerances uncertain{};      ///< of the grasps of every cell
+  Tolerances uncertain{};      ///< the tolerances of the grasps of every cell
 };
 
-/// The cells, with progress on a terminal. Proofs are written, and not kept.
+/// Returns the cells, and shows progress on a terminal. Proofs are written, and not kept.
 std::vector<MapCell> proved_cells(const GraspBox& grasp, NormalLaw law, const MapAxis& x,
                                   const MapAxis& y, const CellsAsked& asked);
 
-/// A table: which part of the area is stable, unstable and neither.
+/// Returns a table: which part of the area is stable, unstable and neither.
 std::string shares_text(const std::vector<MapCell>& cells, const MapAxis& x, const MapAxis& y);
 
 }  // namespace stickslip

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What `margin --class` answers.
+/// The answer of `margin --class`.
 #pragma once
 
 #include <string>
@@ -10,9 +10,10 @@
 namespace stickslip {
 
 struct ClassMarginOptions {
-  std::string inertia;    ///< as --inertia gives it
-  bool friction = false;  ///< of factors of friction, not of multiples of the direction
-  Rational accuracy;      ///< of factors
+  std::string inertia;    ///< the text of --inertia
+  bool friction = false;  ///< whether to vary factors of friction, not multiples of the
+                          ///< direction
+  Rational accuracy;      ///< the accuracy of factors
 };
 
 /// Prints which multiples of the direction, or factors of friction, are of which class. Returns

@@ -105,7 +105,8 @@ Rational accuracy_of(const MarginArguments& arguments) {
   return accuracy;
 }
 
-/// Classes are those of one grasp whose lengths are rational, and know no bound.
+/// Requires one grasp whose lengths are rational, and no bound on motions: classes know no
+/// others.
 void require_exact(const Question& question, const std::string& file) {
   if (!question.has_claims()) return;
   try {

@@ -8,7 +8,7 @@
 namespace stickslip {
 namespace {
 
-/// "1 at each contact", "(1, 0, 2)", or of many contacts "from 0 to 2".
+/// Returns "1 at each contact", "(1, 0, 2)", or for many contacts "from 0 to 2".
 std::string preloads_text(const std::vector<Rational>& preloads, NumberText& text) {
   const auto [smallest, largest] = std::minmax_element(preloads.begin(), preloads.end());
   if (preloads.empty()) return "none";
@@ -28,7 +28,7 @@ std::string family_text(const Question& question) {
   return text + " with l >= 0";
 }
 
-/// P; or where they grow in proportion P^u.
+/// Returns P; or P^u if the preloads grow in proportion.
 std::vector<Rational> preloads_of(const Question& question) {
   if (question.preload_direction->scale) return question.preload_growth;
   std::vector<Rational> preloads;

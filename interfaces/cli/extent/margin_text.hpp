@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What answers about margins in the plane and in space have in common.
+/// The common text of answers about margins in the plane and in space.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace stickslip {
 
-/// The lines above the answer to a question about a margin.
+/// Returns the lines above the answer to a question about a margin.
 std::string head_text(const Question& question, NumberText& text);
 
-/// "[1, 5/4]", "from 15/4", "2".
+/// Returns "[1, 5/4]", "from 15/4" or "2".
 std::string multiples_text(const Rational& low, const std::optional<Rational>& high,
                            NumberText& text);
 
-/// With "and" before the last.
+/// Returns the parts with "and" before the last.
 std::string joined(const std::vector<std::string>& parts);
 
 }  // namespace stickslip

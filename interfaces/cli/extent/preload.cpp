@@ -50,7 +50,7 @@ std::string preloads_table(const RationalRow& preloads, NumberText& text) {
   return short_table(rows) + "\n";
 }
 
-/// "[1, 5/4] and from 2".
+/// Returns "[1, 5/4] and from 2".
 std::string range_text(const PreloadRange& range, NumberText& text) {
   std::vector<std::string> parts;
   for (const auto& [low, high] : range.multiples) {
@@ -71,7 +71,7 @@ std::string boxes_text(const std::vector<ProvedPreloads>& boxes) {
          " of preloads, which together cover them";
 }
 
-/// What remains to be said where proofs were written.
+/// Prints the last lines about proofs, if they were written.
 void print_folder(const std::string& folder, const RationalRow& preloads,
                   const PreloadRange& range, NumberText& text) {
   if (folder.empty()) return;

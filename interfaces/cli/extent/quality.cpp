@@ -25,11 +25,11 @@ struct QualityArguments {
   std::string certificates;
   std::size_t node_limit = 0;
   NumberOptions numbers;
-  CellsAsked cells;  ///< of a picture
+  CellsAsked cells;  ///< the cells of a picture
   std::string output = "-";
 };
 
-/// What is known of the radius, to follow "quality".
+/// Returns the radius as far as it is known, in words that follow "quality".
 std::string radii_text(const Quality& quality, bool all_digits) {
   if (quality.scales && quality.refuted) {
     return "0: without load and preload, what is not resisted is not resisted however small";
@@ -47,7 +47,7 @@ std::string radii_text(const Quality& quality, bool all_digits) {
               : ", and none farther than " + to_readable_string(quality.limit) + " sought");
 }
 
-/// What follows for a load that is resisted.
+/// Prints the rest about a load that is resisted.
 void print_ball(const Quality& quality, NumberText& text, bool all_digits) {
   std::cout << "  quality   " << radii_text(quality, all_digits) << '\n';
   if (quality.radii.example) {
@@ -127,7 +127,8 @@ int quality(const QualityArguments& arguments) {
   return found.stable ? kDone : kUndecidedWithinLimit;
 }
 
-/// In one plane, exactly if the grasp is one of one body in the plane, and else cell by cell.
+/// Returns the resisted part of one plane: exactly for one body in the plane, else cell by
+/// cell.
 ResistedSection resisted_in(LoadSection section, const QualityFound& found,
                             const CellsAsked& cells) {
   const auto& [question, quality] = found;
@@ -141,7 +142,7 @@ ResistedSection resisted_in(LoadSection section, const QualityFound& found,
   return {std::move(section), std::move(proved)};
 }
 
-/// About the load that is not resisted, if there is one.
+/// Returns the question about the load that is not resisted, if there is one.
 Question question_to_draw(const QualityFound& found) {
   Question question = found.question;
   const auto& [stable, example] = std::pair(found.quality.stable, found.quality.radii.example);
@@ -172,7 +173,7 @@ int draw_quality(const QualityArguments& arguments) {
   return found.quality.stable ? kDone : kUndecidedWithinLimit;
 }
 
-/// What the command and its picture have.
+/// Adds the options that the command and its picture share.
 void add_quality_options(Command& command, QualityArguments& arguments) {
   arguments.question.add_with_enclosures_to(command);
   add_ball_options(command, arguments.quality);

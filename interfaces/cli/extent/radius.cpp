@@ -51,7 +51,7 @@ class Report {
   NumberText text_;
 };
 
-/// What the factors make of each tolerance of --uncertain.
+/// Returns a table of each tolerance of --uncertain times the factors.
 std::string Report::tolerances_table() const {
   std::vector<std::vector<std::string>> rows{{""}, {"asked"}, {"proved"}, {"refuted"}};
   const auto add = [&](const std::string& name, const Tolerance& tolerance) {
@@ -69,7 +69,7 @@ std::string Report::tolerances_table() const {
   return short_table(rows);
 }
 
-/// The numbers of the counterexample.
+/// Returns a table of the numbers of the counterexample.
 std::string Report::numbers_table() {
   const std::vector<UncertainNumber> numbers = uncertain_numbers(asked_.box);
   const std::vector<Rational> centre = values_in(asked_.box, asked_.centre);

@@ -33,7 +33,7 @@ struct RegionArguments {
   std::string within;
   CellsAsked cells;
 
-  /// Options that have no meaning for a grasp of this kind are refused.
+  /// Refuses options that have no meaning for a grasp of this kind.
   void check(const Question& asked) const {
     const auto refuse = [](bool is_given, const char* option, const char* problem,
                            const char* remedy) {
@@ -68,7 +68,7 @@ struct RegionArguments {
     return result;
   }
 
-  /// Through the load of a case, if one is chosen.
+  /// Returns the plane, through the load of a case if one is chosen.
   WrenchPlane plane(const Question& asked) const {
     Wrench from = asked.loaded().wrench;
     if (!origin.empty()) from = wrench_option("--origin", origin);
@@ -150,7 +150,7 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
             << units_text(question) << text.note();
 }
 
-/// As a shell reads it.
+/// Returns the word as a shell reads it.
 std::string in_shell(const std::string& word) {
   const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -162,7 +162,7 @@ std::string in_shell(const std::string& word) {
   return quoted + "'";
 }
 
-/// The checker's command for the certificate.
+/// Returns the checker's command for the certificate.
 std::string check_text(const RegionArguments& arguments, const WrenchPlane& plane) {
   const auto numbers = [](const Wrench& w) {
     return to_string(w.x) + "," + to_string(w.y) + "," + to_string(w.torque);
@@ -246,7 +246,7 @@ int draw_region(const RegionArguments& arguments) {
   return kDone;
 }
 
-/// GRASP, the plane and the limit.
+/// Adds GRASP, the plane and the limit.
 void add_region_options(Command& command, RegionArguments& arguments) {
   arguments.question.add_without_wrench_to(command);
   arguments.question.add_max_motion_to(command);

@@ -39,7 +39,7 @@ Interval range_of(const std::string& text, const std::string& whole) {
       if (range.low < range.high) return range;
     }
   } catch (const NumberError&) {
-    // Said below.
+    // The error is thrown below.
   }
   throw InputError("", "--within", "found " + quote(whole),
                    "give the ends of s and of t, the lower one first, as in -2:2,0:3/2");

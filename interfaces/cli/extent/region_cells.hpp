@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `region` answers in space, and where motions are bounded: a window of the plane, cell by
+/// The answer of `region` in space, and if motions are bounded: a window of the plane, cell by
 /// cell.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace stickslip {
 
-/// The plane ORIGIN + s U + t V, as it was given; empty: by default.
+/// The plane ORIGIN + s U + t V, as it was given; an empty text is the default.
 struct RegionCellsArguments {
   std::string origin;
   std::string torque;
@@ -22,14 +22,14 @@ struct RegionCellsArguments {
   NumberOptions numbers;
 };
 
-/// Whether the region is not found exactly.
+/// Returns true if the region is not found exactly.
 inline bool is_found_in_cells(const Question& question) {
   return question.in_space() || question.is_bounded();
 }
 
-/// The exit code.
+/// Answers the question. Returns the exit code.
 int answer_region_in_cells(const Question& question, const RegionCellsArguments& arguments);
-/// Draws it into a file, or prints it.
+/// Draws the region into a file, or prints the picture. Returns the exit code.
 int draw_region_in_cells(const Question& question, const RegionCellsArguments& arguments,
                          const std::string& output);
 

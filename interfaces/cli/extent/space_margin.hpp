@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `margin` answers a question whose answer is a list of claims.
+/// The answer of `margin` to a question whose answer is a list of claims.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct SpaceMarginArguments {
   bool warnings;  ///< look for traps of the model
 };
 
-/// The exit code.
+/// Answers the question. Returns the exit code.
 int answer_margin_in_space(const Question& question, const SpaceMarginArguments& arguments);
 
 }  // namespace stickslip

@@ -10,14 +10,14 @@
 namespace stickslip {
 
 struct ExampleGrasp {
-  std::string name;  ///< of the file, without .json
+  std::string name;  ///< the name of the file, without .json
   std::string text;
 };
 
-/// In the order of their names.
+/// Returns the grasps in the order of their names.
 const std::vector<ExampleGrasp>& example_grasps();
 
-/// Throws InputError if there is none of that name.
+/// Returns the text of the grasp. Throws InputError if there is none of that name.
 const std::string& text_of_example(const std::string& name);
 
 }  // namespace stickslip

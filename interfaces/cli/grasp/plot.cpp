@@ -12,7 +12,7 @@
 namespace stickslip {
 namespace {
 
-/// With exact forces, however long.
+/// Returns a picture with exact forces, however long they are.
 std::string picture_of(const Question& question) {
   return plot_grasp(
       question,

@@ -41,7 +41,7 @@ std::string report_text(const Snapped& snapped, NumberText text) {
   return lines + text.note();
 }
 
-/// The grasp with new normals, and what is said of these.
+/// Gives the grasp new normals. Returns a report on them.
 std::string snap(AnyGrasp& content, const SnapArguments& arguments) {
   const Rational within = number_option("--within", arguments.within);
   const auto snapped_in = [&](auto& grasp) {

@@ -64,7 +64,8 @@ BatchOptions batch_options(const BatchArguments& arguments) {
           arguments.certificates,       arguments.certificates};
 }
 
-/// Some lines were unreadable, some undecided, or all is well; said on standard error.
+/// Reports on standard error whether lines were unreadable. Returns the exit code: some were
+/// unreadable, some undecided, or all is well.
 int finish(const BatchTally& tally, const std::string& file) {
   const std::string complaint = tally.complaint(file);
   if (!complaint.empty()) std::cerr << "stickslip: " << complaint << '\n';
@@ -72,7 +73,7 @@ int finish(const BatchTally& tally, const std::string& file) {
   return tally.undecided > 0 ? kUndecidedWithinLimit : kDone;
 }
 
-/// Of an output file with something in it.
+/// Returns the error about an output file that has something in it.
 InputError file_exists(const std::string& path, const std::string& remedy) {
   return {path, "--output", "the file exists", remedy};
 }
@@ -100,14 +101,15 @@ class Batch {
     to_file_ = writes_to_file();
     if (!head_.empty()) write(head_, 0);
     using oneapi::tbb::global_control;
-    std::optional<global_control> allowed;  // more than there are cores, without a warning
+    std::optional<global_control> allowed;  // there may be more threads than cores, without a
+                                            // warning
     if (arguments_.threads > 0) {
       allowed.emplace(global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(arguments_.threads));
     }
     oneapi::tbb::task_arena arena(arguments_.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                           : arguments_.threads);
-    // So many lines are held at a time, whatever the length of the file.
+    // The number of lines held at a time does not depend on the length of the file.
     const auto lines_held = 4 * static_cast<std::size_t>(arena.max_concurrency());
     using oneapi::tbb::filter_mode;
     using oneapi::tbb::make_filter;
@@ -128,7 +130,7 @@ class Batch {
     progress_.reset();  // its line on the terminal goes
     BatchTally all = before_;
     all.add(tally_);
-    if (all.results == 0 && shard_) return kDone;  // of a short file
+    if (all.results == 0 && shard_) return kDone;  // the file is short
     return finish(all, input_.name());
   }
 
@@ -149,7 +151,7 @@ class Batch {
     out_ = &output_file_;
   }
 
-  /// The lines are those of the shard from now on, and its head is to be written first.
+  /// Takes the lines of the shard from now on; its head is to be written first.
   void take_shard() {
     if (bytes_ == 0 && !std::filesystem::is_regular_file(arguments_.file, ignored_)) {
       throw InputError(input_.name(), "--shard", "this is not a file of a known length",
@@ -164,7 +166,7 @@ class Batch {
     lines_.emplace(input_.stream(), measured.part);
   }
 
-  /// What has a result need not be decided again, if it was the same question. Cuts off a line
+  /// Keeps the results of the same questions, which need not be decided again. Cuts off a line
   /// that an interruption left unfinished.
   void keep_finished() {
     std::ifstream before(arguments_.output, std::ios::binary);
@@ -190,8 +192,8 @@ class Batch {
     bytes_read_ = bytes_skipped_ = lines_->end();
   }
 
-  /// Whether results go to a file, which is to end in a whole line whatever happens. Nobody may
-  /// ever read a pipe: an interruption does not wait for it.
+  /// Returns true if results go to a file, which is to end in a whole line whatever happens. A
+  /// pipe may never be read, so an interruption does not wait for it.
   bool writes_to_file() const {
     struct stat out {};
     const int found = out_ == &std::cout ? ::fstat(STDOUT_FILENO, &out)
@@ -213,7 +215,8 @@ class Batch {
     progress_->show(progress_text());
   }
 
-  /// An interruption finds the results in the file and their number, or neither.
+  /// Writes results. An interruption finds the results in the file and their number, or
+  /// neither.
   void write(const std::string& text, std::size_t results) {
     std::optional<FileWrite> whole_line;
     if (to_file_) whole_line.emplace();
@@ -260,23 +263,23 @@ class Batch {
   std::ostream* out_ = &std::cout;
   std::optional<BatchLines> lines_{std::in_place, input_.stream()};
   std::optional<Shard> shard_;
-  std::string head_;          ///< of the shard, if it is still to be written
-  std::uintmax_t bytes_ = 0;  ///< of the input, if known; up to the end of the shard
+  std::string head_;          ///< the head of the shard, if it is still to be written
+  std::uintmax_t bytes_ = 0;  ///< the bytes of the input, if known; up to the end of the shard
   std::atomic<std::uintmax_t> bytes_read_{0};
-  std::uintmax_t bytes_skipped_ = 0;  ///< that had results already
+  std::uintmax_t bytes_skipped_ = 0;  ///< the bytes that had results already
   bool to_file_ = false;
-  BatchTally before_;  ///< of results that were there
-  BatchTally tally_;   ///< of those written
+  BatchTally before_;  ///< the results that were there
+  BatchTally tally_;   ///< the results written
   std::atomic<std::size_t> written_{0};
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<Progress> progress_{std::in_place};
-  /// With the default, the end of whoever reads the results would end a certificate
-  /// half-written.
+  /// SIGPIPE by default would end the program, and leave a certificate half-written, as soon as
+  // the reader of the results ends.
   void (*on_broken_pipe_)(int) = std::signal(SIGPIPE, SIG_IGN);
   InterruptionMessage interruption_{[this] { return interruption_text(); }};
 };
 
-/// The results of shards, one after the other.
+/// Writes the results of shards, one after the other.
 int merge(const std::vector<std::string>& files, const std::string& output) {
   if (output != "-" && has_content(output)) {
     throw file_exists(output, "name another file");

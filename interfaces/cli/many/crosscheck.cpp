@@ -33,8 +33,8 @@ Rational nonnegative_option(const std::string& option, const std::string& value)
   return number;
 }
 
-/// A disagreeing line as a question of its own: the grasp with all options applied, and the
-/// certificate of its verdict. Both files or none.
+/// Saves a disagreeing line as a question of its own: the grasp with all options applied, and
+/// the certificate of its verdict. Both files are written or none.
 std::vector<std::string> save(const std::string& folder, std::size_t number, Answer answer) {
   answer.question = {answer.question.grasp, answer.question.law};
   const std::string stem = folder + "/line-" + std::to_string(number);
@@ -54,8 +54,8 @@ std::vector<std::string> save(const std::string& folder, std::size_t number, Ans
   return {grasp, certificate};
 }
 
-/// Refuses what an earlier run saved: a claim that is not read yet may be about one of these
-/// grasps, and whoever looks into the folder could not tell them apart.
+/// Makes the folder, and refuses one with files that an earlier run saved: a claim that is not
+/// read yet may be about one of these grasps, and nobody could tell them apart in the folder.
 void make_save_folder(const std::string& folder) {
   make_folder("--save", folder);
   static const std::regex kSaved(R"(line-[0-9]+\.(grasp|certificate)\.json)");

@@ -24,12 +24,12 @@ Json to_json(const LargestResidual& residual) {
   return json;
 }
 
-/// What of a wrench is force.
+/// Returns the force of a wrench.
 RationalRow force_of(const RationalRow& wrench) {
   return {wrench.begin(), wrench.begin() + (wrench.size() == 3 ? 2 : 3)};
 }
 
-/// Its torque about the axis of the plane, or about three axes.
+/// Returns the torque of a wrench about the axis of the plane, or about three axes.
 RationalRow torque_of(const RationalRow& wrench) {
   return {wrench.begin() + (wrench.size() == 3 ? 2 : 3), wrench.end()};
 }
@@ -62,8 +62,8 @@ Json to_json(const NearbyEquilibrium& nearby) {
   return json;
 }
 
-/// One number where it is known exactly, else two that it lies between, or null where no upper
-/// one is known.
+/// Returns one number if the distance is known exactly; else two that it lies between, the
+/// upper one null if it is not known.
 Json to_json(const std::optional<DistanceBounds>& distance) {
   if (!distance) return {};
   if (distance->low == distance->high) return number_json(distance->low);
@@ -84,7 +84,7 @@ Json to_json(const ThresholdDistance& distance) {
   return json;
 }
 
-/// On one line; names of files may be any bytes.
+/// Returns the JSON on one line; names of files may be any bytes.
 std::string line_of(const Json& json) {
   return json.dump(-1, Json::Utf8::kReplaced);
 }
@@ -99,7 +99,7 @@ std::string residual_text(const LargestResidual& residual, NumberText& number) {
   return text;
 }
 
-/// Each condition and by how much it is missed, of all that could be computed.
+/// Returns each condition that could be computed, and by how much it is missed.
 std::vector<std::pair<ResidualCondition, std::string>> residual_texts(
     const ClaimResiduals& residuals, NumberText& number) {
   std::vector<std::pair<ResidualCondition, std::string>> texts;
@@ -128,7 +128,7 @@ std::string residuals_text(const ClaimResiduals& residuals, NumberText& number) 
                             format_table(rows, Align::kLeft);
 }
 
-/// The conditions that are missed by more than the tolerance, on one line.
+/// Returns the conditions that are missed by more than the tolerance, on one line.
 std::string inaccuracy_text(const ClaimReport& report, const ClaimOptions& options,
                             NumberText& number) {
   const auto missed = report.residuals.missed(options.residual_tolerance, report.scale);
@@ -175,7 +175,7 @@ std::string distance_text(const ThresholdDistance& distance, const ClaimOptions&
   return text;
 }
 
-/// How far off an inaccurate solution is.
+/// Returns how far off an inaccurate solution is.
 std::string nearby_text(const NearbyEquilibrium& nearby, NumberText& number) {
   if (!nearby.from_claim) return "; no exact equilibrium of its kind was found nearby";
   std::string text = "; an exact equilibrium of its kind is within";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What `stickslip crosscheck` prints of each line and of all of them.
+/// The output of `stickslip crosscheck` about each line and about all of them.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@
 
 namespace stickslip {
 
-/// A line that was read.
+/// A line that was read, and its judgement.
 struct JudgedLine {
   std::size_t number;
   ClaimLine line;
   ClaimReport report;
-  std::vector<std::string> saved;  ///< files
+  std::vector<std::string> saved;  ///< the files saved
 };
 
 struct ClaimCounts {
   std::array<std::size_t, 4> judged{};  ///< by ClaimClass
-  std::size_t inaccurate = 0;           ///< of the right ones
+  std::size_t inaccurate = 0;           ///< the inaccurate ones among the right ones
   std::size_t unreadable = 0;
 
   void add(const ClaimReport& report);
@@ -33,13 +33,12 @@ struct ClaimCounts {
   int exit_code() const;
 };
 
-/// One JSON object, without the newline.
+/// Returns one JSON object, without the newline.
 std::string to_json_line(const JudgedLine& judged, bool floats);
 std::string to_json_line(std::size_t number, const InputError& error);
 std::string to_json_line(const ClaimCounts& counts);
 
-/// For people, ending in a newline; empty for a right claim about which there is nothing to
-/// say.
+/// Returns text for people, ending in a newline; empty for a right claim without a remark.
 std::string to_text(const JudgedLine& judged, const ClaimOptions& options, NumberText& number);
 std::string to_text(std::size_t number, const InputError& error);
 std::string to_text(const ClaimCounts& counts);

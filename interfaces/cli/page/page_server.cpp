@@ -30,16 +30,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kConnections =
-    256;                              ///< at a time; most of them wait for what a client sends
-constexpr std::size_t kAnswers = 16;  ///< that are worked on at a time
+    256;                              ///< at a time; most of them wait for a client to send
+constexpr std::size_t kAnswers = 16;  ///< the requests that are worked on at a time
 constexpr std::size_t kMostHeaderBytes = 16384;
-constexpr std::chrono::seconds kTimeToSend{5};      ///< a whole request
-constexpr std::chrono::seconds kTimeToReceive{10};  ///< a whole answer
+constexpr std::chrono::seconds kTimeToSend{5};      ///< the time for a whole request
+constexpr std::chrono::seconds kTimeToReceive{10};  ///< the time for a whole answer
 constexpr std::chrono::milliseconds kLookAround{50};
-/// A client that sends nothing is waited for so long while others wait for its thread.
+/// The longest wait for a client that sends nothing while others wait for its thread.
 constexpr std::chrono::milliseconds kPatience{250};
 
-/// The threads of connections. Slow clients hold them, and nobody is to wait for those.
+/// The threads of connections. Slow clients hold them, and other clients must not wait for
+/// those.
 class Threads final : public httplib::ThreadPool {
  public:
   explicit Threads(std::atomic<std::size_t>& waiting)
@@ -57,7 +58,7 @@ class Threads final : public httplib::ThreadPool {
   std::atomic<std::size_t>& waiting_;  ///< connections without a thread
 };
 
-/// A connection that has an end: so many bytes and so much time.
+/// A connection with an end: it has a limit of bytes and of time.
 class BoundedStream final : public httplib::Stream {
  public:
   BoundedStream(socket_t socket, const std::atomic<bool>& stopping,
@@ -84,14 +85,14 @@ class BoundedStream final : public httplib::Stream {
     return ::send(socket_, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
   }
 
-  /// Whether the client has hung up.
+  /// Returns true if the client has hung up.
   bool is_deserted() const {
     pollfd state{socket_, POLLRDHUP, 0};
     return ::poll(&state, 1, 0) > 0;
   }
 
-  /// Ends the connection. What is still on its way is taken first, as what a client has not
-  /// read is lost where the other side closes on unread data.
+  /// Ends the connection. Data still on its way is taken first: a client loses the part of the
+  /// answer that it has not read if this side closes on unread data.
   void close() {
     ::shutdown(socket_, SHUT_WR);
     constexpr std::chrono::milliseconds kLinger{500};
@@ -102,7 +103,8 @@ class BoundedStream final : public httplib::Stream {
   }
 
  private:
-  /// False if it is over.
+  /// Waits for an event on the connection. Returns false if the time is over or the server
+  /// stops, or if nothing arrives for a while and others wait for the thread.
   bool wait(short event, Clock::time_point until) const {
     pollfd state{socket_, event, 0};
     const Clock::time_point patient_until = Clock::now() + kPatience;
@@ -145,7 +147,7 @@ std::string new_nonce() {
   return nonce;
 }
 
-/// The type alone, or with parameters: application/json; charset=utf-8.
+/// Returns true for the type alone, or with parameters: application/json; charset=utf-8.
 bool is_json(std::string type) {
   type = type.substr(0, type.find(';'));
   type.erase(type.find_last_not_of(" \t") + 1);
@@ -163,12 +165,12 @@ void set_error(httplib::Response& response, int status, const std::string& messa
 }  // namespace
 
 class PageServer::Http : public httplib::Server {
-  /// A few places, each for one who works.
+  /// A few places, each for one request that is worked on.
   class Places {
    public:
     explicit Places(std::size_t count) : free_(count) {}
 
-    /// Waits for one, as long as it is wanted.
+    /// Waits for a place as long as it is wanted. Returns false if it is wanted no more.
     template <typename IsWanted>
     bool take(const IsWanted& is_wanted) {
       std::unique_lock<std::mutex> lock(mutex_);
@@ -247,7 +249,7 @@ class PageServer::Http : public httplib::Server {
       throw InputError("", "--port", "port " + std::to_string(port) + " cannot be had",
                        "give one that nothing listens on, or leave the option out");
     }
-    // The library lets five connections wait, and of more the system resets some.
+    // The library lets five connections wait; the system resets some beyond that.
     constexpr int kMostWaiting = 512;
     ::listen(listening_, kMostWaiting);
   }
@@ -261,7 +263,7 @@ class PageServer::Http : public httplib::Server {
 
   void stop_all() {
     stopping_ = true;
-    // It may be about to begin, and then does not hear of it.
+    // The server may be about to begin, and then does not notice a stop.
     while (!done_) {
       stop();
       std::this_thread::sleep_for(kLookAround);
@@ -275,7 +277,7 @@ class PageServer::Http : public httplib::Server {
     BoundedStream stream(socket, stopping_, waiting_);
     served_stream = &stream;
     bool closed = false;
-    // Nobody needs a part of an answer, or a thousand of them.
+    // No client needs a part of an answer, or a thousand of them.
     const auto whole = [](httplib::Request& request) { request.ranges.clear(); };
     const bool done = process_request(stream, true, closed, whole);
     served_stream = nullptr;
@@ -283,7 +285,7 @@ class PageServer::Http : public httplib::Server {
     return done;
   }
 
-  /// Whether the request is none that this answers; then the response says so.
+  /// Returns true if this does not answer such requests; then the response says so.
   bool refuse(const httplib::Request& request, httplib::Response& response) const {
     const std::string port = ":" + std::to_string(port_);
     const auto is_own = [&](const std::string& header, const std::string& scheme) {

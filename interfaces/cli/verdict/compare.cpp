@@ -32,15 +32,16 @@ Rational positive_length(const std::string& text) {
   return length;
 }
 
-/// What the methods say, and for which inertia. Without --inertia the object has its mass about
-/// its origin, at the characteristic length.
+/// The answers of the methods, and the inertia that they are for. Without --inertia the object
+/// has its mass about its origin, at the characteristic length.
 struct Compared {
   Rational length;
   Inertia inertia;
   Comparison comparison{};
 };
 
-/// Nothing is written of a class that is not known.
+/// Writes the certificate of a class. Returns false, and writes nothing, if the class is not
+/// known.
 bool writes_certificate(const std::string& file, const Question& question,
                         const Inertia& inertia, const RigidVerdict& verdict) {
   if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
@@ -136,7 +137,7 @@ int compare(const CompareArguments& arguments) {
           : inertia_of("--inertia", numbers_option("--inertia", arguments.inertia), in_space)};
   std::optional<RigidVerdict> verdict;
   if (!arguments.certificate.empty()) {
-    const Question of_all = without_bound(question);  // of which classes are
+    const Question of_all = without_bound(question);  // classes are about all motions
     verdict = rigid_verdict(of_all, answer.inertia);
     if (!writes_certificate(arguments.certificate, of_all, answer.inertia, *verdict)) {
       return kUndecidedWithinLimit;

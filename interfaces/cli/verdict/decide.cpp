@@ -29,14 +29,14 @@ void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& o
   print_json(json, output);
 }
 
-/// A line each; and each warning once, with the cases that it is about.
+/// Prints a line for each case, and each warning once, with the cases that it is about.
 void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& output) {
   NumberText text(output);
   std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
   const bool has_second = std::any_of(answers.begin(), answers.end(),
                                       [](const Answer& a) { return a.within != nullptr; });
   if (has_second) rows.front().insert(rows.front().begin() + 2, "but for rounding");
-  std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
+  std::vector<std::pair<std::string, std::string>> warnings;  // each warning with its cases
   for (const Answer& answer : answers) {
     const std::string& name = answer.question.case_name;
     rows.push_back(
@@ -56,7 +56,8 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
       }
     }
   }
-  // Of one grasp in the plane, if there is any: the others' engine is said by --case.
+  // The engine named is that of one grasp in the plane, if there is any; --case tells the
+  // engine of others.
   const auto exact = std::find_if(answers.begin(), answers.end(),
                                   [](const Answer& a) { return a.problem.has_value(); });
   const Answer& answer = exact == answers.end() ? answers.front() : *exact;
@@ -114,7 +115,8 @@ Answer answered(Question question, const DecideArguments& arguments) {
   return answer_to(std::move(question), options_of(arguments));
 }
 
-/// If the verdict has one. Says so on standard error of a fragile box, which has two others.
+/// Writes the certificate if the verdict has one. A fragile box has two others; standard error
+/// says so.
 void write_certificate(const Answer& answer, const std::string& file) {
   if (file.empty()) return;
   if (const auto certificate = certificate_of(answer)) {
@@ -125,7 +127,7 @@ void write_certificate(const Answer& answer, const std::string& file) {
   }
 }
 
-/// The two grasps of a fragile box, each with the certificate of its verdict. Says so on
+/// Writes the two grasps of a fragile box, each with the certificate of its verdict. Says on
 /// standard error if there are none.
 void write_examples(const Answer& answer, const std::string& folder) {
   if (folder.empty()) return;
@@ -146,7 +148,8 @@ void write_examples(const Answer& answer, const std::string& folder) {
                       {"unstable", proved_grasp(fragile->unstable, law, false, producer)}});
 }
 
-/// That of the worst answer: unstable, then fragile, then undecided, then stable.
+/// Returns the exit code of the worst answer: unstable, then fragile, then undecided, then
+/// stable.
 int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
   const auto any = [&](const std::string& verdict) {
     return std::any_of(answers.begin(), answers.end(),
@@ -203,7 +206,7 @@ void add_decide_command(Command& app, int& exit_code) {
           "splits sets of motions. auto: branch-and-bound, which is faster, but without forces "
           "where these would be long")
       ->type_name("ENGINE")
-      ->transform([](const std::string& name) {  // its name of old
+      ->transform([](const std::string& name) {  // its old name
         return name == "cone" ? std::string("branch-and-bound") : name;
       })
       ->choices({"auto", "states", "branch-and-bound"})

@@ -23,8 +23,8 @@ const char kForces[] =
     "These forces balance the load, lie in their friction cones and oppose slip; checked "
     "exactly.\n";
 
-/// What is known of an equilibrium, contact by contact if it is exact; begins with the line
-/// after that of the load.
+/// The text about an equilibrium, contact by contact if it is exact. It begins with the line
+/// after the load's.
 struct EquilibriumText {
   const Answer& answer;
   const Stable& stable;
@@ -60,8 +60,8 @@ struct EquilibriumText {
   }
 
  private:
-  /// Of several bodies: by contact, with the bodies, and then by spring. Of soft fingers also
-  /// the moment about the normal.
+  /// Returns the forces of several bodies: by contact, with the bodies, and then by spring.
+  /// Soft fingers also have the moment about the normal.
   std::string forces_text(const GraspBox& grasp, const ShareWitness& witness) const {
     Rows rows{{"contact", "of", "by", "normal", "force", ""}};
     const bool is_soft = has_torsion(grasp);
@@ -91,8 +91,8 @@ struct EquilibriumText {
   }
 };
 
-/// Of several bodies the load and the state, coordinate by coordinate; what is 0 throughout is
-/// left out.
+/// Returns the load and the state of several bodies, coordinate by coordinate, without those
+/// that are 0 throughout.
 std::string states_text(const Answer& answer, const Mechanism& mechanism, NumberText& text) {
   const WrenchBox load = wrench_of(answer.question.grasp);
   const auto* stable = std::get_if<Stable>(&answer.verdict);
@@ -117,10 +117,10 @@ std::string leaves_text(std::size_t leaves) {
   return "Proved by a tree of " + std::to_string(leaves) + (leaves == 1 ? " leaf" : " leaves");
 }
 
-/// Why one grasp in the plane is unstable.
+/// Returns why one grasp in the plane is unstable.
 std::string refutation_text(const RefutationSummary& summary, NumberText& text) {
   if (summary.leaves == 0) return "The normal law allows no motion at all.\n";
-  // On a leaf's own twist the load does negative work: the way that the contacts lose is back.
+  // The load does negative work on a leaf's own twist, so the contacts lose the opposite way.
   const std::string twist = text.direction(negated(summary.largest_leaf_twist));
   if (summary.largest_leaf.empty()) {
     return "Whatever the contacts do: along the virtual twist " + twist +
@@ -135,10 +135,10 @@ std::string refutation_text(const RefutationSummary& summary, NumberText& text) 
   return result + "  twist " + twist + "\n\n";
 }
 
-/// What the verdict means, and how it is proved.
+/// The meaning of the verdict, and how it is proved.
 struct Meaning {
   const Answer& answer;
-  bool is_wide;  ///< some number is an interval
+  bool is_wide;  ///< whether some number is an interval
   NumberText& text;
   const std::string& examples;
 
@@ -192,7 +192,7 @@ struct Meaning {
   }
 
  private:
-  /// Of one grasp in the plane, of which exact forces are not known.
+  /// Returns the text for one grasp in the plane whose exact forces are not known.
   std::string near_text() const {
     const auto motion = motion_near(answer);
     if (!motion || !answer.question.is_one_planar_body()) return "";
@@ -207,7 +207,7 @@ struct Meaning {
 const std::string kNatural = "within " + std::to_string(kFarMotion) +
                              " times what the load would press the softest contact, ";
 
-/// The largest rotation of a motion, or the largest translation if it hardly turns.
+/// Returns the largest rotation of a motion, or the largest translation if it hardly turns.
 std::string size_text(const GraspBox& box, const RationalRow& motion) {
   const std::size_t half = box.in_space() ? 3 : 2;
   Rational turn = 0;
@@ -247,7 +247,7 @@ std::string second_heading(const Answer& answer) {
          kNatural + verdict;
 }
 
-/// How to ask for the second answer and its proof.
+/// Returns how to ask for the second answer and its proof.
 std::string second_text(const Answer& answer) {
   if (!answer.within) return "";
   const Answer& within = *answer.within;
@@ -259,7 +259,7 @@ std::string second_text(const Answer& answer) {
          "the one asked\nabout as two doubles do that are next to each other.\n";
 }
 
-/// What the numbers are.
+/// Returns the meaning of the numbers.
 std::string legend(const Answer& answer) {
   if (answer.question.mechanism() != nullptr) {
     return "Load: a force or torque for each coordinate. Motion: of bodies that are no links "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `decide` shows people a verdict with its evidence.
+/// The text for people of a verdict of `decide`, with its evidence.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace stickslip {
 
-/// Prints it. `examples`: the folder to which those of a fragile box are written; may be empty.
+/// Prints the verdict. `examples` is the folder to which the examples of a fragile box are
+/// written; it may be empty.
 void print_text(const Answer& answer, const NumberOptions& output, const std::string& examples);
 
 }  // namespace stickslip

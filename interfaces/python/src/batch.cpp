@@ -19,7 +19,8 @@ namespace py = pybind11;
 
 constexpr const char* kGraspLines = "a file of grasps, one a line";
 
-/// Values as the command line spells them; empty where an option is not given.
+/// Makes a decider. Values are as the command line spells them; an option that is not given is
+/// empty.
 LineDecider make_decider(const std::string& wrench, const std::string& case_name,
                          const std::string& preload, bool bilateral, std::size_t node_limit,
                          bool asks_class, const std::string& inertia,
@@ -43,8 +44,8 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
   return LineDecider(options);
 }
 
-/// The lines of `file` that begin at its bytes from `begin` to before `end`: their results, as
-/// they stand in the file of results.
+/// Returns the results of the lines of `file` that begin at its bytes from `begin` to before
+/// `end`, as they stand in the file of results, and their tally.
 std::pair<py::bytes, BatchTally> decide(const LineDecider& decider, const std::string& file,
                                         std::uintmax_t begin, std::uintmax_t end,
                                         std::size_t lines_before) {
@@ -64,7 +65,7 @@ std::pair<py::bytes, BatchTally> decide(const LineDecider& decider, const std::s
   return {py::bytes(results), tally};
 }
 
-/// The result that line `number`, which begins at that byte, has in place of a verdict.
+/// Returns the result that line `number`, which begins at that byte, has in place of a verdict.
 py::bytes failed(const LineDecider& decider, const std::string& file, std::uintmax_t begin,
                  std::size_t number, const std::string& problem, const std::string& remedy) {
   InputFile in(file, kGraspLines);
@@ -74,8 +75,8 @@ py::bytes failed(const LineDecider& decider, const std::string& file, std::uintm
   return decider.failed(*line, InputError("", "", problem, remedy)).text;
 }
 
-/// Returns what the results in `output` leave to do: their tally and bytes, where in `file` the
-/// first line without a result begins, after how many lines, and what is to be said.
+/// Returns the work that the results in `output` leave: their tally and bytes, where in `file`
+/// the first line without a result begins, after how many lines, and a note.
 py::tuple skip(const LineDecider& decider, const std::string& file, const std::string& output) {
   BatchTally tally;
   std::string note;

@@ -24,7 +24,7 @@ namespace stickslip::python {
 
 /// A grasp in space, which has a class of its own in Python.
 struct SpatialGraspFile : GraspFile {};
-/// One of several bodies, in the plane or in space, which is a box as one in space is.
+/// A grasp of several bodies, in the plane or in space, which is a box as one in space is.
 struct BodiesFile : SpatialGraspFile {};
 
 void bind_grasp(pybind11::module_& module);       ///< grasp.cpp
@@ -39,9 +39,10 @@ void bind_space(pybind11::module_& module);       ///< space.cpp
 void bind_boxes(pybind11::module_& module);       ///< boxes.cpp
 void bind_preload(pybind11::module_& module);     ///< preload.cpp
 
-/// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
-/// preload direction is a list, or any other object to scale. `which` of several follows the
-/// names in errors. `max_motion` is as on the command line; empty: the grasp's own.
+/// Returns the options of a question about a grasp. None leaves the grasp's own value, or asks
+/// for no direction. A preload direction is a list, or any other object to scale. `which` of
+/// several follows the names in errors. `max_motion` is as on the command line; empty: the
+/// grasp's own.
 QuestionOptions question_options(const pybind11::object& wrench,
                                  const pybind11::object& preload, bool bilateral,
                                  const pybind11::object& direction = pybind11::none(),
@@ -49,54 +50,56 @@ QuestionOptions question_options(const pybind11::object& wrench,
                                  const std::string& which = "",
                                  const std::string& max_motion = "");
 
-/// "states", "branch-and-bound" or "auto".
+/// Returns the engine named "states", "branch-and-bound" or "auto".
 Engine engine_named(const std::string& name);
 
-/// A number for each contact, from a list, or one for all of them.
+/// Returns a number for each contact, from a list, or one for all of them.
 std::vector<Rational> numbers(const pybind11::object& values, std::size_t contacts,
                               const std::string& name);
 
-/// \{ From a list of a length and a force, or an empty one; and as a dict.
+/// \{ Read units from a list of a length and a force, or an empty one; return units as a dict.
 std::optional<Units> units_from(const pybind11::list& units);
 pybind11::dict units_of(const std::optional<Units>& units);
 /// \}
 
 /// Throws InputError: the grasp has cases, of which this is the first, and none is chosen.
 [[noreturn]] void refuse_without_case(const std::string& first);
-/// Throws InputError: a box was asked about, and nothing is uncertain.
+/// Throws InputError: a box was asked about, and no number is uncertain.
 [[noreturn]] void refuse_certain();
 
-/// The fields limit, reason, remedy and near of an answer.
+/// Adds the fields limit, reason, remedy and near of an answer.
 void add_undecided(pybind11::dict& result, const Undecided& undecided);
-/// The arguments of results.ModelWarning.
+/// Returns the arguments of results.ModelWarning.
 pybind11::tuple warning_fields(const std::vector<ModelWarning>& warnings);
 
-/// A grasp in its class.
+/// Returns a grasp in its class.
 pybind11::object in_its_class(GraspFile grasp);
 
-/// The same grasp with the friction of each contact replaced.
+/// Returns the same grasp with the friction of each contact replaced.
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction);
 
-/// As an answer repeats it.
+/// Returns a preload direction as an answer repeats it.
 pybind11::object preload_direction_of(const PreloadDirection& direction);
 
-/// Of one grasp in the plane: ask(), with the remedy for a preloaded normal of irrational
-/// length in Python's words.
+/// Returns the question about one grasp in the plane by ask(); the remedy for a preloaded
+/// normal of irrational length is in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);
 
-/// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
-/// empty: nothing. Throws InputError if the grasp has cases and none is chosen.
+/// Returns the question about a grasp with the tolerances `uncertain`, spelled as in
+/// --uncertain; empty: none. Throws InputError if the grasp has cases and none is chosen.
 Question question_in_box(const GraspFile& grasp, QuestionOptions options,
                          const std::string& uncertain = "");
 
-/// The same of one in space or of several bodies, whose lengths may be irrational.
+/// Returns the question about one grasp of any kind: by question_of() in the plane; in space
+/// and of several bodies lengths may be irrational.
 Question question_about(const GraspFile& grasp, const QuestionOptions& options);
 
-/// The fields of results.Margin, of a question whose margin is a list of claims.
+/// Returns the fields of results.Margin, for a question whose margin is a list of claims.
 pybind11::dict margin_by_claims(const Question& question, std::size_t node_limit, bool warnings,
                                 const pybind11::object& accuracy);
 
-/// The fields of results.Decision but the warnings; with the certificate unless it is empty.
+/// Returns the fields of results.Decision but the warnings; with the certificate unless it is
+/// empty.
 pybind11::dict decision_fields(const Answer& answer, const std::string& certificate);
 
 /// One of many answers, whose whole becomes a Python value only when it is looked at.
@@ -104,15 +107,15 @@ struct ManyAnswer {
   std::string verdict;
   std::string engine;
   std::string limit;           ///< why there is no answer; empty if there is one
-  std::vector<double> wrench;  ///< that was asked about
-  std::vector<double> twist;   ///< of an equilibrium; empty if there is none
-  std::vector<double> forces;  ///< of it, contact by contact
-  /// The grasp that was asked about, with the friction of the question, and the fields of
-  /// results.Decision.
+  std::vector<double> wrench;  ///< the wrench that was asked about
+  std::vector<double> twist;   ///< the motion of an equilibrium; empty if there is none
+  std::vector<double> forces;  ///< the forces of that equilibrium, contact by contact
+  /// Returns the grasp that was asked about, with the friction of the question, and the fields
+  /// of results.Decision.
   std::function<pybind11::tuple()> whole;
 };
 
-/// What one of many questions says; None, or no friction, leaves the grasp's own.
+/// One of many questions; None, or no friction, leaves the grasp's own.
 struct OneOfMany {
   pybind11::object wrench;
   pybind11::object preload;
@@ -120,15 +123,15 @@ struct OneOfMany {
   std::string which;                      ///< follows the names in errors
 };
 
-/// A question of many. What is returned decides it, without Python.
+/// Returns a function that decides one question of many, without Python.
 std::function<ManyAnswer()> one_question(const pybind11::handle& grasp, const OneOfMany& asked,
                                          bool bilateral, const std::string& engine,
                                          std::size_t node_limit);
 
-/// Force vectors in the frame of the body.
+/// Returns the force vectors in the frame of the body.
 pybind11::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces);
 
-/// convert(value) of each value.
+/// Returns convert(value) of each value.
 template <class Values, class Convert>
 pybind11::tuple tuple_of(const Values& values, Convert convert) {
   pybind11::tuple result(values.size());
@@ -136,7 +139,7 @@ pybind11::tuple tuple_of(const Values& values, Convert convert) {
   return result;
 }
 
-/// (contact, normal, moved at most) of each normal that moved.
+/// Returns (contact, normal, moved at most) of each normal that moved.
 template <class Snapped, class Convert>
 pybind11::tuple moved_normals(const Snapped& snapped, Convert convert) {
   return tuple_of(snapped, [&convert](const auto& normal) {
@@ -160,7 +163,8 @@ auto without_gil(Work work) {
   }
 }
 
-/// A grasp file, of a box one with intervals, its certificate, and what a checker needs beside.
+/// Returns a grasp file (of a box one with intervals), its certificate, and the options that a
+/// checker needs beside.
 inline pybind11::tuple files(const ProvedFiles& proved) {
   const auto& direction = proved.preload_direction;
   return pybind11::make_tuple(
@@ -168,7 +172,7 @@ inline pybind11::tuple files(const ProvedFiles& proved) {
       direction ? preload_direction_of(*direction) : pybind11::object(pybind11::none()));
 }
 
-/// Of a verdict about a box: the proof, or two examples, or neither.
+/// Adds the files of a verdict about a box: the proof, or two examples, or neither.
 inline void add_files(pybind11::dict& result, const std::vector<ProvedFiles>& found) {
   if (found.size() == 1) result["proof"] = files(found[0]);
   if (found.size() == 2) {
@@ -176,7 +180,7 @@ inline void add_files(pybind11::dict& result, const std::vector<ProvedFiles>& fo
   }
 }
 
-/// What an engine did, by name.
+/// Returns the work of an engine by name.
 template <class Work>
 pybind11::dict stats(const Work& work) {
   pybind11::dict result;

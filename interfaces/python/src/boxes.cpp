@@ -20,7 +20,8 @@ py::tuple middles(const WrenchBox& wrench) {
   return tuple_of(wrench, [](const Interval& w) { return fraction(w.middle()); });
 }
 
-/// What is asked about a grasp of which `uncertain`, as in --uncertain, says what may be off.
+/// Returns the question about a grasp with the tolerances `uncertain`, spelled as in
+/// --uncertain.
 Question asked_of(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                   bool bilateral, const std::string& uncertain, const std::string& max_motion) {
   return question_in_box(
@@ -36,7 +37,7 @@ py::dict fields_of(const Question& asked, const char* verdict, const py::object&
   return result;
 }
 
-/// Irrational lengths are enough to make a box.
+/// Decides a box. Irrational lengths or a bound on motions are enough to make one.
 py::dict decide_box_of(const GraspFile& grasp, const std::string& uncertain,
                        const py::object& wrench, const py::object& preload, bool bilateral,
                        std::size_t node_limit, const std::string& max_motion) {
@@ -137,7 +138,7 @@ py::dict quality(const GraspFile& grasp, const py::object& length, const py::obj
   return result;
 }
 
-/// The arguments of results.MapCell, but the proof's law.
+/// Returns the arguments of results.MapCell, but the proof's law.
 py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof) {
   const auto ends = [](const Interval& interval) {
     return fractions(interval.low, interval.high);
@@ -150,7 +151,7 @@ py::dict map(const GraspFile& grasp, const std::string& x_text, const std::strin
              const std::string& uncertain, const py::object& wrench, const py::object& preload,
              bool bilateral, unsigned depth, std::size_t node_limit, bool proofs,
              const std::string& max_motion) {
-  // In the plane with rational lengths.
+  // A map of a grasp in the plane needs rational lengths.
   const Question asked = question_about(
       grasp,
       question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The independent checker (certificate/cpp). It is given text and nothing else of ours.
+// The independent checker (certificate/cpp). It is given text, and no other data of the
+// library.
 #include "check.hpp"
 
 #include <sstream>
@@ -15,7 +16,7 @@ namespace {
 namespace py = pybind11;
 using py::literals::operator""_a;
 
-/// Through the text, which is all that the two sides have in common.
+/// Converts a number through its text, which is all that the two sides have in common.
 stickslip_check::Rational for_checker(const Rational& value) {
   const std::optional<stickslip_check::Rational> same =
       stickslip_check::parse_decimal(to_string(value));
@@ -93,7 +94,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
   options.bilateral = bilateral;
-  // Of three numbers, or six, or of several bodies one for each coordinate.
+  // Rows have three numbers, or six, or of several bodies one for each coordinate.
   const auto read = [](const py::object& values, const char* name) {
     std::optional<stickslip_check::Vector> result;
     if (values.is_none()) return result;

@@ -21,8 +21,8 @@ struct Compared {
   std::string limit{};
 };
 
-/// The fields of results.Method for each, the evidence as JSON; the class of the load; and the
-/// certificate of the class, if it is wanted, or why there is none.
+/// Returns the fields of results.Method for each, the evidence as JSON; the class of the load;
+/// and the certificate of the class, if it is wanted, or why there is none.
 py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                  bool bilateral, std::vector<std::string> methods, const py::object& length,
                  const py::object& inertia, bool certificate, const std::string& max_motion) {
@@ -42,7 +42,7 @@ py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::obj
     NumberText readable(false);
     const Question question = space ? question_in_box(grasp, asked) : question_of(grasp, asked);
     std::optional<RigidVerdict> verdict;
-    const Question of_all = without_bound(question);  // of which classes are
+    const Question of_all = without_bound(question);  // classes are about all motions
     if (certificate) verdict = rigid_verdict(of_all, options.inertia);
     options.verdict = verdict ? &*verdict : nullptr;
     Compared result{compare_methods(question, options, readable)};
@@ -71,11 +71,11 @@ py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::obj
   return result;
 }
 
-/// The fields of results.ClassRange for each; or the limit at which they are not known.
+/// Returns the fields of results.ClassRange for each; or the limit at which they are not known.
 py::object classes(const GraspFile& grasp, const py::object& direction,
                    const py::object& wrench, const py::object& inertia) {
   QuestionOptions asked = question_options(wrench, py::none(), false, direction);
-  asked.preload = 0;  // of rigid contacts
+  asked.preload = 0;  // contacts are rigid
   const Inertia mass = inertia_from(inertia);
   const auto found =
       without_gil([&] { return class_margin(problem_of(question_of(grasp, asked)), mass); });
@@ -86,11 +86,11 @@ py::object classes(const GraspFile& grasp, const py::object& direction,
   });
 }
 
-/// Tuples of results.ClassRange: which factors of all friction are of which class.
+/// Returns tuples of results.ClassRange: which factors of all friction are of which class.
 py::tuple factors(const GraspFile& grasp, const py::object& wrench, const py::object& inertia,
                   const py::object& accuracy) {
   QuestionOptions asked = question_options(wrench, py::none(), false);
-  asked.preload = 0;  // of rigid contacts
+  asked.preload = 0;  // contacts are rigid
   const Inertia mass = inertia_from(inertia);
   const Rational part = exact(accuracy, "accuracy");
   if (part.sign() <= 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Another program's answer held against the exact one (interfaces/claim.hpp).
+// The judgement of another program's answer against the exact one (interfaces/claim.hpp).
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
@@ -13,7 +13,7 @@ namespace {
 namespace py = pybind11;
 using py::literals::operator""_a;
 
-/// The package has checked the lengths.
+/// Reads a row; the package has checked the lengths.
 RationalRow exact_row(const py::list& values, const std::string& name,
                       const std::string& separator) {
   RationalRow row;
@@ -33,7 +33,8 @@ Rational not_negative(const py::object& value, const std::string& place) {
   throw InputError("", place, "the value is " + to_string(number), "it must be 0 or more");
 }
 
-/// (squared, contact); two numbers between which the square lies, where that is irrational.
+/// Returns (squared, contact); or two numbers between which the square lies, if that is
+/// irrational.
 py::object residual(const std::optional<LargestResidual>& found) {
   if (!found) return py::none();
   const py::object contact =
@@ -41,7 +42,7 @@ py::object residual(const std::optional<LargestResidual>& found) {
   if (const auto square = found->value.rational_square()) {
     return py::make_tuple(fraction(*square), contact);
   }
-  // To more digits than a double has.
+  // The numbers are closer than doubles can tell.
   const Rational close = 1 + Rational(1, Integer(1) << 60U);
   for (unsigned bits = 64;; bits *= 2) {
     const auto [low, high] = found->value.between(bits);
@@ -50,7 +51,7 @@ py::object residual(const std::optional<LargestResidual>& found) {
   }
 }
 
-/// A number where it is known exactly, else what it lies between.
+/// Returns a number if the distance is known exactly, else two numbers that it lies between.
 py::object distance(const std::optional<DistanceBounds>& found) {
   if (!found) return py::none();
   if (found->low == found->high) return fraction(found->low);

@@ -40,8 +40,8 @@ std::string_view utf8(py::handle string) {
   return {bytes, static_cast<std::size_t>(size)};
 }
 
-/// Whether a grasp file can hold the number. Its length is known but for one digit in each part
-/// before it is spelled.
+/// Returns true if a grasp file can hold the number. Its length is known but for one digit in
+/// each part before it is spelled.
 bool fits_a_file(const Rational& value) {
   const std::size_t digits =
       mpz_sizeinbase(mpq_numref(value.gmp()), 10) + mpz_sizeinbase(mpq_denref(value.gmp()), 10);
@@ -49,13 +49,14 @@ bool fits_a_file(const Rational& value) {
   return digits <= kMaxNumberLength + 2 && to_string(value).size() <= kMaxNumberLength;
 }
 
-/// Throws NumberError, or what Python raises.
+/// Reads a number. Throws NumberError, or the exception that Python raises.
 Rational read_exact(py::handle value) {
   if (PyFloat_Check(value.ptr())) return rational_from_double(PyFloat_AS_DOUBLE(value.ptr()));
   if (PyUnicode_Check(value.ptr())) return parse_rational(utf8(value));
   if (!PyBool_Check(value.ptr()) && !is_instance(value, "numpy", "bool_")) {
     if (PyIndex_Check(value.ptr())) return Rational(integer(value));
-    // By its text, whose length and exponent are limited; its ratio could fill the memory.
+    // A Decimal is read by its text, whose length and exponent are limited; its ratio could
+    // fill the memory.
     if (is_instance(value, "decimal", "Decimal")) return parse_rational(utf8(py::str(value)));
     if (py::hasattr(value, "as_integer_ratio")) {  // Fraction, numpy.float32, ...
       const auto ratio = value.attr("as_integer_ratio")().cast<py::tuple>();

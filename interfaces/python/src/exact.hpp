@@ -12,27 +12,27 @@
 
 namespace stickslip::python {
 
-/// The number that a Python object is, exactly: an int, a float (the dyadic rational that it
-/// is), a Fraction, a Decimal, a NumPy scalar, or a string as in a grasp file ("3/5", "-0.25",
-/// "1e-3"). Throws InputError naming `place` for anything else, NaN and infinities included,
-/// and for what is too long for a grasp file.
+/// Returns the number that a Python object is, exactly: an int, a float (the dyadic rational
+/// that it is), a Fraction, a Decimal, a NumPy scalar, or a string as in a grasp file ("3/5",
+/// "-0.25", "1e-3"). Throws InputError naming `place` for anything else, NaN and infinities
+/// included, and for a number that is too long for a grasp file.
 Rational exact(pybind11::handle value, const std::string& place);
 
-/// A Fraction of any length.
+/// Returns the number of a Fraction of any length.
 Rational rational(pybind11::handle fraction);
 
-/// A list of three numbers. The place of an error is "name[i]".
+/// Returns the wrench of a list of three numbers. The place of an error is "name[i]".
 Wrench exact_wrench(const pybind11::list& values, const std::string& name);
 
-/// A fractions.Fraction.
+/// Returns a fractions.Fraction.
 pybind11::object fraction(const Rational& value);
-/// None where there is no value.
+/// Returns None if there is no value.
 pybind11::object fraction_or_none(const std::optional<Rational>& value);
 pybind11::tuple fractions(const Twist& twist);
 pybind11::tuple fractions(const Wrench& wrench);
 pybind11::tuple fractions(const Rational& x, const Rational& y);
 
-/// A str; what is not UTF-8 becomes U+FFFD.
+/// Returns a str; bytes that are not UTF-8 become U+FFFD.
 pybind11::str text(const std::string& bytes);
 
 }  // namespace stickslip::python

@@ -17,7 +17,7 @@ Vector2 vector2(const py::list& rows, std::size_t i, const char* name) {
   return {exact(row[0], place + "0]"), exact(row[1], place + "1]")};
 }
 
-/// From lists of polygons of rings of vertices.
+/// Reads lists of polygons of rings of vertices.
 std::vector<Polygon> polygons(const py::list& outline) {
   std::vector<Polygon> result;
   for (const py::handle polygon : outline) {
@@ -35,7 +35,7 @@ std::vector<Polygon> polygons(const py::list& outline) {
   return result;
 }
 
-/// The package has checked the lengths.
+/// Makes a grasp; the package has checked the lengths.
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
@@ -80,14 +80,14 @@ py::tuple outline_of(const GraspFile& file) {
   return tuple_of(file.description().outline, polygon);
 }
 
-/// Every stiffness written out: equal grasps give equal texts.
+/// Returns the text with every stiffness written out: equal grasps give equal texts.
 std::string text_of(GraspFile file) {
   file.assumed_stiffness.clear();
   return write_grasp_file(file);
 }
 
-/// The grasp with rational unit normals, and (contact, normal, moved at most) of each that
-/// moved.
+/// Returns the grasp with rational unit normals, and (contact, normal, moved at most) of each
+/// that moved.
 py::tuple snapped(const GraspFile& file, const py::object& within) {
   const SnapResult result = snap_normals(file.loaded().grasp, exact(within, "within"));
   GraspFile grasp = file;
@@ -97,7 +97,7 @@ py::tuple snapped(const GraspFile& file, const py::object& within) {
                         }));
 }
 
-/// One value a contact.
+/// Returns one value for each contact.
 template <class Value>
 py::tuple by_contact(const GraspFile& file, Value value) {
   return tuple_of(file.loaded().grasp.contacts(), value);

@@ -21,10 +21,10 @@ namespace py = pybind11;
 
 struct Decisions {
   std::vector<ManyAnswer> answers;
-  std::size_t coordinates;  ///< of a motion
+  std::size_t coordinates;  ///< the coordinates of a motion
 };
 
-/// \{ Entry i of a list with an entry for each question, or with one for all of them.
+/// \{ Return entry i of a list with an entry for each question, or with one for all of them.
 template <class Value>
 const Value& entry(const std::vector<Value>& list, std::size_t i) {
   return list[list.size() == 1 ? 0 : i];
@@ -34,12 +34,13 @@ py::object entry(const py::list& list, std::size_t i) {
 }
 /// \}
 
-/// Calls work(i) for all i below `count`, in parallel. Throws what the first i that throws
-/// does.
+/// Calls work(i) for all i below `count`, in parallel. If calls throw, throws what the first
+/// such i does.
 template <class Work>
 void for_all(std::size_t count, std::size_t threads, Work work) {
   using oneapi::tbb::global_control;
-  std::optional<global_control> allowed;  // more than there are cores, without a warning
+  std::optional<global_control> allowed;  // there may be more threads than cores, without a
+                                          // warning
   if (threads > 0) allowed.emplace(global_control::max_allowed_parallelism, threads);
   oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic
                                              : static_cast<int>(threads));
@@ -61,8 +62,9 @@ void for_all(std::size_t count, std::size_t threads, Work work) {
   }
 }
 
-/// Each list has one entry for all questions or one for each; of the last three an empty one
-/// leaves the grasps' own. The grasps are all of one kind, with as many coordinates.
+/// Decides many questions. Each list has one entry for all questions or one for each; an empty
+/// one of the last three leaves the grasps' own. The grasps are all of one kind, with as many
+/// coordinates.
 Decisions decide_many(std::size_t count, const py::list& grasps, const py::list& wrenches,
                       const py::list& frictions, const py::list& preloads, bool bilateral,
                       const std::string& engine, std::size_t node_limit, std::size_t threads) {
@@ -102,14 +104,14 @@ py::tuple decision_at(const Decisions& decisions, std::size_t i) {
   return decisions.answers.at(i).whole();
 }
 
-/// Of every question.
+/// Returns the texts of every question.
 py::list texts(const Decisions& decisions, std::string ManyAnswer::*member) {
   py::list result;
   for (const ManyAnswer& answer : decisions.answers) result.append(text(answer.*member));
   return result;
 }
 
-/// One row of this width for each question, with NaN where it has fewer numbers.
+/// Returns one row of this width for each question, with NaN where it has fewer numbers.
 py::array_t<double> rows(const Decisions& decisions, std::vector<double> ManyAnswer::*member,
                          std::size_t width) {
   py::array_t<double> result({decisions.answers.size(), width});
@@ -123,7 +125,7 @@ py::array_t<double> rows(const Decisions& decisions, std::vector<double> ManyAns
   return result;
 }
 
-/// A row has all forces of a question; it is as long as the longest.
+/// Returns rows with all forces of a question each; they are as long as the longest.
 py::array_t<double> forces(const Decisions& decisions) {
   std::size_t width = 0;
   for (const ManyAnswer& answer : decisions.answers) {
@@ -132,7 +134,7 @@ py::array_t<double> forces(const Decisions& decisions) {
   return rows(decisions, &ManyAnswer::forces, width);
 }
 
-/// \{ The answers as they are, each as a whole.
+/// \{ Convert the whole answers for pickle, and back.
 py::tuple pickled(const Decisions& decisions) {
   return py::make_tuple(decisions.coordinates,
                         tuple_of(decisions.answers, [](const ManyAnswer& a) {

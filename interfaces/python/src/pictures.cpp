@@ -31,18 +31,18 @@ py::object direction_or_none(const std::optional<PlaneDirection>& d) {
   return d ? py::object(direction(*d)) : py::object(py::none());
 }
 
-/// The arguments of results.Outline.
+/// Returns the arguments of results.Outline.
 py::tuple outline(const Outline& o) {
   return py::make_tuple(tuple_of(o.vertices, point), direction_or_none(o.from),
                         direction_or_none(o.to));
 }
 
-/// The arguments of results.Cell.
+/// Returns the arguments of results.Cell.
 py::tuple cell(const PlaneCell& c) {
   return py::make_tuple(tuple_of(c.vertices(), point), tuple_of(c.rays(), direction));
 }
 
-/// The arguments of results.Piece.
+/// Returns the arguments of results.Piece.
 py::tuple piece(const ResistiblePiece& p) {
   return py::make_tuple(
       slips_text(p.modes),
@@ -104,7 +104,8 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
   return std::move(result);
 }
 
-/// With the limit of an answer that is known to be undecided, without deciding again.
+/// Returns a picture. `limit` is that of an answer that is known to be undecided; then nothing
+/// is decided again.
 py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       const std::optional<std::string>& limit) {
@@ -112,14 +113,14 @@ py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
   return text(without_gil([&] {
     const Question question = question_about(grasp, asked);
     if (limit) return plot_grasp(question, Undecided{*limit});
-    // Pictures need exact forces, however long.
+    // Pictures need exact forces, however long they are.
     const Engine exact = engine == "auto" ? Engine::kBranchAndBound : engine_named(engine);
     return plot_grasp(question,
                       answer_to(question, {exact, 0, WarningsAsked::kNone, false}).verdict);
   }));
 }
 
-/// Numbers are spelled as on a command line; of no time limit, 0.
+/// Returns a page. Numbers are spelled as on a command line; a time limit of 0 is none.
 py::str page(const GraspFile& grasp, const std::string& wrench, const std::string& case_name,
              const std::string& preload, bool bilateral, const std::string& uncertain,
              std::size_t node_limit, double time_limit) {
@@ -136,7 +137,7 @@ py::str page(const GraspFile& grasp, const std::string& wrench, const std::strin
     return text(
         without_gil([&] { return page_html(page_answer(grasp, asked, {}, limits, "grasp")); }));
   } catch (const InputError& error) {
-    // In the words of a command line.
+    // The place is spelled in the words of a command line.
     const std::string& place = error.place();
     if (place.rfind("--", 0) != 0) throw;
     throw InputError(error.file(), place.substr(2), error.problem(), error.remedy());

@@ -45,7 +45,7 @@ FoundPreload largest_ball(const Question& asked, const LoadBall& shape, const Ra
   return found;
 }
 
-/// With a budget under the first load alone.
+/// Finds the best preloads; with a budget, those under the first load alone.
 py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::object& budget,
                       const std::string& uncertain, const py::object& length,
                       const py::list& about, const std::string& body, bool balanced,

@@ -18,7 +18,7 @@ namespace {
 namespace py = pybind11;
 using py::literals::operator""_a;
 
-/// The evidence of a stable verdict, contact by contact.
+/// Adds the evidence of a stable verdict, contact by contact.
 void add_witness(py::dict& result, const Question& question, const Problem& problem,
                  const Witness& witness) {
   py::tuple coefficients(problem.size());
@@ -35,12 +35,12 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
   result["closed"] = closed;
 }
 
-/// Of a vector in the plane or in space.
+/// Returns the coordinates of a vector in the plane or in space.
 RationalRow coordinates_of(const Answer& about, const Vector3& v) {
   return {v.begin(), v.begin() + (about.question.in_space() ? 3 : 2)};
 }
 
-/// What is known of an equilibrium.
+/// Adds the fields of an equilibrium, as far as it is known.
 struct EquilibriumFields {
   const Answer& answer;
   const Stable& stable;
@@ -73,7 +73,7 @@ struct EquilibriumFields {
   }
 };
 
-/// The motion and the forces of an equilibrium, if it is exact.
+/// Adds the motion and the forces of an equilibrium, if it is exact.
 struct AddDoubles {
   const Answer& about;
   ManyAnswer& answer;
@@ -157,7 +157,7 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
   return result;
 }
 
-/// The fields of results.Margin; or the limit at which it is not known.
+/// Returns the fields of results.Margin; or the limit at which it is not known.
 py::dict exact_margin(const Question& question, std::size_t node_limit, bool warnings) {
   struct Answer {
     std::variant<Margin, Undecided> result;
@@ -246,7 +246,8 @@ py::tuple warning_fields(const std::vector<ModelWarning>& warnings) {
   });
 }
 
-/// The second answer, with the file and the certificate that prove it, if it is decided.
+/// Returns the second answer, with the file and the certificate that prove it, if it is
+/// decided.
 py::dict within_fields(const Answer& within) {
   const GraspBox box = box_of(within.question.grasp);
   py::dict result(

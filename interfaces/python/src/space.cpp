@@ -49,7 +49,7 @@ Vector3 row_of(const py::list& rows, std::size_t i, const char* name) {
   return result;
 }
 
-/// From a pair of lists, vertices and faces, or None.
+/// Reads a pair of lists, vertices and faces, or None.
 std::shared_ptr<const Mesh> body_from(const py::object& body) {
   if (body.is_none()) return nullptr;
   const auto parts = body.cast<py::tuple>();
@@ -62,7 +62,7 @@ std::shared_ptr<const Mesh> body_from(const py::object& body) {
   return mesh;
 }
 
-/// The package has checked the lengths, and the body.
+/// Makes a grasp; the package has checked the lengths, and the body.
 SpatialGraspFile make_spatial_grasp(const py::list& positions, const py::list& normals,
                                     const py::object& friction, const py::object& stiffness,
                                     const py::object& preload, const py::list& wrench,
@@ -93,14 +93,14 @@ SpatialGraspFile make_spatial_grasp(const py::list& positions, const py::list& n
         {case_name, certain(exact_array<6>(named[1].cast<py::list>(),
                                            "cases[" + quote(case_name) + "]"))});
   }
-  // The requirements on units are Grasp's own.
+  // Grasp itself has the requirements on units.
   box.description =
       Grasp({}, GraspDescription{name, {}, units_from(units), body_from(body)}).description();
   box.check();
   return grasp;
 }
 
-/// Every stiffness written out, as of a GraspFile.
+/// Returns the text with every stiffness written out, as that of a GraspFile.
 std::string spatial_text(SpatialGraspFile grasp) {
   grasp.assumed_stiffness.clear();
   return write_grasp_file(grasp);
@@ -110,7 +110,7 @@ const GraspBox& box_in(const GraspFile& grasp) {
   return std::get<GraspBox>(grasp.content);
 }
 
-/// The numbers of a grasp without intervals.
+/// Returns the numbers of a grasp without intervals.
 template <class Intervals>
 py::tuple lows(const Intervals& intervals) {
   return tuple_of(intervals, [](const Interval& interval) { return fraction(interval.low); });
@@ -121,7 +121,7 @@ py::tuple fractions_of(const Values& values) {
   return tuple_of(values, fraction);
 }
 
-/// Vertices and faces, or None.
+/// Returns vertices and faces, or None.
 py::object body_of(const SpatialGraspFile& grasp) {
   const std::shared_ptr<const Mesh>& body = grasp.description().body;
   if (!body) return py::none();
@@ -131,7 +131,7 @@ py::object body_of(const SpatialGraspFile& grasp) {
                         }));
 }
 
-/// One value a contact.
+/// Returns one value for each contact.
 template <class Value>
 auto by_contact(Value value) {
   return [value](const SpatialGraspFile& grasp) {
@@ -181,14 +181,14 @@ const Mechanism& mechanism_in(const BodiesFile& file) {
   return *box_in(file).mechanism;
 }
 
-/// Names, or where those are that have none.
+/// Returns the names of springs; the place of a spring without a name.
 py::tuple spring_names(const BodiesFile& file) {
   return tuple_of(box_in(file).springs, [](const Spring& spring) {
     return text(spring.name.empty() ? spring.place : spring.name);
   });
 }
 
-/// Of which body and by which, of each contact.
+/// Returns for each contact the body that it is of and the body that it is by.
 py::tuple pairs_of(const BodiesFile& file) {
   return tuple_of(box_in(file).contacts, [&file](const UncertainContact& contact) {
     return py::make_tuple(text(mechanism_in(file).name_of(contact.of)),
@@ -196,7 +196,7 @@ py::tuple pairs_of(const BodiesFile& file) {
   });
 }
 
-/// Of any class.
+/// Reads a grasp of any class.
 py::object parse(const std::string& content, const std::string& name) {
   GraspFile file =
       without_gil([&] { return parse_any_grasp(content, name, Intervals::kRefused); });

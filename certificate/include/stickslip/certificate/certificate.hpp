@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Writing certificates in the format of certificate/FORMAT.md. The checkers that read them
-/// share no code with this. And the question for other solvers.
+/// Writers of certificates in the format of certificate/FORMAT.md, and of questions for other
+/// solvers. The checkers that read certificates share no code with this.
 #pragma once
 
 #include <string>
@@ -15,37 +15,37 @@
 
 namespace stickslip {
 
-/// The certificate of a verdict, ending in a newline; one node a line. `producer` is a remark
-/// without meaning, `bits` those of BoxDecision. Throws ContractError unless the verdict is
-/// Stable or Unstable.
+/// Returns the certificate of a verdict, ending in a newline; one node a line. `producer` is a
+/// remark without meaning, `bits` is that of BoxDecision. Throws ContractError unless the
+/// verdict is Stable or Unstable.
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer, unsigned bits = kDefaultBits);
 
-/// \{ The certificate of the margin of problem_of(question), by segments, and of one by claims
-/// (FORMAT.md, section 5).
+/// \{ Return the certificate of the margin of problem_of(question), by segments, and of one by
+/// claims (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
 std::string margin_certificate_text(const Question& question, const SpatialMargin& margin,
                                     const std::string& producer);
 /// \}
 
-/// The certificate of the resistible wrenches of a plane (FORMAT.md, section 12). The wrench of
-/// the question plays no part.
+/// Returns the certificate of the resistible wrenches of a plane (FORMAT.md, section 12). The
+/// wrench of the question plays no part.
 std::string region_certificate_text(const Question& question, const WrenchPlane& plane,
                                     const RegionProof& proof, const std::string& producer);
 
-/// The certificate of the class of a load (FORMAT.md, section 13). Throws ContractError for
-/// Undecided, and unless the question is about one load of one grasp.
+/// Returns the certificate of the class of a load (FORMAT.md, section 13). Throws ContractError
+/// for Undecided, and unless the question is about one load of one grasp.
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer);
 
-/// The whole question as an SMT-LIB 2 problem for solvers such as Z3 and cvc5. A complete
-/// script: declarations, the conditions of problem.hpp with their disjunctions, (check-sat).
-/// `sat` means stable, `unsat` unstable. In the plane the logic is QF_LRA, with variables dx,
-/// dy, dr and, per contact i, a_i and b_i (force coefficients of the contact's own normal and
-/// tangent). In space, and where a preloaded normal has an irrational length, it is QF_NRA with
-/// Coulomb's cone as it is: a_i, friction fx_i, fy_i, fz_i across the normal, and t_i, friction
-/// over slip. Throws InputError for a box of more than one grasp.
+/// Returns the whole question as an SMT-LIB 2 problem for solvers such as Z3 and cvc5. It is a
+/// complete script: declarations, the conditions of problem.hpp with their disjunctions,
+/// (check-sat). `sat` means stable, `unsat` unstable. In the plane the logic is QF_LRA, with
+/// variables dx, dy, dr and, per contact i, a_i and b_i (force coefficients of the contact's
+/// own normal and tangent). In space, and if a preloaded normal has an irrational length, it is
+/// QF_NRA with Coulomb's cone as it is: a_i, friction fx_i, fy_i, fz_i across the normal, and
+/// t_i, friction over slip. Throws InputError for a box of more than one grasp.
 std::string smtlib_text(const Question& question);
 
 }  // namespace stickslip

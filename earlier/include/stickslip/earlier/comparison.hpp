@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// One question put to the passive model and to the earlier methods, and what each says, in
-/// words and with its evidence.
+/// The answers of the passive model and of the earlier methods to one question, in words and
+/// with their evidence.
 #pragma once
 
 #include <optional>
@@ -17,27 +17,30 @@ namespace stickslip {
 struct MethodRow {
   std::string method;           ///< its name
   std::string source;           ///< who proposed it
-  bool about_the_load = false;  ///< else it asks about the grasp, whatever the load
+  bool about_the_load = false;  ///< whether it asks about the load; else it asks about the
+                                ///< grasp alone
   std::string verdict;          ///< in the method's own terms, or kNotComputed
   std::string why;              ///< one line, from the evidence
-  Json evidence;                ///< to be finished
-  /// Whether it says of the load what the passive model says. Nothing for the passive model
-  /// itself, a method that asks about the grasp and not the load, or one without an answer.
+  Json evidence;                ///< the evidence, to be finished
+  /// Whether the method says of the load what the passive model says. Nothing for the passive
+  /// model itself, for a method that asks about the grasp and not the load, and for one without
+  /// an answer.
   std::optional<bool> agrees;
 };
 
 /// The verdict of a method that would take too long, or does not apply.
 inline constexpr const char* kNotComputed = "not computed";
 
-/// Which methods are asked, and what some of them need.
+/// The methods to ask, and what some of them need.
 struct CompareOptions {
-  std::vector<std::string> methods{};     ///< some of method_words(); all if empty
-  Rational length = 1;                    ///< characteristic, of wrench spaces
-  Inertia inertia{};                      ///< for strong stability, in as many coordinates
-  const RigidVerdict* verdict = nullptr;  ///< if it is known it is not sought again
+  std::vector<std::string> methods{};  ///< some of method_words(); all if empty
+  Rational length = 1;                 ///< the characteristic length of wrench spaces
+  Inertia inertia{};  ///< the inertia of strong stability, in as many coordinates as the grasp
+  const RigidVerdict* verdict = nullptr;  ///< the verdict on the class of the load, if it is
+                                          ///< known; it is not sought again
 };
 
-/// What the methods say.
+/// The answers of the methods.
 struct Comparison {
   std::vector<MethodRow> methods;  ///< the passive model first
   /// "must move", "must hold" or "open" (load_classes.hpp), if weak and strong stability, or
@@ -46,13 +49,14 @@ struct Comparison {
   std::optional<Undecided> undecided{};  ///< in space: why there is no class
 };
 
-/// The names of all methods as a list without spaces spells them: "grasp-wrench-space-L1".
+/// Returns the names of all methods as a list without spaces spells them:
+/// "grasp-wrench-space-L1".
 std::vector<std::string> method_words();
 
-/// Asks the methods and no other of one grasp. Sentences have their numbers from `text`; those
-/// on why a method differs from the passive model need it asked. Throws InputError ("methods"),
-/// in space also for a method of the plane alone that is asked for; and as problem_of() and
-/// point_in_space().
+/// Asks only the methods of `options` about one grasp. Sentences have their numbers from
+/// `text`. They say why a method differs from the passive model only if that is asked, too.
+/// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone;
+/// also throws as problem_of() and point_in_space() do.
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text);
 

@@ -22,10 +22,10 @@
 /// - slips: its normal spring, c_n >= 0, and no friction, c_t = 0;
 /// - is detached: no force, and its spring is released, P - k N.d <= 0.
 ///
-/// It holds iff one of the 3^m combinations has a solution. That a detached contact has been
-/// released is part of what detached means: without it contact 1 of Fig. 1 could let go while
-/// it is compressed, and the load (0, 1, 0) with P = 1, which the paper says this method
-/// rejects, would be held by the other two.
+/// It holds iff one of the 3^m combinations has a solution. A detached contact must have been
+/// released: without this condition contact 1 of Fig. 1 could let go while it is compressed,
+/// and the load (0, 1, 0) with P = 1, which the paper says this method rejects, would be held
+/// by the other two.
 ///
 /// Neither model depends on the normal law.
 ///
@@ -53,29 +53,31 @@ struct SpringBalance {
   std::optional<ContactId> outside;
 };
 
-/// No springs resist this motion, N_i.d = T_i.d = 0 for all i, and the load does work along it.
+/// A motion that no spring resists, N_i.d = T_i.d = 0 for all i, and along which the load does
+/// work.
 struct UnresistedMotion {
   Row motion;  ///< coprime integers
 };
 
-/// One linear system of size 3; its solution is checked by substitution.
+/// Solves one linear system of size 3; its solution is checked by substitution.
 std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& problem);
 
-/// Springs in balance with the load in space. As all three springs of a contact are as stiff as
-/// each other, its force is P n / |n| - k u, with u the displacement of its point.
+/// Springs in balance with the load in space. All three springs of a contact are equally stiff,
+/// so its force is P n / |n| - k u, with u the displacement of its point.
 struct SpatialSpringBalance {
   RationalRow motion;           ///< d
   std::vector<Vector3> forces;  ///< by ContactId
-  /// A contact whose force is outside its friction cone: one that pulls, or whose friction is
-  /// the largest multiple of what there may be.
+  /// A contact whose force is outside its friction cone: one that pulls, or the one whose
+  /// friction is the largest multiple of the most that there may be.
   std::optional<ContactId> outside;
 };
 
-/// The same in space, of a point. One linear system of size 6. Throws InputError
-/// ("contacts[i].normal") at a preloaded contact with a normal of irrational length.
+/// Solves the same in space, for a grasp without uncertain numbers: one linear system of size
+/// 6. Throws InputError ("contacts[i].normal") at a preloaded contact with a normal of
+/// irrational length.
 std::variant<SpatialSpringBalance, UnresistedMotion> linear_compliance(const GraspBox& grasp);
 
-/// What a contact does in the three-state model.
+/// The state of a contact in the three-state model.
 enum class SpringState { kStick, kSlip, kDetached };
 
 /// A combination of states that balances the load.
@@ -84,14 +86,15 @@ struct SpringStates {
   Witness springs;                  ///< the motion, and the forces in these states
 };
 
-/// Every combination was refuted, by Farkas multipliers that were verified.
+/// Evidence that no combination balances the load: each was refuted by Farkas multipliers that
+/// were verified.
 struct NoSpringStates {
   std::size_t combinations = 0;  ///< 3^m
 };
 
-/// Combinations are tried with sticking first, and earlier contacts varying slowest.
-/// 3^m linear programs in 3 variables; Undecided without trying beyond `most_contacts`. The
-/// solution found is checked by substitution.
+/// Tries combinations with sticking first, and earlier contacts varying slowest: 3^m linear
+/// programs in 3 variables. Undecided without a try above `most_contacts` contacts. The
+/// solution is checked by substitution.
 std::variant<SpringStates, NoSpringStates, Undecided> three_state_compliance(
     const Problem& problem, std::size_t most_contacts = 10);
 

@@ -11,11 +11,11 @@
 ///
 /// **Method.** Branch and bound over separations. A contact whose v_i = P_i - k_i N_i.d has one
 /// sign on the region of motions is closed, a_i = v_i, or open, a_i = 0; others are relaxed to
-/// a_i >= max(0, v_i). The contact whose a_i exceeds max(0, v_i) most is split by v_i = 0;
-/// where there are no such forces but a virtual twist alone does not show it (FORMAT.md,
-/// section 4), the contact whose a_i >= v_i matters most. These planes cut the region, so there
-/// are at most as many regions as cells in their arrangement, O(m^3). Under the bilateral law
-/// all are closed: one linear program.
+/// a_i >= max(0, v_i). The contact whose a_i exceeds max(0, v_i) most is split by v_i = 0. If
+/// there are no such forces but a virtual twist alone does not show it (FORMAT.md, section 4),
+/// the contact whose a_i >= v_i the contradiction uses most is split. These planes cut the
+/// region, so there are at most as many regions as cells in their arrangement, O(m^3). Under
+/// the bilateral law all are closed: one linear program.
 #pragma once
 
 #include <variant>
@@ -26,12 +26,13 @@
 namespace stickslip {
 
 /// The motion and forces found, or a tree of separation splits and virtual twists that refutes
-/// all motions. The tree's twists bound the work of *all* forces in the friction cones (the
-/// multipliers that prove it were verified); so, read as a refutation of the passive model, it
-/// holds as well, and certificate/ can check it.
+/// all motions. The tree's twists bound the work of *all* forces in the friction cones; the
+/// multipliers that prove it were verified. So the tree is also a refutation of the passive
+/// model, which certificate/ can check.
 using ConesVerdict = std::variant<Witness, Trees, Undecided>;
 
-/// Undecided only at `most_programs` linear programs. A witness is checked by substitution.
+/// Searches for such a motion. Undecided only at `most_programs` linear programs. A witness is
+/// checked by substitution.
 ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_programs = 20000);
 
 /// A motion and forces of a grasp in space, with normal forces by their law and friction in
@@ -41,16 +42,16 @@ struct SpatialConesWitness {
   std::vector<Vector3> forces;  ///< by ContactId
 };
 
-/// All motions are refuted: an exact linear program for each region of a search over which
-/// contacts are closed has no solution, with polygons around the discs of friction.
+/// Evidence that all motions are refuted. For each region of a search over which contacts are
+/// closed an exact linear program has no solution, with polygons around the discs of friction.
 struct NoSpatialCones {
-  std::size_t regions = 0;  ///< that were refuted
+  std::size_t regions = 0;  ///< regions that were refuted
 };
 
-/// The same in space, of a point: discs are put between polygons, which are refined where the
-/// answers are. Undecided at `most_programs`, and where forces are so near the border of a cone
-/// that polygons as fine as doubles do not tell. Throws InputError ("contacts[i].normal") at a
-/// preloaded contact with a normal of irrational length.
+/// Searches for the same in space, for a grasp without uncertain numbers. Discs are put between
+/// polygons, which are refined where the answers are. Undecided at `most_programs`, and if
+/// forces are so near the border of a cone that polygons as fine as doubles do not tell. Throws
+/// InputError ("contacts[i].normal") at a preloaded contact with a normal of irrational length.
 std::variant<SpatialConesWitness, NoSpatialCones, Undecided> friction_cones_alone(
     const GraspBox& grasp, NormalLaw law, std::size_t most_programs = 2000);
 

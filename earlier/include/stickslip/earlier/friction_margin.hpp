@@ -4,18 +4,18 @@
 /// before the class does.
 ///
 /// **Must move** are all factors below a border, as larger cones hold more. A twist that no
-/// force opposes at one factor is opposed by none up to another, forces that balance the load
-/// do so down to another, and both go on from there. The border is where two edges of cones and
-/// the load are in one plane: a root of a quadratic equation. Where it is rational and simple
-/// it is found and proved (friction_border.hpp); else two factors are known that it lies
-/// between.
+/// force opposes at one factor is opposed by none up to another factor; forces that balance the
+/// load do so down to another. The search goes on from both. The border is where two edges of
+/// cones and the load are in one plane: a root of a quadratic equation. A rational and simple
+/// root is found and proved (friction_border.hpp); any other root is only known to lie between
+/// two factors.
 ///
 /// **Must hold** is not monotone. Cells of solutions (rigid_cells.hpp) are relaxed to all
-/// factors of a range: where none of them has an acceleration, the whole range must hold.
-/// Ranges are joined from one factor on, to both sides, until a factor is met that leaves the
-/// load open.
+/// factors of a range: if none of them has an acceleration, the whole range must hold. Ranges
+/// are joined from one factor on, to both sides, until a factor is met that leaves the load
+/// open.
 ///
-/// What is between is not known: the model is not linear in the factor and an acceleration.
+/// The class between is not known: the model is not linear in the factor and an acceleration.
 #pragma once
 
 #include <optional>
@@ -25,19 +25,20 @@
 
 namespace stickslip {
 
-/// All factors from low to high, or from low on, are of one class.
+/// A range of factors of one class, from low to high, or from low on.
 struct FactorRange {
-  std::optional<RigidClass> rigid_class;  ///< of all of them; none: not known
-  Rational low;                           ///< the least, or where it begins
+  std::optional<RigidClass> rigid_class;  ///< the class of all of them; none: not known
+  Rational low;                           ///< the least one, or the limit from which they start
   std::optional<Rational> high;           ///< none: without end
   bool has_low;                           ///< whether low is one of them
-  bool has_high;                          ///< the same of high
+  bool has_high;                          ///< whether high is one of them
 };
 
-/// The classes of all factors s >= 0 of all friction, in their order. Where what must hold
-/// about s = 1 (or about the least factor that balances the load, if that is above) ends at a
-/// load that is open, the end is known to `accuracy` of the factor. `most_programs` of each of
-/// at most some hundred searches; what they do not settle is not known.
+/// Returns the classes of all factors s >= 0 of all friction, in their order. The range that
+/// must hold is the one about s = 1, or about the least factor that balances the load if that
+/// is above 1. If it ends at a load that is open, its end is known to `accuracy` of the factor.
+/// Each of at most some hundred searches takes up to `most_programs` programs; factors that
+/// they do not settle are not known.
 std::vector<FactorRange> friction_margin(const Problem& problem, const Inertia& inertia = {},
                                          const Rational& accuracy = Rational(1, 1000),
                                          std::size_t most_programs = 2000);

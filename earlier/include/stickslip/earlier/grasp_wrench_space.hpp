@@ -34,21 +34,22 @@
 
 namespace stickslip {
 
-/// Of the normal forces.
+/// The bound on the normal forces.
 enum class ForceBound { kL1, kLinf };
 
-/// normal.x <= offset.
+/// The half-space normal.x <= offset.
 struct HalfSpace {
   IntegerVector<3> normal;  ///< primitive, outward
   Rational offset;          ///< >= 0
 };
 
-/// The facets of the space, sorted by normal. If the space is flat (no interior), the two
-/// half-spaces u.x <= 0, -u.x <= 0 of one plane that contains it.
+/// Returns the facets of the space, sorted by normal. If the space is flat (no interior), they
+/// are the two half-spaces u.x <= 0, -u.x <= 0 of one plane that contains it.
 ///
 /// L1: double description in integers, cubic in the number of facets. Linf: the normal of a
 /// facet is orthogonal to two independent edges of the triangles, so O(m^2) normals are tried
-/// and O(m) operations spent on each. Throws ContractError unless length > 0.
+/// and O(m) operations spent on each. Throws InputError at a normal of irrational length, and
+/// ContractError unless length > 0.
 std::vector<HalfSpace> wrench_space_facets(const Problem& problem, ForceBound bound,
                                            const Rational& length = 1);
 
@@ -58,33 +59,35 @@ struct GraspQuality {
   HalfSpace nearest;        ///< a facet where the ball touches: offset^2 = radius^2 |normal|^2
 };
 
-/// Throws ContractError if `facets` is empty.
+/// Returns the largest ball. Throws ContractError if `facets` is empty.
 GraspQuality ferrari_canny_quality(const std::vector<HalfSpace>& facets);
 
 /// Bounds of the radius of the largest ball about 0 in the L1 space of a grasp in space.
 struct WrenchBall {
-  Rational low_squared;   ///< of the ball in the hull of finitely many points of the space
+  Rational low_squared;   ///< a bound for the ball in the hull of finitely many points of the
+                          ///< space
   Rational high_squared;  ///< 0 iff 0 is on the border
   Row direction;          ///< u: no u.x in the space is above sqrt(high_squared) |u|
-  std::size_t points;     ///< of the discs, in that hull
-  std::size_t facets;     ///< of the hull
+  std::size_t points;     ///< points of the discs in that hull
+  std::size_t facets;     ///< facets of the hull
 };
 
-/// What to spend on it.
+/// The limits of the search for a ball.
 struct WrenchBallLimits {
-  Rational ratio = Rational(99, 100);  ///< of the bounds, at which it is enough
-  std::size_t most_facets = 20000;     ///< of the hull
+  Rational ratio = Rational(99, 100);  ///< the ratio of the bounds at which the search ends
+  std::size_t most_facets = 20000;     ///< facets of the hull
 };
 
-/// Of a point in space. A point of the space farthest along the normal of the facet nearest to
-/// 0 joins the hull, until that facet and the space are as near to 0 as each other: so points
-/// come where they matter. Each is one cut of a double description in integers. Throws
-/// InputError at a normal of irrational length.
+/// Encloses the ball of a grasp in space without uncertain numbers. A point of the space
+/// farthest along the normal of the facet nearest to 0 joins the hull, until that facet and the
+/// space are about equally near to 0; so points come where they matter. Each point is one cut
+/// of a double description in integers. Throws InputError at a normal of irrational length.
 WrenchBall wrench_ball(const GraspBox& grasp, const Rational& length = 1,
                        const WrenchBallLimits& limits = {});
 
-/// The forces of the L1 space with torque 0, a convex polygon: its vertices counterclockwise
-/// from the lexicographically least; one or two points when it is degenerate. O(m^2 log m).
+/// Returns the forces of the L1 space with torque 0, a convex polygon: its vertices
+/// counterclockwise from the lexicographically least; one or two points if it is degenerate.
+/// O(m^2 log m).
 std::vector<Vector2> zero_torque_slice(const Problem& problem);
 
 }  // namespace stickslip

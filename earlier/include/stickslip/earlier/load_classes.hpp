@@ -27,9 +27,9 @@
 /// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Every
 /// solution has each contact touching (N.a = 0) or apart (N.a >= 0, c = 0), and slipping one
 /// way (T.a >= 0, force on the edge N - mu T), the other, or not (T.a = 0). In such a cell
-/// (1)-(3) are linear, and one exact program maximises w.a. What is not known of a contact is
-/// relaxed to N.a >= 0 and force in the cone, and a cell is split only where the maximiser
-/// breaks (2) or (3). The cells are closed, and all in them is a solution: none of them is left
+/// (1)-(3) are linear, and one exact program maximises w.a. An unknown condition of a contact
+/// is relaxed to N.a >= 0 and force in the cone, and a cell is split only where the maximiser
+/// breaks (2) or (3). The cells are closed, and all points in them are solutions: none is left
 /// out, and no border matters. Contacts with one line of action, or of slip, are split
 /// together.
 ///
@@ -45,12 +45,12 @@
 ///
 ///     |f_i| <= mu_i |n_i| a_i,     f_i = -mu_i |n_i| a_i s / |s|  if s = S_i a != 0.
 ///
-/// Discs of friction are put between polygons, and what the plane asks of edges is asked of
-/// their corners, by exact programs: forces in an inner polygon are in the cone, and a twist
-/// that no force of an outer polygon opposes is opposed by none in the cone. Polygons are
-/// refined where the programs' answers are. Slip is split into sectors of directions: friction
-/// is against a slip in the sector. What lies on a border whose numbers are irrational, or is
-/// nearer to one than the polygons, is undecided.
+/// Discs of friction are put between polygons, and exact programs ask of their corners what
+/// they ask of edges in the plane: forces in an inner polygon are in the cone, and a twist that
+/// no force of an outer polygon opposes is opposed by none in the cone. Polygons are refined
+/// where the programs' answers are. Slip is split into sectors of directions: friction is
+/// against a slip in the sector. A load on a border whose numbers are irrational, or nearer to
+/// one than the polygons, is undecided.
 ///
 /// Source: Pang and Trinkle, "Stability characterizations of rigid body contact problems with
 /// Coulomb friction", ZAMM 80(10), 2000; Haas-Heger et al., RSS 2018, Section II.
@@ -69,13 +69,13 @@
 
 namespace stickslip {
 
-/// What one contact exerts on the object: the normal coefficient a >= 0, and friction: in the
-/// plane one number, the coefficient of T, and in space f, orthogonal to n.
+/// The force of one contact on the object: the normal coefficient a >= 0, and friction. In the
+/// plane friction is one number, the coefficient of T; in space it is f, orthogonal to n.
 struct RigidForce {
   Rational normal{0};      ///< a, the force over |n|
   RationalRow friction{};  ///< b, or f
 };
-/// By ContactId.
+/// The forces by ContactId.
 using RigidForces = std::vector<RigidForce>;
 
 /// A motion along which the load does positive work, and no admissible contact force does
@@ -84,117 +84,122 @@ struct UnopposedMotion {
   RationalRow twist;  ///< coprime integers
 };
 
-/// Whether forces of some class balance the load; either way with evidence. In space undecided
-/// within a billionth of the border, unless it is found to be on it.
+/// The answer whether forces of some class balance the load; either way with evidence. In space
+/// undecided within a billionth of the border, unless the load is found to be on it.
 using LoadClass = std::variant<RigidForces, UnopposedMotion, Undecided>;
 
-/// In the plane one linear program with 3 rows and two variables per contact. Evidence checked
-/// by substitution. Stiffness and preloads play no part.
+/// Decides weak stability in the plane by one linear program with 3 rows and two variables per
+/// contact. Evidence is checked by substitution. Stiffness and preloads play no part.
 LoadClass weakly_stable_load(const Problem& problem);
-/// The same of a point in space.
+/// Decides the same for a grasp in space without uncertain numbers.
 LoadClass weakly_stable_load(const GraspBox& grasp);
-/// The same with mu = 0.
+/// Decides the same with mu = 0.
 LoadClass frictionless_stable_load(const Problem& problem);
 
-/// Mass distribution, with mass 1: a body of mass m has 1/m of these accelerations under the
+/// A mass distribution with mass 1. A body of mass m has 1/m of these accelerations under the
 /// same load, and the same forces, so no class depends on m.
 struct Inertia {
-  RationalRow centre{0, 0};  ///< of mass, in the object frame
+  RationalRow centre{0, 0};  ///< the centre of mass in the object frame
   /// The tensor of inertia about `centre`, over the mass; symmetric, positive definite. In the
   /// plane one number, the squared radius of gyration.
   std::vector<RationalRow> gyration{{1}};
 
-  /// About the origin, with this radius of gyration about every axis; > 0.
+  /// Returns the inertia about the origin with this radius of gyration, > 0, about every axis.
   static Inertia of_length(const Rational& radius, bool in_space = false);
-  /// Of three coordinates.
+  /// Returns true if it has three coordinates.
   bool in_space() const { return centre.size() == 3; }
 };
 
-/// M a, the wrench about the origin that gives the acceleration a (of the origin, and angular).
+/// Returns M a, the wrench about the origin that gives the acceleration a (of the origin, and
+/// angular).
 RationalRow times_mass(const Inertia& inertia, const RationalRow& a);
-/// With its numbers, to be finished.
+/// Returns the inertia with its numbers, to be finished.
 Json inertia_json(const Inertia& inertia);
-/// Of numbers: the centre and the squared radius of gyration; in space the centre x, y, z and
-/// xx, yy, zz of the tensor, and then xy, xz, yz if they are not 0. Throws InputError with that
-/// place unless there are so many, and the tensor is positive definite.
+/// Returns the inertia of numbers: the centre and the squared radius of gyration; in space the
+/// centre x, y, z and xx, yy, zz of the tensor, and then xy, xz, yz if they are not 0. Throws
+/// InputError with that place unless there are so many numbers, and the tensor is positive
+/// definite.
 Inertia inertia_of(const std::string& place, const RationalRow& numbers, bool in_space);
-/// As inertia_of() has them.
+/// Returns the numbers as inertia_of() reads them.
 RationalRow numbers_of(const Inertia& inertia);
-/// The numbers of an option, of an inertia in the plane or in space; none if it is empty.
-/// Throws InputError ("--inertia") unless they are of either.
+/// Returns the numbers of an option, for an inertia in the plane or in space; none if it is
+/// empty. Throws InputError ("--inertia") unless their number fits the plane or space.
 RationalRow inertia_numbers(const std::string& value);
 
-/// The one grasp in space that the question is about. Throws InputError if numbers are
+/// Returns the one grasp in space that the question is about. Throws InputError if numbers are
 /// uncertain.
 const GraspBox& point_in_space(const Question& question);
 
-/// A cell of solutions in parts. Of `contact` and all contacts whose N is a positive multiple
-/// of its N: touching; apart. Or, with `slip`, of those whose T is a multiple of its T: T.a >=
-/// 0; T.a = 0; T.a <= 0 (for a negative multiple the outer two change places). In space, of
-/// those with the same place and direction, with a direction d: slip in the quarters between d,
-/// n x d, -d, -n x d, after the first of which it is 0; or, in a sector that is known, before d
-/// and after it.
+/// A split of a cell of solutions in parts.
+///
+/// It is about `contact` and all contacts whose N is a positive multiple of its N: touching;
+/// apart. With `slip` it is about those whose T is a multiple of its T: T.a >= 0; T.a = 0; T.a
+/// <= 0 (for a negative multiple the outer two change places). In space `slip` is about those
+/// with the same place and direction, with a direction d: slip in the quarters between d, n x
+/// d, -d, -n x d, after the first of which comes slip 0; or, in a sector that is known, slip
+/// before d and after it.
 struct RigidSplit {
-  ContactId contact{0};     ///< whose line of action, or of slip, it is
-  bool slip = false;        ///< of slips; else of touching
+  ContactId contact{0};     ///< the contact with this line of action, or of slip
+  bool slip = false;        ///< whether it splits slips; else it splits touching
   RationalRow direction{};  ///< d, in space: in the tangent plane, not 0
 };
-/// No solution of a cell has w.a > 0: with weight >= 0, g of `normal` (>= 0 unless the contact
-/// touches) and h of `tangent` (with the sign of the slip; in space a vector of the tangent
-/// plane with h.s >= 0 for all s of the sector),
+/// Evidence that no solution of a cell has w.a > 0: with weight >= 0, g of `normal` (>= 0
+/// unless the contact touches) and h of `tangent` (with the sign of the slip; in space a vector
+/// of the tangent plane with h.s >= 0 for all s of the sector),
 ///
 ///     weight w + M twist + sum g_i N_i + sum h_i T_i = 0,
 ///
 /// and twist.w >= 0 (> 0 if the weight is 0), twist.e >= 0 for all edges e that the cell allows
-/// forces on. For the product with a is 0 >= weight w.a + twist.(w + forces) >= weight w.a.
+/// forces on. The product with a proves it: 0 >= weight w.a + twist.(w + forces) >= weight w.a.
 struct RigidLeaf {
-  Rational weight;    ///< of w
-  RationalRow twist;  ///< on which no force of the cell does negative work
-  std::vector<std::pair<ContactId, Rational>> normal{};      ///< g, where not 0
-  std::vector<std::pair<ContactId, RationalRow>> tangent{};  ///< h, where not 0
+  Rational weight;    ///< the multiple of w
+  RationalRow twist;  ///< a twist on which no force of the cell does negative work
+  std::vector<std::pair<ContactId, Rational>> normal{};      ///< g where it is not 0
+  std::vector<std::pair<ContactId, RationalRow>> tangent{};  ///< h where it is not 0
 };
 /// A node of a tree in preorder.
 using RigidNode = std::variant<RigidSplit, RigidLeaf>;
 
-/// The load accelerates nothing.
+/// Evidence that the load accelerates nothing.
 struct StronglyStable {
   RigidForces rest;               ///< a solution with a = 0
   std::vector<RigidNode> tree{};  ///< in preorder: no solution has w.a > 0
 
-  std::size_t cases() const;  ///< leaves of the tree
+  std::size_t cases() const;  ///< the leaves of the tree
 };
 /// A solution of (1)-(3) with a != 0.
 struct Acceleration {
   RationalRow acceleration;  ///< of the object frame's origin, and angular
-  RigidForces forces;        ///< with it
+  RigidForces forces;        ///< the forces of this solution
 };
 
-/// In the plane. Undecided only at `most_programs` linear programs. Evidence checked by
-/// substitution. Throws ContractError unless the radius of gyration is above 0.
+/// Decides strong stability in the plane. Undecided only at `most_programs` linear programs.
+/// Evidence is checked by substitution. Throws ContractError unless the radius of gyration is
+/// above 0.
 std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
     const Problem& problem, const Inertia& inertia = {}, std::size_t most_programs = 20000);
 
-/// The model allows both rest and motion.
+/// Evidence that the model allows both rest and motion.
 struct OpenLoad {
   RigidForces rest;     ///< a solution with a = 0
-  Acceleration motion;  ///< and another
+  Acceleration motion;  ///< a solution with a != 0
 };
 
 /// *Must move*, *must hold*, *open*, each with its evidence.
 using RigidVerdict = std::variant<UnopposedMotion, StronglyStable, OpenLoad, Undecided>;
 
-/// The class of the load; as weakly_stable_load() and then, unless it must move,
-/// strongly_stable_load().
+/// Returns the class of the load: asks weakly_stable_load() and then, unless the load must
+/// move, strongly_stable_load().
 RigidVerdict rigid_verdict(const Problem& problem, const Inertia& inertia = {},
                            std::size_t most_programs = 20000);
-/// The same of a point in space.
+/// Returns the same for a grasp in space without uncertain numbers.
 RigidVerdict rigid_verdict(const GraspBox& grasp, const Inertia& inertia,
                            std::size_t most_programs = 4000);
-/// Of the one grasp that a question is about. Throws InputError as problem_of() and
-/// point_in_space().
+/// Returns the same for the one grasp that a question is about. Throws InputError as
+/// problem_of() and point_in_space() do.
 RigidVerdict rigid_verdict(const Question& question, const Inertia& inertia);
 
-/// "must move", "must hold", "open" or "undecided".
+/// Returns "must move", "must hold", "open" or "undecided".
 std::string name_of(const RigidVerdict& verdict);
 
 }  // namespace stickslip

@@ -10,10 +10,10 @@
 
 namespace stickslip {
 
-/// An SVG document: contacts (from 0), normals, friction cones and preloads; the applied wrench
-/// as a force and a torque arc; and the verdict, in the title, with the case if there is one.
-/// Where the grasp has no outline, the hull of the contacts and of points a little inside of
-/// them stands for the body.
+/// Returns an SVG document. It has contacts (from 0), normals, friction cones and preloads; the
+/// applied wrench as a force and a torque arc; and the verdict, in the title, with the case if
+/// there is one. If the grasp has no outline, the hull of the contacts and of points a little
+/// inside of them stands for the body.
 ///
 /// - Stable: the witness. Contact forces to scale, whether each contact sticks, slips + or -
 ///   (forwards or backwards along its tangent), or is open, and the motion, enlarged by a
@@ -25,29 +25,29 @@ namespace stickslip {
 ///
 /// All arrows of forces have one scale, shown by a bar; only a load that would be too short to
 /// see is enlarged by a stated factor. Texts neither meet nor leave the page, and round numbers
-/// to six digits. For readers that are programs, each arrow is a path of class "force", "load",
-/// "motion" or "virtual" whose first point is its tail and whose third is its tip; data-contact
-/// says where, data-value what it stands for, exactly, data-factor of a load its enlargement.
+/// to six digits. Programs can read each arrow: it is a path of class "force", "load", "motion"
+/// or "virtual" whose first point is its tail and whose third is its tip. data-contact is its
+/// contact, data-value the exact vector, data-factor the enlargement of a load.
 ///
-/// In space, in three orthogonal views of one scale: from above, from the front (from
+/// A picture in space has three orthogonal views of one scale: from above, from the front (from
 /// -y) and from the right (from +x). Torques are seen about the line of sight; cones are the
 /// outlines of round ones. data-value is the whole vector, of which a view shows a projection.
 ///
-/// - Stable: as in the plane; contacts stick, slip or are open. Where the proof is by degree,
-///   no equilibrium is known exactly: forces and motion are those near it in doubles, for
-///   people, as the caption says, with data-near in place of data-value.
+/// - Stable: as in the plane; contacts stick, slip or are open. If the proof is by degree, no
+///   equilibrium is known exactly: forces and motion are those near it in doubles, for people,
+///   as the caption says, with data-near in place of data-value.
 /// - Unstable: the grasp and its load.
 ///
-/// Several bodies are drawn in the same way, in the plane or in space: each with its outline or
-/// mesh, or a hull of its contacts, of a link of its hinges too; with the load at the middle of
-/// each that is no link, and names. Forces are those on the body that a contact presses, and
+/// Several bodies are drawn in the same way, in the plane or in space. Each has its outline or
+/// mesh, or a hull of its contacts, a link of its hinges too. Each has its name and, unless it
+/// is a link, the load at its middle. Forces are those on the body that a contact presses, and
 /// the motion of a contact is that of this body seen from the other one.
 ///
 /// - Stable: as in space. Unstable: the bodies and their load.
 ///
-/// `verdict` is the answer to `question`, and not by degree in the plane. Requires that nothing
-/// of the question is uncertain but lengths that are irrational. Throws InputError as Problem
-/// does; ContractError if the verdict does not fit the question.
+/// `verdict` is the answer to `question`, and not by degree in the plane. Requires that no
+/// numbers of the question are uncertain but lengths that are irrational. Throws InputError as
+/// Problem does; ContractError if the verdict does not fit the question.
 std::string plot_grasp(const Question& question, const Verdict& verdict);
 
 }  // namespace stickslip

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A line of a batch, from the file of grasps to its line of results. What `stickslip batch`
-/// and the workers of `python3 -m stickslip.batch` do with a line is this, so their results are
-/// the same byte for byte.
+/// A line of a batch, from the file of grasps to its line of results. `stickslip batch` and the
+/// workers of `python3 -m stickslip.batch` both do this with a line, so their results are the
+/// same byte for byte.
 #pragma once
 
 #include <cstddef>
@@ -22,34 +22,35 @@ namespace stickslip {
 
 /// The lines of a file that begin at its bytes from `begin` to before `end`; by default all.
 struct FilePart {
-  std::uintmax_t begin = 0;                                         ///< where a line begins
-  std::uintmax_t end = std::numeric_limits<std::uintmax_t>::max();  ///< not in the part
+  std::uintmax_t begin = 0;  ///< the byte where a line begins
+  std::uintmax_t end = std::numeric_limits<std::uintmax_t>::max();  ///< the first byte behind
+                                                                    ///< the part
   std::size_t lines_before = 0;                                     ///< blank ones counted
 };
 
 /// A line that is not blank.
 struct BatchLine {
-  std::size_t number = 0;                  ///< in the file, from 1, blank ones counted
-  std::string text{};                      ///< without its end; empty if it is too long
-  std::optional<InputError> unreadable{};  ///< why, if it is too long
+  std::size_t number = 0;  ///< its number in the file, from 1, blank lines counted
+  std::string text{};      ///< without its end; empty if it is too long
+  std::optional<InputError> unreadable{};  ///< the error, if the line is too long
 };
 
 /// The lines of a part of a file, one at a time; memory holds one.
 class BatchLines {
  public:
-  /// Reads from `in`, which must outlive this; goes to where the part begins, if that is not
-  /// the beginning.
+  /// Reads from `in`, which must outlive this. Goes to the beginning of the part, unless that
+  /// is the beginning of the file.
   explicit BatchLines(std::istream& in, const FilePart& part = {});
 
   std::optional<BatchLine> next();  ///< nothing at the end of the part
-  void put_back(BatchLine line);    ///< the last, which is then the next
+  void put_back(BatchLine line);    ///< puts back the last line, which is then the next
 
   std::size_t number() const {
     return put_back_ ? number_before_ : lines_.number();
-  }  ///< of the last line read
+  }  ///< the number of the last line read
   std::uintmax_t end() const {
     return put_back_ ? end_before_ : lines_.end();
-  }  ///< where the next line begins
+  }  ///< the byte where the next line begins
 
  private:
   TextLines lines_;
@@ -59,24 +60,24 @@ class BatchLines {
   std::uintmax_t end_before_ = 0;
 };
 
-/// What became of a line.
+/// The outcome of a line.
 enum class LineOutcome { kDecided, kUndecided, kUnreadable };
 
 /// A line of results.
 struct LineResult {
-  std::size_t number = 0;                       ///< of the line that was decided
-  std::string text{};                           ///< with its end
-  LineOutcome outcome = LineOutcome::kDecided;  ///< what the text says
+  std::size_t number = 0;                       ///< the number of the line that was decided
+  std::string text{};                           ///< the result with its end of line
+  LineOutcome outcome = LineOutcome::kDecided;  ///< the outcome that the text states
 };
 
-/// What is asked about every line.
+/// The question about every line.
 struct BatchOptions {
-  QuestionOptions question{};  ///< as the command's options say
-  std::size_t node_limit = 0;  ///< of each line; 0 is none
-  /// Asks for the class of rigid contacts, not the verdict: the numbers of inertia_of; or none,
-  /// for a centre of mass in the origin and a radius of gyration of 1.
+  QuestionOptions question{};  ///< the question by the command's options
+  std::size_t node_limit = 0;  ///< the limit for each line; 0 is none
+  /// The numbers of inertia_of, to ask for the class of rigid contacts, not the verdict. An
+  /// empty row is a centre of mass in the origin and a radius of gyration of 1.
   std::optional<RationalRow> inertia{};
-  /// Asks for the quality beside the verdict; of balls of this shape. Not with `inertia`.
+  /// The balls of the quality to ask for beside the verdict. Not with `inertia`.
   std::optional<QualityAsked> quality{};
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it
@@ -85,25 +86,26 @@ struct BatchOptions {
 /// Decides lines. Threads may share one.
 class LineDecider {
  public:
-  explicit LineDecider(BatchOptions options);  ///< of all lines
+  explicit LineDecider(BatchOptions options);  ///< takes the options of all lines
 
-  /// 16 digits that tell whether a result is that of this line and these options. Nothing is
-  /// proved by them.
+  /// Returns 16 digits that tell whether a result is that of this line and these options. They
+  /// prove nothing.
   std::string key(const std::string& line) const;
 
-  /// 16 digits that tell whether results are of the same options, certificates included.
+  /// Returns 16 digits that tell whether results are of the same options, certificates
+  /// included.
   std::string options_key() const;
 
-  /// The line's result, with its certificate written if a folder was named. What is wrong with
-  /// the line is its result; throws InputError if the certificate cannot be written.
+  /// Returns the line's result, with its certificate written if a folder was named. An error in
+  /// the line is its result. Throws InputError if the certificate cannot be written.
   LineResult decide(const BatchLine& line) const;
 
-  /// The result of a line that has no verdict, for this reason.
+  /// Returns the result of a line that has no verdict, for this reason.
   LineResult failed(const BatchLine& line, const InputError& error) const;
 
  private:
-  /// Of a question that is stable: adds to the result what is known of its quality. The
-  /// certificate of the ball of loads that is resisted; empty if there is none.
+  /// Adds the quality to the result of a question that is stable. Returns the certificate of
+  /// the ball of loads that is resisted; empty if there is none.
   std::string add_quality(Json& result, const Question& question,
                           const std::string& line) const;
 

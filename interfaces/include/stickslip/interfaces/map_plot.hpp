@@ -10,8 +10,8 @@
 
 namespace stickslip {
 
-/// SVG of cells that tile the rectangle of the axes: stable, unstable (hatched), and white
-/// where nothing is proved. Each cell has its exact ends in data-x and data-y.
+/// Returns SVG of cells that tile the rectangle of the axes: stable, unstable (hatched), and
+/// white if nothing is proved. Each cell has its exact ends in data-x and data-y.
 std::string plot_map(const std::string& name, const MapAxis& x_axis, const MapAxis& y_axis,
                      const std::vector<MapCell>& cells);
 

@@ -12,24 +12,24 @@
 
 namespace stickslip {
 
-/// \{ Before finished().
+/// \{ Return the output of `margin --json`, before finished().
 Json margin_json(const Question& question, const Margin& margin, const MarginWork& work,
                  const Warnings& warnings);
 Json margin_json(const Question& question, const SpatialMargin& margin,
                  const Warnings& warnings);
 /// \}
 
-/// The margin that is found beside one that only the rounding of the data decides.
+/// The margin beside one that only the rounding of the data decides.
 struct SecondMargin {
-  Question question;     ///< with a bound on motions, or another direction
+  Question question;     ///< the question with a bound on motions, or another direction
   SpatialMargin margin;  ///< its answer
 };
 
 /// Returns the second answer beside the margin of a question, or nothing if that says all that
-/// matters. It is the margin within 1000 times the natural motion (natural_bound()), where far
-/// motions ended the search; and along the nearest direction that no free motion sees, where
-/// the one asked about differs from it by a part of less than 1e-12 of it. Calls `progress` as
-/// find_margin() does.
+/// matters. If far motions ended the search, it is the margin within 1000 times the natural
+/// motion (natural_bound()). If the direction differs from the nearest one that no free motion
+/// sees by a part of less than 1e-12 of it, it is the margin along that one. Calls `progress`
+/// as find_margin() does.
 std::optional<SecondMargin> margin_within(
     const Question& question, const SpatialMargin& margin, const SpatialMarginOptions& options,
     const std::function<void(const SpatialMargin&)>& progress = {});
@@ -37,7 +37,7 @@ std::optional<SecondMargin> margin_within(
 /// Adds the second answer to what margin_json() returned.
 void add_within(Json& json, const SecondMargin& within);
 
-/// The least multiple that is resisted, if there is one.
+/// Returns the least multiple that is resisted, if there is one.
 std::optional<Rational> least(const Margin& margin);
 
 }  // namespace stickslip

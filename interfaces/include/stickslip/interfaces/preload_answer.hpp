@@ -13,25 +13,25 @@
 
 namespace stickslip {
 
-/// The loads of questions that differ in their loads alone, as find_least_preload() takes them.
-/// Throws InputError about the file if more is uncertain than loads in a ball,
-/// and if there are no contacts.
+/// Returns the loads of questions that differ in their loads alone, as find_least_preload()
+/// takes them. Throws InputError about the file if more is uncertain than loads in a ball, and
+/// if there are no contacts.
 std::vector<GraspBox> loads_of(const std::vector<Question>& questions, const std::string& file);
 
-/// The warning that preloads which were found do not balance each other, if they do not: it is
-/// no condition of the model (docs/model.md).
+/// Returns the warning that the preloads found do not balance each other, if they do not: the
+/// model does not require it (docs/model.md).
 std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law);
 
-/// The preloads of least sum, the bound, and which multiples hold.
+/// Returns the preloads of least sum, the bound, and which multiples hold.
 Json preload_json(const std::vector<Question>& questions, const LeastPreload& least);
 
-/// The preloads of a ball, the radii, the bound, and which multiples hold.
+/// Returns the preloads of a ball, the radii, the bound, and which multiples hold.
 Json preload_json(const Question& question, const Rational& budget, const BallPreload& found);
 
-/// \{ Grasp files with certificates by name: "held0" and so on, a load each, or "proved" and
-/// "refuted" of a quality; "range0", and so on; and "bound0" and so on, boxes of preloads that
-/// refuse a load. Those of margins have preloads of 0, and are checked with the option
-/// --preload-direction and the preloads that are found.
+/// \{ Return grasp files with certificates by name: "held0" and so on, a load each, or "proved"
+/// and "refuted" of a quality; "range0", and so on; and "bound0" and so on, boxes of preloads
+/// that refuse a load. The files of margins have preloads of 0; they are checked with the
+/// option --preload-direction and the preloads that are found.
 std::vector<std::pair<std::string, ProvedFiles>> proved_preload(NormalLaw law,
                                                                 const LeastPreload& least);
 std::vector<std::pair<std::string, ProvedFiles>> proved_preload(const Question& question,

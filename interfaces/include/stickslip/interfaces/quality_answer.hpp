@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What is asked about the quality of a passive grasp; the answer as JSON, and its proofs.
+/// Questions about the quality of a passive grasp; the answer as JSON, and its proofs.
 #pragma once
 
 #include <string>
@@ -14,34 +14,34 @@
 
 namespace stickslip {
 
-/// The values of options, empty where they are not given.
+/// The values of options; an option that is not given is empty.
 struct QualityText {
-  std::string length;           ///< by which torques are divided
+  std::string length;           ///< the length by which torques are divided
   std::string about;            ///< the point of the torques, "X,Y"
-  std::string body;             ///< of several bodies that which is loaded
+  std::string body;             ///< the body that is loaded, of several
   std::string at_most;          ///< the largest radius of interest
-  std::string accuracy = "1%";  ///< of the two radii
+  std::string accuracy = "1%";  ///< the accuracy of the two radii
 };
 
 /// A question about a quality, but for the grasp.
 struct QualityAsked {
-  LoadBall shape{1};         ///< of the ball; its radius is of no matter
-  QualityOptions options{};  ///< of the search
+  LoadBall shape{1};         ///< the shape of the ball; its radius does not matter
+  QualityOptions options{};  ///< the options of the search
 };
 
-/// What they say. Throws InputError naming the option.
+/// Returns the question that they ask. Throws InputError naming the option.
 QualityAsked quality_asked(const QualityText& text);
 
-/// The one grasp, of that file, whose quality is asked for. Throws InputError if numbers are
-/// uncertain, or if there can be no such ball of loads.
+/// Returns the one grasp, of that file, whose quality is asked for. Throws InputError if
+/// numbers are uncertain, or if there can be no such ball of loads.
 GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
                         const std::string& file);
 
-/// The two radii, what the ball is, and the load that is not resisted.
+/// Returns the two radii, the ball, and the load that is not resisted.
 Json quality_json(const Question& question, const Quality& quality);
 
-/// "proved", the ball that is resisted, and "refuted", the load that is not, those that there
-/// are: grasp files with certificates.
+/// Returns grasp files with certificates: "proved", the ball that is resisted, and "refuted",
+/// the load that is not, as far as they are known.
 std::vector<std::pair<std::string, ProvedFiles>> proved_quality(const Question& question,
                                                                 const Quality& quality);
 

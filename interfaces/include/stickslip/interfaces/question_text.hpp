@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What is asked about a grasp, as it is spelled on a command line or in a request.
+/// A question about a grasp, as it is spelled on a command line or in a request.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace stickslip {
 
-/// The values of options, empty where they are not given.
+/// The values of options; an option that is not given is empty.
 struct QuestionText {
   std::string wrench;                     ///< "WX,WY,T"; in space six numbers
-  std::string case_name;                  ///< of the file, whose wrench is applied
-  std::string preload;                    ///< of every contact
+  std::string case_name;                  ///< the case of the file whose wrench is applied
+  std::string preload;                    ///< the preload of every contact
   std::string normal_law = "unilateral";  ///< or "bilateral"
   std::string uncertain;                  ///< "friction=10%,..."
   std::string max_motion;                 ///< "LENGTH,ANGLE", "B1,B2,...", "1000x" or "none"
-  std::string direction;                  ///< of a margin, as a wrench
-  std::string preload_direction;          ///< of a margin: "P0,P1,..." or "scale"
+  std::string direction;                  ///< the direction of a margin, as a wrench
+  std::string preload_direction;          ///< the preloads of a margin: "P0,P1,..." or "scale"
 };
 
-/// What they say. Throws InputError naming the option, "--wrench".
+/// Returns the options that they spell. Throws InputError naming the option, "--wrench".
 QuestionOptions question_options(const QuestionText& text);
 
 }  // namespace stickslip

@@ -11,9 +11,9 @@
 
 namespace stickslip {
 
-/// SVG of the region, in the coordinates (s, t) of the plane. The window is a
-/// square around the origin and all vertices; what reaches its frame goes on without end, and
-/// borders that do have arrow heads there. Few vertices are labelled; data-vertices of the
+/// Returns SVG of the region, in the coordinates (s, t) of the plane. The window is a square
+/// around the origin and all vertices. A region that reaches its frame goes on without end; its
+/// unbounded borders have arrow heads there. Few vertices are labelled; data-vertices of the
 /// class "area" has all that lie in the window, its corners included, exactly.
 std::string plot_region(const Question& question, const WrenchPlane& plane,
                         const PlaneUnion& region);

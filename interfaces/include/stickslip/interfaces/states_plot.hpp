@@ -22,14 +22,14 @@
 
 namespace stickslip {
 
-/// More cells than these circles cut are too small to see.
+/// Cells that more circles than these cut are too small to see.
 inline constexpr std::size_t kMostCirclesToDraw = 100;
 
-/// An SVG document. Each face, edge and vertex is one element of class "face", "edge" or
-/// "vertex" whose data-state is its sign vector; data-centre and data-radius of their group say
-/// where lengths are measured from and in what unit, exactly. Faces have one colour for each
-/// antipodal pair when there are few, and otherwise change shade with the number of contacts
-/// that slip +. Throws InputError when there are more than kMostCirclesToDraw distinct circles.
+/// Returns an SVG document. Each face, edge and vertex is one element of class "face", "edge"
+/// or "vertex" whose data-state is its sign vector. data-centre and data-radius of their group
+/// are the exact point from which lengths are measured, and their unit. Few faces have one
+/// colour for each antipodal pair; many change shade with the number of contacts that slip +.
+/// Throws InputError if there are more than kMostCirclesToDraw distinct circles.
 std::string plot_states(const Grasp& grasp);
 
 }  // namespace stickslip

@@ -26,18 +26,18 @@ struct InkPoint {
   /// \}
 };
 
-/// Euclidean.
+/// Returns the Euclidean length.
 double length(InkPoint v);
-/// v / length(v); (1, 0) for the zero vector.
+/// Returns v / length(v); (1, 0) for the zero vector.
 InkPoint unit(InkPoint v);
-/// (-y, x)
+/// Returns (-y, x).
 InkPoint quarter_turn(InkPoint v);
 
-/// "12.35", "-3", "0". Throws ContractError if the value is not finite or beyond 1e9.
+/// Returns "12.35", "-3", "0". Throws ContractError if the value is not finite or beyond 1e9.
 std::string svg_number(double value);
 
-/// `text` as it may stand in an element or a quoted attribute. What XML 1.0 cannot hold
-/// (control characters, broken UTF-8) becomes U+FFFD.
+/// Returns `text` as it may stand in an element or a quoted attribute. Characters that XML 1.0
+/// cannot hold (control characters, broken UTF-8) become U+FFFD.
 std::string svg_escape(std::string_view text);
 
 /// The content of a path's attribute "d".
@@ -46,15 +46,15 @@ class SvgPath {
   SvgPath& move(InkPoint to);  ///< starts a new piece there
   SvgPath& line(InkPoint to);  ///< draws from where the last command ended
   SvgPath& close();            ///< draws back to the start of the piece
-  /// Moves to the first point and draws lines to the others. Nothing if there are none.
+  /// Moves to the first point and draws lines to the others; draws nothing if there are none.
   SvgPath& polyline(const std::vector<InkPoint>& points);
-  /// polyline, closed.
+  /// Draws a polyline and closes it.
   SvgPath& polygon(const std::vector<InkPoint>& points);
-  /// A full circle.
+  /// Draws a full circle.
   SvgPath& circle(InkPoint centre, double radius);
 
   bool empty() const { return data_.empty(); }       ///< no command yet
-  const std::string& data() const { return data_; }  ///< as it stands in the attribute
+  const std::string& data() const { return data_; }  ///< the text of the attribute
 
  private:
   std::string data_;
@@ -63,7 +63,7 @@ class SvgPath {
 /// A document that is being written, elements in the order of drawing.
 class Svg {
  public:
-  /// In order; values are escaped here.
+  /// Attributes in their order; values are escaped here.
   using Attributes = std::vector<std::pair<std::string, std::string>>;
 
   /// `style` is CSS whose rules start with ".stickslip", the class of the root element, so that
@@ -77,10 +77,10 @@ class Svg {
   void open(const std::string& element, const Attributes& attributes = {});
   /// Closes the element opened last. Throws ContractError if there is none.
   void close();
-  /// An element without children, or with a `title` (a tooltip) if `tooltip` is not empty.
+  /// Adds an element without children, or with a `title` (a tooltip) if `tooltip` is not empty.
   void element(const std::string& element, const Attributes& attributes,
                std::string_view tooltip = {});
-  /// \{ The element of that name, with the class `css_class`; `attributes` are added.
+  /// \{ Add the element of that name, with the class `css_class` and the `attributes`.
   void path(const SvgPath& path, const std::string& css_class, Attributes attributes = {},
             std::string_view tooltip = {});
   void line(InkPoint from, InkPoint to, const std::string& css_class,
@@ -88,11 +88,11 @@ class Svg {
   void circle(InkPoint centre, double radius, const std::string& css_class,
               Attributes attributes = {});
   /// \}
-  /// `at` is on the baseline, at the start, middle or end according to the class.
+  /// Adds a text; `at` is on the baseline, at the start, middle or end according to the class.
   void text(InkPoint at, const std::string& css_class, std::string_view content,
             Attributes attributes = {});
 
-  /// The whole document. Throws ContractError if an element is still open.
+  /// Returns the whole document. Throws ContractError if an element is still open.
   std::string finish();
 
  private:
@@ -102,7 +102,7 @@ class Svg {
   double height_;
   std::string title_;
   std::string style_;
-  std::string text_;  ///< what is inside of the root element
+  std::string text_;  ///< the content of the root element
   std::vector<std::string> open_;
 };
 

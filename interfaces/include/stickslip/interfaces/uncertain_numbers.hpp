@@ -17,43 +17,45 @@ namespace stickslip {
 struct UncertainNumber {
   std::string place;     ///< "contacts[0].friction"; of a normal in space "….normal.turn_u"
   Interval interval;     ///< its values
-  std::size_t turn = 0;  ///< which turn of a normal it is, from 1; the interval is [-E, E]
+  std::size_t turn = 0;  ///< which turn of a normal it is, from 1; the interval is then [-E, E]
 
-  /// Whether it is one.
+  /// Returns true if it is a turn.
   bool is_turn() const { return turn > 0; }
-  /// For people.
+  /// Returns its name for people.
   std::string label() const { return place + (is_turn() ? ", slope" : ""); }
 };
 
-/// All of them, contact by contact, and then those of the wrench: of a ball of loads the ends
-/// of a box around it.
+/// Returns all uncertain numbers, contact by contact, and then those of the wrench; a ball of
+/// loads gives the ends of a box around it.
 std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box);
 
-/// The value of each uncertain number of a box, in their order, in one grasp of it.
+/// Returns the value of each uncertain number of a box, in their order, in one grasp of the
+/// box.
 std::vector<Rational> values_in(const GraspBox& box, const GraspBox& grasp);
 
 /// A number in which the two grasps of a fragile box differ.
 struct Difference {
-  UncertainNumber number;  ///< which
+  UncertainNumber number;  ///< the number
   Rational stable;         ///< its value in the stable one
   Rational unstable;       ///< its value in the unstable one
 };
 
-/// Of two grasps of a box: those numbers that differ most, as parts of their intervals, first.
+/// Returns the numbers in which two grasps of a box differ; those come first that differ most,
+/// as parts of their intervals.
 std::vector<Difference> differences(const GraspBox& box, const GraspBox& stable,
                                     const GraspBox& unstable);
 
-/// A list of places and two numbers.
+/// Returns a list of places and two numbers.
 Json differences_json(const std::vector<Difference>& differences);
 
-/// A number, or two.
+/// Returns a number, or two.
 Json interval_json(const Interval& interval);
-/// Radius, length, and perhaps point and body.
+/// Returns radius, length, and perhaps point and body.
 Json ball_json(const LoadBall& ball);
-/// A list of places and intervals.
+/// Returns a list of places and intervals.
 Json uncertain_json(const std::vector<UncertainNumber>& numbers);
 
-/// Components of a wrench, each a number or two.
+/// Returns the components of a wrench, each a number or two.
 Json wrench_json(const WrenchBox& wrench);
 
 }  // namespace stickslip

@@ -11,12 +11,12 @@
 ///
 /// **Method.** Branch and bound with l as one more unknown (`search_family`) finds an
 /// equilibrium in a range not yet settled, or proves that there is none. An equilibrium is
-/// extended to all of its mode's interval by an exact ratio test, or two exact linear programs
-/// where the multiple does not fix the motion, and from the ends of that into the modes next to
-/// it, where a contact begins to slip, to stick, to open or to close; what is left of the range
-/// is searched again. Nothing is bisected: every end is where a condition of some mode has its
-/// zero. Where equilibria would have numbers of many thousand digits, what is resisted from 0
-/// on is proved by degree first, dozens of modes at a time, and only what that does not reach
+/// extended to all of its mode's interval by an exact ratio test, or by two exact linear
+/// programs if the multiple does not fix the motion. From the ends of the interval it is
+/// extended into the neighbouring modes, where a contact begins to slip, to stick, to open or
+/// to close. The rest of the range is searched again. Nothing is bisected: every end is a zero
+/// of a condition of some mode. If equilibria would have numbers of many thousand digits, the
+/// multiples from 0 on are proved by degree first, dozens of modes at a time, and only the rest
 /// is searched (margin_degree.hpp). Every search settles a range or adds a mode's interval, of
 /// which there are finitely many.
 #pragma once
@@ -40,22 +40,24 @@ struct MarginInterval {
 /// A parallelepiped of motions that moves with the multiple and holds an equilibrium of each
 /// (FORMAT.md, section 5, "Segments by degree").
 struct SegmentByDegree : DegreeProof {
-  RationalRow end_twist{};  ///< where its centre is at the high end; `twist`: at the low end
+  RationalRow end_twist{};  ///< the centre at the high end; `twist` is the centre at the low
+                            ///< end
 };
 
-/// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
-/// two. Without `high`, `end` is what may be added to the first without end, for the
-/// family's sake alone (FORMAT.md, section 5: a ray). Or a proof by degree for all from low to
-/// high.
+/// Two equilibria of one mode: every multiple between them is resisted, by a combination of the
+/// two. Without `high`, any multiple of `end`, which balances the growing load and preloads
+/// alone, may be added to the first (FORMAT.md, section 5: a ray). A segment may instead be a
+/// proof by degree for all multiples from low to high.
 struct MarginSegment {
   Rational low;                            ///< the multiple at its low end
-  ShortWitness start;                      ///< for that multiple
+  ShortWitness start;                      ///< the equilibrium at `low`
   std::optional<Rational> high;            ///< the multiple at its high end
-  ShortWitness end;                        ///< for that multiple, or a ray
-  std::optional<SegmentByDegree> proof{};  ///< and then `start` and `end` mean nothing
+  ShortWitness end;                        ///< the equilibrium at `high`, or the ray
+  std::optional<SegmentByDegree> proof{};  ///< a proof by degree; if there is one, `start` and
+                                           ///< `end` mean nothing
 };
 
-/// With the evidence of certificate/FORMAT.md, section 5.
+/// A margin with the evidence of certificate/FORMAT.md, section 5.
 struct Margin {
   std::vector<MarginInterval> resisted;  ///< increasing, disjoint
   /// Increasing; each begins where one ends or an interval begins.
@@ -63,21 +65,22 @@ struct Margin {
   std::vector<Trees> gaps;  ///< one tree for each gap between the intervals, increasing
 };
 
-/// What the search for a margin did; reproducible.
+/// The work of a search for a margin; reproducible.
 struct MarginWork {
-  std::size_t ranges = 0;  ///< searched
-  std::size_t modes = 0;   ///< whose ends were looked for
-  std::size_t proofs = 0;  ///< by degree, that were tried
-  ConeWork cone;           ///< of all searches
+  std::size_t ranges = 0;  ///< ranges searched
+  std::size_t modes = 0;   ///< modes whose ends were looked for
+  std::size_t proofs = 0;  ///< proofs by degree that were tried
+  ConeWork cone;           ///< the work of all searches
 };
 
-/// How what is resisted is proved: kByLength by equilibria or, where these would be very long
-/// (numbers that have nothing in common, of many contacts), by degree as far as that leads.
+/// How to prove what is resisted. kByLength takes equilibria unless these would be very long
+/// (many contacts, whose numbers have nothing in common); then it goes by degree as far as that
+/// leads.
 enum class SegmentForm { kByLength, kEquilibria, kDegree };
 
-/// Of all l >= 0, whatever the family's range. Throws ContractError if the problem is no
-/// family. Undecided only when the node limit, of all searches together, is reached. `progress`
-/// is called now and then, with the work so far.
+/// Returns the margin over all l >= 0, whatever the family's range. Undecided only if the node
+/// limit, of all searches together, is reached. Throws ContractError if the problem is no
+/// family. Calls `progress` now and then, with the work so far.
 std::variant<Margin, Undecided> find_margin(
     const Problem& family, const ConeOptions& options = {}, MarginWork* work = nullptr,
     const std::function<void(const MarginWork&)>& progress = {},

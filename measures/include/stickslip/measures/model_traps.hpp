@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The rules of the model's warnings (model_warnings.hpp) by what the plane and space have in
-/// common: sizes, lengths, forces and verdicts. A wrench has D components, the first half or,
-/// in the plane, two of them a force.
+/// The rules of the model's warnings (model_warnings.hpp) as far as the plane and space share
+/// them: they see only sizes, lengths, forces and verdicts. A wrench has D components; its
+/// force is the first two in the plane and the first three in space.
 #pragma once
 
 #include <array>
@@ -20,11 +20,13 @@
 namespace stickslip {
 
 /// \{ Thresholds.
-inline constexpr int kLargestRotation = 1;       ///< in radians
-inline constexpr int kLeastPartOfPreload = 100;  ///< one part in so many
+inline constexpr int kLargestRotation = 1;  ///< in radians
+inline constexpr int kLeastPartOfPreload =
+    100;  ///< a preload is lost below one part in so many
 inline constexpr int kStiffnessFactor = 10;
 inline constexpr std::size_t kMostContactsToVary = 16;
-/// Nodes of verdicts with other stiffnesses, beyond as many as the verdict itself took.
+/// How many nodes verdicts with other stiffnesses may take beyond the nodes of the verdict
+/// itself.
 inline constexpr std::size_t kNodesToVary = 64;
 /// \}
 
@@ -37,39 +39,41 @@ enum class ModelTrap {
   kReversedContact
 };
 
-/// "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness",
+/// Returns "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness" or
 /// "reversed-contact".
 const char* to_string(ModelTrap trap);
 
-/// At most one of each sort.
+/// A warning: one way in which the answer may mislead.
 struct ModelWarning {
   ModelTrap trap;    ///< for programs
   std::string text;  ///< one line for people, with rounded numbers
 };
 
-/// At most one of each sort.
+/// A list of warnings with at most one of each sort.
 class ModelWarnings {
  public:
-  /// Unless there is no text, or a warning of the sort.
+  /// Adds a warning, unless there is no text or the list has one of the sort.
   void add(ModelTrap trap, std::optional<std::string> text);
-  bool has(ModelTrap trap) const;  ///< whether there is one of the sort
-  /// All, in the order in which they were added.
+  bool has(ModelTrap trap) const;  ///< whether the list has one of the sort
+  /// Returns all warnings in the order in which they were added.
   std::vector<ModelWarning> take() && { return std::move(all_); }
 
  private:
   std::vector<ModelWarning> all_;
 };
 
-/// A motion by its sizes.
+/// The sizes of a motion, as squares; all but the width are also times scale^2, so that they
+/// need no division.
 struct MotionSizes {
-  Rational scale = 1;    ///< what follows is squared, and times its square but for the width
-  Rational turn;         ///< of the rotation
-  std::size_t contacts;  ///< their number
-  std::function<Rational(std::size_t)> moved;  ///< of the displacement of each contact
-  Rational width;                              ///< of the grasp: squared_width()
+  Rational scale = 1;                          ///< the factor
+  Rational turn;                               ///< the square of the rotation
+  std::size_t contacts;                        ///< the number of contacts
+  std::function<Rational(std::size_t)> moved;  ///< the square of the displacement of each
+                                               ///< contact
+  Rational width;                              ///< squared_width() of the grasp, not scaled
 };
 
-/// The square of the diagonal of the box, parallel to the axes, around points.
+/// Returns the square of the diagonal of the box, parallel to the axes, around points.
 template <std::size_t n>
 Rational squared_width(const std::vector<std::array<Rational, n>>& points) {
   Rational sum = 0;
@@ -85,62 +89,62 @@ Rational squared_width(const std::vector<std::array<Rational, n>>& points) {
   return sum;
 }
 
-/// \{ What is wrong, if anything.
+/// \{ The text of the warning, or nothing if all is well.
 std::optional<std::string> large_motion(const MotionSizes& motion, bool stiffness_was_assumed);
-/// `preload_and_kept`, by contact: what it was preloaded with, and pushes with now.
+/// `preload_and_kept` returns a contact's preload and its normal force now.
 std::optional<std::string> lost_preload(
     std::size_t contacts,
     const std::function<std::pair<Rational, Rational>(std::size_t)>& preload_and_kept);
 std::string unbalanced_preload();
 /// \}
 
-/// Times which friction is taken where doubles tell whether a verdict may differ from this one:
-/// what is so near to a threshold is left to exact arithmetic.
+/// Returns the factor of friction at which doubles propose whether a verdict may differ from
+/// this one. The small difference from 1 leaves what is near a threshold to exact arithmetic.
 inline Rational friction_to_tell_by(bool stable) {
   return Rational(stable ? 9999 : 10001, 10000);
 }
 
-/// Which stiffnesses to try, and how.
+/// The stiffnesses to try, and how to try them.
 struct StiffnessTrial {
-  std::vector<Rational> stiffness;  ///< by contact
-  std::vector<ContactId> assumed;   ///< those for which 1 was taken
+  std::vector<Rational> stiffness;  ///< the stiffness by contact
+  std::vector<ContactId> assumed;   ///< the contacts for which 1 was taken
   bool stable;                      ///< the verdict
-  std::size_t nodes;                ///< that it took
+  std::size_t nodes;                ///< the nodes that the verdict took
   /// Whether the verdict may be the other one with this stiffness of this contact: a proposal.
   std::function<bool(ContactId, const Rational&)> may_differ;
-  /// Whether it is stable, if that is found within so many nodes, from which those are taken
-  /// that it took.
+  /// Whether the grasp is stable with this stiffness of this contact; nothing if the number of
+  /// nodes that is passed does not suffice. Subtracts the nodes that it took from that number.
   std::function<std::optional<bool>(ContactId, const Rational&, std::size_t&)> is_stable;
 };
 
-/// What is wrong, if anything.
+/// Returns the text of the warning, or nothing if all is well.
 std::optional<std::string> assumed_stiffness(const StiffnessTrial& trial);
 
-/// What a preloaded contact exerts at the motion 0, in doubles.
+/// The wrenches that a preloaded contact can exert at the motion 0, in doubles.
 template <std::size_t D>
 struct RestingContact {
   std::array<double, D> push;  ///< the wrench of the preload
-  /// That of the most friction along a tangent; in space, along two at right angles.
+  /// The wrench of the most friction along a tangent; in space, along two at right angles.
   std::array<std::array<double, D>, D == 3 ? 1 : 2> friction;
-  /// Bounds, by component, what push and any friction together are off by.
+  /// The error bound, by component, of push and any friction together.
   std::array<double, D> error;
 };
 
-/// Whether `value` is 0 or between 2^-200 and 2^200, so that no product of a few such numbers
-/// overflows or vanishes.
+/// Returns true if `value` is 0 or between 2^-200 and 2^200 in size, so that no product of a
+/// few such numbers overflows or vanishes.
 inline bool is_moderate(double value) {
   constexpr double kLargest = 0x1p200;
   const double size = std::fabs(value);
   return value == 0 || (size <= kLargest && size >= 1 / kLargest);
 }
 
-/// Whether some virtual twist, found by nearest_wrench(), certainly is one along which all that
-/// the contacts can exert does negative work: then no friction balances the preloads. Requires
-/// moderate numbers. O(m) for each of at most a hundred steps, mostly fewer than ten.
+/// Returns true if nearest_wrench() finds a virtual twist along which everything that the
+/// contacts can exert certainly does negative work: then no friction balances the preloads.
+/// Requires moderate numbers. O(m) for each of at most a hundred steps, mostly fewer than ten.
 template <std::size_t D>
 bool is_certainly_unbalanced(std::vector<RestingContact<D>> contacts);
 
-/// \{ For the plane and for space.
+/// \{ The instances for the plane and for space.
 extern template bool is_certainly_unbalanced<3>(std::vector<RestingContact<3>>);
 extern template bool is_certainly_unbalanced<6>(std::vector<RestingContact<6>>);
 /// \}

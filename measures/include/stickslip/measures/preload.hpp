@@ -3,12 +3,12 @@
 /// The best preloads P_i >= 0 of the contacts of a grasp: those of the least sum that hold
 /// given loads, and those of a given sum that resist the largest ball of loads.
 ///
-/// What is resisted is not monotone in preloads, and not convex: a local search finds good
-/// ones, and a branch and bound over boxes of preloads proves how much better others might be.
-/// A box is done with when one load is refused throughout it (certificate/FORMAT.md, section
-/// 6); those boxes cover all preloads of a smaller sum. In M contacts, if all serve alike, it
-/// takes about (M/a)^(M-1)/(M-1)! boxes to come to a part a of the sum: of many contacts the
-/// bound is weak, but a bound.
+/// The set of loads that a grasp resists is neither monotone in the preloads nor convex. So a
+/// local search finds good preloads, and a branch and bound over boxes of preloads proves how
+/// much better others might be. A box is done with when one load is refused throughout it
+/// (certificate/FORMAT.md, section 6); such boxes cover all preloads of a smaller sum. If M
+/// contacts all serve alike, it takes about (M/a)^(M-1)/(M-1)! boxes to come to a part a of the
+/// sum: for many contacts the bound is weak, but still a bound.
 #pragma once
 
 #include <functional>
@@ -24,33 +24,33 @@ namespace stickslip {
 
 /// How far a search for preloads goes.
 struct PreloadOptions {
-  SearchOptions box{};  ///< of each proof
+  SearchOptions box{};  ///< the options of each proof
   /// Seek preloads that friction can balance without a load, as those of a hand that closes
-  /// before the load comes; bounds are about all preloads even so.
+  /// before the load comes. Bounds are about all preloads even so.
   bool balanced = false;
   Rational accuracy{1, 20};    ///< stops when found and bound differ by this part
-  std::size_t most_boxes = 0;  ///< of preloads that are looked at for the bound; 0: 1000 for
-                               ///< a sum and 200 for a ball
+  std::size_t most_boxes = 0;  ///< boxes of preloads that are looked at for the bound; 0: 1000
+                               ///< for a sum and 200 for a ball
 };
 
-/// A box of preloads with a load, and what proves its verdict; nothing for one grasp, which is
-/// decided whenever it is asked about.
+/// A box of preloads with a load, and the proof of its verdict. One grasp has no proof here: it
+/// is decided whenever it is asked about.
 struct ProvedPreloads {
-  GraspBox box;                        ///< with all numbers but preloads certain
-  std::optional<BoxDecision> proof{};  ///< of the box
+  GraspBox box;                        ///< all numbers but the preloads are certain
+  std::optional<BoxDecision> proof{};  ///< the proof about the box
 };
 
-/// Of one load, which multiples of preloads hold it.
+/// The multiples of preloads that hold one load.
 struct PreloadMargin {
-  Question question;                           ///< with preloads that grow in proportion
+  Question question;  ///< the grasp with preloads that grow in proportion
   std::variant<Margin, SpatialMargin> margin;  ///< exact in the plane
 };
 
-/// Which multiples of preloads hold all loads.
+/// The multiples of preloads that hold all loads, with `margins` or `boxes` as proof.
 struct PreloadRange {
   std::vector<MarginInterval> multiples{};  ///< increasing; 1 is in one, if any is known
-  std::vector<PreloadMargin> margins{};     ///< one a load, which prove it; or
-  /// one a load: every choice between the preloads and the last multiple holds it.
+  std::vector<PreloadMargin> margins{};     ///< one a load
+  /// One a load: every choice between the preloads and the last multiple holds it.
   std::vector<ProvedPreloads> boxes{};
 };
 
@@ -58,30 +58,33 @@ struct PreloadRange {
 struct LeastPreload {
   std::optional<RationalRow> preloads{};  ///< by contact; nothing: none were found
   std::vector<ProvedPreloads> held{};     ///< one a load
-  PreloadRange range{};                   ///< of multiples of them
+  PreloadRange range{};  ///< the multiples of these preloads that hold the loads
   Rational bound{0};  ///< no preloads whose sum is below this hold all loads; 0: nothing known
-  std::vector<ProvedPreloads> refused{};  ///< which cover these, one load of each
+  std::vector<ProvedPreloads> refused{};  ///< boxes that cover the preloads of a sum below the
+                                          ///< bound, with one refused load each
   Rational limit{0};                      ///< no preloads of a larger sum were sought
 };
 
-/// The least sum. `loads` are one grasp, with a load or a ball of loads each; their preloads
-/// are tried, too. Throws InputError as GraspBox::check() does. Deterministic. `progress` is
-/// called with what is known so far.
+/// Returns preloads of nearly the least sum that hold all loads. `loads` are one grasp, with a
+/// load or a ball of loads each; the search also tries their preloads. Deterministic. Throws
+/// InputError as GraspBox::check() does. Calls `progress` with what is known so far.
 LeastPreload find_least_preload(const std::vector<GraspBox>& loads, NormalLaw law,
                                 const PreloadOptions& options = {},
                                 const std::function<void(const LeastPreload&)>& progress = {});
 
 /// Preloads of at most a given sum, and the ball that they resist.
 struct BallPreload {
-  RationalRow preloads{};                 ///< by contact
-  Quality quality{};                      ///< of the grasp with these
-  PreloadRange range{};                   ///< of the ball that is proved, if one is
+  RationalRow preloads{};  ///< by contact
+  Quality quality{};       ///< the quality of the grasp with these preloads
+  PreloadRange range{};    ///< the multiples that hold the ball that is proved, if one is
   std::optional<Rational> bound{};        ///< no preloads of such a sum resist a larger ball
-  std::vector<ProvedPreloads> refused{};  ///< which cover these, a load of each
+  std::vector<ProvedPreloads> refused{};  ///< boxes that cover the preloads of such a sum, with
+                                          ///< one refused load each
 };
 
-/// The largest ball of this length, point and body (its radius is of no matter) about the load
-/// of one grasp. Deterministic. Throws and calls as find_least_preload().
+/// Returns preloads that resist nearly the largest ball of this length, point and body about
+/// the load of one grasp; the radius of `shape` does not matter. Deterministic. Throws
+/// InputError and calls `progress` as find_least_preload() does.
 BallPreload find_ball_preload(const GraspBox& grasp, NormalLaw law, const LoadBall& shape,
                               const Rational& budget, const PreloadOptions& options = {},
                               const std::function<void(const BallPreload&)>& progress = {});

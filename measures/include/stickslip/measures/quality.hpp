@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// The quality of a passive grasp: the radius of the largest ball of loads around its own that
-/// it resists, between two numbers. (Of forces that a hand exerts at will, C. Ferrari and J.
-/// Canny, "Planning optimal grasps", 1992; of those that arise there is no formula, and what is
-/// resisted is neither convex nor star-shaped.)
+/// it resists, between two numbers. (C. Ferrari and J. Canny, "Planning optimal grasps", 1992,
+/// have the radius for forces that a hand exerts at will. Passive forces have no formula, and
+/// the set of loads that they resist is neither convex nor star-shaped.)
 #pragma once
 
 #include <functional>
@@ -13,29 +13,29 @@
 
 namespace stickslip {
 
-/// What a search for a quality may do.
+/// The limits of a search for a quality.
 struct QualityOptions {
-  RadiusOptions radius{};             ///< of each proof, and when to stop
+  RadiusOptions radius{};             ///< the options of each proof, and when to stop
   std::optional<Rational> at_most{};  ///< no larger ball is of interest; nothing: 64 times a
                                       ///< typical force
 };
 
 /// Radii of balls of loads.
 struct Quality {
-  std::optional<bool> stable;         ///< whether the load in the centre is resisted
-  Rational proved{0};                 ///< all of this ball is resisted; 0 where none is proved
-  std::optional<Rational> refuted{};  ///< of this one some load is not
-  Rational limit{0};                  ///< nothing above was tried
-  /// Without loads, preloads and a bound on motions all multiples of a load are resisted, or
-  /// none: a proof about one ball is about all.
+  std::optional<bool> stable;  ///< whether the load in the centre is resisted
+  Rational proved{0};          ///< the grasp resists all of this ball; 0 if none is proved
+  std::optional<Rational> refuted{};  ///< the grasp does not resist some load of this ball
+  Rational limit{0};                  ///< no larger radius was tried
+  /// True if one proof is about the balls of all sizes. Without loads, preloads and a bound on
+  /// motions a grasp resists all multiples of a load, or none.
   bool scales = false;
-  GraspBox ball{};  ///< the grasp with a ball of which `radii` has factors
-  Radius radii{};   ///< with the proof, and the load that is not resisted
+  GraspBox ball{};  ///< the grasp with the ball that the factors of `radii` multiply
+  Radius radii{};   ///< the factors, with the proof, and the load that is not resisted
 };
 
-/// The quality of one grasp for balls of this length, point and body (its radius is of no
-/// matter). Throws InputError as GraspBox::check() does. `progress` is called with what is
-/// known so far.
+/// Returns the quality of one grasp for balls of this length, point and body; the radius of
+/// `shape` does not matter. Throws InputError as GraspBox::check() does. Calls `progress` with
+/// what is known so far.
 Quality find_quality(const GraspBox& grasp, NormalLaw law, LoadBall shape,
                      const QualityOptions& options = {},
                      const std::function<void(const Quality&)>& progress = {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How robust a verdict is: by which factor tolerances may grow.
+/// The robustness of a verdict: by which factor tolerances may grow.
 #pragma once
 
 #include <functional>
@@ -10,27 +10,27 @@
 
 namespace stickslip {
 
-/// What a search for a radius may do.
+/// The limits of a search for a radius.
 struct RadiusOptions {
-  SearchOptions box;          ///< of each proof
+  SearchOptions box;          ///< the options of each proof
   Rational accuracy{1, 100};  ///< stops when the two radii differ by this part of the larger
   Rational most{64};          ///< no factor beyond this is tried
   bool only_stable = false;   ///< nothing is sought about a centre that is unstable
 };
 
-/// For factors of the tolerances, about the grasp in the centre.
+/// Factors of the tolerances about the grasp in the centre.
 struct Radius {
   std::optional<bool> stable;  ///< the centre's verdict: the factor 0; nothing if undecided
   Rational proved{0};  ///< the largest factor with a proof of the centre's verdict; 0: none
-  std::optional<BoxDecision> proof{};  ///< its proof, unless it is 0
+  std::optional<BoxDecision> proof{};  ///< the proof for `proved`, unless that is 0
   std::optional<Rational> refuted{};   ///< the smallest factor with a counterexample
   std::optional<GraspBox> example{};   ///< the counterexample
   Rational limit{0};                   ///< no larger factor leaves a box that is valid
 };
 
-/// The radii of `centre`, one grasp, in the tolerances that `box` gives it: proved < refuted.
-/// Between them nothing is known. If the verdict of the centre itself is undecided, `proved` is
-/// 0. `progress` is called with the radii so far.
+/// Returns the radii of `centre`, one grasp, in the tolerances that `box` gives it: proved <
+/// refuted. Nothing is known between them. If the verdict of the centre itself is undecided,
+/// `proved` is 0. Calls `progress` with the radii so far.
 Radius find_radius(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                    const RadiusOptions& options = {},
                    const std::function<void(const Radius&)>& progress = {});

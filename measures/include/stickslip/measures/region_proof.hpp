@@ -21,50 +21,50 @@
 
 namespace stickslip {
 
-/// An equilibrium under one load of the plane; or at infinity, where the load is s u + t v
-/// alone, preloads have no weight, and any multiple may be added to one of the same mode.
+/// An equilibrium under one load of the plane. One at infinity has the load s u + t v alone and
+/// preloads of weight 0; any multiple of it may be added to one of the same mode.
 struct LoadPoint {
   HomogeneousPoint load;  ///< (s, t), or the direction
   ShortWitness witness;   ///< for point_of(load), or direction_of(load)
 };
 
-/// conv + cone of loads that share a mode: all of it is resisted.
+/// conv + cone of loads that share a mode; the grasp resists all of it.
 using ProvedPiece = std::vector<LoadPoint>;
 
-/// Two children: f(s, t, h) = f_x s + f_y t + f_h h >= 0, and < 0.
+/// A node with two children: f(s, t, h) = f_x s + f_y t + f_h h >= 0, and < 0.
 struct LoadSplit {
   HomogeneousPoint f;  ///< nonzero; here a function of points
 };
-/// All loads of the region lie in this piece.
+/// A leaf: all loads of its cell lie in one piece.
 struct HeldLeaf {
   std::size_t piece;  ///< its number
 };
 /// A node about motions, or about loads.
 using RegionNode = std::variant<TreeNode, LoadSplit, HeldLeaf>;
 
-/// With the evidence of certificate/FORMAT.md, section 12.
+/// The proof about a plane, with the evidence of certificate/FORMAT.md, section 12.
 struct RegionProof {
-  std::vector<ProvedPiece> pieces;  ///< whose union is the set of resistible wrenches
+  std::vector<ProvedPiece> pieces;  ///< their union is the set of resistible wrenches
   std::vector<RegionNode> tree;     ///< in preorder
 };
 
-/// What the search for a proof did; reproducible.
+/// The work of a search for a proof; reproducible.
 struct RegionProofWork {
-  std::size_t cells = 0;     ///< of the plane, refuted
-  std::size_t held = 0;      ///< of the plane, in a piece
-  std::size_t nodes = 0;     ///< of the refutations
-  std::size_t programs = 0;  ///< exact linear programs among them
+  std::size_t cells = 0;     ///< cells of the plane that were refuted
+  std::size_t held = 0;      ///< cells of the plane that are in a piece
+  std::size_t nodes = 0;     ///< nodes of the refutations
+  std::size_t programs = 0;  ///< exact linear programs among the nodes
 };
 
-/// How far to go, and whom to tell.
+/// The limit of a proof, and who hears of its progress.
 struct RegionProofOptions {
-  std::size_t node_limit = 0;  ///< of all refutations together; 0: none
+  std::size_t node_limit = 0;  ///< the limit for all refutations together; 0: none
   /// Called now and then, with the work so far.
   std::function<void(const RegionProofWork& work)> progress;
 };
 
-/// Of the pieces that resistible_set found for this problem and plane. Undecided when the limit
-/// is exceeded, or the tree would be deeper than the format allows.
+/// Proves the pieces that resistible_set found for this problem and plane. Undecided if the
+/// limit is exceeded, or if the tree would be deeper than the format allows.
 std::variant<RegionProof, Undecided> prove_region(const Problem& problem,
                                                   const WrenchPlane& plane,
                                                   const std::vector<ResistiblePiece>& pieces,

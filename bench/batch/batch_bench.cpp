@@ -43,7 +43,7 @@ std::string one_line(const LoadedGrasp& content) {
 
 bool is_stable(const Question& question) {
   return std::holds_alternative<Stable>(
-      decide_by_cones(Problem(question.loaded(), question.law), {}));
+      branch_and_bound(Problem(question.loaded(), question.law), {}));
 }
 
 /// Instances of all families, stable and unstable by turns.

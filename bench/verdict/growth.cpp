@@ -39,10 +39,10 @@ Worst search_threshold(HardFamily family, std::size_t contacts, NormalLaw law) {
     const Clock::time_point start = Clock::now();
     if (std::chrono::duration<double>(start - begin).count() > kSearchSeconds) throw TimeIsUp{};
     ConeWork work;
-    ConeOptions options;
+    BranchAndBoundOptions options;
     options.node_limit = kNodeLimit;
     const Verdict verdict =
-        decide_by_cones(Problem(question.loaded(), question.law), options, &work);
+        branch_and_bound(Problem(question.loaded(), question.law), options, &work);
     worst.ms = std::max(
         worst.ms, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     worst.nodes = std::max(worst.nodes, static_cast<double>(work.nodes));

@@ -164,7 +164,7 @@ std::optional<Measurement> measure_limited(double seconds, double patience_ms,
 
 bool is_stable_by_cones(const Question& question) {
   return std::holds_alternative<Stable>(
-      decide_by_cones(Problem(question.loaded(), question.law)));
+      branch_and_bound(Problem(question.loaded(), question.law)));
 }
 
 }  // namespace stickslip::bench

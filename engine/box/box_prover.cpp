@@ -116,7 +116,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
         }
       }
     }
-    for (const NearEquilibrium& near : box_detail::near_equilibria(middle, !limits_.is_wide)) {
+    for (const NearEquilibrium& near :
+         box_detail::equilibria_in_doubles(middle, !limits_.is_wide)) {
       if (try_near(newton.polish(near).value_or(near))) {
         stable_ = true;
         return true;

@@ -50,7 +50,7 @@ class ExampleSearch {
  private:
   void try_without_equilibrium() {
     const std::vector<NearEquilibrium> middles =
-        near_equilibria(GraspLaw(box_, law_).middle(), needs_enclosure(box_));
+        equilibria_in_doubles(GraspLaw(box_, law_).middle(), needs_enclosure(box_));
     if (middles.empty()) return;
     constexpr std::size_t kMostLost = 8;
     std::size_t tried = 0;

@@ -32,7 +32,7 @@ Rational short_middle(const Rational& a, const Rational& b) {
   return exact;
 }
 
-Problem problem_of(const GraspLaw& point) {
+Problem planar_problem(const GraspLaw& point) {
   const auto as_wrench = [](const RationalRow& row) { return Wrench{row[0], row[1], row[2]}; };
   std::vector<ContactRow> rows;
   for (const LawContact& c : point.contacts) {
@@ -66,17 +66,17 @@ std::vector<NearEquilibrium> sticking_equilibria(const GraspLaw& point,
 
 }  // namespace
 
-std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
+std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool has_enclosures) {
   const RoundedGrasp grasp = rounded_middle(point);
   if (!point.is_one_planar_body()) {
     constexpr std::size_t kStarts = 3;
     return Newton(grasp).solve_from(kStarts);
   }
-  const Problem problem = problem_of(point);
+  const Problem problem = planar_problem(point);
   constexpr std::size_t kMost = 4;  // the most of each kind
   std::vector<NearEquilibrium> result = sticking_equilibria(point, grasp);
   if (!has_enclosures && !has_long_equilibria(problem)) {
-    const Verdict verdict = decide_by_cones(problem);
+    const Verdict verdict = branch_and_bound(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return {};
     result.push_back(near_equilibrium(problem, stable->witness(), grasp.length));
@@ -90,7 +90,7 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
   const std::size_t most = result.size() + kMost;
   constexpr std::size_t kStarts = 12;
   for (const std::size_t starts : {std::size_t{0}, kStarts}) {
-    for (NearEquilibrium& found : stickslip::near_equilibria(problem, starts, grasp.length)) {
+    for (NearEquilibrium& found : near_equilibria(problem, starts, grasp.length)) {
       if (result.size() <= most) result.push_back(std::move(found));
     }
   }
@@ -109,7 +109,8 @@ bool may_be_within(const Law& law, const NearEquilibrium& near) {
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
                               const SearchOptions& options) {
   if (point.is_one_planar_body() && !needs_enclosure(point) && !point.is_bounded()) {
-    return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
+    return std::holds_alternative<Stable>(
+        branch_and_bound(Problem(point.planar_middle(), law)));
   }
   return stickslip::is_stable(decide_box(point, law, options).verdict);
 }

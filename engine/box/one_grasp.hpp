@@ -21,12 +21,12 @@ Rational power_of_two_above(const Rational& size);
 Rational short_middle(const Rational& a, const Rational& b);
 
 /// Returns the problem of a law of one grasp in the plane.
-Problem problem_of(const GraspLaw& point);
+Problem planar_problem(const GraspLaw& point);
 
 /// Returns some equilibria of a law of one grasp, in doubles. `has_enclosures` says that
 /// lengths are enclosed, in so many bits that exact equilibria take longer than a proof without
 /// them.
-std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures);
+std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool has_enclosures);
 
 /// Returns whether a motion in doubles, whose last digits are wrong, may be within the bound.
 bool may_be_within(const Law& law, const NearEquilibrium& near);

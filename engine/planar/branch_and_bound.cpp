@@ -26,7 +26,8 @@ using CrowdSearch = TreeSearch<CrowdForces>;
 /// Looks for a tree or an equilibrium.
 class Explorer {
  public:
-  Explorer(const Problem& problem, const DoubleModel& model, const ConeOptions& options)
+  Explorer(const Problem& problem, const DoubleModel& model,
+           const BranchAndBoundOptions& options)
       : problem_(problem),
         model_(model),
         most_nodes_(options.node_limit != 0 ? options.node_limit : SIZE_MAX),
@@ -196,7 +197,8 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
   return *this;
 }
 
-Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, ConeWork* work) {
+Verdict branch_and_bound(const Problem& problem, const BranchAndBoundOptions& options,
+                         ConeWork* work) {
   require(!problem.is_family(), "a verdict is on one member of a family");
   const DoubleModel model(problem);
   Explorer explorer(problem, model, options);
@@ -222,9 +224,8 @@ std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts)
   return find_witnesses_around(problem, DoubleModel(problem), starts);
 }
 
-std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
-                                                             const ConeOptions& options,
-                                                             ConeWork* work) {
+std::variant<MarginPoint, Unstable, Undecided> search_family(
+    const Problem& family, const BranchAndBoundOptions& options, ConeWork* work) {
   const DoubleModel model(family);
   Explorer explorer(family, model, options);
   auto tree = explorer.explore();

@@ -39,14 +39,14 @@ std::size_t count_alike(const RefutationSummary& found, const Problem& problem) 
 
 }  // namespace
 
-Decision decide(const Problem& problem, Engine engine, const ConeOptions& options) {
+Decision decide(const Problem& problem, Engine engine, const BranchAndBoundOptions& options) {
   if (engine == Engine::kStates) {
     StatesWork work;
     Verdict verdict = decide_by_states(problem, &work);
     return {std::move(verdict), work};
   }
   ConeWork work;
-  Verdict verdict = decide_by_cones(problem, options, &work);
+  Verdict verdict = branch_and_bound(problem, options, &work);
   return {std::move(verdict), work};
 }
 

@@ -123,7 +123,7 @@ std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
   if (engine == Engine::kAuto && has_long_equilibria(problem)) {
     if (auto decision = prove_stable_by_degree(problem)) return std::move(*decision);
   }
-  ConeOptions search;
+  BranchAndBoundOptions search;
   search.node_limit = node_limit;
   return decide(problem, engine, search);
 }

@@ -174,7 +174,7 @@ std::optional<DistanceBounds> ThresholdDistance::smallest() const {
 ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
                                      std::size_t node_limit) {
   ThresholdDistance result;
-  ConeOptions options;
+  BranchAndBoundOptions options;
   options.node_limit = node_limit;
   /// Returns the margin, or nothing at the limit.
   const auto margin = [&](const Problem& base, const Wrench& direction) {

@@ -191,7 +191,7 @@ Json near_json(const Answer& answer) {
   LoadedGrasp middle = answer.question.box()->planar_middle();
   middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
   const Problem problem(middle, answer.question.law);
-  const Verdict verdict = decide_by_cones(problem);
+  const Verdict verdict = branch_and_bound(problem);
   const auto* stable = std::get_if<Stable>(&verdict);
   if (stable == nullptr) return {};
   const Witness& witness = stable->witness();
@@ -478,7 +478,7 @@ class PageAnswer {
       found = margin_json(question, find_margin(question, options, keep), std::nullopt);
       return;
     }
-    ConeOptions options;
+    BranchAndBoundOptions options;
     options.node_limit = limits_.node_limit;
     MarginWork work;
     const auto margin = find_margin(problem_of(question), options, &work);
@@ -491,8 +491,9 @@ class PageAnswer {
   void map(Json& found) const {
     refuse_several(question_, "`stickslip map` finds it");
     if (question_.is_bounded() && !question_.in_space()) {
-      throw NotToBeHad{"motions are bounded, and the page has this without a bound; "
-                       "`stickslip map` finds it"};
+      throw NotToBeHad{
+          "motions are bounded, and the page has this without a bound; "
+          "`stickslip map` finds it"};
     }
     const LoadedGrasp& one = one_grasp(centre());
     if (one.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};

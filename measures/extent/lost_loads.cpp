@@ -24,7 +24,8 @@ LostLoads::LostLoads(const GraspBox& centre, const GraspBox& box, NormalLaw law,
 std::optional<LostLoads> LostLoads::of(const GraspBox& centre, const GraspBox& box,
                                        NormalLaw law, const Rational& accuracy,
                                        const Rational& limit) {
-  std::vector<NearEquilibrium> known = near_equilibria(GraspLaw(centre, law).middle(), true);
+  std::vector<NearEquilibrium> known =
+      equilibria_in_doubles(GraspLaw(centre, law).middle(), true);
   if (known.empty()) return std::nullopt;
   return LostLoads(centre, box, law, accuracy, limit, std::move(known.front()));
 }

@@ -250,7 +250,7 @@ class Quadtree {
     }
     if (!box.is_one_planar_body()) return is_stable(box.middle(), law_, options_.box);
     return std::holds_alternative<Stable>(
-        decide_by_cones(box_detail::problem_of(GraspLaw(box, law_).middle())));
+        branch_and_bound(box_detail::planar_problem(GraspLaw(box, law_).middle())));
   }
 
   GraspBox box_of(const Interval& x, const Interval& y) const {

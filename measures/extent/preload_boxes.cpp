@@ -91,7 +91,7 @@ Rational size_of(const WrenchBox& wrench) {
 bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options) {
   if (point.is_one_planar_body()) return is_stable(point, law, options) == true;
   const GraspLaw middle = GraspLaw(point, law).middle();
-  const auto found = near_equilibria(middle, needs_enclosure(point));
+  const auto found = equilibria_in_doubles(middle, needs_enclosure(point));
   return std::any_of(found.begin(), found.end(),
                      [&](const NearEquilibrium& near) { return may_be_within(middle, near); });
 }

@@ -158,7 +158,7 @@ class RadiusSearch {
   /// Follows an equilibrium of the centre to where it is lost.
   void follow() {
     const std::vector<NearEquilibrium> here =
-        near_equilibria(GraspLaw(centre_, law_).middle(), needs_enclosure(centre_));
+        equilibria_in_doubles(GraspLaw(centre_, law_).middle(), needs_enclosure(centre_));
     if (here.empty()) return;
     Rational size(1, 16);
     for (;;) {

@@ -21,7 +21,7 @@ std::optional<double> distance(const Examples& examples, const Place& place) {
   const GraspBox grasp = examples.at(place);
   const Wrench wrench = planar_middle(grasp.wrench);
   if (wrench == Wrench{}) return std::nullopt;
-  const Problem problem = box_detail::problem_of(GraspLaw(grasp, examples.law()).middle());
+  const Problem problem = box_detail::planar_problem(GraspLaw(grasp, examples.law()).middle());
   const auto found = find_margin(problem.with_wrench({}).along({wrench}), {2000});
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr) return std::nullopt;

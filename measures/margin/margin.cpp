@@ -66,7 +66,7 @@ class MarginSearch {
  public:
   using Progress = std::function<void(const MarginWork&)>;
 
-  MarginSearch(const Problem& family, const ConeOptions& options, MarginWork& work,
+  MarginSearch(const Problem& family, const BranchAndBoundOptions& options, MarginWork& work,
                const Progress& progress, SegmentForm form)
       : family_(family),
         form_(form),
@@ -91,7 +91,7 @@ class MarginSearch {
     // The engine for single loads is quick at the multiple 0, which is most often stable.
     ConeWork cone;
     count(work_.ranges);
-    Verdict verdict = decide_by_cones(family_.at(0), options_, &cone);
+    Verdict verdict = branch_and_bound(family_.at(0), options_, &cone);
     work_.cone += cone;
     if (auto* stable = std::get_if<Stable>(&verdict)) {
       take({0, std::move(std::get<Witness>(stable->proof))}, all);
@@ -147,7 +147,7 @@ class MarginSearch {
   }
 
   std::variant<MarginPoint, Unstable, Undecided> search(const MultipleRange& gap) {
-    ConeOptions options = options_;
+    BranchAndBoundOptions options = options_;
     if (options.node_limit != 0) {
       if (work_.cone.nodes >= options.node_limit) {
         return limit_reached(options.node_limit);
@@ -209,7 +209,7 @@ class MarginSearch {
 
   const Problem& family_;
   const SegmentForm form_;
-  const ConeOptions& options_;
+  const BranchAndBoundOptions& options_;
   MarginWork& work_;
   const Progress& progress_;
   FamilyModes modes_;
@@ -220,7 +220,7 @@ class MarginSearch {
 }  // namespace
 
 std::variant<Margin, Undecided> find_margin(
-    const Problem& family, const ConeOptions& options, MarginWork* work,
+    const Problem& family, const BranchAndBoundOptions& options, MarginWork* work,
     const std::function<void(const MarginWork&)>& progress, SegmentForm form) {
   require(family.is_family(), "a margin is of a family");
   MarginWork unused;

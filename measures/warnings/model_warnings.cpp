@@ -152,10 +152,10 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
                         std::size_t& left) -> std::optional<bool> {
     std::vector<Contact> varied = contacts;
     varied[contact.index()].stiffness = stiffness;
-    ConeOptions options;
+    BranchAndBoundOptions options;
     options.node_limit = left;
     ConeWork work;
-    const Verdict verdict = decide_by_cones(
+    const Verdict verdict = branch_and_bound(
         Problem({Grasp(std::move(varied)), question.loaded().wrench}, question.law), options,
         &work);
     left -= std::min(left, 1 + work.nodes);

@@ -81,10 +81,10 @@ std::string truth(const Input& input, const Options& options) {
   const stickslip::Question question =
       stickslip::ask(stickslip::parse_grasp(input.grasp, "grasp"), asked);
   const stickslip::Problem problem = stickslip::problem_of(question);
-  stickslip::ConeOptions limit;
+  stickslip::BranchAndBoundOptions limit;
   limit.node_limit = 300;
   if (!options.margin()) {
-    const stickslip::Verdict verdict = stickslip::decide_by_cones(problem, limit);
+    const stickslip::Verdict verdict = stickslip::branch_and_bound(problem, limit);
     const bool decided = !std::holds_alternative<stickslip::Undecided>(verdict);
     return decided ? name_of(verdict) : "";
   }

@@ -43,11 +43,11 @@ void answer(const std::string& text, NormalLaw law) {
   const Question question = ask(parse_grasp(text, "fuzz"), options);
   const Problem problem = problem_of(question);  // throws of irrational lengths
   if (problem.size() > kMostContacts) return;
-  ConeOptions limit;
+  BranchAndBoundOptions limit;
   limit.node_limit = kNodeLimit;
   stickslip_check::Options asked;
   asked.bilateral = law == NormalLaw::kBilateral;
-  const Verdict verdict = decide_by_cones(problem, limit);
+  const Verdict verdict = branch_and_bound(problem, limit);
   if (!std::holds_alternative<Undecided>(verdict)) {
     expect_accepted(text, certificate_text(question, verdict, "fuzz"), asked, name_of(verdict));
   }

@@ -41,7 +41,7 @@ std::string judged_verdict(const LoadCase& load_case, RaysFrom rays_from) {
   } else {
     EXPECT_LT(work.states_refuted, work.states);
   }
-  const Verdict by_cones = decide_by_cones(problem);
+  const Verdict by_cones = branch_and_bound(problem);
   judge(load_case, problem, by_cones, rays_from);
   EXPECT_STREQ(name_of(by_states), name_of(by_cones)) << describe(load_case);
   return name_of(by_states);

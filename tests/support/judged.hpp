@@ -12,7 +12,7 @@
 
 namespace stickslip::test {
 
-/// "stable" or "unstable" by decide_by_states and decide_by_cones. Fails the running test if
+/// "stable" or "unstable" by decide_by_states and branch_and_bound. Fails the running test if
 /// they differ, a witness is not an equilibrium or has more shares of friction than it needs, a
 /// refutation does not hold (check_refutation), or the work does not add up.
 std::string judged_verdict(const LoadCase& load_case, RaysFrom rays_from = RaysFrom::kRegion);

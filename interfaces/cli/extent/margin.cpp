@@ -144,7 +144,7 @@ int margin(const MarginArguments& arguments) {
         "--preload-direction scale");
   }
   if (question.has_claims()) return margin_by_claims(question, arguments);
-  ConeOptions options;
+  BranchAndBoundOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;
   Progress progress;

@@ -166,7 +166,7 @@ py::dict exact_margin(const Question& question, std::size_t node_limit, bool war
     std::vector<ModelWarning> warnings;
   };
   const Answer answer = without_gil([&] {
-    ConeOptions options;
+    BranchAndBoundOptions options;
     options.node_limit = node_limit;
     MarginWork work;
     auto found = find_margin(problem_of(question), options, &work);

@@ -67,10 +67,10 @@ TEST(HardCases, KeepTheirVerdictsAndNoMoreThanTwiceTheirNodes) {
     options.law = c.law;
     const Question question = ask(read_grasp_file(path_of(c)), options);
     ConeWork work;
-    ConeOptions limit;
+    BranchAndBoundOptions limit;
     limit.node_limit = 2 * c.nodes + 1;
     const Verdict verdict =
-        decide_by_cones(Problem(question.loaded(), question.law), limit, &work);
+        branch_and_bound(Problem(question.loaded(), question.law), limit, &work);
     ASSERT_EQ(name_of(verdict), c.verdict) << c.file << ": " << work.nodes << " nodes";
     EXPECT_LE(work.nodes, 2 * c.nodes) << c.file;
     RecordProperty(c.file, static_cast<int>(work.nodes));

@@ -46,7 +46,7 @@ TEST(StableInstances, AreStatedInFewWords) {
       const Instance instance = make_stable(family, contacts, 1);
       SCOPED_TRACE(instance.family + ' ' + std::to_string(contacts));
       const Problem problem(instance.question.loaded(), instance.question.law);
-      const Verdict verdict = decide_by_cones(problem);
+      const Verdict verdict = branch_and_bound(problem);
       const Witness& witness = std::get<Stable>(verdict).witness();
       const test::ShareCount shares = test::shares_of(problem, witness);
       const bool on_threshold = family == 8 || family == 9;

@@ -46,7 +46,7 @@ TEST(ConeEngine, SameAnswerEveryTime) {
     std::vector<std::vector<std::pair<std::string, std::size_t>>> works;
     for (int time = 0; time < 2; ++time) {
       ConeWork work;
-      const Verdict verdict = decide_by_cones(problem, {}, &work);
+      const Verdict verdict = branch_and_bound(problem, {}, &work);
       if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
         texts.push_back(to_text(unstable->tree));
       } else {
@@ -60,7 +60,7 @@ TEST(ConeEngine, SameAnswerEveryTime) {
     EXPECT_EQ(texts[0], texts[1]);
     EXPECT_EQ(works[0], works[1]);
     ConeWork work;
-    decide_by_cones(problem, {}, &work);
+    branch_and_bound(problem, {}, &work);
     // Every contact once, and every group of some.
     EXPECT_LE(work.visits, 2 * work.nodes * problem.size());
   }
@@ -73,7 +73,7 @@ TEST(ConeEngine, ManyContactsWithBothVerdictsJudged) {
     for (const bool pulled_off : {false, true}) {
       const LoadedGrasp loaded = arc(60, seed, pulled_off);
       const Problem problem(loaded, NormalLaw::kUnilateral);
-      const Verdict verdict = decide_by_cones(problem);
+      const Verdict verdict = branch_and_bound(problem);
       expect_accepted_by_both(loaded, NormalLaw::kUnilateral, verdict);
       if (const auto* found = std::get_if<Unstable>(&verdict)) {
         ++unstable;
@@ -91,11 +91,11 @@ TEST(ConeEngine, ManyContactsWithBothVerdictsJudged) {
 TEST(ConeEngine, GivesUpOnlyAtItsLimit) {
   const Problem problem({fig1_grasp(1), {0, Rational(11, 10), 0}}, NormalLaw::kUnilateral);
   ConeWork whole;
-  ASSERT_TRUE(std::holds_alternative<Unstable>(decide_by_cones(problem, {}, &whole)));
-  ConeOptions options;
+  ASSERT_TRUE(std::holds_alternative<Unstable>(branch_and_bound(problem, {}, &whole)));
+  BranchAndBoundOptions options;
   for (std::size_t limit = 1; limit <= whole.nodes; ++limit) {
     options.node_limit = limit;
-    const Verdict verdict = decide_by_cones(problem, options);
+    const Verdict verdict = branch_and_bound(problem, options);
     if (limit < whole.nodes) {
       ASSERT_TRUE(std::holds_alternative<Undecided>(verdict)) << limit;
       EXPECT_EQ(std::get<Undecided>(verdict).limit,
@@ -110,7 +110,7 @@ TEST(ConeEngine, CountersAddUp) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     ConeWork work;
     const Verdict verdict =
-        decide_by_cones(Problem(arc(40, seed, true), NormalLaw::kUnilateral), {}, &work);
+        branch_and_bound(Problem(arc(40, seed, true), NormalLaw::kUnilateral), {}, &work);
     const auto* unstable = std::get_if<Unstable>(&verdict);
     ASSERT_NE(unstable, nullptr);
     EXPECT_EQ(work.nodes, unstable->tree.size());
@@ -130,7 +130,7 @@ TEST(ConeEngine, FindsEquilibriaOfManyContactsInFewRegions) {
     const Problem problem = problem_of(instance.question);
     if (has_long_equilibria(problem)) continue;
     ConeWork work;
-    EXPECT_TRUE(std::holds_alternative<Stable>(decide_by_cones(problem, {}, &work)))
+    EXPECT_TRUE(std::holds_alternative<Stable>(branch_and_bound(problem, {}, &work)))
         << instance.family;
     ++instances;
     nodes += work.nodes;

@@ -139,7 +139,7 @@ std::vector<Contact> facing_pairs(int pairs) {
 ShareCount judged_shares(const LoadedGrasp& loaded) {
   EXPECT_EQ(test::judged_verdict({loaded, NormalLaw::kUnilateral}), "stable");
   const Problem problem(loaded, NormalLaw::kUnilateral);
-  return shares_of(problem, std::get<Stable>(decide_by_cones(problem)).witness());
+  return shares_of(problem, std::get<Stable>(branch_and_bound(problem)).witness());
 }
 
 TEST(FewShares, NoMoreContactsThanTheLoadNeeds) {
@@ -148,7 +148,7 @@ TEST(FewShares, NoMoreContactsThanTheLoadNeeds) {
     // Each contact can hold 1/2; the pull needs half of one more. Two may balance its torque.
     const LoadedGrasp loaded{grasp, {0, Rational(2 * halves + 1, 4), 0}};
     const Problem problem(loaded, NormalLaw::kUnilateral);
-    const Verdict verdict = decide_by_cones(problem);
+    const Verdict verdict = branch_and_bound(problem);
     test::expect_accepted_by_both(loaded, NormalLaw::kUnilateral, verdict);
     const ShareCount shares = shares_of(problem, std::get<Stable>(verdict).witness());
     EXPECT_EQ(shares.sum, Rational(2 * halves + 1, 2)) << halves;

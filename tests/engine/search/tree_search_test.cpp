@@ -104,7 +104,7 @@ TEST(TreeSearch, EmbeddedGraspsHaveTheVerdictOfTheOtherEngine) {
     const Wrench load =
         round % 5 < 3 ? test::small_wrench(random) : test::planted_wrench(random, grasp, law);
     const Problem problem(LoadedGrasp{grasp, load}, law);
-    const Verdict verdict = decide_by_cones(problem);
+    const Verdict verdict = branch_and_bound(problem);
     const bool stable = std::holds_alternative<Stable>(verdict);
     ++seen[stable ? 1 : 0];
     for (const Embedding* m : {&kPlane, &kSpace, &kNine}) {

@@ -70,13 +70,13 @@ TEST(Margin, NeedsADirection) {
   EXPECT_THROW(problem.along({{}, {1}}), ContractError);
   const Problem family = problem.along({{1, 0, 0}});
   EXPECT_THROW(family.along({{1, 0, 0}}), ContractError);
-  EXPECT_THROW(decide_by_cones(family), ContractError);
+  EXPECT_THROW(branch_and_bound(family), ContractError);
   EXPECT_THROW(find_violation(family, {}), ContractError);
 }
 
 TEST(Margin, StopsAtTheNodeLimit) {
   const Problem problem(LoadedGrasp{test::fig1_grasp(1), {}}, NormalLaw::kUnilateral);
-  ConeOptions options;
+  BranchAndBoundOptions options;
   options.node_limit = 3;
   MarginWork work;
   EXPECT_TRUE(std::holds_alternative<Undecided>(

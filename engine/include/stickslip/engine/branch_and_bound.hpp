@@ -60,14 +60,14 @@ struct ConeWork {
 };
 
 /// The limits of the engine.
-struct ConeOptions {
+struct BranchAndBoundOptions {
   std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
 };
 
 /// Returns the verdict with its evidence, and puts the work into `work`. Undecided only when
 /// the node limit is reached. Deterministic. Requires that the problem is no family.
-Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
-                        ConeWork* work = nullptr);
+Verdict branch_and_bound(const Problem& problem, const BranchAndBoundOptions& options = {},
+                         ConeWork* work = nullptr);
 
 /// Returns some equilibria with different motions, which Newton's method finds from `starts`
 /// motions. There is none if the grasp is unstable; there may be none, too, if it is stable.
@@ -83,8 +83,7 @@ struct MarginPoint {
 /// Returns a multiple in the family's range for which the grasp is stable, or a proof that
 /// there is none. It is the same search with the multiple as one more unknown. Undecided only
 /// when the node limit is reached.
-std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
-                                                             const ConeOptions& options = {},
-                                                             ConeWork* work = nullptr);
+std::variant<MarginPoint, Unstable, Undecided> search_family(
+    const Problem& family, const BranchAndBoundOptions& options = {}, ConeWork* work = nullptr);
 
 }  // namespace stickslip

@@ -59,7 +59,7 @@ struct Decision {
 /// Decides exactly whether an equilibrium exists (problem.hpp). `options` are those of branch
 /// and bound. The verdict is Undecided only if they limit its nodes.
 Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
-                const ConeOptions& options = {});
+                const BranchAndBoundOptions& options = {});
 
 /// \{ Returns the counters with their names, in a fixed order.
 std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work);

@@ -87,6 +87,11 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   const Newton newton(grasp);
   std::vector<Reals> tried;
   bool holds = false;
+  // All of a box is hardly held by motions that turn on rounding: these say nothing about it.
+  const auto is_far = [&](const NearEquilibrium& near) {
+    return limits_.is_wide && box.max_motion.empty() &&
+           box_detail::is_beyond(box, near, box.far_motion);
+  };
   const auto try_near = [&](const NearEquilibrium& near) {
     constexpr double kSame = 1e-6;
     for (const Reals& motion : tried) {
@@ -94,7 +99,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     }
     tried.push_back(near.motion);
     if (!box_detail::may_be_within(box, near)) return false;
-    if (!near_middle) near_middle = near;
+    if (!near_middle && !is_far(near)) near_middle = near;
     return holds = prove_near(box, middle, near);
   };
   if (stable_ != true) {
@@ -153,7 +158,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     // one.
     if (!found && is_exact_ && box.is_linear()) return holds = prove_exactly(box, relaxed);
     return found &&
-           (try_near(*found) || (limits_.is_wide && box_detail::may_be_within(box, *found)));
+           (try_near(*found) ||
+            (limits_.is_wide && box_detail::may_be_within(box, *found) && !is_far(*found)));
   };
   const auto search_all = [&](bool exactly, bool keeps_near) {
     LawSearch search(box, nullptr, limits_.node_limit, work_);

@@ -97,13 +97,17 @@ std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool h
   return result;
 }
 
-bool may_be_within(const Law& law, const NearEquilibrium& near) {
-  for (std::size_t j = 0; j < law.max_motion.size(); ++j) {
+bool is_beyond(const Law& law, const NearEquilibrium& near, const RationalRow& bound) {
+  for (std::size_t j = 0; j < bound.size(); ++j) {
     constexpr double kNearly = 1 + 1e-6;
     const double d = near.motion[static_cast<Eigen::Index>(j)] / law.unit(j);
-    if (std::fabs(d) > kNearly * to_double(law.max_motion[j])) return false;
+    if (std::fabs(d) > kNearly * to_double(bound[j])) return true;
   }
-  return true;
+  return false;
+}
+
+bool may_be_within(const Law& law, const NearEquilibrium& near) {
+  return !is_beyond(law, near, law.max_motion);
 }
 
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,

@@ -28,6 +28,9 @@ Problem planar_problem(const GraspLaw& point);
 /// them.
 std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool has_enclosures);
 
+/// Returns whether a motion in doubles, whose last digits may be wrong, is beyond a bound on
+/// some coordinate. An empty bound is none.
+bool is_beyond(const Law& law, const NearEquilibrium& near, const RationalRow& bound);
 /// Returns whether a motion in doubles, whose last digits are wrong, may be within the bound.
 bool may_be_within(const Law& law, const NearEquilibrium& near);
 

@@ -49,14 +49,14 @@ struct UncertainContact {
 
 /// A way in which a normal may turn: n + e direction for some |e| <= most.
 struct Turn {
-  RationalRow direction;  ///< across n
+  RationalRow direction;  ///< perpendicular to n
   Rational most;          ///< >= 0
 };
 
-/// Returns the turns of a contact, which all happen at once. In the plane there is one, by
-/// (-n_y, n_x) and the slope. In space there are two, u and v, as section 6 of
-/// certificate/FORMAT.md has them. Every normal of the contact is among n + e_u u + e_v v, and
-/// so are some others, whose tangent is up to 1.42 times the slope.
+/// Returns the turns of a contact; its normal may turn by all of them together. In the plane
+/// there is one, by (-n_y, n_x) and the slope. In space there are two, by perpendicular vectors
+/// u and v (certificate/FORMAT.md, section 6). Every normal of the contact is among n + e_u u +
+/// e_v v, and so are some others, whose tangent is up to 1.42 times the slope.
 std::vector<Turn> turns_of(const UncertainContact& contact);
 /// Returns n + the sum of e_j direction_j.
 RationalRow turned(RationalRow normal, const std::vector<Turn>& turns, const RationalRow& e);
@@ -161,14 +161,15 @@ struct GraspBox {
   bool is_bounded() const { return !max_motion.empty(); }
   /// Returns whether a motion is within the bound, if there is one.
   bool allows(const RationalRow& motion) const;
-  /// Returns whether it has three coordinates.
+  /// Returns whether it is in space, whose points have three coordinates.
   bool in_space() const { return mechanism ? mechanism->in_space : wrench.size() == 6; }
   /// Returns whether it is one body in the plane.
   bool is_one_planar_body() const { return !mechanism && !in_space(); }
   /// Returns the number of contacts and springs.
   std::size_t elements() const { return contacts.size() + springs.size(); }
-  /// Returns how the body of the ball moves at its point: a row for each component of a force
-  /// and a torque there, as a function of motions. Requires that there is a ball.
+  /// Returns how the point of the ball moves with its body, and how that turns: a row for each
+  /// component of a force and a torque at the point, as a linear function of motions. Requires
+  /// that there is a ball.
   std::vector<RationalRow> ball_motion() const;
   /// Returns how far each component of a load in the ball may be from 0. Requires that there is
   /// a ball.
@@ -180,7 +181,8 @@ struct GraspBox {
   /// has a slope of 1 or more or below 0; or a number may be outside of its range. Friction
   /// coefficients, preloads, torsions and stiffnesses of springs are 0 or more; stiffnesses of
   /// contacts and ratchets are above 0; a normal with torsion has no slope. Throws InputError
-  /// naming "uncertain" for a ball that cannot be here.
+  /// naming "uncertain" for a ball whose radius or length is not above 0, beside an uncertain
+  /// wrench, on a body that is not there, or about a point of another dimension.
   void check() const;
   /// Returns the box widened by the tolerances, and checked. Throws InputError as check() does.
   GraspBox widened(const Tolerances& tolerances) const;
@@ -191,7 +193,7 @@ struct GraspBox {
   /// Returns the one grasp in the middle of every interval, with the normals n and without a
   /// ball.
   GraspBox middle() const;
-  /// Returns the same grasp for a box of one body in the plane.
+  /// Returns middle() as a LoadedGrasp. Requires one body in the plane.
   LoadedGrasp planar_middle() const;
 };
 
@@ -233,7 +235,7 @@ inline Vector3 vector3(const RationalRow& row) {
 /// grasp as a box, in the plane or in space, which may be one point.
 using AnyGrasp = std::variant<LoadedGrasp, GraspBox>;
 
-/// Returns whether the grasp has three coordinates.
+/// Returns whether the grasp is in space, whose points have three coordinates.
 bool in_space(const AnyGrasp& grasp);
 /// Returns the mechanism of several bodies; null if there is one body.
 const Mechanism* mechanism_of(const AnyGrasp& grasp);
@@ -249,8 +251,8 @@ UncertainContact box_of(const Contact& contact);
 WrenchBox box_of(const Wrench& wrench);
 /// \}
 
-/// Returns whether 1/|n| of some contact that may have a preload is irrational. Even the box of
-/// one grasp is then known by an enclosure only.
+/// Returns whether 1/|n| of some contact that may have a preload is irrational. Preloads are
+/// divided by |n|, so that even one grasp is then known only as a box around such numbers.
 bool needs_enclosure(const GraspBox& box);
 
 }  // namespace stickslip

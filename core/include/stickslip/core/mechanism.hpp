@@ -42,29 +42,31 @@ inline Interval point_interval(const Rational& x) {
   return {x, x};
 }
 
-/// The index of a body in Mechanism::bodies; nothing is the ground.
+/// The index of a body in Mechanism::bodies. Without a value it means the ground.
 using BodyIndex = std::optional<std::size_t>;
 
 /// A hinge or slide by which the body that it is on holds another one.
 struct Link {
   bool slides = false;  ///< whether the body slides along `axis`; else it turns
   RationalRow at{};     ///< a point of the axis of a hinge
-  /// The axis of a slide, or of a hinge in space; not 0. A unit of a joint turns or moves the
-  /// link by its length. It is empty for a hinge in the plane.
+  /// The axis of a slide, or of a hinge in space; not 0. A unit of a joint moves the link by
+  /// this vector, or turns it by the vector's length in radians, right-handed. It is empty for
+  /// a hinge in the plane, about which a unit turns by a radian, counter-clockwise.
   RationalRow axis{};
   BodyIndex on{};  ///< the body that holds it, which stands before it
 };
 
 /// One of several bodies.
 struct Body {
-  std::string name;                    ///< not empty, not "ground", unlike all others
+  std::string name;                    ///< unique, not empty, and not "ground"
   std::optional<Link> link{};          ///< nothing: it moves freely
   std::vector<Polygon> outline{};      ///< the outline of a body in the plane; may be empty
   std::shared_ptr<const Mesh> mesh{};  ///< the surface of a body in space; may be null
-  std::vector<RationalRow> weights{};  ///< the points at which weights of its file pull at it
+  std::vector<RationalRow> weights{};  ///< the points where the file's weights pull at it
 };
 
-/// The rates of links: pairs of a link and how fast it turns, a number that is not 0.
+/// The rates of links: pairs of a link's index in Mechanism::bodies and how fast it turns or
+/// slides, a number that is not 0.
 using LinkRates = std::vector<std::pair<std::size_t, Rational>>;
 
 /// A joint: one coordinate by which links turn.
@@ -75,7 +77,7 @@ struct Joint {
 
 /// Bodies and joints. Functions take O(D) for each link that they follow.
 struct Mechanism {
-  bool in_space = false;        ///< whether there are three coordinates
+  bool in_space = false;        ///< whether points have three coordinates
   std::vector<Body> bodies{};   ///< the bodies, links after those that they are on
   std::vector<Joint> joints{};  ///< the joints; each turns a link, and each link is turned
 
@@ -87,7 +89,7 @@ struct Mechanism {
   std::size_t joint_coordinate(std::size_t joint) const;
   /// Returns J of a body, its twist as functions of states: 3 rows in the plane, 6 in space.
   std::vector<RationalRow> motion_of(BodyIndex body) const;
-  /// Returns J_of - J_by, the motion of one body beside another.
+  /// Returns J_of - J_by, the motion of one body relative to another.
   std::vector<RationalRow> motion_between(BodyIndex of, BodyIndex by) const;
   /// Returns the sum of r_b times how each link b turns, as a function of states.
   RationalRow row_of(const LinkRates& over) const;
@@ -104,8 +106,8 @@ struct Mechanism {
 /// Returns the names of all coordinates.
 std::vector<std::string> coordinate_names(const Mechanism& mechanism);
 
-/// A force along a row of states, without friction. That of a ratchet is max(0, P - k row.z),
-/// and that of a spring is P - k row.z, of either sign.
+/// A force that does work along a linear function of states, `row`, without friction. That of a
+/// ratchet is max(0, P - k row.z), and that of a spring is P - k row.z, of either sign.
 struct Spring {
   /// The list of the file that it stands in.
   enum class Kind { kRatchet, kJoint, kTendon };
@@ -115,7 +117,7 @@ struct Spring {
   std::string name{};         ///< may be empty
   std::size_t joint = 0;      ///< the index of the joint, if it stands in "joints"
   LinkRates over{};           ///< the links that it acts on, if it stands elsewhere
-  RationalRow row{};          ///< not 0
+  RationalRow row{};          ///< the function, which follows from `joint` or `over`; not 0
   Interval stiffness{};       ///< k >= 0, above 0 for a ratchet
   Interval force{};           ///< P: a torque or tension, or the preload >= 0 of a ratchet
 

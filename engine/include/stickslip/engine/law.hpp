@@ -3,6 +3,15 @@
 /// The law of a grasp whose numbers are intervals, for motions of any number of coordinates.
 /// Its contacts are rows at the corners of what is uncertain of their geometry, exactly and in
 /// doubles (certificate/FORMAT.md, sections 1 and 6).
+///
+/// **Letters.** d is a motion. A contact with the normal n has the row N, so that N.d is how
+/// far it moves along n times |n|, and S, so that s = S d is its slip (T in the plane, along n
+/// turned by +90 degrees). mu is friction, P the preload, k the stiffness, P' = P / |n| and k'
+/// = k / |n|^2: its force is a n + f with a = max(0, v), *separation* v = P' - k' N.d, and
+/// friction f of at most mu L a with L = |n|. w is the load, u its growth in a margin.
+///
+/// **Points.** A point is (d, h, l) with D + 2 coordinates, up to a positive factor: the motion
+/// d / h and, in a margin, the multiple l / h. So v = P' h - k' N.d is linear in points.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +30,9 @@
 
 namespace stickslip {
 
-/// A slip or a friction force in doubles, by its coordinates along LawContact::directions, such
-/// that lengths and products are those of numbers. There is one coordinate in the plane, there
-/// are two in space and three with torsion; the others are 0.
+/// A slip or a friction force in doubles, by its coordinates in the orthonormal basis along
+/// LawContact::directions, so that its length is their norm. There is one coordinate in the
+/// plane, there are two in space and three with torsion; the others are 0.
 using Double3 = std::array<double, 3>;
 
 /// Returns the length of a slip or force.
@@ -44,21 +53,22 @@ struct CornerRow {
   Reals normal_rounded{};             ///< N, in the law's units
   std::vector<Reals> slip_rounded{};  ///< S by direction, in the law's units
 
-  /// Returns the rows of S as functions of points with so many coordinates, made primitive.
+  /// Returns the rows of S as linear functions of points: with zeros up to so many coordinates,
+  /// over their common divisor.
   std::vector<Row> slip_planes(std::size_t coordinates) const;
   /// Returns the wrench of a friction force, which has as many numbers as a slip.
   RationalRow wrench_of(const RationalRow& friction) const;
-  /// Sets the slip from the rows of `factor` times S. Requires factor > 0.
+  /// Sets the slip from `multiple`, which is `factor` times S. Requires factor > 0.
   void set_slip(const std::vector<RationalRow>& multiple, const Rational& factor);
 };
 
 /// The place of a contact: its point and normal, with their uncertainty.
 struct ContactPlace {
   std::vector<Interval> geometry;  ///< the coordinates of p, then e of each turn
-  RationalRow normal;              ///< n0
+  RationalRow normal;              ///< n0, the normal before it is turned
   std::vector<Turn> turns;         ///< the turns of the normal
   CornerRow centre;                ///< the rows of the grasp in the middle
-  /// The motion G of the one body beside the other, as functions of states; empty if there is
+  /// G, how the one body moves relative to the other, as functions of states; empty if there is
   /// one body.
   std::vector<RationalRow> motion{};
 };
@@ -70,7 +80,7 @@ struct WholeCorners {
   std::vector<Row> tangents;         ///< T, by corner
   std::array<Integer, 2> frictions;  ///< the ends of mu
   SpringEnds<Integer> ends;          ///< the ends of P' and k'
-  Integer cone;                      ///< `cone`, the factor of mu, and of N in alpha
+  Integer cone;                      ///< a common denominator of mu
   Rational weight;                   ///< the factor from bounds (corner_work.hpp) to work
 };
 
@@ -83,11 +93,11 @@ struct LawContact {
   Rational squared_length{1};  ///< L^2 of n0; friction is at most mu L a
   Interval friction;           ///< mu
   Interval preload;            ///< P'
-  Interval rate{};             ///< P^u' of a margin, whose ends go with those of P'
+  Interval rate{};             ///< P^u' in a margin: low where P' is low, high where it is high
   Interval stiffness;          ///< k'
-  IntegerVector3 axis{};       ///< n0 in space, across which slips are
+  IntegerVector3 axis{};       ///< n0 in space, to which slips are perpendicular
   Rational spin_weight{0};     ///< e^2 / L^2, the weight of the fourth number in |s|^2
-  /// A basis of all friction forces, none of which does work on the slip of another.
+  /// An orthogonal basis of all friction forces.
   std::vector<RationalRow> directions{{1}};
   /// The place that the corners come from, if it is the contact of a grasp.
   std::optional<ContactPlace> place{};
@@ -169,13 +179,14 @@ struct Law {
   NormalLaw law = NormalLaw::kUnilateral;  ///< the law of all contacts
   RationalRow max_motion{};                ///< B, by coordinate of motions; empty: no bound
   /// Far motions are those beyond this, by coordinate: rounding of the data decides what holds
-  /// there (natural_bound()). It serves proposals. If it is empty, no motion is far.
+  /// there (natural_bound()). It chooses where to search first, and decides nothing. If it is
+  /// empty, no motion is far.
   RationalRow far_motion{};
 
   /// Returns whether a motion is within the bound, if there is one.
   bool allows(const RationalRow& motion) const;
-  /// Returns whether normals have numbers as long as doubles do, so that their last digits may
-  /// be rounding. Only then do far motions depend on these digits.
+  /// Returns whether normals look like decimals that were rounded to the length of doubles.
+  /// Only then do far motions depend on their last digits.
   bool may_be_rounded() const;
 
   /// \{ Members that complete() fills in.
@@ -200,7 +211,7 @@ struct Law {
   Rational most_load_work(const Row& y) const;
   /// Returns the sum of |y_j| times the largest magnitude of component j of the load, at h = 1.
   double load_size(const Reals& y) const;
-  /// Returns the number of coordinates of points.
+  /// Returns the number of coordinates of points: those of the motion, h and l.
   std::size_t coordinates() const { return motions + 2; }
   /// Returns the factor from a coordinate of points to the same coordinate in doubles.
   double unit(std::size_t coordinate) const {
@@ -218,14 +229,14 @@ struct Law {
   Reals scaled(const Row& point) const;
   /// Returns plane.x over the norm of the plane, for a point x in doubles.
   double value_at(const Row& plane, const Reals& x) const;
-  /// Returns a plane through x and across the way from b to a, in few bits; 0 if a and b are
-  /// too near.
+  /// Returns a plane through x, nearly perpendicular to a - b, with short coefficients; 0 if a
+  /// and b are too near.
   Row plane_between(const Reals& a, const Reals& b, const Reals& x) const;
   /// Returns the load h w + l u in doubles, for the w whose work on y is largest.
   Reals load_at(double height, double multiple, const Reals& y) const;
   /// Returns whether each slip and friction force is along a line, as in the plane.
   bool is_linear() const;
-  /// Returns whether the box is one point, lengths of normals included.
+  /// Returns whether every number is certain, 1 / |n| of preloaded contacts included.
   bool is_point() const;
 };
 

@@ -22,8 +22,8 @@ using ExactSlip = IntegerVector<4>;
 
 /// The cone of the slips of a contact on a region.
 struct SlipCone {
-  bool moves = false;  ///< whether the contact *moves*, as the format defines it
-  bool whole = false;  ///< whether slips have any direction
+  bool moves = false;  ///< whether the contact *moves* (certificate/FORMAT.md, section 7)
+  bool whole = false;  ///< whether slips in every direction occur
   /// The generators and corners whose slips generate the cone, unless it is whole. There are
   /// none if there is no slip at all.
   std::vector<std::pair<std::size_t, std::size_t>> sides;
@@ -42,16 +42,18 @@ class MotionRegion : public StrictCone {
   /// around a bound of motions and, under the bilateral law, with v_i >= 0 for each contact
   /// whose v_i is certain.
   static MotionRegion root(const Law& law);
-  /// Returns the cone over a wall of a body (StrictConeOf::cut_to_wall), with all multiples of
-  /// a margin, both ends included.
+  /// Returns the cone over a wall of a parallelepiped or simplex of motions, by its index
+  /// (StrictConeOf::cut_to_wall), with all multiples of a margin, both ends included.
   static MotionRegion wall(const Law& law, const ConvexBody& body, std::size_t wall);
 
-  /// Returns the two parts of a cut. The plane is strict in the negative part.
+  /// Returns the parts where the plane is >= 0 and where it is < 0.
   std::vector<MotionRegion> halves(const Row& plane) const;
-  /// Returns the children of a slip split.
+  /// Returns the children of a split by a contact's slip: in the plane those where it slips one
+  /// way, sticks, and slips the other way; else those where it sticks and where it slips.
   std::vector<MotionRegion> slip_children(std::size_t contact) const;
 
-  /// Returns points() in doubles, in the law's units, with norm 1.
+  /// Returns points(), the extreme rays of the cone, in doubles, in the law's units, with
+  /// norm 1.
   const std::vector<Reals>& generators() const { return generators_; }
   /// Returns whether the contact is closed, open or either on the region.
   Separation separation(std::size_t contact) const { return separations_[contact]; }
@@ -60,7 +62,8 @@ class MotionRegion : public StrictCone {
   /// Returns the sign of all slips of a contact in the plane; nothing if they have no common
   /// sign.
   std::optional<Sign> slip_sign(std::size_t contact) const;
-  /// Returns the slopes of friction that a contact in the plane may have, given the ends of mu.
+  /// Returns the extreme ratios of friction along T to the normal coefficient that a contact in
+  /// the plane may have, given the ends of mu: friction is against the slip.
   template <class Number>
   std::vector<Number> slopes(std::size_t contact, const std::array<Number, 2>& mu) const;
   /// Returns whether a slip split into two has said that the contact slips. (In the plane,
@@ -68,13 +71,14 @@ class MotionRegion : public StrictCone {
   bool is_strict(std::size_t contact) const { return strict_slips_[contact] != 0; }
   /// Returns whether a slip split has said that the contact sticks.
   bool is_still(std::size_t contact) const { return still_[contact] != 0; }
-  /// Returns true if no solution is a multiple of this generator.
+  /// Returns true only if it is proved that no solution is a multiple of this generator.
   bool bars_point(std::size_t generator) const { return bars_all({generator}); }
-  /// Returns true if no solution lies here, or none within the bound of motions.
+  /// Returns true only if it is proved that no solution lies here, or none within the bound of
+  /// motions.
   bool is_barred() const { return barred_; }
-  /// Returns a plane of the bound of motions that cuts the region, with this point on its
-  /// strict side, where no motion is within the bound. Returns nothing if the point is within
-  /// the bound, or if the plane that it exceeds the most does not cut here.
+  /// Returns the plane d_j = B_j h or d_j = -B_j h that the point exceeds the most, with the
+  /// point on its negative side. Returns nothing if the point is within the bound, or if that
+  /// plane does not cut the region.
   std::optional<Row> bound_across(const Reals& point) const;
   /// \{ Returns the largest, or the least, v of a contact at a generator, in doubles; exactly 0
   /// where it is 0.
@@ -96,8 +100,8 @@ class MotionRegion : public StrictCone {
   const double* rises(std::size_t contact, std::size_t generator) const {
     return &rises_[first_[contact] + generator * law_->contacts[contact].corners.size()];
   }
-  /// Returns whether y satisfies the rule `leaf-bound` here and, if there is a pull,
-  /// `leaf-direction`.
+  /// Returns whether the virtual twist y proves, exactly, that no solution lies here: by the
+  /// rule `leaf-bound` of the format and, if there is a pull, `leaf-direction`.
   bool is_refuted(const Row& y, const PullRule* pull) const;
 
  private:

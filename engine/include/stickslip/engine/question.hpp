@@ -16,10 +16,10 @@ namespace stickslip {
 /// The growth of preloads with the multiple of a margin: all in proportion, or each at a rate
 /// of its own.
 struct PreloadDirection {
-  /// Whether all preloads grow in proportion, from no preload.
+  /// If true, the preload at multiple l is l times the given one, so that there is none at 0.
   bool scale = false;
-  /// The rate of each element, contacts first, unless `scale` is set. It is >= 0 for contacts
-  /// and ratchets. The preloads grow from those that are given.
+  /// How much the preload of each contact, and then the force of each spring, grows per unit of
+  /// l, from what is given. It is >= 0 for contacts and ratchets, and empty if `scale` is set.
   std::vector<Rational> rates{};
 };
 
@@ -27,12 +27,12 @@ struct PreloadDirection {
 struct QuestionOptions {
   std::optional<RationalRow> wrench{};     ///< applied to the object
   std::optional<Rational> preload{};       ///< the preload of every contact
-  NormalLaw law = NormalLaw::kUnilateral;  ///< the normal law, which no file says
+  NormalLaw law = NormalLaw::kUnilateral;  ///< the normal law (NormalLaw)
   std::optional<RationalRow> direction{};  ///< the direction of the load of a margin
   std::optional<PreloadDirection> preload_direction{};  ///< the direction of its preloads
   std::optional<std::string> case_name{};  ///< the case of the file whose wrench is applied
   Tolerances uncertain{};  ///< tolerances of the numbers that result from all this
-  std::optional<MotionBound> max_motion{};  ///< the bound that replaces the file's
+  std::optional<MotionBound> max_motion{};  ///< replaces the file's bound on motions
 };
 
 /// A question: is the grasp, in the plane or in space, stable under `law`? With a direction, a
@@ -48,29 +48,31 @@ struct Question {
   AnyGrasp grasp;
   NormalLaw law = NormalLaw::kUnilateral;  ///< the law of every contact
   std::optional<Rational> preload{};       ///< set if it replaced the file's preloads
-  /// Contacts without a stiffness, as in the GraspFile.
+  /// The contacts for which the file gave no stiffness, so that 1 is assumed.
   std::vector<ContactId> assumed_stiffness{};
   std::optional<RationalRow> direction{};               ///< the direction of a margin's load
   std::optional<PreloadDirection> preload_direction{};  ///< the direction of its preloads
-  std::vector<Rational> preload_growth{};      ///< P^u by element; empty if no preload grows
+  /// P^u, the growth per unit of l that follows from preload_direction, by element: contacts,
+  /// then springs; empty if no preload grows.
+  std::vector<Rational> preload_growth{};
   std::string case_name{};                     ///< the case whose wrench this is; may be empty
   Tolerances uncertain{};                      ///< the tolerances that were asked for
   std::optional<WrenchBox> wrench_as_asked{};  ///< the wrench before a tolerance widened it
 
   /// Returns whether the question is about a margin.
   bool is_margin() const { return direction || preload_direction; }
-  /// Returns whether the grasp has three coordinates.
+  /// Returns whether the grasp is in space, whose points have three coordinates.
   bool in_space() const { return stickslip::in_space(grasp); }
   /// Returns the mechanism of several bodies; null if there is one body.
   const Mechanism* mechanism() const { return mechanism_of(grasp); }
   /// Returns whether motions are bounded, which GraspBox::max_motion says.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
-  /// Returns whether this is a margin whose answer is a list of claims (certificate/FORMAT.md,
-  /// section 5), and not exactly the multiples that are resisted. Only a margin whose grasp is
-  /// no box is exact.
+  /// Returns whether this is a margin whose answer is a list of ranges of multiples, each
+  /// proved stable or unstable, which may leave some unsettled (certificate/FORMAT.md, section
+  /// 5). If the grasp is no box, the multiples that are resisted are known exactly instead.
   bool has_claims() const { return is_margin() && box() != nullptr; }
-  /// Returns whether there is one body, in the plane. More can be asked about it than about all
-  /// others.
+  /// Returns whether there is one body, in the plane. Some functions, such as problem_of(),
+  /// accept no other.
   bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
   /// Returns the name, outline and units of the grasp.
   const GraspDescription& description() const { return description_of(grasp); }
@@ -82,18 +84,19 @@ struct Question {
 };
 
 /// Returns the question about the file's grasp and load with what the options replace. A margin
-/// with a direction of the load starts from no wrench, unless the options give one or a case,
-/// and one with preloads in proportion from no preload (certificate/FORMAT.md, section 1).
+/// with a direction of the load leaves the file's own wrench out: its load grows from 0, unless
+/// the options give a wrench or a case. A margin with preloads in proportion begins with no
+/// preload (certificate/FORMAT.md, section 1).
 ///
 /// Throws InputError with the place "wrench", "preload", "direction" or "preload_direction" if
 /// one of these is not allowed; with the place "case" if the wrench of a file with cases is
 /// needed and the options give neither a case nor a wrench; with the place "uncertain" if a
-/// margin is asked about and some number is uncertain. About a box it throws also as
-/// GraspBox::widened and bound_of() do.
+/// margin is asked about and some number is an interval. It throws also as GraspBox::widened
+/// does for tolerances, and bound_of() for a bound on motions.
 Question ask(GraspFile file, const QuestionOptions& options);
 
-/// Throws InputError unless the question is about one grasp: for one body in the plane as
-/// problem_of() does, otherwise if a number is uncertain.
+/// Throws InputError unless the question is about one grasp. For one body in the plane it
+/// throws whenever problem_of() does; for all others only if a number is uncertain.
 void require_one_grasp(const Question& question);
 
 /// Returns the same question without a bound of motions.
@@ -106,7 +109,8 @@ inline void require_one_body(const Question& question, const std::string& what) 
 }
 /// \}
 
-/// Returns the problem, or for a margin the family, that an engine in the plane decides. Throws
+/// Returns the exact problem in the plane; for a margin the family of problems, one for each
+/// multiple. Throws
 /// InputError at "contacts[i].normal" if a contact whose preload is not 0 or grows has a normal
 /// of irrational length. Throws InputError, too, for several bodies, bounded motions, a grasp
 /// in space, and uncertain numbers; decide_box() answers about these.

@@ -19,7 +19,8 @@
 
 namespace stickslip {
 
-/// The coefficients of one contact's force a n + b t. For a unit normal these are (c_n, c_t).
+/// The coefficients of the force a n + b t of a contact on the object, with t = (-n_y, n_x). If
+/// |n| = 1 they are the normal force c_n and the tangential force c_t of the paper.
 struct ContactForce {
   Rational normal;      ///< a
   Rational tangential;  ///< b
@@ -47,49 +48,51 @@ struct ShortWitness {
   }
 };
 
-/// The part of an equilibrium in space, or of several bodies, from which all other forces
-/// follow.
+/// The part of an equilibrium in space, or of several bodies, from which all forces follow.
 struct ShareWitness {
   RationalRow twist;  ///< the motion d; the state z of several bodies
   /// The shares sigma of contacts that stick, whose friction is mu a sigma, by increasing
-  /// ContactId. Each has as many numbers as a slip. Shares of 0 are left out.
+  /// ContactId. Each has 1 number in the plane, 3 in space, 4 with torsion. Shares of 0 are
+  /// left out.
   std::vector<std::pair<ContactId, RationalRow>> shares;
 };
 
-/// \{ Returns the short form of an equilibrium, from contacts or their rows. Preloads do not
-/// matter.
+/// \{ Returns the short form of an equilibrium, from contacts or their rows. The result does
+/// not depend on preloads. Requires an equilibrium.
 ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness);
 ShortWitness in_short(const Grasp& grasp, const Witness& witness);
 /// \}
 
-/// Returns which condition of problem.hpp fails first, and where; nothing for an equilibrium.
-/// Requires that the problem is no family. Takes O(m) rational operations.
+/// Returns a text for people: which condition of problem.hpp fails first, and at which contact;
+/// nothing for an equilibrium. Requires that the problem is no margin's. Takes O(m) rational
+/// operations for m contacts.
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness);
 
 /// An equilibrium exists. If the question was about a box, every grasp in it has one.
 struct Stable {
   /// An equilibrium of one grasp, or a proof that one exists.
   std::variant<Witness, ShareWitness, StabilityProof> proof;
-  /// The motion of an equilibrium, for people. With a StabilityProof it is near an equilibrium
-  /// of the grasp in the middle of the first part that was proved. With a ShareWitness it is
-  /// that of the witness.
+  /// The motion of an equilibrium, for people. A StabilityProof cuts the box into parts: it is
+  /// near an equilibrium of the grasp in the middle of the first part. With a ShareWitness it
+  /// is that of the witness; with a Witness it is empty.
   RationalRow motion{};
 
-  /// Returns the witness. Requires a grasp in the plane that was decided without degree.
+  /// Returns the witness. Requires that the proof is one, as it is for one exact grasp in the
+  /// plane unless an equilibrium would be too long to state.
   const Witness& witness() const { return std::get<Witness>(proof); }
 };
 /// No equilibrium exists, for any grasp that was asked about.
 struct Unstable {
   Trees tree;  ///< the proof
 };
-/// Two grasps of the box have opposite verdicts, and certificates of their own.
+/// Two grasps of the box have opposite verdicts. Their certificates are had by deciding each.
 struct Fragile {
   GraspBox stable;    ///< a grasp of the box that is stable
   GraspBox unstable;  ///< a grasp of the box that is not
 };
 /// Neither stability nor instability was proved.
 struct Undecided {
-  std::string limit;             ///< the cause, a sentence without its end, for people
+  std::string limit;             ///< the cause, a sentence without its full stop, for people
   std::string reason = "limit";  ///< the same in one word, for programs (docs/space.md)
   std::string remedy{};          ///< the remedy in words; may be empty
   /// A motion, from doubles, at which the laws seem to hold, though that was not proved; may be

@@ -46,26 +46,26 @@ struct Answer {
   unsigned bits = kDefaultBits;      ///< the precision, as of BoxDecision
   std::optional<Problem> problem{};  ///< the problem, unless the question is about a box
   Warnings warnings{};               ///< the warnings about one grasp
-  /// The answer to a second question if rounding of the data alone decides the first. It has
-  /// motions bounded by natural_bound(), if the grasp is not decided without a bound, or holds
-  /// by far motions only; or the nearest load that contacts oppose, if the grasp does not hold
-  /// for a part of the load that is smaller than 1e-12 of it.
+  /// The answer to a second question, if rounding of the data alone may decide the first. If
+  /// the grasp is undecided, or holds only by motions beyond natural_bound(), the second
+  /// question bounds motions by that. If the grasp does not hold because of a part of the load
+  /// that is smaller than 1e-12 of it, the second question leaves that part out.
   std::shared_ptr<const Answer> within{};
 };
 
-/// The traps of the model that are looked for.
+/// The warnings to look for: known ways in which the model can mislead.
 enum class WarningsAsked {
   kNone,
-  kOfMotion,  ///< traps that the motion shows: quick
+  kOfMotion,  ///< only those that the answer's motion shows: quick
   kAll        ///< all, which take as long as the verdict
 };
 
 /// The options of an answer.
 struct AnswerOptions {
   Engine engine = Engine::kAuto;  ///< the engine for one grasp in the plane
-  std::size_t node_limit = 0;     ///< the limit of the engine; 0: its own, or none
+  std::size_t node_limit = 0;     ///< the most nodes of a search; 0: the engine's own limit
   WarningsAsked warnings = WarningsAsked::kAll;  ///< the warnings about one grasp
-  bool within = true;  ///< whether to answer a second question if that says more
+  bool within = true;                            ///< whether to look for Answer::within
 };
 
 /// Returns the verdict of the engine about one grasp. With kAuto, if an exact equilibrium would
@@ -74,7 +74,7 @@ struct AnswerOptions {
 std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
                                           std::size_t node_limit);
 
-/// Decides the question.
+/// Decides the question, looks for warnings, and for a second answer, as the options say.
 Answer answer_to(Question question, const AnswerOptions& options);
 
 /// Adds the reason, as "limit" in words and as "reason" in one; "remedy" and "near" if there
@@ -88,10 +88,11 @@ void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned
 /// difference of forces, and of torques over a typical length of the grasp.
 Rational squared_distance(const Question& a, const Question& b);
 
-/// Returns the second answer in short: the bound and the verdict.
+/// Returns the second answer in short: the verdict, with the bound on motions or the load.
 Json within_json(const Answer& within);
 
-/// Returns the output of `decide --json`, before finished().
+/// Returns the output of `decide --json`, before finished() writes its numbers as fractions or
+/// doubles.
 Json to_json(const Answer& answer);
 
 /// Returns the certificate; nothing if the verdict has none: undecided or fragile.
@@ -122,11 +123,11 @@ struct ContactReport {
 /// Returns the contacts of an exact equilibrium in the plane, by ContactId.
 std::vector<ContactReport> report_contacts(const Answer& answer, const Witness& witness);
 
-/// Returns a motion near that of an equilibrium, for one grasp that is stable, and of which no
-/// equilibrium is known.
+/// Returns a motion near that of an equilibrium, for one grasp that is stable by a proof that
+/// states none; else nothing.
 std::optional<RationalRow> motion_near(const Answer& answer);
 
-/// Returns the contacts whose preload over the length of the normal is enclosed.
+/// Returns the contacts whose P / |n| is irrational, and so known as an interval.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);
 
 }  // namespace stickslip

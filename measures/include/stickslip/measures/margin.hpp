@@ -37,8 +37,9 @@ struct MarginInterval {
   std::optional<Rational> high;  ///< >= low
 };
 
-/// A parallelepiped of motions that moves with the multiple and holds an equilibrium of each
-/// (FORMAT.md, section 5, "Segments by degree").
+/// A proof that each multiple from low to high has an equilibrium, which is not stated: it lies
+/// in a parallelepiped of motions whose centre moves linearly with the multiple, by the
+/// topological degree of a map (FORMAT.md, section 5, "Segments by degree").
 struct SegmentByDegree : DegreeProof {
   RationalRow end_twist{};  ///< the centre at the high end; `twist` is the centre at the low
                             ///< end
@@ -60,9 +61,9 @@ struct MarginSegment {
 /// A margin with the evidence of certificate/FORMAT.md, section 5.
 struct Margin {
   std::vector<MarginInterval> resisted;  ///< increasing, disjoint
-  /// Increasing; each begins where one ends or an interval begins.
+  /// Increasing; each begins where the one before it ends, or where an interval begins.
   std::vector<MarginSegment> segments;
-  std::vector<Trees> gaps;  ///< one tree for each gap between the intervals, increasing
+  std::vector<Trees> gaps;  ///< a tree for each range from 0 on that is not resisted
 };
 
 /// The work of a search for a margin; reproducible.
@@ -73,9 +74,9 @@ struct MarginWork {
   ConeWork cone;           ///< the work of all searches
 };
 
-/// How to prove what is resisted. kByLength takes equilibria unless these would be very long
-/// (many contacts, whose numbers have nothing in common); then it goes by degree as far as that
-/// leads.
+/// How to prove what is resisted. kByLength takes equilibria, unless these would be very long,
+/// as with many contacts whose numbers have different denominators. Then it takes proofs by
+/// degree from multiple 0 until one fails, and equilibria from there.
 enum class SegmentForm { kByLength, kEquilibria, kDegree };
 
 /// Returns the margin over all l >= 0, whatever the family's range. Undecided only if the node

@@ -20,17 +20,19 @@ struct QualityOptions {
                                       ///< typical force
 };
 
-/// Radii of balls of loads.
+/// What is known of the quality, the radius of the largest ball of loads that is resisted: it
+/// is at least `proved` and below `refuted`.
 struct Quality {
   std::optional<bool> stable;  ///< whether the load in the centre is resisted
   Rational proved{0};          ///< the grasp resists all of this ball; 0 if none is proved
   std::optional<Rational> refuted{};  ///< the grasp does not resist some load of this ball
   Rational limit{0};                  ///< no larger radius was tried
-  /// True if one proof is about the balls of all sizes. Without loads, preloads and a bound on
-  /// motions a grasp resists all multiples of a load, or none.
+  /// Whether one proof is about the balls of all sizes, so that all are resisted or none.
+  /// Without loads, preloads and a bound on motions a grasp resists all multiples of a load, or
+  /// none.
   bool scales = false;
-  GraspBox ball{};  ///< the grasp with the ball that the factors of `radii` multiply
-  Radius radii{};   ///< the factors, with the proof, and the load that is not resisted
+  GraspBox ball{};  ///< the grasp with a ball whose radius the factors of `radii` multiply
+  Radius radii{};   ///< the factors with the proof; its example has a load that is not resisted
 };
 
 /// Returns the quality of one grasp for balls of this length, point and body; the radius of

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs every benchmark, one after the other, for the tables of bench/README.md:
+# Runs most benchmarks, one after the other, for the tables of bench/README.md:
 # build/bench_report/<program>.txt. Let nothing else run beside it.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"

@@ -420,7 +420,7 @@ WidestGap TwistSearch::widest_gap(const RegionForces& forces, const SearchResult
   constexpr double kNoticeable = 1e-12;  // only chooses between a split and an exact program
   const double all = energy(forces, found);
   // Separation comes first: a contact that may open weakens the bound on every ray, and a tree
-  // that splits these first is several times smaller (bench/README.md compares the rules).
+  // that splits these first is several times smaller.
   find_widest(separation, &GapBounds::separation, consider_separation);
   if (separation.gap > kNoticeable * all) {
     return {SeparationSplit{ContactId(separation.contact)}, separation.gap / all};

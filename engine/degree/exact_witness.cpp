@@ -100,11 +100,17 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
     closed.push_back(model.contacts[i].is_spring || near_one.normal[i] > 0);
   }
   std::vector<std::size_t> sticking;
+  std::vector<int> slips(m, 0);  // the signs of slips along a line
   for (std::size_t i = 0; i < m; ++i) {
     const bool rubs = closed[i] && !model.contacts[i].friction.high.is_zero();
     if (!rubs) continue;
-    if (near_one.sticks[i] == 0) return std::nullopt;  // the slip's length is irrational
-    sticking.push_back(i);
+    if (near_one.sticks[i] != 0) {
+      sticking.push_back(i);
+    } else if (model.contacts[i].slip_dimension() > 1) {
+      return std::nullopt;  // the slip's length is irrational
+    } else {
+      slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
+    }
   }
   // The unknowns are multiples of the motions that leave all of these without slip, and the
   // coordinates of friction at each. All but a few of the latter stay near what they are.
@@ -118,11 +124,13 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
   for (std::size_t i = 0; i < m; ++i) {
     if (!closed[i]) continue;
     const LawContact& c = model.contacts[i];
-    const RationalRow& normal = c.corners.front().normal;
-    add_multiple(rest, -c.preload.low, normal);
+    const CornerRow& row = c.corners.front();
+    RationalRow edge = row.normal;
+    if (slips[i] != 0) add_multiple(edge, -1, row.wrench_of({slips[i] * c.friction.low}));
+    add_multiple(rest, -c.preload.low, edge);
     for (std::size_t k = 0; k < motions.size(); ++k) {
-      const Rational rise = dot(normal, motions[k]);
-      add_multiple(terms[k].wrench, -(c.stiffness.low * rise), normal);
+      const Rational rise = dot(row.normal, motions[k]);
+      add_multiple(terms[k].wrench, -(c.stiffness.low * rise), edge);
     }
   }
   if (!is_at_rest) {
@@ -165,6 +173,14 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
     if (c.is_spring) continue;
     if (closed[i] ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
     if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
+    if (slips[i] != 0 && v.sign() > 0) {
+      const RationalRow slip(c.corners.front().slip.front().begin(),
+                             c.corners.front().slip.front().end());
+      const int sign = dot(slip, witness.twist).sign();
+      if (sign == -slips[i]) return std::nullopt;
+      if (sign == 0) witness.shares.emplace_back(ContactId(i), RationalRow{-slips[i]});
+      continue;
+    }
     if (c.squared_force(friction[i]).is_zero()) continue;
     const Rational scale = c.friction.low * v;
     if (scale.is_zero()) return std::nullopt;
@@ -180,12 +196,12 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
 std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
   constexpr int kShort = 20;  // short numbers, for people
   constexpr int kLong = 30;   // near the borders of cones
-  if (model.is_linear()) return degree_detail::equilibrium_in_modes(model, near);
   for (const bool is_at_rest : {true, false}) {
     for (const int bits : {kShort, kLong}) {
       if (auto witness = witness_in_bits(model, near, bits, is_at_rest)) return witness;
     }
   }
+  if (model.is_linear()) return degree_detail::equilibrium_in_modes(model, near);
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "uncertain_contact.hpp"
 
 namespace stickslip {
@@ -379,10 +380,7 @@ void check_ball(const GraspBox& box) {
 }  // namespace
 
 bool GraspBox::allows(const RationalRow& motion) const {
-  for (std::size_t j = 0; j < max_motion.size(); ++j) {
-    if (abs(motion[j]) > max_motion[j]) return false;
-  }
-  return true;
+  return is_within(motion, max_motion);
 }
 
 bool GraspBox::is_point() const {

@@ -131,6 +131,13 @@ RationalRow bound_of(const GraspBox& box, const MotionBound& asked) {
   return numbers;
 }
 
+bool is_within(const RationalRow& motion, const RationalRow& bound) {
+  for (std::size_t j = 0; j < bound.size(); ++j) {
+    if (abs(motion[j]) > bound[j]) return false;
+  }
+  return true;
+}
+
 std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& factor) {
   if (box.contacts.empty()) return std::nullopt;
   const Spread spread = spread_of(box);

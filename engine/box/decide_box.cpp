@@ -35,6 +35,7 @@ class ExampleSearch {
     try_at(examples_.at(examples_.middle()));
     if (stable_) try_without_equilibrium();
     for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
+    if (found() || stable_.has_value() == unstable_.has_value()) return;
     if (!box_.is_one_planar_body()) return;  // a verdict takes a while
     for (const Place& place : examples_.single_ends()) try_at(examples_.at(place));
   }

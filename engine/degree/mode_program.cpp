@@ -42,21 +42,20 @@ class ModeProgram {
  public:
   ModeProgram(const GraspLaw& law, const NearEquilibrium& near) : law_(law), near_(near) {
     for (const LawContact& c : law.contacts) {
-      RationalRow slip(law.motions);
       const Row& row = c.corners.front().slip.front();
-      slip.assign(row.begin(), row.end());
-      slips_.push_back(std::move(slip));
+      slips_.emplace_back(row.begin(), row.end());
     }
   }
 
   std::optional<ShareWitness> solve() {
     Modes modes = near_modes();
+    auto result = point_in(modes);
     // Rounded faces are not quite parallel: what sticks in doubles may slip by that.
-    for (auto result = point_in(modes); std::holds_alternative<Contradiction>(result);
-         result = point_in(modes)) {
-      if (!forget(std::get<Contradiction>(result), modes)) return std::nullopt;
+    while (const auto* contradiction = std::get_if<Contradiction>(&result)) {
+      if (!forget(*contradiction, modes)) return std::nullopt;
+      result = point_in(modes);
     }
-    return solve(modes);
+    return settle(std::move(modes), std::get<ProgramPoint>(result));
   }
 
  private:
@@ -101,32 +100,38 @@ class ModeProgram {
     return !contradiction.gaps.empty();
   }
 
-  std::optional<ShareWitness> solve(Modes modes) {
-    constexpr std::size_t kMostPrograms = 64;
-    if (programs_ == kMostPrograms) return std::nullopt;
-    ++programs_;
-    const auto result = point_in(modes);
-    const auto* point = std::get_if<ProgramPoint>(&result);
-    if (point == nullptr) return std::nullopt;
-    const Breach broken = widest_breach(modes, *point);
-    if (broken.energy.is_zero()) return witness_of(*point);
-    const std::size_t i = broken.contact;
+  /// Returns this point of the program of these modes as an equilibrium, if it breaks no law;
+  /// else one with the mode that it breaks the most chosen.
+  std::optional<ShareWitness> settle(Modes modes, const ProgramPoint& point) {
+    const Breach broken = widest_breach(modes, point);
+    if (broken.energy.is_zero()) return witness_of(point);
+    Mode& mode = modes[broken.contact];
     if (broken.is_gap) {
-      const bool presses = separation(i, point->motion).sign() >= 0;
+      const bool presses = separation(broken.contact, point.motion).sign() >= 0;
       for (const bool closed : {presses, !presses}) {
-        modes[i].gap = closed ? Mode::Gap::kClosed : Mode::Gap::kOpen;
-        if (auto found = solve(modes)) return found;
+        mode.gap = closed ? Mode::Gap::kClosed : Mode::Gap::kOpen;
+        if (auto found = solve_with(modes)) return found;
       }
       return std::nullopt;
     }
-    const bool forward = dot(slips_[i], point->motion).sign() > 0;
+    const bool forward = dot(slips_[broken.contact], point.motion).sign() > 0;
     for (const Mode::Slip slip :
          {forward ? Mode::Slip::kForward : Mode::Slip::kBackward, Mode::Slip::kSticks,
           forward ? Mode::Slip::kBackward : Mode::Slip::kForward}) {
-      modes[i].slip = slip;
-      if (auto found = solve(modes)) return found;
+      mode.slip = slip;
+      if (auto found = solve_with(modes)) return found;
     }
     return std::nullopt;
+  }
+
+  /// Solves the program of these modes and settles its point, unless enough were solved.
+  std::optional<ShareWitness> solve_with(const Modes& modes) {
+    constexpr std::size_t kMostChoices = 63;
+    if (choices_ == kMostChoices) return std::nullopt;
+    ++choices_;
+    const auto result = point_in(modes);
+    const auto* point = std::get_if<ProgramPoint>(&result);
+    return point == nullptr ? std::nullopt : settle(modes, *point);
   }
 
   /// A law that is broken, and with what energy.
@@ -161,68 +166,66 @@ class ModeProgram {
     return c.preload.low - c.stiffness.low * dot(c.corners.front().normal, motion);
   }
 
-  /// Returns a motion and forces that these modes allow, or which of them contradict.
-  std::variant<ProgramPoint, Contradiction> point_in(const Modes& modes) const {
+  /// The linear program of some modes, over the motion and then the forces along edges.
+  struct Assembled {
     LinearProgram program;
-    std::vector<std::size_t> gap_rows;   // rows by contact
-    std::vector<std::size_t> slip_rows;  // likewise; if there is none, that of the gap
-    program.add_variables(law_.motions, VariableKind::kFree);
-    std::vector<RationalRow> balance(law_.motions);  // coordinates of motions, then edges
-    RationalRow rest;
-    for (std::size_t j = 0; j < law_.motions; ++j) rest.push_back(-law_.wrench[j].low);
-    std::vector<std::array<std::optional<std::size_t>, 2>> variables(modes.size());
-    const auto with_motion = [&](RationalRow row, std::size_t variable, const Rational& value) {
-      row.resize(program.variable_count());
-      row[variable] = value;
-      return row;
-    };
-    std::vector<std::pair<std::size_t, RationalRow>> wrenches;  // wrenches by variable
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      const LawContact& c = law_.contacts[i];
-      const CornerRow& corner = c.corners.front();
-      const Mode& mode = modes[i];
-      RationalRow rise = corner.normal;  // k N, of which v = P - k N z
-      for (Rational& entry : rise) entry *= c.stiffness.low;
-      gap_rows.push_back(program.row_count());
-      slip_rows.push_back(program.row_count());
-      if (mode.gap == Mode::Gap::kOpen) {
-        program.add_row(rise, Relation::kGreaterEqual, c.preload.low);
-        continue;
-      }
-      if (c.is_spring) {
-        const std::size_t force = program.add_variable(VariableKind::kFree);
-        variables[i][0] = force;
-        wrenches.emplace_back(force, corner.normal);
-        program.add_row(with_motion(rise, force, 1), Relation::kEqual, c.preload.low);
-        continue;
-      }
-      RationalRow pressing = rise;
-      for (const std::size_t edge : {std::size_t{0}, std::size_t{1}}) {
-        const Mode::Slip against = edge == 0 ? Mode::Slip::kForward : Mode::Slip::kBackward;
-        const bool is_one = !rubs(i) && edge == 1;
-        if (is_one || (rubs(i) && mode.slip == against)) continue;
-        const std::size_t force = program.add_variable(VariableKind::kNonNegative);
-        variables[i][edge] = force;
-        RationalRow wrench = corner.wrench_of({(edge == 0 ? 1 : -1) * c.friction.low});
-        add_multiple(wrench, 1, corner.normal);
-        wrenches.emplace_back(force, std::move(wrench));
-        pressing = with_motion(std::move(pressing), force, 1);
-      }
-      const bool is_closed = mode.gap == Mode::Gap::kClosed;
-      program.add_row(pressing, is_closed ? Relation::kEqual : Relation::kGreaterEqual,
-                      c.preload.low);
-      if (!rubs(i) || mode.slip == Mode::Slip::kUnknown) continue;
-      ++slip_rows.back();
-      program.add_row(slips_[i],
-                      mode.slip == Mode::Slip::kSticks    ? Relation::kEqual
-                      : mode.slip == Mode::Slip::kForward ? Relation::kGreaterEqual
-                                                          : Relation::kLessEqual,
-                      0);
+    std::vector<std::size_t> gap_rows;   ///< rows by contact
+    std::vector<std::size_t> slip_rows;  ///< rows by contact; that of the gap if there is none
+    std::vector<std::array<std::optional<std::size_t>, 2>> forces;  ///< variables by contact
+    std::vector<std::pair<std::size_t, RationalRow>> wrenches;      ///< per unit of a variable
+  };
+
+  /// Returns the edges of its cone along which a contact may push; a spring has one.
+  std::vector<std::size_t> edges_of(std::size_t i, const Mode& mode) const {
+    if (!rubs(i) || mode.slip == Mode::Slip::kBackward) return {0};
+    if (mode.slip == Mode::Slip::kForward) return {1};
+    return {0, 1};
+  }
+
+  void add_contact(std::size_t i, const Mode& mode, Assembled& to) const {
+    const LawContact& c = law_.contacts[i];
+    const CornerRow& corner = c.corners.front();
+    LinearProgram& program = to.program;
+    to.gap_rows.push_back(program.row_count());
+    to.slip_rows.push_back(program.row_count());
+    to.forces.emplace_back();
+    RationalRow row = corner.normal;  // k N z, which is P - v
+    for (Rational& entry : row) entry *= c.stiffness.low;
+    if (mode.gap == Mode::Gap::kOpen) {
+      program.add_row(std::move(row), Relation::kGreaterEqual, c.preload.low);
+      return;
     }
+    for (const std::size_t edge : edges_of(i, mode)) {
+      const std::size_t force =
+          program.add_variable(c.is_spring ? VariableKind::kFree : VariableKind::kNonNegative);
+      to.forces.back()[edge] = force;
+      RationalRow wrench = corner.wrench_of({(edge == 0 ? 1 : -1) * c.friction.low});
+      add_multiple(wrench, 1, corner.normal);
+      to.wrenches.emplace_back(force, std::move(wrench));
+      row.resize(program.variable_count());
+      row[force] = 1;
+    }
+    const bool is_closed = mode.gap == Mode::Gap::kClosed;
+    program.add_row(std::move(row), is_closed ? Relation::kEqual : Relation::kGreaterEqual,
+                    c.preload.low);
+    if (!rubs(i) || mode.slip == Mode::Slip::kUnknown) return;
+    to.slip_rows.back() = program.row_count();
+    program.add_row(slips_[i],
+                    mode.slip == Mode::Slip::kSticks    ? Relation::kEqual
+                    : mode.slip == Mode::Slip::kForward ? Relation::kGreaterEqual
+                                                        : Relation::kLessEqual,
+                    0);
+  }
+
+  Assembled assembled(const Modes& modes) const {
+    Assembled result;
+    LinearProgram& program = result.program;
+    program.add_variables(law_.motions, VariableKind::kFree);
+    for (std::size_t i = 0; i < modes.size(); ++i) add_contact(i, modes[i], result);
     for (std::size_t j = 0; j < law_.motions; ++j) {
       RationalRow row(program.variable_count());
-      for (const auto& [variable, wrench] : wrenches) row[variable] = wrench[j];
-      program.add_row(std::move(row), Relation::kEqual, rest[j]);
+      for (const auto& [variable, wrench] : result.wrenches) row[variable] = wrench[j];
+      program.add_row(std::move(row), Relation::kEqual, -law_.wrench[j].low);
     }
     for (std::size_t j = 0; j < law_.max_motion.size(); ++j) {
       RationalRow row(j + 1);
@@ -230,20 +233,15 @@ class ModeProgram {
       program.add_row(row, Relation::kLessEqual, law_.max_motion[j]);
       program.add_row(std::move(row), Relation::kGreaterEqual, -law_.max_motion[j]);
     }
-    const LpResult result = stickslip::solve(program);
+    return result;
+  }
+
+  /// Returns a motion and forces that these modes allow, or which of them contradict.
+  std::variant<ProgramPoint, Contradiction> point_in(const Modes& modes) const {
+    const Assembled built = assembled(modes);
+    const LpResult result = stickslip::solve(built.program);
     if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
-      Contradiction contradiction;
-      for (std::size_t i = 0; i < modes.size(); ++i) {
-        const bool may_open = !law_.contacts[i].is_spring && law_.law != NormalLaw::kBilateral;
-        if (slip_rows[i] != gap_rows[i] && !infeasible->farkas[slip_rows[i]].is_zero()) {
-          contradiction.slips.push_back(i);
-        }
-        if (may_open && modes[i].gap != Mode::Gap::kUnknown &&
-            !infeasible->farkas[gap_rows[i]].is_zero()) {
-          contradiction.gaps.push_back(i);
-        }
-      }
-      return contradiction;
+      return contradiction_in(modes, built, infeasible->farkas);
     }
     const std::vector<Rational>& found = std::get<Optimal>(result).point;
     ProgramPoint point{
@@ -251,10 +249,24 @@ class ModeProgram {
         std::vector<std::array<Rational, 2>>(modes.size())};
     for (std::size_t i = 0; i < modes.size(); ++i) {
       for (const std::size_t edge : {std::size_t{0}, std::size_t{1}}) {
-        if (variables[i][edge]) point.edges[i][edge] = found[*variables[i][edge]];
+        if (built.forces[i][edge]) point.edges[i][edge] = found[*built.forces[i][edge]];
       }
     }
     return point;
+  }
+
+  Contradiction contradiction_in(const Modes& modes, const Assembled& built,
+                                 const std::vector<Rational>& farkas) const {
+    Contradiction result;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const std::size_t gap = built.gap_rows[i];
+      const std::size_t slip = built.slip_rows[i];
+      if (slip != gap && !farkas[slip].is_zero()) result.slips.push_back(i);
+      const bool may_open = !law_.contacts[i].is_spring && law_.law != NormalLaw::kBilateral;
+      const bool is_known = modes[i].gap != Mode::Gap::kUnknown;
+      if (may_open && is_known && !farkas[gap].is_zero()) result.gaps.push_back(i);
+    }
+    return result;
   }
 
   /// Returns the point as a witness. Requires that no law is broken.
@@ -273,7 +285,7 @@ class ModeProgram {
   const GraspLaw& law_;
   const NearEquilibrium& near_;
   std::vector<RationalRow> slips_;  ///< multiples of S by contact
-  std::size_t programs_ = 0;        ///< how many were solved
+  std::size_t choices_ = 0;         ///< programs that were solved with a mode chosen
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/motion_bound.hpp"
 
 namespace stickslip {
 namespace {
@@ -175,10 +176,7 @@ std::vector<Row> CornerRow::slip_planes(std::size_t coordinates) const {
 }
 
 bool Law::allows(const RationalRow& motion) const {
-  for (std::size_t j = 0; j < max_motion.size(); ++j) {
-    if (abs(motion[j]) > max_motion[j]) return false;
-  }
-  return true;
+  return is_within(motion, max_motion);
 }
 
 bool Law::may_be_rounded() const {

@@ -50,6 +50,14 @@ QuestionOptions question_options(const pybind11::object& wrench,
                                  const std::string& which = "",
                                  const std::string& max_motion = "");
 
+/// Returns the same options without directions, with a bound on motions.
+inline QuestionOptions bounded_options(const pybind11::object& wrench,
+                                       const pybind11::object& preload, bool bilateral,
+                                       const std::string& max_motion) {
+  return question_options(wrench, preload, bilateral, pybind11::none(), pybind11::none(), "",
+                          max_motion);
+}
+
 /// Returns the engine named "states", "branch-and-bound" or "auto".
 Engine engine_named(const std::string& name);
 

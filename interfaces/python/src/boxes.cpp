@@ -24,10 +24,8 @@ py::tuple middles(const WrenchBox& wrench) {
 /// --uncertain.
 Question asked_of(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                   bool bilateral, const std::string& uncertain, const std::string& max_motion) {
-  return question_in_box(
-      grasp,
-      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion),
-      uncertain);
+  return question_in_box(grasp, bounded_options(wrench, preload, bilateral, max_motion),
+                         uncertain);
 }
 
 py::dict fields_of(const Question& asked, const char* verdict, const py::object& preload) {
@@ -114,9 +112,8 @@ py::dict quality(const GraspFile& grasp, const py::object& length, const py::obj
   shape.length = positive(length, "length");
   if (!about.is_none()) shape.set_about(numbers(about, 0, "about"));
   shape.body = body;
-  const Question asked = question_about(
-      grasp,
-      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion));
+  const Question asked =
+      question_about(grasp, bounded_options(wrench, preload, bilateral, max_motion));
   const auto [found, proofs] = without_gil([&] {
     Quality known = find_quality(box_of(asked.grasp), asked.law, shape, options);
     std::vector<std::pair<std::string, ProvedFiles>> proved;
@@ -152,9 +149,8 @@ py::dict map(const GraspFile& grasp, const std::string& x_text, const std::strin
              bool bilateral, unsigned depth, std::size_t node_limit, bool proofs,
              const std::string& max_motion) {
   // A map of a grasp in the plane needs rational lengths.
-  const Question asked = question_about(
-      grasp,
-      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion));
+  const Question asked =
+      question_about(grasp, bounded_options(wrench, preload, bilateral, max_motion));
   const GraspBox centre = box_of(asked.grasp);
   const MapAxis x = parse_axis(centre, x_text, "x");
   const MapAxis y = parse_axis(centre, y_text, "y");

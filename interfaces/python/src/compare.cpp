@@ -26,8 +26,7 @@ struct Compared {
 py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                  bool bilateral, std::vector<std::string> methods, const py::object& length,
                  const py::object& inertia, bool certificate, const std::string& max_motion) {
-  const QuestionOptions asked =
-      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion);
+  const QuestionOptions asked = bounded_options(wrench, preload, bilateral, max_motion);
   CompareOptions options;
   options.methods = std::move(methods);
   options.length = exact(length, "length");

@@ -62,11 +62,10 @@ py::dict best_preload(const GraspFile& grasp, const py::list& loads, const py::o
   }
   std::vector<Question> asked;
   for (const py::handle& load : loads) {
-    asked.push_back(
-        question_in_box(grasp,
-                        question_options(py::reinterpret_borrow<py::object>(load), py::none(),
-                                         bilateral, py::none(), py::none(), "", max_motion),
-                        uncertain));
+    asked.push_back(question_in_box(grasp,
+                                    bounded_options(py::reinterpret_borrow<py::object>(load),
+                                                    py::none(), bilateral, max_motion),
+                                    uncertain));
   }
   FoundPreload found;
   if (budget.is_none()) {

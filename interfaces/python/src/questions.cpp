@@ -117,8 +117,7 @@ Engine engine_for(const GraspFile& grasp, const std::string& name) {
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings, const std::string& max_motion) {
-  const QuestionOptions asked =
-      question_options(wrench, preload, bilateral, py::none(), py::none(), "", max_motion);
+  const QuestionOptions asked = bounded_options(wrench, preload, bilateral, max_motion);
   AnswerOptions options{engine_for(grasp, engine), node_limit,
                         warnings ? WarningsAsked::kAll : WarningsAsked::kNone};
   // Warnings need an exact equilibrium.

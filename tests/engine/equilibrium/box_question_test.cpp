@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which questions are boxes, where the command does not show it (tests/interfaces/cli/test_box.py).
+// These tests say which questions are boxes, where the command does not show it
+// (tests/interfaces/cli/test_box.py).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

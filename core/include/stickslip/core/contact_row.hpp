@@ -4,7 +4,7 @@
 /// its normal law. The rows are the columns of the paper's grasp map G (Eq. 1), and the law is
 /// its Eq. 4 with preload.
 ///
-/// With a normal n of any length L, force coefficients (a, b) stand for the force a n + b t, so
+/// Force coefficients (a, b) stand for the force a n + b t, for a normal n of any length L, so
 /// that the magnitudes are c_n = a L and c_t = b L. Cones and the signs of motion do not see L;
 /// the normal law becomes a = P/L - (k/L^2) N.d. L^2 is rational, so only a preloaded contact
 /// needs a rational L.

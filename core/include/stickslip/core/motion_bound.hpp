@@ -34,6 +34,10 @@ MotionBound parse_motion_bound(std::string_view text);
 /// and for a factor where the grasp has no natural motion.
 RationalRow bound_of(const GraspBox& box, const MotionBound& asked);
 
+/// Returns whether |d_j| <= B_j for each coordinate of a motion d; always, if the bound is
+/// empty.
+bool is_within(const RationalRow& motion, const RationalRow& bound);
+
 /// Returns `factor` times the natural motion of the grasp, rounded up to two digits. The
 /// natural motion is how far load and preloads together press the softest contact or spring,
 /// delta = (|w| + sum of P) / k, and for rotations delta over the spread of the contacts. A

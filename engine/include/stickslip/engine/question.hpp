@@ -16,7 +16,8 @@ namespace stickslip {
 /// The growth of preloads with the multiple of a margin: all in proportion, or each at a rate
 /// of its own.
 struct PreloadDirection {
-  /// If true, the preload at multiple l is l times the given one, so that there is none at 0.
+  /// Whether preloads scale: the preload at multiple l is l times the given one, so that there
+  /// is none at 0.
   bool scale = false;
   /// How much the preload of each contact, and then the force of each spring, grows per unit of
   /// l, from what is given. It is >= 0 for contacts and ratchets, and empty if `scale` is set.

@@ -20,7 +20,7 @@ struct QualityOptions {
                                       ///< typical force
 };
 
-/// What is known of the quality, the radius of the largest ball of loads that is resisted: it
+/// Bounds of the quality, the radius of the largest ball of loads that is resisted: it
 /// is at least `proved` and below `refuted`.
 struct Quality {
   std::optional<bool> stable;  ///< whether the load in the centre is resisted

@@ -1,13 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "interruption.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+
+namespace {
+
+struct NamedAddition {
+  const char* name;
+  void (*add)(stickslip::Command&, int&);
+};
+
+/// The commands in the order of the help.
+constexpr NamedAddition kCommands[] = {
+    {"decide", stickslip::add_decide_command},
+    {"states", stickslip::add_states_command},
+    {"margin", stickslip::add_margin_command},
+    {"radius", stickslip::add_radius_command},
+    {"quality", stickslip::add_quality_command},
+    {"preload", stickslip::add_preload_command},
+    {"map", stickslip::add_map_command},
+    {"compare", stickslip::add_compare_command},
+    {"region", stickslip::add_region_command},
+    {"batch", stickslip::add_batch_command},
+    {"crosscheck", stickslip::add_crosscheck_command},
+    {"snap", stickslip::add_snap_command},
+    {"example", stickslip::add_example_command},
+    {"export", stickslip::add_export_command},
+    {"plot", stickslip::add_plot_command},
+    {"page", stickslip::add_page_command},
+    {"serve", stickslip::add_serve_command},
+    {"help", stickslip::add_help_command},
+    {"completion", stickslip::add_completion_command},
+};
+
+/// Adds the command that `words` begin with, or all where one has to know of others: describing
+/// all of them takes longer than a small verdict.
+void add_commands(stickslip::Command& app, const std::vector<std::string>& words,
+                  int& exit_code) {
+  const auto named = [&](const NamedAddition& command) {
+    return std::find(words.begin(), words.end(), command.name) != words.end();
+  };
+  const auto* first = std::find_if(std::begin(kCommands), std::end(kCommands), named);
+  const bool is_alone = first != std::end(kCommands) && words.front() == first->name &&
+                        words.front() != "help" && words.front() != "completion" &&
+                        std::none_of(first + 1, std::end(kCommands), named);
+  if (is_alone) return first->add(app, exit_code);
+  for (const NamedAddition& command : kCommands) command.add(app, exit_code);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   stickslip::finish_files_when_interrupted();
@@ -31,25 +82,7 @@ int main(int argc, char** argv) {
       "stickslip decide grasp.json --certificate proof.json\n"
       "  $ stickslip-check grasp.json proof.json"));
   int exit_code = stickslip::kDone;
-  stickslip::add_decide_command(app, exit_code);
-  stickslip::add_states_command(app, exit_code);
-  stickslip::add_margin_command(app, exit_code);
-  stickslip::add_radius_command(app, exit_code);
-  stickslip::add_quality_command(app, exit_code);
-  stickslip::add_preload_command(app, exit_code);
-  stickslip::add_map_command(app, exit_code);
-  stickslip::add_compare_command(app, exit_code);
-  stickslip::add_region_command(app, exit_code);
-  stickslip::add_batch_command(app, exit_code);
-  stickslip::add_crosscheck_command(app, exit_code);
-  stickslip::add_snap_command(app, exit_code);
-  stickslip::add_example_command(app, exit_code);
-  stickslip::add_export_command(app, exit_code);
-  stickslip::add_plot_command(app, exit_code);
-  stickslip::add_page_command(app, exit_code);
-  stickslip::add_serve_command(app, exit_code);
-  stickslip::add_help_command(app, exit_code);
-  stickslip::add_completion_command(app, exit_code);
+  add_commands(app, {argv + 1, argv + argc}, exit_code);
   try {
     if (argc == 1) {
       stickslip::introduce(app);

@@ -9,8 +9,9 @@ import random
 import unittest
 from fractions import Fraction
 
+import numpy as np
 from test_cli import DONE, HERE, PROVED, UNDECIDED, Case, checkers, read, run, stickslip
-from test_space import quick_checker
+from test_space import motions_of_equilibria, quick_checker
 
 # Of tests/support, which test_cli adds to the path.
 from everyday import FAMILIES, FLAT, everyday, jaws_twisted, lifted, on_slope, pinched, plain_verdict, pushed_high, pushed_low, twisted
@@ -80,6 +81,36 @@ class ClosedForms(Everyday):
         for family in FAMILIES[:4]:
             answer = self.decide(everyday(family, 0.9, rng))
             self.assertEqual((answer["verdict"], answer["stats"]["nodes"]), ("stable", 0), family.__name__)
+
+
+class BesideNewton(Everyday):
+    def assert_newton_agrees(self, content, seed):
+        """Newton's method, in lengths and forces of the size of the problem, finds an equilibrium that counts where one is proved,
+        and none where it is proved that there is none."""
+        answer = self.decide(content)
+        about = answer.get("within", answer)
+        length = max(abs(x) for c in content["contacts"] for x in c["position"])
+        wrench = [float(Fraction(w)) for w in about["wrench"]]
+        force = max(map(abs, wrench[:3])) or max(map(abs, wrench)) / length
+        given = [{"preload": 0, **content["defaults"], **c} for c in content["contacts"]]
+        stiffness = given[0]["stiffness"]
+        contacts = [{"p": [x / length for x in c["position"]], "n": [x / np.linalg.norm(c["normal"]) for x in c["normal"]],
+                     "friction": c["friction"], "stiffness": c["stiffness"] / stiffness, "preload": c["preload"] / force}
+                    for c in given]
+        load = [w / force for w in wrench[:3]] + [w / force / length for w in wrench[3:]]
+        found = motions_of_equilibria(contacts, load, 40, np.random.default_rng(seed))
+        if "max_motion" in about:
+            bound = np.array([float(Fraction(b)) for b in about["max_motion"]]) * stiffness / force
+            bound[3:] *= length
+            found = found[np.all(np.abs(found) <= bound, axis=1)]
+        self.assertEqual(len(found) > 0, about["verdict"] == "stable", json.dumps(content))
+        return about["verdict"]
+
+    def test_in_space(self):
+        rng = random.Random(12)
+        verdicts = [self.assert_newton_agrees(everyday(family, share, rng), k)
+                    for k, family in enumerate(FAMILIES) for share in (0.9, 1.05, 1.5)]
+        self.assertEqual(verdicts.count("unstable"), 2 * len(FAMILIES))
 
 
 class Boxes(Everyday):

@@ -178,8 +178,13 @@ def turned(vector, quaternion):
 
 
 def equilibria(contacts, wrench, starts, rng):
-    """By Newton's method on laws whose corners are rounded less and less, each start from a
-    roundness of its own: how many of the starts lead to one."""
+    """How many starts of Newton's method lead to an equilibrium."""
+    return len(motions_of_equilibria(contacts, wrench, starts, rng))
+
+
+def motions_of_equilibria(contacts, wrench, starts, rng):
+    """The motions that Newton's method finds on laws whose corners are rounded less and less, each start from a roundness of its
+    own."""
     rows = []
     for c in contacts:
         p, n = (np.array([float(x) for x in c[key]]) for key in "pn")
@@ -216,7 +221,7 @@ def equilibria(contacts, wrench, starts, rng):
                 best = np.where(better[:, None], d + part * move, best)
                 least = np.where(better, there, least)
             d = best
-    return int(np.sum(np.linalg.norm(force(d, smooth)[0], axis=1) < 1e-6))
+    return d[np.linalg.norm(force(d, smooth)[0], axis=1) < 1e-6]
 
 
 class Random(Space):

@@ -18,8 +18,8 @@
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/engine/decide.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/engine/states_engine.hpp"
 
 namespace stickslip {
 namespace {

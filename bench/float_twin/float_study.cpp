@@ -12,7 +12,7 @@
 #include "families.hpp"
 #include "float_twin.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip::bench {
 namespace {

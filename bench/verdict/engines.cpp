@@ -7,7 +7,7 @@
 #include "report.hpp"
 #include "statistics.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -52,7 +52,7 @@ std::pair<double, std::string> timed(const Problem& problem, Engine engine) {
   std::string verdict;
   for (int run = 0; run < 3; ++run) {
     const auto start = std::chrono::steady_clock::now();
-    verdict = name_of(decide(problem, engine).verdict);
+    verdict = name_of(decide(problem, by(engine)).verdict);
     const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - start;
     best = std::min(best, took.count());

@@ -39,7 +39,7 @@ Worst search_threshold(HardFamily family, std::size_t contacts, NormalLaw law) {
     const Clock::time_point start = Clock::now();
     if (std::chrono::duration<double>(start - begin).count() > kSearchSeconds) throw TimeIsUp{};
     ConeWork work;
-    BranchAndBoundOptions options;
+    SearchOptions options;
     options.node_limit = kNodeLimit;
     const Verdict verdict =
         branch_and_bound(Problem(question.loaded(), question.law), options, &work);

@@ -13,7 +13,7 @@
 #include "limited.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/interfaces/verdict_answer.hpp"
+#include "stickslip/engine/decide.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -89,48 +89,26 @@ double Measurement::counter(const std::string& name) const {
 
 namespace {
 
-/// As `stickslip decide` finds it.
-using Judgement = std::variant<Decision, BoxDecision>;
-
-Judgement judged(const Question& question) {
-  return judge(Problem(question.loaded(), question.law), Engine::kAuto, 0);
-}
-
-std::string verdict_of(const Judgement& judgement) {
-  return std::visit([](const auto& d) { return name_of(d.verdict); }, judgement);
-}
-
-auto work_of(const Judgement& judgement) {
-  if (const auto* by_degree = std::get_if<BoxDecision>(&judgement)) {
-    return counters(by_degree->work);
-  }
-  return std::visit([](const auto& work) { return counters(work); },
-                    std::get<Decision>(judgement).work);
-}
-
-std::string certificate_of(const Question& question, const Judgement& judgement) {
-  if (const auto* by_degree = std::get_if<BoxDecision>(&judgement)) {
-    Question boxed = question;
-    boxed.grasp = box_of(question.grasp);
-    return certificate_text(boxed, by_degree->verdict, producer_of(kIntervalsEngine));
-  }
-  const auto& decision = std::get<Decision>(judgement);
-  return certificate_text(question, decision.verdict, producer_of(decision.engine()));
+/// Returns what `stickslip decide` finds first.
+Answer judged(const Question& question) {
+  SearchOptions options;
+  options.second = false;
+  return decide(question, options);
 }
 
 }  // namespace
 
 Measurement measure(const Question& question, double patience_ms) {
   Measurement result;
-  Judgement first;
+  Answer first;
   result.decide_ms = fastest_ms(patience_ms, [&] { first = judged(question); });
-  result.verdict = verdict_of(first);
-  for (const auto& [name, value] : work_of(first)) {
+  result.verdict = name_of(first.verdict);
+  for (const auto& [name, value] : counters(first)) {
     result.counters.emplace_back(name, static_cast<double>(value));
   }
   std::string proof;
   result.certificate_ms =
-      fastest_ms(patience_ms, [&] { proof = certificate_of(question, first); });
+      fastest_ms(patience_ms, [&] { proof = certificate_of(first).value(); });
   result.certificate_bytes = static_cast<double>(proof.size());
 
   const auto directory = std::filesystem::temp_directory_path();
@@ -148,9 +126,9 @@ Measurement measure(const Question& question, double patience_ms) {
     result.is_accepted = checks(question, grasp, proof, result.verdict);
   });
 
-  const Judgement second = judged(question);
+  const Answer second = judged(question);
   result.is_reproducible =
-      work_of(second) == work_of(first) && certificate_of(question, second) == proof;
+      counters(second) == counters(first) && certificate_of(second) == proof;
   return result;
 }
 

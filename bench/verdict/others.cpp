@@ -8,7 +8,7 @@
 
 #include "limited.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/states_engine.hpp"
 
 #ifdef STICKSLIP_HAVE_GLPK
 #include "weakly_stable.hpp"

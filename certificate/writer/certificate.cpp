@@ -485,4 +485,14 @@ std::string region_certificate_text(const Question& question, const WrenchPlane&
   return text + "],\n" + tree_text(proof.tree) + "}\n";
 }
 
+std::optional<std::string> certificate_of(const Answer& answer) {
+  if (!is_stable(answer.verdict)) return std::nullopt;
+  return certificate_text(answer.question, answer.verdict, producer_of(answer.engine()),
+                          answer.bits);
+}
+
+std::string producer_of(const std::string& engine) {
+  return "stickslip " STICKSLIP_VERSION ", engine " + engine;
+}
+
 }  // namespace stickslip

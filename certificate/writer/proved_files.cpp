@@ -6,7 +6,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 
 namespace stickslip {
 namespace {

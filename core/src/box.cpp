@@ -363,7 +363,7 @@ void check_ball(const GraspBox& box) {
   for (const Interval& component : box.wrench) {
     if (component.is_point()) continue;
     fail("the load is known to an interval, and a ball is given",
-         "give a certain load, with --wrench or in the file, or no ball");
+         "give a certain load, or no ball");
   }
   if (!box.mechanism && !ball.body.empty()) {
     fail("the ball of loads is on the body " + quote(ball.body) + ", but there is one body",

@@ -156,7 +156,8 @@ std::string read_case_name(const JsonNode& entry, const std::string& path,
   const JsonNode& name = member(entry, path, "name", "add \"name\": \"...\"");
   const std::string place = member_path(path, "name");
   expect(name, Kind::kString, place, "a string");
-  if (name.text.empty()) fail_at(place, "the name is empty", "--case has to name it");
+  if (name.text.empty())
+    fail_at(place, "the name is empty", "who asks about the case has to name it");
   if (!names.insert(name.text).second) {
     fail_at(place, "the name " + quote(name.text) + " appears twice",
             "give each case a name of its own");

@@ -8,7 +8,7 @@
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 
 namespace stickslip {
 

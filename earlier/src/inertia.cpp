@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/number_list.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/engine/option_text.hpp"
 
 namespace stickslip {
 namespace {
@@ -91,10 +91,10 @@ RationalRow numbers_of(const Inertia& inertia) {
   return numbers;
 }
 
-RationalRow inertia_numbers(const std::string& value) {
+RationalRow inertia_numbers(const std::string& place, const std::string& value) {
   if (value.empty()) return {};
-  RationalRow numbers = numbers_option("--inertia", value);
-  inertia_of("--inertia", numbers, numbers.size() > 3);
+  RationalRow numbers = rationals_at(place, value);
+  inertia_of(place, numbers, numbers.size() > 3);
   return numbers;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
 
 namespace stickslip {
 namespace earlier_detail {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/degree/newton.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
 #include "stickslip/engine/near_equilibria.hpp"
 
 namespace stickslip::box_detail {

@@ -270,7 +270,7 @@ Problem problem_of(const Question& question) {
   require_one_body(question, "this");
   if (question.is_bounded()) {
     throw InputError("", "max_motion", "motions are bounded",
-                     "this is known without a bound only; ask with --max-motion none");
+                     "this is known without a bound only; ask with max_motion none");
   }
   if (question.in_space()) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");

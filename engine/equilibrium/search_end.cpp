@@ -6,7 +6,7 @@
 namespace stickslip {
 namespace {
 
-constexpr const char* kMoreNodes = "a higher --node-limit may decide it";
+constexpr const char* kMoreNodes = "a higher node limit may decide it";
 
 }  // namespace
 
@@ -18,14 +18,14 @@ Undecided limit_reached(std::size_t node_limit) {
 Undecided undecided_by(const SearchReport& report) {
   const std::string limit = std::to_string(report.node_limit);
   const std::string beside =
-      "stickslip margin shows whether the load is near a threshold: ask about one a little "
+      "its margin shows whether the load is near a threshold: ask about one a little "
       "smaller or larger then";
   const auto answer = [&]() -> Undecided {
     if (report.is_far) {
       return {
           "what is left are motions far beyond those that a load of this size explains, and "
           "rounding of the data decides what holds there",
-          "far", "--max-motion 1000x asks about motions of the size of the problem"};
+          "far", "a max_motion of 1000x asks about motions of the size of the problem"};
     }
     if (report.is_spent) {
       return {"all trees together reached their limit, a few times " + limit + " nodes",

@@ -26,8 +26,7 @@ using CrowdSearch = TreeSearch<CrowdForces>;
 /// Looks for a tree or an equilibrium.
 class Explorer {
  public:
-  Explorer(const Problem& problem, const DoubleModel& model,
-           const BranchAndBoundOptions& options)
+  Explorer(const Problem& problem, const DoubleModel& model, const SearchOptions& options)
       : problem_(problem),
         model_(model),
         most_nodes_(options.node_limit != 0 ? options.node_limit : SIZE_MAX),
@@ -197,8 +196,7 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
   return *this;
 }
 
-Verdict branch_and_bound(const Problem& problem, const BranchAndBoundOptions& options,
-                         ConeWork* work) {
+Verdict branch_and_bound(const Problem& problem, const SearchOptions& options, ConeWork* work) {
   require(!problem.is_family(), "a verdict is on one member of a family");
   const DoubleModel model(problem);
   Explorer explorer(problem, model, options);
@@ -224,8 +222,9 @@ std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts)
   return find_witnesses_around(problem, DoubleModel(problem), starts);
 }
 
-std::variant<MarginPoint, Unstable, Undecided> search_family(
-    const Problem& family, const BranchAndBoundOptions& options, ConeWork* work) {
+std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
+                                                             const SearchOptions& options,
+                                                             ConeWork* work) {
   const DoubleModel model(family);
   Explorer explorer(family, model, options);
   auto tree = explorer.explore();
@@ -235,6 +234,23 @@ std::variant<MarginPoint, Unstable, Undecided> search_family(
   }
   if (!tree) return limit_reached(options.node_limit);
   return Unstable{std::move(*tree)};
+}
+
+std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) {
+  return {{"nodes", work.nodes},
+          {"leaves", work.leaves},
+          {"void_leaves", work.voids},
+          {"slip_splits", work.slip_splits},
+          {"separation_splits", work.separation_splits},
+          {"depth", work.depth},
+          {"searches", work.searches},
+          {"support_points", work.support_points},
+          {"visits", work.visits},
+          {"filter_hits", work.filter_hits},
+          {"filter_misses", work.filter_misses},
+          {"exact_programs", work.exact_programs},
+          {"witness_attempts", work.witness_attempts},
+          {"largest_twist_bits", work.largest_twist_bits}};
 }
 
 }  // namespace stickslip

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/engine/states_engine.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -7,7 +9,6 @@
 #include "region_program.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/decide.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
@@ -167,6 +168,18 @@ Verdict decide_by_states(const Problem& problem, StatesWork* work) {
   validate(problem, verdict);
 #endif
   return verdict;
+}
+
+std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work) {
+  return {{"states", work.states},
+          {"states_refuted", work.states_refuted},
+          {"states_solved", work.states_solved},
+          {"linear_programs", work.programs},
+          {"twists_carried", work.twists_carried},
+          {"double_pivots", work.double_pivots},
+          {"exact_pivots", work.exact_pivots},
+          {"bases_confirmed", work.bases_confirmed},
+          {"largest_bits", work.largest_bits}};
 }
 
 }  // namespace stickslip

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/interfaces/margin_answer.hpp"
 
-#include "second_question.hpp"
+#include "stickslip/engine/second_question.hpp"
 
 namespace stickslip {
 
-using namespace answers_detail;
 namespace {
 
 Json number_or_null(const std::optional<Rational>& number) {

@@ -33,8 +33,8 @@ Json ends_json(const Interval& interval) {
 
 }  // namespace
 
-RegionAnswer answer_to(Question question, const WrenchPlane& plane,
-                       const RegionOptions& options) {
+RegionAnswer region_answer(Question question, const WrenchPlane& plane,
+                           const RegionOptions& options) {
   RegionAnswer answer{std::move(question), plane};
   auto found = resistible_set(problem_of(answer.question), plane, options.modes, &answer.work);
   if (auto* undecided = std::get_if<Undecided>(&found)) {

@@ -100,8 +100,7 @@ std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law) {
   QuestionOptions options;
   options.law = law;
   std::vector<ModelWarning> warnings;
-  const Answer answer = answer_to(ask({std::move(held)}, options), {});
-  for (const ModelWarning& warning : answer.warnings.value_or(std::vector<ModelWarning>())) {
+  for (const ModelWarning& warning : model_warnings(decide(ask({std::move(held)}, options)))) {
     if (warning.trap == ModelTrap::kUnbalancedPreload) warnings.push_back(warning);
   }
   return warnings;

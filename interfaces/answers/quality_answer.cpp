@@ -2,7 +2,7 @@
 #include "stickslip/interfaces/quality_answer.hpp"
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/option_text.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/uncertain_numbers.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 /// Returns the value of an option, which must be above 0.
 Rational positive_option(const std::string& option, const std::string& value,
                          const char* meaning) {
-  Rational number = number_option(option, value);
+  Rational number = rational_at(option, value);
   if (number.sign() > 0) return number;
   throw InputError("", option, "the value is " + value,
                    std::string(meaning) + ": give a number above 0");
@@ -27,7 +27,7 @@ QualityAsked quality_asked(const QualityText& text) {
   if (!text.length.empty()) {
     ball.length = positive_option("--length", text.length, "torques are divided by it");
   }
-  if (!text.about.empty()) ball.set_about(numbers_option("--about", text.about));
+  if (!text.about.empty()) ball.set_about(rationals_at("--about", text.about));
   ball.body = text.body;
   if (!text.at_most.empty()) {
     asked.options.at_most =

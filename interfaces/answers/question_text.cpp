@@ -2,21 +2,20 @@
 #include "stickslip/interfaces/question_text.hpp"
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/option_text.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 
 namespace stickslip {
 QuestionOptions question_options(const QuestionText& text) {
   QuestionOptions options;
-  if (!text.wrench.empty()) options.wrench = numbers_option("--wrench", text.wrench);
+  if (!text.wrench.empty()) options.wrench = rationals_at("--wrench", text.wrench);
   if (!text.case_name.empty()) options.case_name = text.case_name;
-  if (!text.preload.empty()) options.preload = number_option("--preload", text.preload);
-  if (!text.direction.empty())
-    options.direction = numbers_option("--direction", text.direction);
+  if (!text.preload.empty()) options.preload = rational_at("--preload", text.preload);
+  if (!text.direction.empty()) options.direction = rationals_at("--direction", text.direction);
   if (text.preload_direction == "scale") {
     options.preload_direction = PreloadDirection{true, {}};
   } else if (!text.preload_direction.empty()) {
     options.preload_direction =
-        PreloadDirection{false, numbers_option("--preload-direction", text.preload_direction)};
+        PreloadDirection{false, rationals_at("--preload-direction", text.preload_direction)};
   }
   if (!text.uncertain.empty()) {
     try {

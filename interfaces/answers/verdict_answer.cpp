@@ -3,15 +3,13 @@
 
 #include <utility>
 
-#include "second_question.hpp"
-#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/core/spatial_forces.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
+#include "stickslip/engine/second_question.hpp"
 
 namespace stickslip {
 
-using namespace answers_detail;
 namespace {
 
 Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
@@ -20,21 +18,6 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
     return number_json(Rational(coefficient * *length));
   }
   return number_json(enclose_sqrt(coefficient, contact.length_squared));
-}
-
-Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
-  Warnings warnings;
-  if (options.warnings != WarningsAsked::kNone) {
-    warnings = model_warnings(question, decision, options.warnings == WarningsAsked::kOfMotion);
-  }
-  const char* engine = box_engine(question);
-  return {std::move(question),
-          std::move(decision.verdict),
-          engine,
-          work_json(decision.work),
-          decision.bits,
-          {},
-          std::move(warnings)};
 }
 
 /// Adds the evidence that the grasp is stable.
@@ -118,76 +101,6 @@ std::vector<ContactReport> report_contacts(const Answer& answer, const Witness& 
   return reports;
 }
 
-std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
-                                          std::size_t node_limit) {
-  if (engine == Engine::kAuto && has_long_equilibria(problem)) {
-    if (auto decision = prove_stable_by_degree(problem)) return std::move(*decision);
-  }
-  BranchAndBoundOptions search;
-  search.node_limit = node_limit;
-  return decide(problem, engine, search);
-}
-
-namespace {
-
-Answer answer_without_second(Question question, const AnswerOptions& options,
-                             std::optional<Unstable>& within) {
-  if (const GraspBox* box = question.box()) {
-    SearchOptions search;
-    search.node_limit = options.node_limit;
-    BoxDecision decision = decide_box(*box, question.law, search);
-    within = std::move(decision.within);
-    return about_box(std::move(question), std::move(decision), options);
-  }
-  Problem problem = problem_of(question);
-  auto judged = judge(problem, options.engine, options.node_limit);
-  if (auto* by_degree = std::get_if<BoxDecision>(&judged)) {
-    question.grasp = box_of(question.grasp);
-    return about_box(std::move(question), std::move(*by_degree), options);
-  }
-  auto& decision = std::get<Decision>(judged);
-  Warnings warnings;
-  if (options.warnings != WarningsAsked::kNone) {
-    warnings = model_warnings(question, problem, decision.verdict,
-                              options.warnings == WarningsAsked::kOfMotion);
-  }
-  const char* engine = decision.engine();
-  return {std::move(question),
-          std::move(decision.verdict),
-          engine,
-          std::visit([](const auto& work) { return work_json(work); }, decision.work),
-          kDefaultBits,
-          std::move(problem),
-          std::move(warnings)};
-}
-
-}  // namespace
-
-Answer answer_to(Question question, const AnswerOptions& options) {
-  std::optional<Unstable> within;
-  Answer answer = answer_without_second(std::move(question), options, within);
-  if (!options.within) return answer;
-  std::optional<Question> second = second_question(answer.question, answer.verdict);
-  if (!second) return answer;
-  if (within && second->is_bounded()) {
-    const char* engine = box_engine(*second);
-    answer.within = std::make_shared<const Answer>(
-        Answer{std::move(*second), std::move(*within), engine, Json::object(), answer.bits});
-    return answer;
-  }
-  AnswerOptions how = options;
-  how.engine = Engine::kAuto;
-  how.warnings = WarningsAsked::kNone;
-  how.within = !second->is_bounded();
-  Answer found = answer_to(std::move(*second), how);
-  if (found.within) found = *found.within;
-  // A second answer that says the same says nothing more.
-  const bool is_same = answer.verdict.index() == found.verdict.index();
-  if (is_same && !std::holds_alternative<Stable>(answer.verdict)) return answer;
-  answer.within = std::make_shared<const Answer>(std::move(found));
-  return answer;
-}
-
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
   std::vector<std::size_t> contacts;
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
@@ -216,6 +129,12 @@ void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned
   json["bits"] = bits;
 }
 
+SearchOptions to_draw() {
+  SearchOptions options = by(Engine::kBranchAndBound);
+  options.second = false;
+  return options;
+}
+
 Json within_json(const Answer& within) {
   Json json{{"verdict", name_of(within.verdict)}};
   if (within.question.is_bounded()) {
@@ -226,7 +145,7 @@ Json within_json(const Answer& within) {
   return json;
 }
 
-Json to_json(const Answer& answer) {
+Json to_json(const Answer& answer, const Warnings& warnings) {
   const Question& question = answer.question;
   const GraspBox* box = question.box();
   Json json;
@@ -239,7 +158,7 @@ Json to_json(const Answer& answer) {
   if (const Mechanism* mechanism = question.mechanism()) {
     json["coordinates"] = coordinate_names(*mechanism);
   }
-  json["engine"] = answer.engine;
+  json["engine"] = answer.engine();
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(wrench_of(question.grasp));
   if (box != nullptr) {
@@ -250,7 +169,7 @@ Json to_json(const Answer& answer) {
   if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
   std::visit(VerdictJson{answer, json}, answer.verdict);
   if (question.is_bounded()) json["max_motion"] = number_json(box->max_motion);
-  if (answer.warnings) json["warnings"] = warnings_json(*answer.warnings);
+  if (warnings) json["warnings"] = warnings_json(*warnings);
   if (answer.within) {
     json["within"] = to_json(*answer.within);
     json["within"].erase("name");
@@ -259,18 +178,8 @@ Json to_json(const Answer& answer) {
           number_json(enclose_sqrt(1, squared_distance(question, answer.within->question)));
     }
   }
-  json["stats"] = answer.stats;
+  json["stats"] = work_json(answer);
   return json;
-}
-
-std::optional<std::string> certificate_of(const Answer& answer) {
-  if (!is_stable(answer.verdict)) return std::nullopt;
-  return certificate_text(answer.question, answer.verdict, producer_of(answer.engine),
-                          answer.bits);
-}
-
-std::string producer_of(const std::string& engine) {
-  return "stickslip " STICKSLIP_VERSION ", engine " + engine;
 }
 
 Json warnings_json(const std::vector<ModelWarning>& warnings) {

@@ -11,7 +11,7 @@
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/engine/option_text.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/results.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
 
@@ -143,11 +143,12 @@ LineResult LineDecider::decide(const BatchLine& line) const {
       return outcome == LineOutcome::kDecided && !options_.certificates.empty();
     };
     if (!options_.inertia) {
-      const Answer found =
-          answer_to(question, {Engine::kAuto, options_.node_limit, WarningsAsked::kOfMotion});
+      SearchOptions search;
+      search.node_limit = options_.node_limit;
+      const Answer found = stickslip::decide(question, search);
       answer("verdict", found.verdict);
       if (found.within) result["within"] = finished(within_json(*found.within), false);
-      for (const ModelWarning& warning : found.warnings.value_or(std::vector<ModelWarning>{})) {
+      for (const ModelWarning& warning : model_warnings(found, true)) {
         result["warnings"].push_back(to_string(warning.trap));
       }
       if (options_.quality && is_stable(found.verdict) == true) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/option_text.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {

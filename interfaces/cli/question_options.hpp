@@ -15,8 +15,8 @@
 #include "command_line.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/engine/option_text.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
 #include "stickslip/interfaces/question_text.hpp"
 

@@ -12,13 +12,14 @@
 
 #include "cells.hpp"
 #include "doubles.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/engine/near_forces.hpp"
-#include "stickslip/engine/option_text.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -344,13 +345,11 @@ class PageAnswer {
   void decide(Json& json, bool warnings) {
     std::optional<Answer> answer;
     const auto find = [&](Json& found) {
-      AnswerOptions options;
-      options.engine = Engine::kBranchAndBound;  // pictures need exact forces, however long
-                                                 // they are
+      // Pictures need exact forces, however long they are.
+      SearchOptions options = by(Engine::kBranchAndBound);
       options.node_limit = limits_.node_limit;
-      options.warnings = warnings ? WarningsAsked::kAll : WarningsAsked::kNone;
-      answer = answer_to(question_, options);
-      found = to_json(*answer);
+      answer = stickslip::decide(question_, options);
+      found = to_json(*answer, warnings ? Warnings(model_warnings(*answer)) : Warnings());
     };
     if (limits_.limits_verdict) {
       part(json, "decide", find);
@@ -406,7 +405,7 @@ class PageAnswer {
                        " contacts; `stickslip region` has no limit"};
     }
     const WrenchPlane plane = WrenchPlane::forces(one.wrench.torque);
-    found = to_json(answer_to(centre(), plane));
+    found = to_json(region_answer(centre(), plane));
   }
 
   /// Finds the region of forces in the plane of axes that the load is in, or nearest to. The
@@ -478,7 +477,7 @@ class PageAnswer {
       found = margin_json(question, find_margin(question, options, keep), std::nullopt);
       return;
     }
-    BranchAndBoundOptions options;
+    SearchOptions options;
     options.node_limit = limits_.node_limit;
     MarginWork work;
     const auto margin = find_margin(problem_of(question), options, &work);

@@ -7,7 +7,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/engine/contact_mode.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
 
 namespace stickslip::plot_detail {
 namespace {

@@ -10,9 +10,9 @@
 #include "engine/box/one_grasp.hpp"
 #include "in_parallel.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/number_list.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
 #include "stickslip/engine/exact_system.hpp"
-#include "stickslip/engine/option_text.hpp"
 
 namespace stickslip {
 
@@ -288,7 +288,7 @@ Interval axis_range(std::string_view text, std::size_t equals, std::size_t colon
 /// Returns the wrench "WX,WY,T", or six numbers in space.
 RationalRow wrench_along(const GraspBox& grasp, const std::string& text,
                          const std::string& axis) {
-  RationalRow w = numbers_option(axis, text);
+  RationalRow w = rationals_at(axis, text);
   if (w.size() != grasp.wrench.size()) {
     throw InputError("", axis, "found a wrench of " + std::to_string(w.size()) + " numbers",
                      grasp.mechanism    ? "give one for each coordinate of bodies and joints"
@@ -351,7 +351,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
     fail("found " + quote(result.name),
          of_wrench && grasp.mechanism
              ? "write wrench[0] to wrench[" + std::to_string(count - 1) +
-                   "]; --json of decide names the coordinates"
+                   "]; the JSON of decide names the coordinates"
          : of_wrench && grasp.in_space()
              ? "write wrench[0] to wrench[5]; the last three are the torque"
          : of_wrench          ? "write wrench[0], wrench[1] or wrench[2], which is the torque"

@@ -41,7 +41,7 @@ std::optional<PreloadMargin> margin_of(const GraspBox& load, NormalLaw law,
     SpatialMargin margin = find_margin(question, search);
     return PreloadMargin{std::move(question), std::move(margin)};
   }
-  BranchAndBoundOptions search;
+  SearchOptions search;
   search.node_limit = options.node_limit;
   auto found = find_margin(problem_of(question), search);
   if (std::holds_alternative<Undecided>(found)) return std::nullopt;

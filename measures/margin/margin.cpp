@@ -66,7 +66,7 @@ class MarginSearch {
  public:
   using Progress = std::function<void(const MarginWork&)>;
 
-  MarginSearch(const Problem& family, const BranchAndBoundOptions& options, MarginWork& work,
+  MarginSearch(const Problem& family, const SearchOptions& options, MarginWork& work,
                const Progress& progress, SegmentForm form)
       : family_(family),
         form_(form),
@@ -147,7 +147,7 @@ class MarginSearch {
   }
 
   std::variant<MarginPoint, Unstable, Undecided> search(const MultipleRange& gap) {
-    BranchAndBoundOptions options = options_;
+    SearchOptions options = options_;
     if (options.node_limit != 0) {
       if (work_.cone.nodes >= options.node_limit) {
         return limit_reached(options.node_limit);
@@ -209,7 +209,7 @@ class MarginSearch {
 
   const Problem& family_;
   const SegmentForm form_;
-  const BranchAndBoundOptions& options_;
+  const SearchOptions& options_;
   MarginWork& work_;
   const Progress& progress_;
   FamilyModes modes_;
@@ -220,7 +220,7 @@ class MarginSearch {
 }  // namespace
 
 std::variant<Margin, Undecided> find_margin(
-    const Problem& family, const BranchAndBoundOptions& options, MarginWork* work,
+    const Problem& family, const SearchOptions& options, MarginWork* work,
     const std::function<void(const MarginWork&)>& progress, SegmentForm form) {
   require(family.is_family(), "a margin is of a family");
   MarginWork unused;

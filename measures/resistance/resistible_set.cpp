@@ -55,7 +55,7 @@ std::variant<ResistibleSet, Undecided> resistible_set(const Problem& problem,
   if (!walk_modes(problem, rays, images, options, counters, sections)) {
     return Undecided{
         "there are more than " + std::to_string(options.mode_limit) + " contact modes", "modes",
-        "a higher --mode-limit may tell"};
+        "a higher mode limit may tell"};
   }
   if (const auto cell = still_cell(rays, images)) sections.add_still(*cell);
   return sections.united();

@@ -5,12 +5,12 @@
 #include <array>
 #include <optional>
 
+#include "box_warnings.hpp"
 #include "engine/equilibrium/long_rationals.hpp"
 #include "engine/planar/double_model.hpp"
 #include "engine/planar/few_shares.hpp"
 #include "engine/planar/region_program.hpp"
 #include "engine/planar/witness_search.hpp"
-#include "stickslip/engine/decide.hpp"
 
 namespace stickslip {
 
@@ -152,7 +152,7 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
                         std::size_t& left) -> std::optional<bool> {
     std::vector<Contact> varied = contacts;
     varied[contact.index()].stiffness = stiffness;
-    BranchAndBoundOptions options;
+    SearchOptions options;
     options.node_limit = left;
     ConeWork work;
     const Verdict verdict = branch_and_bound(
@@ -167,8 +167,11 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
 
 }  // namespace
 
-std::vector<ModelWarning> model_warnings(const Question& question, const Problem& problem,
-                                         const Verdict& verdict, bool only_of_motion) {
+std::vector<ModelWarning> model_warnings(const Answer& answer, bool only_of_motion) {
+  if (!answer.problem) return warnings_detail::box_warnings(answer, only_of_motion);
+  const Question& question = answer.question;
+  const Problem& problem = *answer.problem;
+  const Verdict& verdict = answer.verdict;
   const auto* stable = std::get_if<Stable>(&verdict);
   const auto* unstable = std::get_if<Unstable>(&verdict);
   ModelWarnings warnings;

@@ -126,7 +126,7 @@ std::vector<Certified> all_certificates() {
     const Question question = one.question();
     const Problem problem(question.loaded(), question.law);
     for (const Engine engine : {Engine::kStates, Engine::kBranchAndBound}) {
-      const Verdict verdict = decide(problem, engine).verdict;
+      const Verdict verdict = decide(problem, by(engine)).verdict;
       result.push_back(
           {one, engine, name_of(verdict), certificate_text(question, verdict, "tests")});
     }

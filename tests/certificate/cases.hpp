@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "both_checkers.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 
 namespace stickslip::test {
 

@@ -21,7 +21,7 @@ ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 COPIED = ("certificate", "examples", "paper_examples", "tests/corpus")
 
 # Kinds of blocks that hold no shell commands. Those of Python are run by tests/interfaces/python.
-OTHER_KINDS = ("text", "cmake", "python")
+OTHER_KINDS = ("text", "cmake", "cpp", "python")
 # What begins a command; a block or a paragraph that has such a line must be a console block.
 COMMAND = re.compile(r"\s*(\$ |(\S+=\S+ )*(\S*/)?"
                      r"(stickslip|stickslip-check|python3?|pip|cmake|ctest|apt-get|export|cd|cat|"

@@ -92,6 +92,10 @@ class Documentation(unittest.TestCase):
             if any(kind == "python" for kind, _, _ in fenced):
                 self.assertIn(f'"{name}"', pages.read("tests/interfaces/python/test_examples.py"))
 
+    def test_the_example_in_cpp_is_the_one_that_is_compiled(self):
+        (example,) = [text for kind, _, text in pages.blocks(pages.read("README.md"))[0] if kind == "cpp"]
+        self.assertEqual("\n".join(example).strip(), "\n".join(pages.read("examples/decide.cpp").split("\n")[2:]).strip())
+
     def test_list_of_commands_not_run(self):
         texts = [command for name in pages.page_names() if name != BENCHMARKS
                  for command in pages.commands(pages.read(name))]

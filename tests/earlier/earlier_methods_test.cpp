@@ -11,7 +11,7 @@
 #include "stickslip/earlier/form_closure.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {

@@ -10,7 +10,7 @@
 #include "stickslip/earlier/compliance.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {

@@ -81,7 +81,7 @@ std::string truth(const Input& input, const Options& options) {
   const stickslip::Question question =
       stickslip::ask(stickslip::parse_grasp(input.grasp, "grasp"), asked);
   const stickslip::Problem problem = stickslip::problem_of(question);
-  stickslip::BranchAndBoundOptions limit;
+  stickslip::SearchOptions limit;
   limit.node_limit = 300;
   if (!options.margin()) {
     const stickslip::Verdict verdict = stickslip::branch_and_bound(problem, limit);

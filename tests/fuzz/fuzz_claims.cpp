@@ -5,7 +5,7 @@
 
 #include "fuzz_target.hpp"
 #include "stickslip/core/json.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace {
 

@@ -10,7 +10,8 @@
 #include "number.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/core/number.hpp"
-#include "stickslip/engine/option_text.hpp"
+#include "stickslip/core/box.hpp"
+#include "stickslip/core/number_list.hpp"
 
 namespace {
 
@@ -108,9 +109,10 @@ void read_tolerances(const std::string& text) {
 
 std::string wrench_of_stickslip(const std::string& text) {
   try {
-    const stickslip::Wrench w = stickslip::wrench_option("--wrench", text);
+    const auto w = stickslip::rationals_at("--wrench", text);
     using stickslip::to_string;
-    return to_string(w.x) + "," + to_string(w.y) + "," + to_string(w.torque);
+    if (w.size() != 3) return "refused";
+    return to_string(w[0]) + "," + to_string(w[1]) + "," + to_string(w[2]);
   } catch (const stickslip::InputError& error) {
     stickslip::fuzz::expect_useful(error, text);
     return "refused";

@@ -43,7 +43,7 @@ void answer(const std::string& text, NormalLaw law) {
   const Question question = ask(parse_grasp(text, "fuzz"), options);
   const Problem problem = problem_of(question);  // throws of irrational lengths
   if (problem.size() > kMostContacts) return;
-  BranchAndBoundOptions limit;
+  SearchOptions limit;
   limit.node_limit = kNodeLimit;
   stickslip_check::Options asked;
   asked.bilateral = law == NormalLaw::kBilateral;

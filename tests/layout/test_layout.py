@@ -30,29 +30,30 @@ PARTS = {
         "planar": {"equilibrium", "motion", "search"},
         "degree": {"equilibrium", "motion", "search", "planar"},
         "box": {"equilibrium", "motion", "search", "planar", "degree"},
+        "decide": {"equilibrium", "motion", "search", "planar", "degree", "box"},
     },
     "measures": {
         "margin": set(),
         "extent": {"margin"},
         "resistance": set(),
         "warnings": {"margin", "extent"},
+        "crosscheck": {"margin"},
     },
     "interfaces": {
         "answers": set(),
         "batch": {"answers"},
-        "crosscheck": {"answers"},
         "plot": set(),
         "page": {"answers"},
-        "cli": {"answers", "batch", "crosscheck", "plot", "page"},
-        "python": {"answers", "batch", "crosscheck", "plot", "page"},
+        "cli": {"answers", "batch", "plot", "page"},
+        "python": {"answers", "batch", "plot", "page"},
     },
 }
-HEADERS_ALONE = {"near_equilibria": "planar", "near_equilibrium": "search", "reals": "motion", "box_verdict": "box",
-                 "preload": "extent"}
+HEADERS_ALONE = {"search_options": "equilibrium", "near_equilibria": "planar", "near_equilibrium": "search", "reals": "motion",
+                 "box_verdict": "box", "preload": "extent"}
 
 # Folders that may include the private headers of the engine's parts: "engine/<part>/<name>.hpp". Other modules have none that
 # others include.
-INSIDERS = ("engine/", "measures/", "earlier/", "interfaces/crosscheck/")
+INSIDERS = ("engine/", "measures/", "earlier/")
 
 
 def sources(folder):

@@ -25,9 +25,9 @@ done
 [[ $("$prefix/bin/stickslip" example jaw | "$prefix/bin/stickslip" decide -) == *": stable"* ]]
 
 cmake -S "$source/tests/package/consumer" -B "$work/build" -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_PREFIX_PATH="$prefix" -DLIST_STATES="$source/examples/list_states.cpp" >/dev/null
+  -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$source/examples" >/dev/null
 cmake --build "$work/build" >/dev/null
-[[ $("$work/build/consumer" "$grasp" "$work/proof.json") == "stable "* ]]
+[[ $("$work/build/decide" "$grasp" "$work/proof.json") == $'stable\naccepted' ]]
 [[ $("$prefix/bin/stickslip-check" "$grasp" "$work/proof.json") == accepted* ]]
 [[ $(python3 "$prefix/share/stickslip/check.py" "$grasp" "$work/proof.json") == accepted* ]]
 if grep -q '^STICKSLIP_BUILD_PROVED:BOOL=ON' "$build/CMakeCache.txt"; then
@@ -56,14 +56,13 @@ cmp "$source/docs/grasp_file.md" "$prefix/share/doc/stickslip/grasp_file.md"
 
 export PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name stickslip.pc)")
 read -ra flags < <(pkg-config --cflags --libs stickslip)
-g++ -std=c++17 "$source/tests/package/consumer/consumer.cpp" -o "$work/by_pkg_config" "${flags[@]}"
-[[ $("$work/by_pkg_config" "$grasp" "$work/proof.json") == "stable "* ]]
+g++ -std=c++17 "$source/examples/decide.cpp" -o "$work/by_pkg_config" "${flags[@]}"
+[[ $("$work/by_pkg_config" "$grasp" "$work/proof.json") == $'stable\naccepted' ]]
 
 # A version that is not this one's is not taken.
 sed 's/stickslip 0.1/stickslip 99.0/' "$source/tests/package/consumer/CMakeLists.txt" >"$work/CMakeLists.txt"
-cp "$source/tests/package/consumer/consumer.cpp" "$work"
 other=$(cmake -S "$work" -B "$work/other" -DCMAKE_PREFIX_PATH="$prefix" \
-  -DLIST_STATES="$source/examples/list_states.cpp" 2>&1) && { echo "version 99.0 is found" >&2; exit 1; }
+  -DEXAMPLES="$source/examples" 2>&1) && { echo "version 99.0 is found" >&2; exit 1; }
 [[ $other == *'"99.0"'* ]]
 
 # The wheel, where no compiler can be called.

@@ -8,7 +8,7 @@
 #include "check_refutation.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/states_engine.hpp"
 
 namespace stickslip::test {
 

@@ -74,7 +74,7 @@ void print(const Question& question, const Inertia& inertia, const std::vector<R
 int answer_class_margin(const Question& question, const ClassMarginOptions& options,
                         const NumberOptions& output) {
   const Inertia inertia =
-      inertia_of("--inertia", numbers_option("--inertia", options.inertia), false);
+      inertia_of("--inertia", rationals_at("--inertia", options.inertia), false);
   if (options.friction) {
     if (question.direction || question.preload_direction) {
       throw InputError("", "--friction", "friction changes, and the load as well",

@@ -97,7 +97,7 @@ void print_least(const Margin& margin, NumberText& text) {
 }
 
 Rational accuracy_of(const MarginArguments& arguments) {
-  const Rational accuracy = number_option("--accuracy", arguments.accuracy);
+  const Rational accuracy = rational_at("--accuracy", arguments.accuracy);
   if (accuracy.sign() <= 0) {
     throw InputError("", "--accuracy", "the value is " + arguments.accuracy,
                      "give a number above 0, such as 1/1000");
@@ -144,7 +144,7 @@ int margin(const MarginArguments& arguments) {
         "--preload-direction scale");
   }
   if (question.has_claims()) return margin_by_claims(question, arguments);
-  BranchAndBoundOptions options;
+  SearchOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;
   Progress progress;

@@ -241,7 +241,7 @@ void print_ball(const Question& question, const Rational& budget, const BallPrel
 }
 
 int ball(const PreloadArguments& arguments) {
-  const Rational budget = number_option("--budget", arguments.budget);
+  const Rational budget = rational_at("--budget", arguments.budget);
   if (budget.sign() <= 0) {
     throw InputError("", "--budget", "the value is " + arguments.budget,
                      "it is the sum of preloads: give a number above 0");

@@ -166,10 +166,8 @@ int draw_quality(const QualityArguments& arguments) {
     }
   }
   const Question drawn = question_to_draw(found);
-  const Answer answer =
-      answer_to(drawn, {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false});
-  write_whole_file(arguments.output,
-                   plot_quality(drawn, answer.verdict, found.quality, sections));
+  write_whole_file(arguments.output, plot_quality(drawn, decide(drawn, to_draw()).verdict,
+                                                  found.quality, sections));
   return found.quality.stable ? kDone : kUndecidedWithinLimit;
 }
 

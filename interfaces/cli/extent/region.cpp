@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "region_cells.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
@@ -72,7 +73,7 @@ struct RegionArguments {
   WrenchPlane plane(const Question& asked) const {
     Wrench from = asked.loaded().wrench;
     if (!origin.empty()) from = wrench_option("--origin", origin);
-    if (!torque.empty()) from.torque = number_option("--torque", torque);
+    if (!torque.empty()) from.torque = rational_at("--torque", torque);
     try {
       return {from, wrench_option("--u", u.empty() ? "1,0,0" : u),
               wrench_option("--v", v.empty() ? "0,1,0" : v)};
@@ -205,7 +206,7 @@ int region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane(question);
   Progress progress;
   const RegionOptions options = options_of(arguments, progress);
-  const RegionAnswer answer = answer_to(question, plane, options);
+  const RegionAnswer answer = region_answer(question, plane, options);
   if (!arguments.certificate.empty() && !answer.undecided) {
     const auto proved = certificate_of(answer, options);
     progress.clear();
@@ -236,7 +237,7 @@ int draw_region(const RegionArguments& arguments) {
   }
   const WrenchPlane plane = arguments.plane(question);
   Progress progress;
-  const RegionAnswer answer = answer_to(question, plane, options_of(arguments, progress));
+  const RegionAnswer answer = region_answer(question, plane, options_of(arguments, progress));
   progress.clear();
   if (answer.undecided) {
     std::cerr << "stickslip: no region is known: " << in_words(*answer.undecided) << '\n';

@@ -20,7 +20,7 @@ namespace {
 RationalRow wrench_given(const std::string& option, const std::string& value,
                          const RationalRow& otherwise) {
   if (value.empty()) return otherwise;
-  RationalRow w = numbers_option(option, value);
+  RationalRow w = rationals_at(option, value);
   if (w.size() == otherwise.size()) return w;
   const bool in_space = otherwise.size() == 6;
   throw InputError("", option,
@@ -56,7 +56,7 @@ LoadWindow plane_of(const Question& question, const RegionCellsArguments& argume
   RationalRow along_x(load.size());
   RationalRow along_y(load.size());
   along_x[0] = along_y[1] = 1;
-  if (!arguments.torque.empty()) load.back() = number_option("--torque", arguments.torque);
+  if (!arguments.torque.empty()) load.back() = rational_at("--torque", arguments.torque);
   LoadWindow plane = load_window(question, wrench_given("--origin", arguments.origin, load),
                                  wrench_given("--u", arguments.u, along_x),
                                  wrench_given("--v", arguments.v, along_y));

@@ -12,11 +12,8 @@
 namespace stickslip {
 namespace {
 
-/// Returns a picture with exact forces, however long they are.
 std::string picture_of(const Question& question) {
-  return plot_grasp(
-      question,
-      answer_to(question, {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false}).verdict);
+  return plot_grasp(question, decide(question, to_draw()).verdict);
 }
 
 void add_grasp_plot(Command& plot, int& exit_code) {

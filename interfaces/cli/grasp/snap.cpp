@@ -43,7 +43,7 @@ std::string report_text(const Snapped& snapped, NumberText text) {
 
 /// Gives the grasp new normals. Returns a report on them.
 std::string snap(AnyGrasp& content, const SnapArguments& arguments) {
-  const Rational within = number_option("--within", arguments.within);
+  const Rational within = rational_at("--within", arguments.within);
   const auto snapped_in = [&](auto& grasp) {
     auto result = [&] {
       try {

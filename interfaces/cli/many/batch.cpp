@@ -57,7 +57,7 @@ struct Item {
 
 BatchOptions batch_options(const BatchArguments& arguments) {
   std::optional<RationalRow> inertia;
-  if (arguments.asks_class) inertia = inertia_numbers(arguments.inertia);
+  if (arguments.asks_class) inertia = inertia_numbers("--inertia", arguments.inertia);
   std::optional<QualityAsked> quality;
   if (arguments.asks_quality) quality = quality_asked(arguments.quality);
   return {arguments.question.options(), arguments.node_limit,  inertia, quality,

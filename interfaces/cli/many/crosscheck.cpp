@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "crosscheck_report.hpp"
 #include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
@@ -26,7 +27,7 @@ struct CrosscheckArguments {
 };
 
 Rational nonnegative_option(const std::string& option, const std::string& value) {
-  Rational number = number_option(option, value);
+  Rational number = rational_at(option, value);
   if (number.sign() < 0) {
     throw InputError("", option, "the value is " + to_string(number), "it must be 0 or more");
   }

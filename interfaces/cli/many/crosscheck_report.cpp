@@ -212,7 +212,7 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
   json["normal_law"] = to_string(question.law);
   json["claimed"] = claimed_verdict(judged.line.claim);
   json["verdict"] = name_of(report.answer.verdict);
-  json["engine"] = report.answer.engine;
+  json["engine"] = report.answer.engine();
   if (const auto* undecided = std::get_if<Undecided>(&report.answer.verdict)) {
     add_undecided(json, *undecided);
   }

@@ -10,7 +10,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip {
 

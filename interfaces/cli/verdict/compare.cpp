@@ -24,7 +24,7 @@ struct CompareArguments {
 };
 
 Rational positive_length(const std::string& text) {
-  Rational length = number_option("--length", text);
+  Rational length = rational_at("--length", text);
   if (length.sign() <= 0) {
     throw InputError("", "--length", "the value is " + to_string(length),
                      "a characteristic length must be above 0");
@@ -134,7 +134,7 @@ int compare(const CompareArguments& arguments) {
       length,
       arguments.inertia.empty()
           ? Inertia::of_length(length, in_space)
-          : inertia_of("--inertia", numbers_option("--inertia", arguments.inertia), in_space)};
+          : inertia_of("--inertia", rationals_at("--inertia", arguments.inertia), in_space)};
   std::optional<RigidVerdict> verdict;
   if (!arguments.certificate.empty()) {
     const Question of_all = without_bound(question);  // classes are about all motions

@@ -6,6 +6,7 @@
 #include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -20,24 +21,30 @@ void print_json(const Json& json, const NumberOptions& output) {
   std::cout << finished(json, output.floats).dump(1) << '\n';
 }
 
-void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
-  const std::string name = answers.front().question.description().name;
+struct WarnedAnswer {
+  Answer answer;
+  Warnings warnings;
+};
+
+void print_cases_json(const std::vector<WarnedAnswer>& answers, const NumberOptions& output) {
+  const std::string name = answers.front().answer.question.description().name;
   Json json{{"name", name}, {"cases", Json::array()}};
-  for (const Answer& answer : answers) {
-    json["cases"].push_back(to_json(answer));
+  for (const auto& [answer, warnings] : answers) {
+    json["cases"].push_back(to_json(answer, warnings));
   }
   print_json(json, output);
 }
 
 /// Prints a line for each case, and each warning once, with the cases that it is about.
-void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& output) {
+void print_cases_text(const std::vector<WarnedAnswer>& answers, const NumberOptions& output) {
   NumberText text(output);
   std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
-  const bool has_second = std::any_of(answers.begin(), answers.end(),
-                                      [](const Answer& a) { return a.within != nullptr; });
+  const bool has_second =
+      std::any_of(answers.begin(), answers.end(),
+                  [](const WarnedAnswer& a) { return a.answer.within != nullptr; });
   if (has_second) rows.front().insert(rows.front().begin() + 2, "but for rounding");
   std::vector<std::pair<std::string, std::string>> warnings;  // each warning with its cases
-  for (const Answer& answer : answers) {
+  for (const auto& [answer, found] : answers) {
     const std::string& name = answer.question.case_name;
     rows.push_back(
         {name, name_of(answer.verdict), load_text(wrench_of(answer.question.grasp), text)});
@@ -45,7 +52,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
       rows.back().insert(rows.back().begin() + 2,
                          answer.within ? name_of(answer.within->verdict) : "");
     }
-    for (const ModelWarning& warning : answer.warnings.value_or(std::vector<ModelWarning>{})) {
+    for (const ModelWarning& warning : found.value_or(std::vector<ModelWarning>{})) {
       const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
         return other.first == warning.text;
       });
@@ -58,9 +65,10 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   }
   // The engine named is that of one grasp in the plane, if there is any; --case tells the
   // engine of others.
-  const auto exact = std::find_if(answers.begin(), answers.end(),
-                                  [](const Answer& a) { return a.problem.has_value(); });
-  const Answer& answer = exact == answers.end() ? answers.front() : *exact;
+  const auto exact = std::find_if(answers.begin(), answers.end(), [](const WarnedAnswer& a) {
+    return a.answer.problem.has_value();
+  });
+  const Answer& answer = exact == answers.end() ? answers.front().answer : exact->answer;
   const bool all_boxes = exact == answers.end() && answer.question.is_one_planar_body();
   const std::string& grasp = answer.question.description().name;
   const std::size_t n = answers.size();
@@ -70,7 +78,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
             << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
                           : "\nForces and motions, or why there are none: --case NAME.\n")
             << text.note() << units_text(answer.question)
-            << engine_text(answer.engine, answer.question.law);
+            << engine_text(answer.engine(), answer.question.law);
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";
   }
@@ -81,21 +89,13 @@ struct DecideArguments {
   std::string engine = "auto";
   std::string certificate;
   std::string examples;
-  std::size_t node_limit = 0;
+  SearchOptions search;
   NumberOptions output;
   bool no_warnings = false;
   bool answer_by_exit_code = false;
 };
 
-AnswerOptions options_of(const DecideArguments& arguments) {
-  const Engine engine = arguments.engine == "states"             ? Engine::kStates
-                        : arguments.engine == "branch-and-bound" ? Engine::kBranchAndBound
-                                                                 : Engine::kAuto;
-  return {engine, arguments.node_limit,
-          arguments.no_warnings ? WarningsAsked::kNone : WarningsAsked::kAll};
-}
-
-Answer answered(Question question, const DecideArguments& arguments) {
+WarnedAnswer answered(Question question, const DecideArguments& arguments) {
   const auto refuse = [](const std::string& problem, const std::string& remedy) {
     throw InputError("", "--engine", problem, remedy);
   };
@@ -112,7 +112,12 @@ Answer answered(Question question, const DecideArguments& arguments) {
     refuse("the question is a box, about all grasps in it at once",
            "leave the option out: there is one engine for boxes");
   }
-  return answer_to(std::move(question), options_of(arguments));
+  SearchOptions search = arguments.search;
+  if (arguments.engine == "states") search.engine = Engine::kStates;
+  if (arguments.engine == "branch-and-bound") search.engine = Engine::kBranchAndBound;
+  WarnedAnswer found{decide(std::move(question), search), {}};
+  if (!arguments.no_warnings) found.warnings = model_warnings(found.answer);
+  return found;
 }
 
 /// Writes the certificate if the verdict has one. A fragile box has two others; standard error
@@ -142,7 +147,7 @@ void write_examples(const Answer& answer, const std::string& folder) {
     return;
   }
   const NormalLaw law = answer.question.law;
-  const std::string producer = producer_of(answer.engine);
+  const std::string producer = producer_of(answer.engine());
   write_proved_files("--examples", folder,
                      {{"stable", proved_grasp(fragile->stable, law, true, producer)},
                       {"unstable", proved_grasp(fragile->unstable, law, false, producer)}});
@@ -150,10 +155,11 @@ void write_examples(const Answer& answer, const std::string& folder) {
 
 /// Returns the exit code of the worst answer: unstable, then fragile, then undecided, then
 /// stable.
-int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
+int exit_code(const std::vector<WarnedAnswer>& answers, bool answer_by_exit_code) {
   const auto any = [&](const std::string& verdict) {
-    return std::any_of(answers.begin(), answers.end(),
-                       [&](const Answer& a) { return name_of(a.verdict) == verdict; });
+    return std::any_of(answers.begin(), answers.end(), [&](const WarnedAnswer& a) {
+      return name_of(a.answer.verdict) == verdict;
+    });
   };
   if (answer_by_exit_code && any("unstable")) return kAnswerUnstable;
   if (answer_by_exit_code && any("fragile")) return kAnswerFragile;
@@ -171,7 +177,7 @@ int decide(const DecideArguments& arguments) {
     throw InputError("", option, "the grasp has cases, and this is about the proof of one",
                      "choose the case with --case NAME");
   }
-  std::vector<Answer> answers;
+  std::vector<WarnedAnswer> answers;
   for (Question& question : questions) {
     answers.push_back(answered(std::move(question), arguments));
   }
@@ -179,13 +185,13 @@ int decide(const DecideArguments& arguments) {
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);
   } else {
-    const Answer& answer = answers.front();
+    const auto& [answer, warnings] = answers.front();
     write_certificate(answer, arguments.certificate);
     write_examples(answer, arguments.examples);
     if (json) {
-      print_json(to_json(answer), arguments.output);
+      print_json(to_json(answer, warnings), arguments.output);
     } else {
-      print_text(answer, arguments.output, arguments.examples);
+      print_text(answer, warnings, arguments.output, arguments.examples);
     }
   }
   return exit_code(answers, arguments.answer_by_exit_code);
@@ -220,7 +226,7 @@ void add_decide_command(Command& app, int& exit_code) {
                    "If the box is fragile, write two of its grasps there, stable.json and "
                    "unstable.json, each with its certificate")
       ->type_name("DIR");
-  add_node_limit_option(*command, arguments->node_limit);
+  add_node_limit_option(*command, arguments->search.node_limit);
   arguments->output.add_to(*command);
   add_no_warnings_option(*command, arguments->no_warnings);
   command->add_flag(

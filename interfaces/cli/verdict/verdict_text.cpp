@@ -11,6 +11,8 @@
 #include "box_numbers.hpp"
 #include "stickslip/core/motion_bound.hpp"
 #include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
+#include "stickslip/engine/second_question.hpp"
 #include "terminal.hpp"
 #include "warnings.hpp"
 
@@ -278,7 +280,7 @@ std::string legend(const Answer& answer) {
 
 }  // namespace
 
-void print_text(const Answer& answer, const NumberOptions& output,
+void print_text(const Answer& answer, const Warnings& warnings, const NumberOptions& output,
                 const std::string& examples) {
   const Question& question = answer.question;
   NumberText text(output);
@@ -304,8 +306,8 @@ void print_text(const Answer& answer, const NumberOptions& output,
             << enclosure_text(enclosed, answer.bits,
                               !std::holds_alternative<Undecided>(answer.verdict))
             << legend(answer) << text.note() << units_text(question)
-            << engine_text(answer.engine, question.law);
-  print(answer.warnings);
+            << engine_text(answer.engine(), question.law);
+  print(warnings);
 }
 
 }  // namespace stickslip

@@ -12,6 +12,7 @@ namespace stickslip {
 
 /// Prints the verdict. `examples` is the folder to which the examples of a fragile box are
 /// written; it may be empty.
-void print_text(const Answer& answer, const NumberOptions& output, const std::string& examples);
+void print_text(const Answer& answer, const Warnings& warnings, const NumberOptions& output,
+                const std::string& examples);
 
 }  // namespace stickslip

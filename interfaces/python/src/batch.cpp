@@ -34,7 +34,7 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
   options.question = question_options(asked);
   options.question.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   options.node_limit = node_limit;
-  if (asks_class) options.inertia = inertia_numbers(inertia);
+  if (asks_class) options.inertia = inertia_numbers("--inertia", inertia);
   if (quality) {
     const auto& [length, about, body, at_most, accuracy] = *quality;
     options.quality = quality_asked({length, about, body, at_most, accuracy});

@@ -2,6 +2,7 @@
 // Questions about all grasps in a box, in the plane and in space.
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/interfaces/map_plot.hpp"

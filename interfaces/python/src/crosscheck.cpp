@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judgement of another program's answer against the exact one (interfaces/claim.hpp).
+// The judgement of another program's answer against the exact one (measures/claim.hpp).
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip::python {
 namespace {

@@ -71,7 +71,7 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
     options.modes.pieces = with_pieces;
     options.modes.mode_limit = mode_limit;
     options.proof.node_limit = node_limit;
-    Found result{answer_to(question_of(grasp, asked), where, options)};
+    Found result{region_answer(question_of(grasp, asked), where, options)};
     RegionAnswer& answer = result.answer;
     if (certificate && !answer.undecided) {
       auto proved = certificate_of(answer, options);
@@ -113,10 +113,9 @@ py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
   return text(without_gil([&] {
     const Question question = question_about(grasp, asked);
     if (limit) return plot_grasp(question, Undecided{*limit});
-    // Pictures need exact forces, however long they are.
-    const Engine exact = engine == "auto" ? Engine::kBranchAndBound : engine_named(engine);
-    return plot_grasp(question,
-                      answer_to(question, {exact, 0, WarningsAsked::kNone, false}).verdict);
+    SearchOptions options = to_draw();
+    if (engine != "auto") options.engine = engine_named(engine);
+    return plot_grasp(question, decide(question, options).verdict);
   }));
 }
 

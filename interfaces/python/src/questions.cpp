@@ -118,17 +118,19 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings, const std::string& max_motion) {
   const QuestionOptions asked = bounded_options(wrench, preload, bilateral, max_motion);
-  AnswerOptions options{engine_for(grasp, engine), node_limit,
-                        warnings ? WarningsAsked::kAll : WarningsAsked::kNone};
+  SearchOptions options = by(engine_for(grasp, engine));
+  options.node_limit = node_limit;
   // Warnings need an exact equilibrium.
   if (warnings && options.engine == Engine::kAuto) options.engine = Engine::kBranchAndBound;
-  const auto [answer, certificate] = without_gil([&] {
-    Answer found = answer_to(question_about(grasp, asked), options);
+  const auto [answer, certificate, traps] = without_gil([&] {
+    Answer found = decide(question_about(grasp, asked), options);
     std::string proof = certificate_of(found).value_or("");
-    return std::pair(std::move(found), std::move(proof));
+    std::vector<ModelWarning> traps_of;
+    if (warnings) traps_of = model_warnings(found);
+    return std::tuple(std::move(found), std::move(proof), std::move(traps_of));
   });
   py::dict result = decision_fields(answer, certificate);
-  result["warnings"] = warning_fields(answer.warnings.value_or(std::vector<ModelWarning>{}));
+  result["warnings"] = warning_fields(traps);
   return result;
 }
 
@@ -165,7 +167,7 @@ py::dict exact_margin(const Question& question, std::size_t node_limit, bool war
     std::vector<ModelWarning> warnings;
   };
   const Answer answer = without_gil([&] {
-    BranchAndBoundOptions options;
+    SearchOptions options;
     options.node_limit = node_limit;
     MarginWork work;
     auto found = find_margin(problem_of(question), options, &work);
@@ -262,7 +264,7 @@ py::dict within_fields(const Answer& within) {
 
 py::dict decision_fields(const Answer& answer, const std::string& certificate) {
   const Question& question = answer.question;
-  py::dict result("verdict"_a = name_of(answer.verdict), "engine"_a = answer.engine,
+  py::dict result("verdict"_a = name_of(answer.verdict), "engine"_a = answer.engine(),
                   "normal_law"_a = to_string(question.law),
                   "wrench"_a = tuple_of(wrench_of(question.grasp),
                                         [](const Interval& w) { return fraction(w.low); }));
@@ -272,9 +274,7 @@ py::dict decision_fields(const Answer& answer, const std::string& certificate) {
   }
   if (!certificate.empty()) result["certificate"] = certificate;
   py::dict work;
-  for (const auto& [name, value] : answer.stats.members()) {
-    work[name.c_str()] = value.count();
-  }
+  for (const auto& [name, value] : counters(answer)) work[name.c_str()] = value;
   result["stats"] = work;
   if (const auto* stable = std::get_if<Stable>(&answer.verdict)) {
     std::visit(EquilibriumFields{answer, *stable, result}, stable->proof);
@@ -291,7 +291,8 @@ std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMan
   auto grasp = given.cast<std::shared_ptr<const GraspFile>>();
   std::optional<std::vector<Rational>> friction;
   if (asked.friction != nullptr) friction = *asked.friction;
-  const AnswerOptions how{engine_for(*grasp, engine), node_limit, WarningsAsked::kNone};
+  SearchOptions how = by(engine_for(*grasp, engine));
+  how.node_limit = node_limit;
   return [grasp = std::move(grasp), friction = std::move(friction),
           options = question_options(asked.wrench, asked.preload, bilateral, py::none(),
                                      py::none(), asked.which),
@@ -299,10 +300,10 @@ std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMan
     const auto about =
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
     const auto found =
-        std::make_shared<const Answer>(answer_to(question_about(*about, options), how));
+        std::make_shared<const Answer>(decide(question_about(*about, options), how));
     ManyAnswer answer;
     answer.verdict = name_of(found->verdict);
-    answer.engine = found->engine;
+    answer.engine = found->engine();
     for (const Interval& w : wrench_of(found->question.grasp)) {
       answer.wrench.push_back(to_double(w.low));
     }

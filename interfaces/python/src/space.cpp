@@ -16,8 +16,8 @@
 #include "stickslip/interfaces/grasp_plot.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
+#include "stickslip/measures/model_warnings.hpp"
 #include "stickslip/measures/spatial_margin.hpp"
-#include "stickslip/measures/spatial_warnings.hpp"
 
 namespace stickslip::python {
 namespace {

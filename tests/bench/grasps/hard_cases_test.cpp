@@ -14,7 +14,7 @@
 #include "check.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -67,7 +67,7 @@ TEST(HardCases, KeepTheirVerdictsAndNoMoreThanTwiceTheirNodes) {
     options.law = c.law;
     const Question question = ask(read_grasp_file(path_of(c)), options);
     ConeWork work;
-    BranchAndBoundOptions limit;
+    SearchOptions limit;
     limit.node_limit = 2 * c.nodes + 1;
     const Verdict verdict =
         branch_and_bound(Problem(question.loaded(), question.law), limit, &work);

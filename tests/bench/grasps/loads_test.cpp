@@ -11,14 +11,14 @@
 #include "shares.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/measures/margin.hpp"
 
 namespace stickslip::bench {
 namespace {
 
 std::string verdict_of(const Question& question, Engine engine) {
-  return name_of(decide(Problem(question.loaded(), question.law), engine).verdict);
+  return name_of(decide(Problem(question.loaded(), question.law), by(engine)).verdict);
 }
 
 bool is_stable(const Question& question) {

@@ -11,7 +11,7 @@
 #include "box_cases.hpp"
 #include "cases.hpp"
 #include "rounds.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 
 namespace stickslip {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "box_cases.hpp"
 
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/measures/margin.hpp"
 
 namespace stickslip::test {

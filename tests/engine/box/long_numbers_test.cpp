@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "both_checkers.hpp"
@@ -12,7 +13,6 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/snap.hpp"
 #include "stickslip/engine/near_equilibria.hpp"
-#include "stickslip/interfaces/verdict_answer.hpp"
 
 namespace stickslip {
 namespace {
@@ -55,15 +55,15 @@ GraspFile in_doubles(ShapeInDoubles shape, std::size_t contacts, const Rational&
 struct BriefAnswer {
   std::string verdict;
   std::size_t bytes = 0;  ///< of the certificate
-  Json work{};
+  std::map<std::string, std::size_t> work{};
 };
 
 /// Answers, and has the certificate checked.
-BriefAnswer outcome_of(const GraspFile& file, const AnswerOptions& options = {}) {
-  const Answer answer = answer_to(ask(file, {}), options);
+BriefAnswer outcome_of(const GraspFile& file, const SearchOptions& options = {}) {
+  const Answer answer = decide(ask(file, {}), options);
   const auto certificate = certificate_of(answer);
-  BriefAnswer outcome{name_of(answer.verdict), certificate ? certificate->size() : 0,
-                      answer.stats};
+  BriefAnswer outcome{name_of(answer.verdict), certificate ? certificate->size() : 0};
+  for (const auto& [name, value] : counters(answer)) outcome.work[name] = value;
   EXPECT_TRUE(certificate.has_value());
   if (certificate) {
     test::expect_accepted_by_both({write_grasp(file.content), *certificate, {}});
@@ -71,17 +71,17 @@ BriefAnswer outcome_of(const GraspFile& file, const AnswerOptions& options = {})
   return outcome;
 }
 
-const AnswerOptions kQuick{Engine::kAuto, 0, WarningsAsked::kNone};
+const SearchOptions kQuick{};
 
 void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
                   std::size_t contacts) {
   EXPECT_EQ(outcome.verdict, verdict);
   EXPECT_LE(outcome.bytes, 40000u);
-  EXPECT_LE(outcome.work.at("nodes").count(), 1500u);
+  EXPECT_LE(outcome.work.at("nodes"), 1500u);
   // What doubles leave open is the exception on walls, whatever the number of contacts. Trees
   // of all motions begin with wide regions, which long planes cut.
-  const Json* exact_checks = outcome.work.find("exact_checks");
-  EXPECT_LE(exact_checks != nullptr ? exact_checks->count() : 0,
+  const auto exact_checks = outcome.work.find("exact_checks");
+  EXPECT_LE(exact_checks != outcome.work.end() ? exact_checks->second : 0,
             verdict == "stable" ? 20u : 100u)
       << contacts;
 }
@@ -124,13 +124,12 @@ TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
   const GraspFile file = in_doubles(ShapeInDoubles::kBowl, 200, 0, load);
   const Problem problem(file.loaded(), NormalLaw::kUnilateral);
   ASSERT_TRUE(has_long_equilibria(problem));
-  EXPECT_FALSE(answer_to(ask(file, {}), kQuick).problem.has_value());
-  const Answer exact =
-      answer_to(ask(file, {}), {Engine::kBranchAndBound, 0, WarningsAsked::kNone, false});
+  EXPECT_FALSE(decide(ask(file, {}), kQuick).problem.has_value());
+  const Answer exact = decide(ask(file, {}), by(Engine::kBranchAndBound));
   ASSERT_TRUE(exact.problem.has_value());
   EXPECT_STREQ(name_of(exact.verdict), "stable");
   const GraspFile few = in_doubles(ShapeInDoubles::kBowl, 30, 0, load);
-  EXPECT_TRUE(answer_to(ask(few, {}), kQuick).problem.has_value());
+  EXPECT_TRUE(decide(ask(few, {}), kQuick).problem.has_value());
 }
 
 // Whose squares and quotients vanish or overflow as doubles: some proposals are no numbers.
@@ -145,7 +144,7 @@ TEST(LongNumbers, TinyOnesEndInAnAnswer) {
                                     {at(-2, 8), {-6, -9}, Rational(1, 2), 5 * tiny, 0},
                                     {at(5, 9), {-2, 9}, 1, 2 * tiny, 3}}),
                              {7 * tiny, -6 * tiny, -2 * tiny * tiny}};
-  EXPECT_NO_THROW(answer_to(ask(file, {}), kQuick));
+  EXPECT_NO_THROW(decide(ask(file, {}), kQuick));
 }
 
 /// With a pull of `tenths` of the sum of preloads, or of as many units as there are contacts;
@@ -187,7 +186,7 @@ TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
           const Question question{
               pulled_or_planted(layout, contacts, preloaded, seed, law, tenths), law, {}};
           const Problem problem = problem_of(question);
-          const Decision truth = decide(problem, Engine::kBranchAndBound);
+          const Decision truth = decide(problem, by(Engine::kBranchAndBound));
           const bool is_stable = std::holds_alternative<Stable>(truth.verdict);
           const auto by_degree = prove_stable_by_degree(problem);
           SCOPED_TRACE(question.loaded().grasp.name() + " " + std::to_string(seed));

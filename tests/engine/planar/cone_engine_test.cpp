@@ -8,8 +8,9 @@
 #include "loads.hpp"
 #include "paper_grasps.hpp"
 #include "rounds.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
 
 namespace stickslip::test {
 namespace {
@@ -92,7 +93,7 @@ TEST(ConeEngine, GivesUpOnlyAtItsLimit) {
   const Problem problem({fig1_grasp(1), {0, Rational(11, 10), 0}}, NormalLaw::kUnilateral);
   ConeWork whole;
   ASSERT_TRUE(std::holds_alternative<Unstable>(branch_and_bound(problem, {}, &whole)));
-  BranchAndBoundOptions options;
+  SearchOptions options;
   for (std::size_t limit = 1; limit <= whole.nodes; ++limit) {
     options.node_limit = limit;
     const Verdict verdict = branch_and_bound(problem, options);
@@ -220,7 +221,7 @@ TEST(ConeEngine, MixedMagnitudesBeyondDoubles) {
 TEST(Decide, TakesTheConeEngineUnlessAskedForTheOther) {
   const Problem problem(LoadedGrasp{fig1_grasp(1), {0, 1, 0}}, NormalLaw::kUnilateral);
   EXPECT_STREQ(decide(problem).engine(), "branch-and-bound");
-  EXPECT_STREQ(decide(problem, Engine::kStates).engine(), "states");
+  EXPECT_STREQ(decide(problem, by(Engine::kStates)).engine(), "states");
 }
 
 TEST(Decide, SummaryNamesTheLargestCase) {

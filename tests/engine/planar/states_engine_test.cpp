@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small grasps whose verdict can be derived by hand, and random ones whose evidence is judged.
+#include "stickslip/engine/states_engine.hpp"
+
 #include <gtest/gtest.h>
 
 #include "engine/planar/find_flaw.hpp"
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {

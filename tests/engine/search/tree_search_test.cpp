@@ -11,7 +11,7 @@
 #include "random_grasps.hpp"
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/branch_and_bound.hpp"
 
 namespace stickslip {
 namespace {

@@ -362,7 +362,7 @@ class Margin(Case):
         code, out, err = stickslip("margin", FIG1, "--direction", "0,1,0", "--node-limit", 1)
         self.assertEqual((code, out), (UNDECIDED, ""))
         self.assertEqual(err, "stickslip: the margin is not known: the search reached the limit of 1 nodes; "
-                              "a higher --node-limit may decide it\n")
+                              "a higher node limit may decide it\n")
 
     def test_a_limit_is_that_of_all_searches(self):
         for limit in range(2, 7):
@@ -665,14 +665,14 @@ class Region(Case):
     def test_limit(self):
         answer = self.json("region", FIG1, "--mode-limit", "3", code=UNDECIDED)
         self.assertEqual((answer["limit"], answer["reason"], answer["remedy"]),
-                         ("there are more than 3 contact modes", "modes", "a higher --mode-limit may tell"))
+                         ("there are more than 3 contact modes", "modes", "a higher mode limit may tell"))
         self.assertNotIn("areas", answer)
-        self.assertIn("\nNo region is known: there are more than 3 contact modes; a higher --mode-limit may tell.\n",
+        self.assertIn("\nNo region is known: there are more than 3 contact modes; a higher mode limit may tell.\n",
                       stickslip("region", FIG1, "--mode-limit", "3")[1])
         code, out, err = stickslip("region", FIG1, "--preload", "1", "--node-limit", "1", "--certificate", self.path("p"))
         self.assertEqual((code, out), (UNDECIDED, ""))
         self.assertEqual(err, "stickslip: the region has no certificate: the search reached the limit of 1 nodes; "
-                              "a higher --node-limit may decide it\n")
+                              "a higher node limit may decide it\n")
 
     def test_certificate(self):
         proof = self.path("proof.json")

@@ -115,7 +115,7 @@ class RegionPlots(unittest.TestCase):
             code, out, err = stickslip("plot", "region", FIG1, "--mode-limit", 3, "-o", path)
             self.assertEqual((code, out), (3, ""))
             self.assertEqual(err, "stickslip: no region is known: there are more than 3 contact modes; "
-                                  "a higher --mode-limit may tell\n")
+                                  "a higher mode limit may tell\n")
             self.assertFalse(os.path.exists(path))
             self.assertEqual(stickslip("plot", "region", FIG1, "-o", path), (0, "", ""))
             with open(path, encoding="utf-8") as file:

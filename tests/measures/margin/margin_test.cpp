@@ -76,7 +76,7 @@ TEST(Margin, NeedsADirection) {
 
 TEST(Margin, StopsAtTheNodeLimit) {
   const Problem problem(LoadedGrasp{test::fig1_grasp(1), {}}, NormalLaw::kUnilateral);
-  BranchAndBoundOptions options;
+  SearchOptions options;
   options.node_limit = 3;
   MarginWork work;
   EXPECT_TRUE(std::holds_alternative<Undecided>(

@@ -14,7 +14,7 @@
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 
 namespace stickslip {
 namespace {
@@ -72,7 +72,7 @@ PlaneUnion region_of(const Grasp& grasp, NormalLaw law,
 }
 
 bool is_stable(const Grasp& grasp, NormalLaw law, const Wrench& wrench, Engine engine) {
-  const Decision decision = decide(Problem({grasp, wrench}, law), engine);
+  const Decision decision = decide(Problem({grasp, wrench}, law), by(engine));
   EXPECT_FALSE(std::holds_alternative<Undecided>(decision.verdict));
   return std::holds_alternative<Stable>(decision.verdict);
 }

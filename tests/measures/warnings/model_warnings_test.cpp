@@ -8,7 +8,7 @@
 
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_problem.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
@@ -27,7 +27,9 @@ Question question(Grasp grasp, const Wrench& w = {}, std::vector<ContactId> assu
 }
 
 std::vector<ModelWarning> model_warnings(const Question& asked, const Verdict& verdict) {
-  return stickslip::model_warnings(asked, problem_of(asked), verdict);
+  Answer answer{asked, verdict};
+  answer.problem = problem_of(asked);
+  return stickslip::model_warnings(answer);
 }
 
 std::vector<ModelTrap> traps(const Question& asked, const Verdict& verdict) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Writers of certificates in the format of certificate/FORMAT.md, and of questions for other
-/// solvers. The checkers that read certificates share no code with this.
+/// solvers. The checkers that read certificates share no code with them.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/engine/question.hpp"
-#include "stickslip/engine/verdict.hpp"
+#include "stickslip/engine/decide.hpp"
 #include "stickslip/measures/margin.hpp"
 #include "stickslip/measures/region_proof.hpp"
 #include "stickslip/measures/spatial_margin.hpp"
@@ -20,6 +20,16 @@ namespace stickslip {
 /// verdict is Stable or Unstable.
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer, unsigned bits = kDefaultBits);
+
+/// Returns the certificate of an answer; nothing if its verdict has none: undecided or fragile.
+std::optional<std::string> certificate_of(const Answer& answer);
+
+/// Returns why stickslip-check does not accept the certificate as a proof of a verdict about
+/// the question, in its words; nothing if it accepts. Requires that the question is no margin.
+std::optional<std::string> refusal_of(const Question& question, const std::string& certificate);
+
+/// Returns the producer of a certificate: "stickslip 0.1.0, engine space".
+std::string producer_of(const std::string& engine);
 
 /// \{ Return the certificate of the margin of problem_of(question), by segments, and of one by
 /// claims (FORMAT.md, section 5).

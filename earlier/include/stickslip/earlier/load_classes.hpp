@@ -123,8 +123,8 @@ Inertia inertia_of(const std::string& place, const RationalRow& numbers, bool in
 /// Returns the numbers as inertia_of() reads them.
 RationalRow numbers_of(const Inertia& inertia);
 /// Returns the numbers of an option, for an inertia in the plane or in space; none if it is
-/// empty. Throws InputError ("--inertia") unless their number fits the plane or space.
-RationalRow inertia_numbers(const std::string& value);
+/// empty. Throws InputError at `place` unless their number fits the plane or space.
+RationalRow inertia_numbers(const std::string& place, const std::string& value);
 
 /// Returns the one grasp in space that the question is about. Throws InputError if numbers are
 /// uncertain.

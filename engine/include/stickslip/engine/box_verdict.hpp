@@ -13,6 +13,7 @@
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/motion_bound.hpp"
 #include "stickslip/engine/proof.hpp"
+#include "stickslip/engine/search_options.hpp"
 #include "stickslip/engine/search_work.hpp"
 #include "stickslip/engine/verdict.hpp"
 

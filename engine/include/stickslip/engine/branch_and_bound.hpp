@@ -28,9 +28,12 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "stickslip/engine/search_options.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
@@ -59,14 +62,12 @@ struct ConeWork {
   ConeWork& operator+=(const ConeWork& part);
 };
 
-/// The limits of the engine.
-struct BranchAndBoundOptions {
-  std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
-};
+/// Returns the counters with their names, in a fixed order.
+std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
 
 /// Returns the verdict with its evidence, and puts the work into `work`. Undecided only when
 /// the node limit is reached. Deterministic. Requires that the problem is no family.
-Verdict branch_and_bound(const Problem& problem, const BranchAndBoundOptions& options = {},
+Verdict branch_and_bound(const Problem& problem, const SearchOptions& options = {},
                          ConeWork* work = nullptr);
 
 /// Returns some equilibria with different motions, which Newton's method finds from `starts`
@@ -83,7 +84,8 @@ struct MarginPoint {
 /// Returns a multiple in the family's range for which the grasp is stable, or a proof that
 /// there is none. It is the same search with the multiple as one more unknown. Undecided only
 /// when the node limit is reached.
-std::variant<MarginPoint, Unstable, Undecided> search_family(
-    const Problem& family, const BranchAndBoundOptions& options = {}, ConeWork* work = nullptr);
+std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
+                                                             const SearchOptions& options = {},
+                                                             ConeWork* work = nullptr);
 
 }  // namespace stickslip

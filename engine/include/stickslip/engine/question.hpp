@@ -94,7 +94,7 @@ struct Question {
 /// needed and the options give neither a case nor a wrench; with the place "uncertain" if a
 /// margin is asked about and some number is an interval. It throws also as GraspBox::widened
 /// does for tolerances, and bound_of() for a bound on motions.
-Question ask(GraspFile file, const QuestionOptions& options);
+Question ask(GraspFile file, const QuestionOptions& options = {});
 
 /// Throws InputError unless the question is about one grasp. For one body in the plane it
 /// throws whenever problem_of() does; for all others only if a number is uncertain.

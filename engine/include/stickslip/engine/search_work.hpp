@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The limits of searches, and counters of their work.
+/// Counters of the work of searches.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/engine/part.hpp"
-
 namespace stickslip {
-
-/// The limits of a search.
-struct SearchOptions {
-  /// The most nodes of each tree search. With 0 it takes a limit that suits most questions; in
-  /// space that takes at most about a minute for 12 contacts.
-  std::size_t node_limit = 0;
-  /// The bits to which irrational lengths are enclosed. In the plane they are doubled from this
-  /// until there is an answer, up to `most_bits`.
-  unsigned bits = kDefaultBits;
-  unsigned most_bits = 1024;  ///< the most bits to try
-};
 
 /// The work of searches, by counters; reproducible.
 struct SearchWork {

@@ -32,8 +32,8 @@ struct RegionOptions {
 };
 
 /// Finds the region.
-RegionAnswer answer_to(Question question, const WrenchPlane& plane,
-                       const RegionOptions& options = {});
+RegionAnswer region_answer(Question question, const WrenchPlane& plane,
+                           const RegionOptions& options = {});
 
 /// Returns the output of `region --json`, before finished().
 Json to_json(const RegionAnswer& answer);

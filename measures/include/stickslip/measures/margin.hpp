@@ -83,8 +83,8 @@ enum class SegmentForm { kByLength, kEquilibria, kDegree };
 /// limit, of all searches together, is reached. Throws ContractError if the problem is no
 /// family. Calls `progress` now and then, with the work so far.
 std::variant<Margin, Undecided> find_margin(
-    const Problem& family, const BranchAndBoundOptions& options = {},
-    MarginWork* work = nullptr, const std::function<void(const MarginWork&)>& progress = {},
+    const Problem& family, const SearchOptions& options = {}, MarginWork* work = nullptr,
+    const std::function<void(const MarginWork&)>& progress = {},
     SegmentForm form = SegmentForm::kByLength);
 
 }  // namespace stickslip

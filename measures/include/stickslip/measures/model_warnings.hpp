@@ -22,28 +22,35 @@
 ///   kNodesToVary. Silence proves nothing. A common factor of all stiffnesses changes no
 ///   verdict, since it divides the motion and leaves every v_i = P_i - k_i N_i.d and direction
 ///   of slip as it is: only ratios matter.
+///
+/// In space, and in the plane of what is decided as a box, a displacement is that of a point,
+/// of three components, and a turn is the length of a rotation vector. Preloads are said not to
+/// balance only if error bounds of doubles show it, so not on a border. An equilibrium that is
+/// proved by degree counts by the motion that is near it. Several bodies have only the warnings
+/// of contact_signs.hpp.
 #pragma once
 
 #include <vector>
 
-#include "stickslip/engine/question.hpp"
-#include "stickslip/engine/verdict.hpp"
+#include "stickslip/engine/decide.hpp"
 #include "stickslip/measures/margin.hpp"
 #include "stickslip/measures/model_traps.hpp"
+#include "stickslip/measures/spatial_margin.hpp"
 
 namespace stickslip {
 
-/// Returns the warnings about a question, its problem and the verdict on it. They take about as
-/// long as a verdict: O(m) rational operations, and the decisions named above. With
-/// `only_of_motion` there are no such decisions; only large motions and lost preloads are
-/// looked for.
-std::vector<ModelWarning> model_warnings(const Question& question, const Problem& problem,
-                                         const Verdict& verdict, bool only_of_motion = false);
+/// Returns the warnings about an answer, about one grasp: none if numbers of one body are
+/// uncertain. They take about as long as the verdict: O(m) rational operations, and the
+/// decisions named above. With `only_of_motion` there are no such decisions; only large motions
+/// and lost preloads are looked for.
+std::vector<ModelWarning> model_warnings(const Answer& answer, bool only_of_motion = false);
 
-/// Returns the warnings about a margin. They are about the equilibria at the ends of its
-/// segments, the first for which each sort holds, and about the preloads that the family begins
-/// with or, if these are 0, its growing preloads. No stiffness is varied. O(m) rational
-/// operations for each segment.
+/// \{ Return the warnings about a margin. They are about the equilibria at the ends of its
+/// segments, or the exact ones at the ends of what is resisted: the first for which each sort
+/// holds; and about the preloads that it begins with or, if these are 0, its growing preloads.
+/// No stiffness is varied. O(m) rational operations for each segment.
 std::vector<ModelWarning> model_warnings(const Question& question, const Margin& margin);
+std::vector<ModelWarning> model_warnings(const Question& question, const SpatialMargin& margin);
+/// \}
 
 }  // namespace stickslip

@@ -19,6 +19,7 @@
 
 #include "stickslip/engine/proof.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/engine/search_options.hpp"
 #include "stickslip/engine/search_work.hpp"
 #include "stickslip/measures/margin.hpp"
 

@@ -8,7 +8,7 @@
 #include "stickslip/engine/question.hpp"
 #include "stickslip/engine/verdict.hpp"
 
-namespace stickslip::answers_detail {
+namespace stickslip {
 
 /// Returns the second question to a question with this verdict, or nothing if the verdict says
 /// all that matters. It has
@@ -24,4 +24,8 @@ std::optional<Question> second_question(const Question& question, const Verdict&
 /// than 1e-12 of it; else nothing.
 std::optional<RationalRow> opposed_direction(const Question& question);
 
-}  // namespace stickslip::answers_detail
+/// Returns by how much the loads of two questions differ: the square of the length of the
+/// difference of forces, and of torques over a typical length of the grasp.
+Rational squared_distance(const Question& a, const Question& b);
+
+}  // namespace stickslip

@@ -5,7 +5,7 @@
 #include "solution.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/engine/box_verdict.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 #include "stickslip/measures/margin.hpp"
 #include "stickslip/measures/spatial_margin.hpp"
 
@@ -174,7 +174,7 @@ std::optional<DistanceBounds> ThresholdDistance::smallest() const {
 ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
                                      std::size_t node_limit) {
   ThresholdDistance result;
-  BranchAndBoundOptions options;
+  SearchOptions options;
   options.node_limit = node_limit;
   /// Returns the margin, or nothing at the limit.
   const auto margin = [&](const Problem& base, const Wrench& direction) {

@@ -4,18 +4,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/number_list.hpp"
 #include "stickslip/engine/question.hpp"
 
 namespace stickslip {
-
-/// Returns the number in an option's value. Throws InputError naming the option.
-Rational number_option(const std::string& option, const std::string& value);
-
-/// Returns the numbers "P0,P1,..." in an option's value. Throws InputError naming the option.
-std::vector<Rational> numbers_option(const std::string& option, const std::string& value);
 
 /// Returns the wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
 Wrench wrench_option(const std::string& option, const std::string& value);

@@ -12,7 +12,7 @@
 #include "random_source.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/spatial_forces.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip {
 namespace {
@@ -83,7 +83,7 @@ Claim solution(RationalRow twist, std::vector<RationalRow> forces) {
 ClaimReport judge(const Question& question, const Claim& claim,
                   const ClaimOptions& options = {}) {
   ClaimReport report = judge_claim(question, claim, options);
-  EXPECT_EQ(report.answer.engine, kSpaceEngine);
+  EXPECT_STREQ(report.answer.engine(), "space");
   if (is_stable(report.answer.verdict)) {
     QuestionOptions asked;
     asked.law = question.law;

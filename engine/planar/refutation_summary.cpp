@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/refutation_summary.hpp"
+
+#include <utility>
 
 namespace stickslip {
 namespace {
@@ -38,46 +40,6 @@ std::size_t count_alike(const RefutationSummary& found, const Problem& problem) 
 }
 
 }  // namespace
-
-Decision decide(const Problem& problem, Engine engine, const BranchAndBoundOptions& options) {
-  if (engine == Engine::kStates) {
-    StatesWork work;
-    Verdict verdict = decide_by_states(problem, &work);
-    return {std::move(verdict), work};
-  }
-  ConeWork work;
-  Verdict verdict = branch_and_bound(problem, options, &work);
-  return {std::move(verdict), work};
-}
-
-std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work) {
-  return {{"states", work.states},
-          {"states_refuted", work.states_refuted},
-          {"states_solved", work.states_solved},
-          {"linear_programs", work.programs},
-          {"twists_carried", work.twists_carried},
-          {"double_pivots", work.double_pivots},
-          {"exact_pivots", work.exact_pivots},
-          {"bases_confirmed", work.bases_confirmed},
-          {"largest_bits", work.largest_bits}};
-}
-
-std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) {
-  return {{"nodes", work.nodes},
-          {"leaves", work.leaves},
-          {"void_leaves", work.voids},
-          {"slip_splits", work.slip_splits},
-          {"separation_splits", work.separation_splits},
-          {"depth", work.depth},
-          {"searches", work.searches},
-          {"support_points", work.support_points},
-          {"visits", work.visits},
-          {"filter_hits", work.filter_hits},
-          {"filter_misses", work.filter_misses},
-          {"exact_programs", work.exact_programs},
-          {"witness_attempts", work.witness_attempts},
-          {"largest_twist_bits", work.largest_twist_bits}};
-}
 
 RefutationSummary summarize(const Trees& refutation, const Problem* problem) {
   RefutationSummary summary;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -387,7 +387,7 @@ TEST(ThresholdDistance, IsWhereTheVerdictChanges) {
     const Problem problem({grasp, w}, NormalLaw::kUnilateral);
     const auto stable_at = [&](const Wrench& load) {
       return std::holds_alternative<Stable>(
-          decide(problem.with_wrench(load), Engine::kStates).verdict);
+          decide(problem.with_wrench(load), by(Engine::kStates)).verdict);
     };
     const bool stable = stable_at(w);
     const ThresholdDistance distance = threshold_distance(problem, grasp);

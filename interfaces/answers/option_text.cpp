@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/engine/option_text.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,27 +9,8 @@
 
 namespace stickslip {
 
-Rational number_option(const std::string& option, const std::string& value) {
-  try {
-    return parse_rational(value);
-  } catch (const NumberError& error) {
-    throw InputError("", option, error.what(), "write it as 2, -0.25, 1e-3 or 3/5");
-  }
-}
-
-std::vector<Rational> numbers_option(const std::string& option, const std::string& value) {
-  std::vector<Rational> numbers;
-  std::size_t start = 0;
-  while (start <= value.size()) {
-    const std::size_t comma = std::min(value.find(',', start), value.size());
-    numbers.push_back(number_option(option, value.substr(start, comma - start)));
-    start = comma + 1;
-  }
-  return numbers;
-}
-
 Wrench wrench_option(const std::string& option, const std::string& value) {
-  const std::vector<Rational> numbers = numbers_option(option, value);
+  const std::vector<Rational> numbers = rationals_at(option, value);
   if (numbers.size() != 3) {
     throw InputError("", option,
                      quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
@@ -41,7 +22,7 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
 Rational accuracy_option(const std::string& value) {
   const bool percent = !value.empty() && value.back() == '%';
   const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));
-  const Rational accuracy = number_option("--accuracy", number) / (percent ? 100 : 1);
+  const Rational accuracy = rational_at("--accuracy", number) / (percent ? 100 : 1);
   if (accuracy.sign() > 0 && accuracy < 1) return accuracy;
   throw InputError("", "--accuracy", "the value is " + value,
                    "it is a part of the radius: give more than 0 and less than 100%");

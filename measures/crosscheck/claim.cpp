@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 #include <utility>
 
@@ -56,8 +56,10 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   require_one_grasp(question);
   check_sizes(question, claim);
   ClaimReport report;
-  report.answer = answer_to(
-      question, {Engine::kBranchAndBound, options.node_limit, WarningsAsked::kNone, false});
+  SearchOptions search = by(Engine::kBranchAndBound);
+  search.node_limit = options.node_limit;
+  search.second = false;
+  report.answer = decide(question, search);
   const GraspBox grasp = box_of(question.grasp);
   report.residuals = residuals_of(grasp, question.law, claim);
   report.scale = residual_scale(grasp, claim);

@@ -8,7 +8,7 @@
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip {
 namespace {

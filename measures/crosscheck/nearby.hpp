@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip::crosscheck_detail {
 

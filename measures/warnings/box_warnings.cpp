@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/measures/spatial_warnings.hpp"
+#include "box_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "contact_signs.hpp"
 #include "engine/degree/newton.hpp"
 #include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/measures/model_warnings.hpp"
 
 namespace stickslip {
 
@@ -143,10 +144,11 @@ GraspBox with_stiffness(GraspBox grasp, ContactId contact, const Rational& stiff
   return grasp;
 }
 
-std::optional<std::string> assumed_stiffness_of(const Question& question, bool stable,
-                                                const BoxDecision& decision) {
+std::optional<std::string> assumed_stiffness_of(const Answer& answer, bool stable) {
+  const Question& question = answer.question;
   const GraspBox& grasp = *question.box();
-  StiffnessTrial trial{{}, question.assumed_stiffness, stable, decision.work.nodes, {}, {}};
+  StiffnessTrial trial{
+      {}, question.assumed_stiffness, stable, std::get<SearchWork>(answer.work).nodes, {}, {}};
   for (const UncertainContact& c : grasp.contacts) trial.stiffness.push_back(c.stiffness.low);
   trial.may_differ = [&](ContactId contact, const Rational& stiffness) {
     if (!stable) return true;  // doubles miss equilibria
@@ -155,14 +157,14 @@ std::optional<std::string> assumed_stiffness_of(const Question& question, bool s
     for (UncertainContact& c : std::get<GraspBox>(varied.grasp).contacts) {
       c.friction = point_interval(friction_to_tell_by(stable) * c.friction.low);
     }
-    const RoundedGrasp rounded = rounded_middle(law_of(varied, decision.bits));
+    const RoundedGrasp rounded = rounded_middle(law_of(varied, answer.bits));
     return Newton(rounded).solve_from(1).empty();
   };
   trial.is_stable = [&](ContactId contact, const Rational& stiffness,
                         std::size_t& left) -> std::optional<bool> {
     SearchOptions options;
     options.node_limit = left;
-    options.bits = decision.bits;
+    options.bits = answer.bits;
     const BoxDecision varied =
         decide_box(with_stiffness(grasp, contact, stiffness), question.law, options);
     left -= std::min(left, 1 + varied.work.nodes);
@@ -179,13 +181,14 @@ std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
 
 }  // namespace
 
-std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision,
-                                         bool only_of_motion) {
+std::vector<ModelWarning> warnings_detail::box_warnings(const Answer& answer,
+                                                        bool only_of_motion) {
+  const Question& question = answer.question;
   if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
   if (!question.box()->is_point()) return {};
   const GraspBox grasp = seen_in_space(*question.box());
   const std::vector<Rational> preloads = preloads_of(grasp);
-  const auto* stable = std::get_if<Stable>(&decision.verdict);
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
   const RationalRow motion = stable != nullptr ? seen_in_space(stable->motion) : RationalRow{};
   ModelWarnings warnings;
   if (stable != nullptr) {
@@ -196,9 +199,8 @@ std::vector<ModelWarning> model_warnings(const Question& question, const BoxDeci
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion));
   }
-  if (!only_of_motion && is_stable(decision.verdict)) {
-    warnings.add(ModelTrap::kAssumedStiffness,
-                 assumed_stiffness_of(question, stable != nullptr, decision));
+  if (!only_of_motion && is_stable(answer.verdict)) {
+    warnings.add(ModelTrap::kAssumedStiffness, assumed_stiffness_of(answer, stable != nullptr));
   }
   return std::move(warnings).take();
 }

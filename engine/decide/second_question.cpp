@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "second_question.hpp"
+#include "stickslip/engine/second_question.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "stickslip/engine/force_span.hpp"
 #include "stickslip/engine/grasp_law.hpp"
-#include "stickslip/interfaces/verdict_answer.hpp"
 
-namespace stickslip::answers_detail {
+namespace stickslip {
 namespace {
 
 /// Returns the motion of a grasp that holds, or nothing if none is known.
@@ -115,10 +114,6 @@ std::optional<RationalRow> opposed_direction(const Question& question) {
   return without_rounding(GraspLaw(box_of(question.grasp), question.law), *question.direction);
 }
 
-}  // namespace stickslip::answers_detail
-
-namespace stickslip {
-
 Rational squared_distance(const Question& a, const Question& b) {
   const Law law = GraspLaw(box_of(a.grasp), a.law);
   const WrenchBox one = wrench_of(a.grasp);
@@ -127,7 +122,7 @@ Rational squared_distance(const Question& a, const Question& b) {
   for (std::size_t j = 0; j < one.size(); ++j) {
     difference.push_back(one[j].middle() - other[j].middle());
   }
-  return answers_detail::squared_length(difference, law, answers_detail::typical_length(law));
+  return squared_length(difference, law, typical_length(law));
 }
 
 }  // namespace stickslip

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "solution.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip {
 

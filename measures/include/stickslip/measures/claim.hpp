@@ -23,8 +23,8 @@
 
 #include "stickslip/core/root_sum.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/engine/decide.hpp"
 #include "stickslip/engine/question.hpp"
-#include "stickslip/interfaces/verdict_answer.hpp"
 
 namespace stickslip {
 

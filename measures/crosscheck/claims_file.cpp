@@ -5,7 +5,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/interfaces/claim.hpp"
+#include "stickslip/measures/claim.hpp"
 
 namespace stickslip {
 namespace {

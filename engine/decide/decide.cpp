@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/engine/decide.hpp"
+
+#include <utility>
+
+#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/second_question.hpp"
+
+namespace stickslip {
+namespace {
+
+Answer about_box(Question question, BoxDecision decision) {
+  return {std::move(question), std::move(decision.verdict), decision.work, decision.bits};
+}
+
+/// Returns the answer without a second one. If its search has found a proof within
+/// natural_bound() on the way, `within` is that.
+Answer first_answer(Question question, const SearchOptions& options,
+                    std::optional<Unstable>& within) {
+  if (const GraspBox* box = question.box()) {
+    BoxDecision decision = decide_box(*box, question.law, options);
+    within = std::move(decision.within);
+    return about_box(std::move(question), std::move(decision));
+  }
+  Problem problem = problem_of(question);
+  if (options.engine == Engine::kAuto && has_long_equilibria(problem)) {
+    if (auto by_degree = prove_stable_by_degree(problem)) {
+      question.grasp = box_of(question.grasp);
+      return about_box(std::move(question), std::move(*by_degree));
+    }
+  }
+  Decision decision = decide(problem, options);
+  Answer answer{std::move(question), std::move(decision.verdict)};
+  std::visit([&](const auto& work) { answer.work = work; }, decision.work);
+  answer.problem = std::move(problem);
+  return answer;
+}
+
+}  // namespace
+
+const char* box_engine(const Question& question) {
+  if (question.mechanism() != nullptr) return "bodies";
+  return question.in_space() ? "space" : "intervals";
+}
+
+const char* Answer::engine() const {
+  if (std::holds_alternative<StatesWork>(work)) return "states";
+  return std::holds_alternative<ConeWork>(work) ? "branch-and-bound" : box_engine(question);
+}
+
+Answer decide(Question question, const SearchOptions& options) {
+  std::optional<Unstable> within;
+  Answer answer = first_answer(std::move(question), options, within);
+  if (!options.second) return answer;
+  std::optional<Question> second = second_question(answer.question, answer.verdict);
+  if (!second) return answer;
+  if (within && second->is_bounded()) {
+    answer.within = std::make_shared<const Answer>(
+        Answer{std::move(*second), std::move(*within), {}, answer.bits});
+    return answer;
+  }
+  SearchOptions how = options;
+  how.engine = Engine::kAuto;
+  how.second = !second->is_bounded();
+  Answer found = decide(std::move(*second), how);
+  if (found.within) found = *found.within;
+  // A second answer that says the same says nothing more.
+  const bool is_same = answer.verdict.index() == found.verdict.index();
+  if (is_same && !std::holds_alternative<Stable>(answer.verdict)) return answer;
+  answer.within = std::make_shared<const Answer>(std::move(found));
+  return answer;
+}
+
+std::vector<std::pair<std::string, std::size_t>> counters(const Answer& answer) {
+  using Counters = std::vector<std::pair<std::string, std::size_t>>;
+  if (const auto* states = std::get_if<StatesWork>(&answer.work)) return counters(*states);
+  if (const auto* cone = std::get_if<ConeWork>(&answer.work)) return counters(*cone);
+  const auto* search = std::get_if<SearchWork>(&answer.work);
+  return search != nullptr ? counters(*search) : Counters{};
+}
+
+}  // namespace stickslip

@@ -3,7 +3,7 @@
 
 #include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {

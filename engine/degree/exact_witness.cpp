@@ -9,7 +9,7 @@
 
 #include "engine/motion/dense.hpp"
 #include "mode_program.hpp"
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
 namespace {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip::degree_detail {

@@ -5,7 +5,7 @@
 
 #include "moving_equilibrium.hpp"
 #include "prove_stable.hpp"
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 #include "wall_refuter.hpp"
 #include "walls.hpp"
 

@@ -3,7 +3,13 @@
 
 #include <algorithm>
 
+#include "stickslip/lp/exact_system.hpp"
+
 namespace stickslip {
+
+bool has_rank(const DegreeProof& proof, std::size_t rank) {
+  return rank_of(proof.walls) == rank && rank_of(proof.direction) == rank;
+}
 
 std::size_t leaf_count(const Trees& trees) {
   return static_cast<std::size_t>(std::count_if(trees.begin(), trees.end(), [](const auto& n) {

@@ -11,8 +11,8 @@
 #include "engine/motion/dense.hpp"
 #include "few_shares.hpp"
 #include "smooth_balance.hpp"
-#include "stickslip/engine/exact_system.hpp"
 #include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
 

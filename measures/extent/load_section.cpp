@@ -6,7 +6,7 @@
 
 #include "stickslip/core/number.hpp"
 #include "stickslip/engine/ball_part.hpp"
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
 namespace {

@@ -12,7 +12,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_list.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
 
@@ -375,6 +375,10 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
   return result;
 }
 
+bool are_parallel(const MapAxis& a, const MapAxis& b) {
+  return rank_of(std::vector<RationalRow>{a.along, b.along}) < 2;
+}
+
 GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
                      const Interval& x, const Interval& y, const Tolerances& uncertain) {
   GraspBox box = grasp;
@@ -394,7 +398,7 @@ void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
   };
   const bool of_one_number =
       x_axis.kind == AxisKind::kAlong
-          ? rank_of(std::vector<RationalRow>{x_axis.along, y_axis.along}) < 2
+          ? are_parallel(x_axis, y_axis)
           : x_axis.index == y_axis.index || !x_axis.index || !y_axis.index;
   const bool clash = same_kind ? of_one_number : turns_wrench(x_axis) && turns_wrench(y_axis);
   if (clash) {

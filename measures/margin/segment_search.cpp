@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "engine/motion/dense.hpp"
-#include "stickslip/engine/exact_system.hpp"
 #include "stickslip/engine/pull_rule.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip::margin_detail {
 namespace {

@@ -8,7 +8,6 @@
 #include "commands.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/engine/exact_system.hpp"
 #include "stickslip/interfaces/map_plot.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -60,7 +59,7 @@ LoadWindow plane_of(const Question& question, const RegionCellsArguments& argume
   LoadWindow plane = load_window(question, wrench_given("--origin", arguments.origin, load),
                                  wrench_given("--u", arguments.u, along_x),
                                  wrench_given("--v", arguments.v, along_y));
-  if (rank_of(std::vector<RationalRow>{plane.s.along, plane.t.along}) < 2) {
+  if (are_parallel(plane.s, plane.t)) {
     throw InputError("", "--u, --v", "they span no plane",
                      "give two wrenches that are not multiples of each other");
   }

@@ -11,7 +11,7 @@
 #include "engine/search/law_forces.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/engine/exact_system.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
 namespace {

@@ -62,6 +62,10 @@ struct DegreeProof : ConvexBody {
   Trees trees{};  ///< list 1 unless it is not needed, and list 2; a tree for each wall
 };
 
+/// Returns whether the walls and the direction of a proof both have this rank, which is that of
+/// all forces (certificate/FORMAT.md, `degree-walls` and `degree-direction`).
+bool has_rank(const DegreeProof& proof, std::size_t rank);
+
 /// A proof at rest: nothing moves. Each grasp of a box is balanced by friction f0 + sum of G_l
 /// z_l for some z with |z_l| <= reach_l. A friction force has as many coordinates as a slip.
 struct RestProof {

@@ -40,6 +40,9 @@ struct MapAxis {
 /// InputError with this place if the text is no axis, or if the range leaves the valid grasps.
 MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& place);
 
+/// Returns whether two axes, each along a wrench that is added, span no plane.
+bool are_parallel(const MapAxis& a, const MapAxis& b);
+
 /// A cell of a map: a rectangle of the plane of its axes.
 struct MapCell {
   Interval x;            ///< along the first axis

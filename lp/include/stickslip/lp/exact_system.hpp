@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Exact linear algebra over the rationals, by Gaussian elimination. An n x n system takes
-/// O(n^3) operations on numbers that grow to n times their length.
+/// Exact linear algebra over the rationals, by elimination without fractions (Bareiss, 1968).
+/// An n x n system takes O(n^3) operations on numbers that grow to n times their length.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "stickslip/core/row.hpp"
-#include "stickslip/engine/proof.hpp"
 
 namespace stickslip {
 
@@ -52,10 +51,6 @@ void add_multiple(RationalRow& to, const Rational& factor, const RationalRow& ro
 std::size_t rank_of(const RationalMatrix& a);
 std::size_t rank_of(const std::vector<RationalRow>& rows);
 /// \}
-/// Returns whether the walls and the direction of a proof both have this rank, which is that of
-/// all forces (certificate/FORMAT.md, `degree-walls` and `degree-direction`).
-bool has_rank(const DegreeProof& proof, std::size_t rank);
-
 /// Returns a basis of the solutions of a x = 0, which are all x if a has no rows.
 std::vector<RationalRow> null_space(const RationalMatrix& a);
 

@@ -111,7 +111,9 @@ TEST(ExactSystem, AnswersAsALiteralTwinWithFractions) {
     const auto solution = solve_exactly(a, b);
     EXPECT_EQ(solution, twin.solution());
     EXPECT_EQ(solve_exactly(a, b, true).has_value(), solution && twin.rank == columns);
-    if (solution) EXPECT_EQ(a * *solution, b);
+    if (solution) {
+      EXPECT_EQ(a * *solution, b);
+    }
     const std::vector<RationalRow> free = null_space(a);
     EXPECT_EQ(free.size(), columns - twin.rank);
     EXPECT_EQ(rank_of(free), free.size());

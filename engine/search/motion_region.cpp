@@ -530,13 +530,30 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   const bool may_be_half = gap < kPi + kClose;
   const double first = directions[after].angle;
   const double last = first + 2 * kPi - gap;
-  std::optional<std::pair<std::size_t, std::size_t>> middle;
+  // Of directions that doubles hardly tell apart, the outermost one is the side.
+  std::optional<Way> right;
+  std::optional<Way> left;
+  std::optional<Way> middle;
+  std::vector<Way> near_sides;
+  const auto is_outside = [&](const Way& d, const Way& side, int sign) {
+    const int turned = turn(exact_slip(contact, side.generator, side.corner),
+                            exact_slip(contact, d.generator, d.corner), c.axis);
+    return turned == sign;
+  };
   for (const Way& d : directions) {
     const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
-    const bool is_side = angle < first + kClose || angle > last - kClose;
-    const bool is_middle = may_be_half && !is_side && !middle;
-    if (is_middle) middle = {d.generator, d.corner};
-    if (is_side || is_middle) cone.sides.emplace_back(d.generator, d.corner);
+    const bool near_first = angle < first + kClose;
+    const bool near_last = angle > last - kClose;
+    if (near_first && (!right || is_outside(d, *right, -1))) right = d;
+    if (near_last && (!left || is_outside(d, *left, 1))) left = d;
+    if (near_first || near_last) {
+      near_sides.push_back(d);
+    } else if (may_be_half && !middle) {
+      middle = d;
+    }
+  }
+  for (const auto& side : {right, middle, left}) {
+    if (side) cone.sides.emplace_back(side->generator, side->corner);
   }
   if (may_be_half) {
     std::vector<ExactSlip> sides;
@@ -544,13 +561,14 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
     const auto is_opposed = [&](std::size_t g, std::size_t k) {
       return is_in_cone(negated(exact_slip(contact, g, k)), sides, c.axis);
     };
-    if (middle && is_opposed(middle->first, middle->second)) {
+    if (middle && is_opposed(middle->generator, middle->corner)) {
       cone.whole = true;
       cone.sides.clear();
       return;
     }
-    for (const auto& [g, k] : cone.sides) {
-      if (!cone.moves && is_opposed(g, k)) still[k].push_back(g);
+    for (const Way& d : near_sides) {
+      if (!cone.moves && is_opposed(d.generator, d.corner))
+        still[d.corner].push_back(d.generator);
     }
   }
   if (cone.moves) return;

@@ -89,6 +89,8 @@ class RadiusSearch {
     result_.stable = is_stable(centre_, law_, options_.box);
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     refute();
+    ask_whole();
+    if (is_on_threshold()) return result_;
     prove(0);
     // A proof of a whole ball in space takes all nodes that there are: none are left for parts.
     if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
@@ -120,6 +122,41 @@ class RadiusSearch {
 
  private:
   static constexpr std::size_t kMostParts = 16;
+
+  /// Returns the factor below which no counterexample is sought. If it has one, the centre is
+  /// on a threshold, or so near to one that a proof would say nothing.
+  static const Rational& least_factor() {
+    static const Rational kLeast(1, 1 << 20);
+    return kLeast;
+  }
+  bool is_on_threshold() const {
+    return result_.refuted && *result_.refuted <= 2 * least_factor();
+  }
+
+  /// Asks decide_box() about the box that was given, if no counterexample in it is known, and
+  /// then about smaller ones while two of their grasps differ: a radius knows no less than a
+  /// verdict.
+  void ask_whole() {
+    Rational factor = std::min(Rational(1), result_.limit);
+    while (!box_.ball && factor < bound() && factor >= least_factor()) {
+      BoxDecision decision = decide_box(box_.scaled(centre_, factor), law_, options_.box);
+      if (auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+        result_.refuted = factor;
+        result_.example = std::move(*result_.stable ? fragile->unstable : fragile->stable);
+        report();
+        factor *= Rational(1, 16);
+        continue;
+      }
+      if (is_stable(decision.verdict) == result_.stable) accept(factor, std::move(decision));
+      return;
+    }
+  }
+
+  void accept(const Rational& factor, BoxDecision decision) {
+    result_.proved = factor;
+    result_.proof = std::move(decision);
+    report();
+  }
 
   /// Returns true if the grasp at a place of the box of this factor has the other verdict.
   /// Remembers it if the factor is smaller than the known one.
@@ -192,9 +229,7 @@ class RadiusSearch {
 
   /// Closes in on where this corner begins to differ, below `high`, where it does.
   void close_in(const Place& place, Rational low, Rational high) {
-    // Every factor has a counterexample if the centre is on a threshold.
-    const Rational kLeast(1, 1 << 20);
-    while (high - low > options_.accuracy / 8 * high && high > kLeast) {
+    while (high - low > options_.accuracy / 8 * high && high > least_factor()) {
       const Rational middle = short_middle(low, high);
       (differs(place, middle) ? high : low) = middle;
     }
@@ -393,9 +428,7 @@ class RadiusSearch {
   bool try_to_prove(const Rational& factor, std::size_t parts) {
     BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
     if (is_stable(decision.verdict) != result_.stable) return false;
-    result_.proved = factor;
-    result_.proof = std::move(decision);
-    report();
+    accept(factor, std::move(decision));
     return true;
   }
 

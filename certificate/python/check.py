@@ -131,7 +131,11 @@ def at(point: Sequence[Fraction], force: Sequence[Fraction]) -> Vector:
 
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
     """The sum of products of as many coordinates as the shorter of the two has."""
-    return sum(map(operator.mul, a, b))
+    if not a or type(a[0]) is int:
+        return sum(map(operator.mul, a, b))
+    # Of fractions many are 0, and each sum and product of two takes long.
+    products = [x * y for x, y in zip(a, b) if x and y]
+    return functools.reduce(operator.add, products) if products else Fraction(0)
 
 
 def pulled(motion: Optional[Matrix], row: Vector) -> Vector:
@@ -205,7 +209,8 @@ def rational(text: str, kind: FileKind) -> Fraction:
     power = int(exponent or 0)
     if abs(power) > MAX_EXPONENT:
         raise ValueError(f"an exponent beyond {MAX_EXPONENT}")
-    return int(whole + (decimals or "")) * Fraction(10) ** (power - len(decimals or ""))
+    digits, power = int(whole + (decimals or "")), power - len(decimals or "")
+    return Fraction(digits, 10 ** -power) if power < 0 else Fraction(digits * 10 ** power)
 
 
 def count_values(value: Any, most: int) -> int:
@@ -1922,16 +1927,18 @@ def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
 
 def reduced(vector: Integers) -> Integers:
     length = words(vector)
-    Work.divide(4, length, length)
+    if length > 1:
+        Work.divide(4, length, length)
     divisor = math.gcd(*vector)
     if divisor <= 1:
         return vector
-    Work.divide(5 * len(vector), length, words((divisor,)))  # the other common divisors, and quotients
+    if length > 1:
+        Work.divide(5 * len(vector), length, words((divisor,)))  # the other common divisors, and quotients
     return tuple(c // divisor for c in vector)
 
 
 def negated(vector: Integers) -> Integers:
-    return tuple(-c for c in vector)
+    return tuple(map(operator.neg, vector))
 
 
 class Cone:
@@ -1946,8 +1953,8 @@ class Cone:
     def __init__(self, lines: List[Integers], rays: List[Tuple[Integers, int]], cuts: int) -> None:
         self.lines, self.rays, self.cuts = lines, rays, cuts
         self.generators = rays + [(x, -1) for line in lines for x in (line, negated(line))]
-        self.weight = max((weight(x) for x, _ in self.generators), default=1)
-        self.words = max((words(x) for x, _ in self.generators), default=1)
+        longest = tuple(max(map(abs, x)) for x in itertools.chain(lines, (x for x, _ in rays))) or (0,)
+        self.weight, self.words = weight(longest), words(longest)
 
     def cut(self, a: Integers, equality: bool = False) -> Cone:
         """The part with a·x ≥ 0, or a·x = 0."""
@@ -1977,11 +1984,12 @@ class Cone:
         above, below = ([one for one in heights if sign(one[2]) == side_] for side_ in (1, -1))
         for p, p_zero, up in above:
             Work.spend(1 + len(below) // 4)
+            search = len(self.rays) // 8 + weight((up,)) * self.weight
             for q, q_zero, down in below:
                 both = p_zero & q_zero
                 if bin(both).count("1") < least:
                     continue
-                Work.spend(len(self.rays) // 8 + weight((up,)) * self.weight)
+                Work.spend(search)
                 if all(zero & both != both or x is p or x is q for x, zero in self.rays):
                     Work.multiply(2 * len(p), words((up, down)), self.words)
                     rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
@@ -2479,11 +2487,11 @@ def roots(question: Question, box: Box, ranges: Sequence[Range], path: str = "")
 
 
 def times(factor: Fraction, a: Sequence[Fraction]) -> Vector:
-    return tuple(factor * x for x in a)
+    return tuple(factor * x if x else x for x in a)
 
 
 def plus(a: Sequence[Fraction], factor: Fraction, b: Sequence[Fraction]) -> Vector:
-    return tuple(x + factor * y for x, y in zip(a, b))
+    return tuple(x + factor * y if y else x for x, y in zip(a, b))
 
 
 def extremes(forms: Sequence[Integers], points: Sequence[Integers]) -> Tuple[List[int], List[int]]:

@@ -5,6 +5,7 @@ corpus.py says what an entry is. Checkers that the environment does not name are
 stickslip-check, STICKSLIP_NODE for certificate/js/check.js, STICKSLIP_PROVED for stickslip-proved.
 """
 
+import functools
 import json
 import os
 import re
@@ -235,13 +236,19 @@ class RulesTest(unittest.TestCase):
             lines = self.check_py[entry[:2]][1].split("\n")
             self.assertEqual([line for line in entry.prints if line not in lines], [], (entry.name, lines))
 
+    @classmethod
+    @functools.lru_cache(maxsize=None)
+    def pairs(cls):
+        """Entries, each with the same of several bodies."""
+        pairs = [(entry, as_several(entry)) for entry in cls.entries
+                 if entry.kind in ("plane", "plane_box", "plane_claims", "space", "space_box", "space_margin")]
+        return [(entry, other) for entry, several in pairs if several is not None
+                for other in (several, on_joints(several)) if other is not None]
+
     def same_of_several(self, answers_to, says=None, half=False):
         """What is true of one body is answered alike where it is one of several, and where links and joints move it. Half: either is
         asked of every other entry."""
-        pairs = [(entry, as_several(entry)) for entry in self.entries
-                 if entry.kind in ("plane", "plane_box", "plane_claims", "space", "space_box", "space_margin")]
-        pairs = [(entry, other) for entry, several in pairs if several is not None
-                 for other in (several, on_joints(several)) if other is not None]
+        pairs = self.pairs()
         self.assertGreater(len(pairs), 1000)
         if half:
             pairs = [pair for k, pair in enumerate(pairs) if k % 4 in (0, 3)]

@@ -20,8 +20,8 @@ def dot(a, b):
 
 def integers(row):
     """The positive multiple that is integer and has no common factor."""
-    common = lcm(*(Fraction(c).denominator for c in row))
-    row = [int(c * common) for c in row]
+    common = lcm(*(c.denominator for c in row))
+    row = [c.numerator * (common // c.denominator) for c in row]
     factor = gcd(*row) or 1
     return [c // factor for c in row]
 

@@ -151,6 +151,7 @@ class Contact:
         for ends in product(*(sorted(set(self.ends[name])) for name in names)):
             yield dict(zip(names, ends))
 
+    @lru_cache(maxsize=None)
     def places(self):
         """Positions, with normals."""
         return [(tuple(q[name] for name in "xyz"), turned(self.normal, q["turn_u"], q["turn_v"]))
@@ -174,10 +175,12 @@ class Contact:
         """Section 1: with torsion the turn about the normal, too."""
         return slip(n, p, d, self.normal) + ((dot(n, d[3:6]),) if self.torsion else ())
 
+    @lru_cache(maxsize=None)
     def slips(self, r):
         """At all places."""
         return [self.slip(n, p, r) for p, n in self.places()]
 
+    @lru_cache(maxsize=None)
     def alpha(self, y, rays, moves):
         cone = directions(s for r in rays for s in self.slips(r))
         tilt = max(dot(n, n) for _, n in self.places()) / self.square - 1
@@ -198,7 +201,7 @@ class Region:
     """By its rays, with lines as two rays each; strict functions are rows, or contacts that slip."""
 
     def __init__(self, contacts, wrench, growth, rays, strict, slips):
-        self.contacts, self.wrench, self.growth, self.rays = contacts, wrench, growth, rays
+        self.contacts, self.wrench, self.growth, self.rays = contacts, wrench, growth, tuple(rays)
         self.strict, self.slips = strict, slips
 
     def barred(self, rays):

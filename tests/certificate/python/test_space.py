@@ -586,7 +586,7 @@ class TwinTest(Case):
                 y = random_twist(rng)
                 bound = term.alpha(region, rays, y)
                 if trial < 8 and turn == 0:  # its roots take long
-                    self.assertEqual(bound, contact.alpha(y, rays, moves))
+                    self.assertEqual(bound, contact.alpha(y, tuple(rays), moves))
                 tilt, term.tilt = term.tilt, Fraction(0)
                 careless = float(term.alpha(region, rays, y))
                 term.tilt = tilt

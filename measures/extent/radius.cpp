@@ -90,7 +90,7 @@ class RadiusSearch {
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     refute();
     ask_whole();
-    if (is_on_threshold()) return result_;
+    if (result_.is_on_threshold()) return result_;
     prove(0);
     // A proof of a whole ball in space takes all nodes that there are: none are left for parts.
     if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
@@ -123,22 +123,12 @@ class RadiusSearch {
  private:
   static constexpr std::size_t kMostParts = 16;
 
-  /// Returns the factor below which no counterexample is sought. If it has one, the centre is
-  /// on a threshold, or so near to one that a proof would say nothing.
-  static const Rational& least_factor() {
-    static const Rational kLeast(1, 1 << 20);
-    return kLeast;
-  }
-  bool is_on_threshold() const {
-    return result_.refuted && *result_.refuted <= 2 * least_factor();
-  }
-
   /// Asks decide_box() about the box that was given, if no counterexample in it is known, and
   /// then about smaller ones while two of their grasps differ: a radius knows no less than a
   /// verdict.
   void ask_whole() {
     Rational factor = std::min(Rational(1), result_.limit);
-    while (!box_.ball && factor < bound() && factor >= least_factor()) {
+    while (!box_.ball && factor < bound() && factor >= kLeastFactor) {
       BoxDecision decision = decide_box(box_.scaled(centre_, factor), law_, options_.box);
       if (auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
         result_.refuted = factor;
@@ -229,7 +219,7 @@ class RadiusSearch {
 
   /// Closes in on where this corner begins to differ, below `high`, where it does.
   void close_in(const Place& place, Rational low, Rational high) {
-    while (high - low > options_.accuracy / 8 * high && high > least_factor()) {
+    while (high - low > options_.accuracy / 8 * high && high > kLeastFactor) {
       const Rational middle = short_middle(low, high);
       (differs(place, middle) ? high : low) = middle;
     }

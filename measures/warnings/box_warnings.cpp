@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact_signs.hpp"
+#include "edge_balance.hpp"
 #include "engine/degree/newton.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/measures/model_warnings.hpp"
@@ -184,7 +185,15 @@ std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
 std::vector<ModelWarning> warnings_detail::box_warnings(const Answer& answer,
                                                         bool only_of_motion) {
   const Question& question = answer.question;
-  if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
+  const bool is_on_edge = !only_of_motion && std::holds_alternative<Stable>(answer.verdict) &&
+                          question.box()->is_point();
+  const auto edge = is_on_edge ? balance_on_an_edge(*question.box()) : std::nullopt;
+  if (question.mechanism() != nullptr) {
+    ModelWarnings found;
+    found.add(ModelTrap::kReversedContact, reversed_contacts(*question.box()));
+    found.add(ModelTrap::kEdgeBalance, edge);
+    return std::move(found).take();
+  }
   if (!question.box()->is_point()) return {};
   const GraspBox grasp = seen_in_space(*question.box());
   const std::vector<Rational> preloads = preloads_of(grasp);
@@ -202,6 +211,7 @@ std::vector<ModelWarning> warnings_detail::box_warnings(const Answer& answer,
   if (!only_of_motion && is_stable(answer.verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness, assumed_stiffness_of(answer, stable != nullptr));
   }
+  warnings.add(ModelTrap::kEdgeBalance, edge);
   return std::move(warnings).take();
 }
 

@@ -23,8 +23,8 @@ std::string root(const Rational& square) {
 }  // namespace
 
 const char* to_string(ModelTrap trap) {
-  constexpr const char* kNames[] = {"large-motion", "unbalanced-preload", "lost-preload",
-                                    "assumed-stiffness", "reversed-contact"};
+  constexpr const char* kNames[] = {"large-motion",      "unbalanced-preload", "lost-preload",
+                                    "assumed-stiffness", "reversed-contact",   "edge-balance"};
   return kNames[static_cast<std::size_t>(trap)];
 }
 

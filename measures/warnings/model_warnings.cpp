@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "box_warnings.hpp"
+#include "edge_balance.hpp"
 #include "engine/equilibrium/long_rationals.hpp"
 #include "engine/planar/double_model.hpp"
 #include "engine/planar/few_shares.hpp"
@@ -186,6 +187,9 @@ std::vector<ModelWarning> model_warnings(const Answer& answer, bool only_of_moti
     const std::size_t nodes = unstable != nullptr ? unstable->tree.size() : 0;
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, problem, stable != nullptr, nodes));
+  }
+  if (!only_of_motion && stable != nullptr) {
+    warnings.add(ModelTrap::kEdgeBalance, warnings_detail::balance_on_an_edge(box_of(question.grasp)));
   }
   return std::move(warnings).take();
 }

@@ -89,6 +89,10 @@ std::string Report::meaning() const {
       none_proved() ? "The grasp in the centre " + holds + ", and no box about it is proved.\n"
                     : "Every grasp within the proved tolerances " + holds +
                           ": one proof for all of them.\n";
+  if (radius_.is_on_threshold()) {
+    return text + "Beside it, as near as anything was tried, one " + other +
+           ": it is on a threshold, or next to one.\n";
+  }
   if (radius_.refuted) {
     return text + "Within the refuted tolerances one " + other +
            ". Between the two nothing is known.\n";

@@ -35,8 +35,8 @@ def _as_option(max_motion: Optional[Vector]) -> str:
 class ModelWarning(NamedTuple):
     """Where an exact answer may mislead (docs/model.md)."""
 
-    trap: str  # "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness"
-               # or "reversed-contact"
+    trap: str  # "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness",
+               # "reversed-contact" or "edge-balance"
     text: str
 
 

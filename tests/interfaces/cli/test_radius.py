@@ -162,6 +162,42 @@ class Radius(Case):
         self.assertLess(Fraction(answer["proved"]), 6)
         self.assertGreater(Fraction(answer["refuted"]), 6)
 
+    def test_balanced_on_an_edge(self):
+        edge = {"format": "stickslip-grasp/2", "wrench": [0, 0, -2, 0, 0, 0], "defaults": {"friction": 1},
+                "contacts": [{"position": [side, 0, 0], "normal": [0, 0, 1]} for side in (-1, 1)]}
+        grasp = self.write("edge.json", edge)
+        for words in ("position=0.1",), ("wrench=0.1",), ("position=1/1000", "--node-limit", "10"):
+            answer = self.json("radius", grasp, "--uncertain", *words)
+            self.assertEqual((answer["verdict"], answer["proved"]), ("stable", "0"))
+            self.assertLess(Fraction(answer["refuted"]), Fraction(1, 10**5))
+        self.assertEqual([w["trap"] for w in self.json("decide", grasp)["warnings"]], ["edge-balance"])
+        out = stickslip("radius", grasp, "--uncertain", "wrench=0.1")[1]
+        self.assertIn("it is on a threshold, or next to one.\n", out)
+        # A third foot aside: as far as the load may go before it is beyond an edge, 1/10.
+        edge["contacts"].append({"position": [0, 1, 0], "normal": [0, 0, 1]})
+        grasp = self.write("feet.json", {**edge, "wrench": [0, 0, -2, "-1/5", 0, 0]})
+        self.assertEqual(self.json("decide", grasp)["warnings"], [])
+        answer, _ = self.radius(grasp, "--uncertain", "wrench=0.01", "--accuracy", "5%")
+        self.assertLess(Fraction(answer["proved"]), 20)
+        self.assertGreater(Fraction(answer["refuted"]), 10)
+
+    def test_knows_no_less_than_a_verdict(self):
+        seen = set()
+        for friction_of_all in ("1/5", "1/4", "1/2", "3/5"):
+            for tolerance in ("friction=10%", "wrench=0.02", "position=0.05,friction=5%"):
+                grasp = self.write("g.json", {
+                    "format": "stickslip-grasp/2", "wrench": ["1/5", -1, 0], "defaults": {"friction": friction_of_all},
+                    "contacts": [{"position": [x, 0], "normal": [0, 1]} for x in (-1, 1)]})
+                verdict = self.json("decide", grasp, "--uncertain", tolerance)["verdict"]
+                answer = self.json("radius", grasp, "--uncertain", tolerance)
+                seen.add(verdict)
+                if verdict == "fragile":
+                    self.assertLessEqual(Fraction(answer["refuted"]), 1)
+                else:
+                    self.assertGreaterEqual(Fraction(answer["proved"]), 1)
+                    self.assertEqual(answer["verdict"], verdict)
+        self.assertEqual(seen, {"stable", "unstable", "fragile"})
+
     def test_errors(self):
         for words in ((), ("--uncertain", "friction=0")):
             self.fails("radius", A, *words, naming=["--uncertain: nothing is uncertain", "friction=10%"])

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/engine/decide_problem.hpp"
@@ -269,6 +271,70 @@ TEST(AssumedStiffness, IsKnownFromTheGraspFile) {
   EXPECT_THAT(assumed("", ""), ElementsAre(ContactId(0), ContactId(1)));
   EXPECT_THAT(assumed("", R"(, "stiffness": 1)"), ElementsAre(ContactId(1)));
   EXPECT_THAT(assumed(R"(, "stiffness": 1)", ""), IsEmpty());
+}
+
+bool is_on_edge(const Grasp& grasp, const Wrench& w) {
+  const Question asked = question(grasp, w);
+  const std::vector<ModelTrap> found = traps(asked, moved({0, 0, 0}, grasp.size()));
+  return std::find(found.begin(), found.end(), ModelTrap::kEdgeBalance) != found.end();
+}
+
+TEST(EdgeBalance, BeginsWithinABillionthOfAnEdge) {
+  const Grasp feet({{{-1, 0}, {0, 1}, Rational(1, 2)}, {{1, 0}, {0, 1}, Rational(1, 2)}});
+  for (const int side : {1, -1}) {
+    for (const auto& [off, expected] :
+         {std::pair("0", true), {"1e-12", true}, {"1e-7", false}, {"1", false}}) {
+      const Rational off_edge = parse_rational(off);
+      EXPECT_EQ(is_on_edge(feet, {0, -2, side * (2 - off_edge)}), expected) << off;
+      EXPECT_EQ(is_on_edge(feet, {side * (1 - off_edge / 2), -2, 0}), expected) << off;
+    }
+  }
+  EXPECT_FALSE(is_on_edge(feet, {0, 0, 0}));
+}
+
+TEST(EdgeBalance, IsThatOfTheConeOfWrenches) {
+  test::RandomSource random(3);
+  int facets = 0;
+  int inside = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Grasp grasp = test::degenerate_grasp(random, 2 + static_cast<std::size_t>(round % 3));
+    const Problem problem({grasp, {}}, NormalLaw::kUnilateral);
+    std::vector<Vector3> edges;
+    Wrench middle{};
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+      for (const int side : {1, -1}) {
+        const Wrench edge = problem.edge_wrench(ContactId(i), side);
+        edges.push_back(coordinates(edge));
+        middle = middle + edge;
+      }
+    }
+    // Motions that two edges do no work on, and all others work of one sign or none.
+    bool is_solid = false;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const Vector3 y = cross(edges[i], edges[k]);
+        int most = 0;
+        int least = 0;
+        for (const Vector3& edge : edges) {
+          most = std::max(most, dot(y, edge).sign());
+          least = std::min(least, dot(y, edge).sign());
+        }
+        is_solid = is_solid || most != least;
+        if (most * least < 0 || most == least) continue;
+        Wrench border{};
+        for (const Vector3& edge : {edges[i], edges[k]}) {
+          border += Wrench{-edge[0], -edge[1], -edge[2]};
+        }
+        ++facets;
+        EXPECT_TRUE(is_on_edge(grasp, border)) << round;
+      }
+    }
+    if (!is_solid || middle == Wrench{}) continue;
+    ++inside;
+    EXPECT_FALSE(is_on_edge(grasp, Rational(-1) * middle)) << round;
+  }
+  EXPECT_GT(facets, 100);
+  EXPECT_GT(inside, 100);
 }
 
 }  // namespace

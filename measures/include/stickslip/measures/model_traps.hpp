@@ -36,11 +36,12 @@ enum class ModelTrap {
   kUnbalancedPreload,
   kLostPreload,
   kAssumedStiffness,
-  kReversedContact
+  kReversedContact,
+  kEdgeBalance
 };
 
-/// Returns "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness" or
-/// "reversed-contact".
+/// Returns "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness",
+/// "reversed-contact" or "edge-balance".
 const char* to_string(ModelTrap trap);
 
 /// A warning: one way in which the answer may mislead.

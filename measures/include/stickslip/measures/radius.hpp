@@ -18,6 +18,10 @@ struct RadiusOptions {
   bool only_stable = false;   ///< nothing is sought about a centre that is unstable
 };
 
+/// Counterexamples are sought down to factors of about this size. If there are some, the centre
+/// is on a threshold, or nearer to one than matters, and no proof is sought.
+inline const Rational kLeastFactor{1, 1 << 20};
+
 /// Factors of the tolerances about the grasp in the centre.
 struct Radius {
   std::optional<bool> stable;  ///< the centre's verdict: the factor 0; nothing if undecided
@@ -26,10 +30,14 @@ struct Radius {
   std::optional<Rational> refuted{};   ///< the smallest factor with a counterexample
   std::optional<GraspBox> example{};   ///< the counterexample
   Rational limit{0};                   ///< no larger factor leaves a box that is valid
+
+  /// Returns whether counterexamples are as near as any that are sought.
+  bool is_on_threshold() const { return refuted && *refuted <= 2 * kLeastFactor; }
 };
 
 /// Returns the radii of `centre`, one grasp, in the tolerances that `box` gives it: proved <
-/// refuted. Nothing is known between them. If the verdict of the centre itself is undecided,
+/// refuted. Nothing is known between them. They are no worse than what decide_box() says of the
+/// box itself. If the verdict of the centre itself is undecided,
 /// `proved` is 0. Calls `progress` with the radii so far.
 Radius find_radius(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                    const RadiusOptions& options = {},

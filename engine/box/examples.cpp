@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "examples.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "engine/degree/moving_equilibrium.hpp"
 #include "one_grasp.hpp"
+#include "stickslip/core/error.hpp"
 
 namespace stickslip::box_detail {
 namespace {
 
 Rational pick(const Interval& interval, const Rational& place) {
+  require(Rational(abs(place)) <= 1, "an example lies in its box");
   return interval.middle() + place * (interval.high - interval.low) / 2;
 }
 
 /// Returns the multiple of 2^-16 nearest to a number from -1 to 1, so that there is no load
-/// along what is rounding alone.
+/// along what is rounding alone. What is beyond, or no number, as doubles may overflow, becomes
+/// an end or 0.
 Rational on_grid(double place) {
   constexpr long long kSteps = 1 << 16;
+  place = std::isnan(place) ? 0 : std::clamp(place, -1.0, 1.0);
   return {Integer(std::llround(place * kSteps)), Integer(kSteps)};
 }
 
@@ -270,6 +275,24 @@ std::vector<std::pair<Place, double>> Examples::without(
     result.emplace_back(std::move(place), way.part);
   }
   return result;
+}
+
+std::optional<Place> Examples::place_of(const GraspBox& grasp) const {
+  Place place = middle();
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    const Interval* whole = interval_of(box_, numbers_[n]);
+    const Interval* chosen = interval_of(grasp, numbers_[n]);
+    if (whole == nullptr || chosen == nullptr) {
+      const std::size_t i = numbers_[n].index;
+      const bool is_middle = turn_index(numbers_[n].parameter) &&
+                             grasp.contacts[i].normal == box_.contacts[i].normal;
+      if (!is_middle) return std::nullopt;
+      continue;
+    }
+    if (whole->is_point()) continue;
+    place[n] = (chosen->low - whole->middle()) / ((whole->high - whole->low) / 2);
+  }
+  return place;
 }
 
 std::vector<Place> Examples::extremes() const {

@@ -26,6 +26,9 @@ class Examples {
   /// Returns the one grasp at this place. Normals are turned by at most the slope; in the plane
   /// they have a rational length where the file's normal has one and the contact is preloaded.
   GraspBox at(const Place& place) const;
+  /// Returns the place of a grasp of the box; nothing if a normal of it is turned, or if there
+  /// is a ball of loads.
+  std::optional<Place> place_of(const GraspBox& grasp) const;
   /// Returns the one grasp at these parts of the way from low to high, from 0 to 1, of each
   /// parameter of GraspLaw.
   GraspBox between(const RationalRow& parts) const;

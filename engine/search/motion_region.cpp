@@ -530,30 +530,43 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   const bool may_be_half = gap < kPi + kClose;
   const double first = directions[after].angle;
   const double last = first + 2 * kPi - gap;
-  // Of directions that doubles hardly tell apart, the outermost one is the side.
-  std::optional<Way> right;
-  std::optional<Way> left;
+  // Of directions that doubles hardly tell apart, the two outermost ones are sides. (One would
+  // do, but at nearly opposite ends the other one says which way the cone goes.)
+  struct Ends {
+    std::optional<Way> right;
+    std::optional<Way> left;
+  };
+  Ends at_first;
+  Ends at_last;
   std::optional<Way> middle;
   std::vector<Way> near_sides;
-  const auto is_outside = [&](const Way& d, const Way& side, int sign) {
-    const int turned = turn(exact_slip(contact, side.generator, side.corner),
-                            exact_slip(contact, d.generator, d.corner), c.axis);
-    return turned == sign;
+  const auto extend = [&](Ends& ends, const Way& d) {
+    const ExactSlip s = exact_slip(contact, d.generator, d.corner);
+    const auto is_beyond = [&](const std::optional<Way>& end, int sign) {
+      return !end || turn(exact_slip(contact, end->generator, end->corner), s, c.axis) == sign;
+    };
+    if (is_beyond(ends.right, -1)) ends.right = d;
+    if (is_beyond(ends.left, 1)) ends.left = d;
   };
   for (const Way& d : directions) {
     const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
     const bool near_first = angle < first + kClose;
     const bool near_last = angle > last - kClose;
-    if (near_first && (!right || is_outside(d, *right, -1))) right = d;
-    if (near_last && (!left || is_outside(d, *left, 1))) left = d;
+    if (near_first) extend(at_first, d);
+    if (near_last) extend(at_last, d);
     if (near_first || near_last) {
       near_sides.push_back(d);
     } else if (may_be_half && !middle) {
       middle = d;
     }
   }
-  for (const auto& side : {right, middle, left}) {
-    if (side) cone.sides.emplace_back(side->generator, side->corner);
+  for (const auto& side :
+       {at_first.right, at_first.left, middle, at_last.right, at_last.left}) {
+    if (!side) continue;
+    const std::pair<std::size_t, std::size_t> place(side->generator, side->corner);
+    if (std::find(cone.sides.begin(), cone.sides.end(), place) == cone.sides.end()) {
+      cone.sides.push_back(place);
+    }
   }
   if (may_be_half) {
     std::vector<ExactSlip> sides;

@@ -105,7 +105,7 @@ class RadiusSearch {
     if (!result_.stable || result_.stable != near.result_.stable) return result_;
     const Rational step = options_.accuracy / 8;
     const Radius& found = near.result_;
-    if (found.refuted) {
+    if (found.refuted && !near.example_place_.empty()) {
       for (const int steps : {0, 1, 4, 16}) {
         const Rational factor = *found.refuted * (1 + steps * step);
         if (factor <= result_.limit && differs(near.example_place_, factor)) break;
@@ -131,10 +131,13 @@ class RadiusSearch {
     while (!box_.ball && factor < bound() && factor >= kLeastFactor) {
       BoxDecision decision = decide_box(box_.scaled(centre_, factor), law_, options_.box);
       if (auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+        const GraspBox box = box_.scaled(centre_, factor);
         result_.refuted = factor;
         result_.example = std::move(*result_.stable ? fragile->unstable : fragile->stable);
+        example_place_ = Examples(box, law_).place_of(*result_.example).value_or(Place());
         report();
-        factor *= Rational(1, 16);
+        if (!example_place_.empty()) close_in(example_place_, 0, factor);
+        factor = *result_.refuted * Rational(1, 16);
         continue;
       }
       if (is_stable(decision.verdict) == result_.stable) accept(factor, std::move(decision));
@@ -431,7 +434,8 @@ class RadiusSearch {
       if (result_.proved == high || try_to_prove(high, parts)) return;
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
-      if (result_.proved.is_zero() && try_to_prove(short_middle(near, high), parts)) return;
+      const bool is_first = parts == 0 || result_.proved.is_zero();
+      if (is_first && try_to_prove(short_middle(near, high), parts)) return;
       // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
       const bool is_much_open = 3 * result_.proved < 2 * bound();

@@ -57,8 +57,11 @@ std::optional<std::string> large_motion(const MotionSizes& motion, bool stiffnes
             " moves by " + root(most / square) + " in a grasp " + root(motion.width) + " wide";
   }
   if (what.empty()) return std::nullopt;
-  return "the motion found is too large for the model: " + what +
-         (stiffness_was_assumed ? "; stiffness not given was taken as 1" : "");
+  return (stiffness_was_assumed ? "stiffness that is not given was taken as 1, with which the "
+                                  "motion found is too "
+                                  "large for the model: "
+                                : "the motion found is too large for the model: ") +
+         what;
 }
 
 std::optional<std::string> lost_preload(

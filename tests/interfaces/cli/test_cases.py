@@ -57,7 +57,7 @@ class Cases(Case):
         self.assertEqual(out.count("do not balance"), 1)
         self.assertIn("\nWarning, at rest, pushed, lifted: the preloads do not balance", out)
         self.assertEqual(out.count("too large"), 1)
-        self.assertIn("\nWarning, pushed: the motion found is too large", out)
+        self.assertIn("\nWarning, pushed: stiffness that is not given was taken as 1, with which the motion found is too large", out)
 
     def test_titles_name_the_case(self):
         out = stickslip("decide", self.grasp, "--case", "pushed")[1]

@@ -179,11 +179,14 @@ class Radius(Case):
         self.assertEqual(self.json("decide", grasp)["warnings"], [])
         answer, _ = self.radius(grasp, "--uncertain", "wrench=0.01", "--accuracy", "5%")
         self.assertLess(Fraction(answer["proved"]), 20)
-        self.assertGreater(Fraction(answer["refuted"]), 10)
+        self.assertGreater(Fraction(answer["proved"]), 19)
+        self.assertGreater(Fraction(answer["refuted"]), 20)
+        for found, centre in zip(answer["counterexample"]["wrench"], (0, 0, -2, Fraction(-1, 5), 0, 0)):
+            self.assertLessEqual(abs(Fraction(found) - centre), Fraction(answer["refuted"]) / 100)
 
     def test_knows_no_less_than_a_verdict(self):
         seen = set()
-        for friction_of_all in ("1/5", "1/4", "1/2", "3/5"):
+        for friction_of_all in ("1/10", "1/5", "1/4", "1/2"):
             for tolerance in ("friction=10%", "wrench=0.02", "position=0.05,friction=5%"):
                 grasp = self.write("g.json", {
                     "format": "stickslip-grasp/2", "wrench": ["1/5", -1, 0], "defaults": {"friction": friction_of_all},

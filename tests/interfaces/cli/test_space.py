@@ -700,10 +700,10 @@ class Warnings(Space):
         # Wide by the root of 2, in which the floor goes down by a third of the weight.
         self.assertEqual(self.traps(self.floor(F(42, 10))), {})
         text = self.traps(self.floor(F(43, 10)))["large-motion"]
-        self.assertEqual(text, "the motion found is too large for the model: contact 0 moves by 1.43 in a grasp 1.41 "
-                               "wide; stiffness not given was taken as 1")
+        self.assertEqual(text, "stiffness that is not given was taken as 1, with which the motion found is too large for the "
+                               "model: contact 0 moves by 1.43 in a grasp 1.41 wide")
         file = self.write("w.json", self.floor(300))
-        self.assertIn("\nWarning: the motion found is too large", stickslip("decide", file)[1])
+        self.assertIn("\nWarning: stiffness that is not given was taken as 1, with which the motion", stickslip("decide", file)[1])
         self.assertNotIn("Warning", stickslip("decide", file, "--no-warnings")[1])
         self.assertNotIn("warnings", self.json("decide", file, "--no-warnings"))
 

@@ -103,7 +103,7 @@ TEST(LargeMotion, SaysHowLargeAndWhatStiffnessWasTaken) {
   asked.assumed_stiffness = {ContactId(1)};
   const auto assumed = model_warnings(asked, moved({0, -1, 350}, 2));
   ASSERT_EQ(assumed.size(), 1U);
-  EXPECT_EQ(assumed[0].text, text + "; stiffness not given was taken as 1");
+  EXPECT_EQ(assumed[0].text, "stiffness that is not given was taken as 1, with which " + text);
 }
 
 /// Fig. 1, with this friction. The preloads add up to (0, P), and two contacts can bring up

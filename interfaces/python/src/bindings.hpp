@@ -93,7 +93,8 @@ Question question_about(const GraspFile& grasp, const QuestionOptions& options);
 Json files_json(const ProvedFiles& files);
 
 /// Returns the answer as the command prints it, with what Python has besides: the certificate,
-/// what proves the second answer, and forces by normals and tangents that have no unit length.
+/// what proves the second answer, and forces by normals and tangents as they are given, in
+/// place of those of unit length.
 Json decision_json(const Answer& answer, const Warnings& warnings = {});
 
 /// One of many answers, whose whole becomes a Python value only when it is looked at.

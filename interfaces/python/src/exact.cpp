@@ -147,7 +147,9 @@ py::object python_of(const Json& json) {
     for (const auto& [key, value] : json.members()) members[text(key)] = python_of(value);
     return std::move(members);
   }
-  return py::module_::import("json").attr("loads")(json.dump());  // a truth value, or a count
+  const std::string word = json.dump();
+  if (word == "true" || word == "false") return py::bool_(word == "true");
+  return python_int(Integer(word));  // a count
 }
 
 }  // namespace stickslip::python

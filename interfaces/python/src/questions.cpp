@@ -95,8 +95,11 @@ Json decision_json(const Answer& answer, const Warnings& warnings) {
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   if (stable == nullptr) return json;
   if (const auto* witness = std::get_if<Witness>(&stable->proof)) {
-    for (const ContactForce& force : witness->forces) {
-      json["coefficients"].push_back(number_json(std::array{force.normal, force.tangential}));
+    json["coefficients"] = Json::array();
+    for (std::size_t i = 0; i < witness->forces.size(); ++i) {
+      const auto& [normal, tangential] = witness->forces[i];
+      json["coefficients"].push_back(number_json(std::array{normal, tangential}));
+      for (const char* length : {"normal", "tangential"}) json["contacts"][i].erase(length);
     }
   }
   return json;

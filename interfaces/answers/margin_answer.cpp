@@ -11,13 +11,6 @@ Json number_or_null(const std::optional<Rational>& number) {
   return number ? number_json(*number) : Json();
 }
 
-Json preload_direction_json(const PreloadDirection& direction) {
-  if (direction.scale) return "scale";
-  Json json = Json::array();
-  for (const Rational& rate : direction.rates) json.push_back(number_json(rate));
-  return json;
-}
-
 Json multiples_json(const std::vector<MarginInterval>& multiples) {
   Json json = Json::array();
   for (const auto& [low, high] : multiples) {
@@ -48,6 +41,10 @@ void add_ends(Json& json, const std::vector<MarginInterval>& resisted) {
 }
 
 }  // namespace
+
+Json preload_direction_json(const PreloadDirection& direction) {
+  return direction.scale ? Json("scale") : number_json(direction.rates);
+}
 
 std::optional<SecondMargin> margin_within(
     const Question& question, const SpatialMargin& margin, const SpatialMarginOptions& options,

@@ -146,4 +146,18 @@ Json region_json(const Question& question, const LoadWindow& plane,
   return json;
 }
 
+Json states_json(const Enumeration& found, bool listed) {
+  const ArrangementCounts& c = found.found.counts;
+  Json json{{"contacts", c.planes},  {"circles", c.circles},
+            {"rank", c.rank},        {"vertices", c.vertices},
+            {"edges", c.edges},      {"faces", c.faces},
+            {"cells", c.cells()},    {"distinct_states", c.distinct_states},
+            {"engine", found.engine}};
+  if (listed) {
+    Json& states = json["states"] = Json::array();
+    for (const SlipState& state : found.found.states) states.push_back(to_string(state));
+  }
+  return json;
+}
+
 }  // namespace stickslip

@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/earlier/friction_margin.hpp"
+#include "stickslip/interfaces/comparison_answer.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -20,26 +20,6 @@ std::optional<std::string> class_of(const FactorRange& range) {
 }
 
 template <class Range>
-Json json_of(const Question& question, const Inertia& inertia,
-             const std::vector<Range>& ranges) {
-  Json json{{"name", question.description().name},
-            {"wrench", number_json(coordinates(question.loaded().wrench))},
-            {"inertia", inertia_json(inertia)}};
-  if (question.direction) json["direction"] = number_json(*question.direction);
-  add_units(json, question.description().units);
-  Json& classes = json["classes"] = Json::array();
-  for (const Range& range : ranges) {
-    const auto name = class_of(range);
-    classes.push_back({{"class", name ? Json(*name) : Json(nullptr)},
-                       {"low", number_json(range.low)},
-                       {"high", range.high ? number_json(*range.high) : Json(nullptr)},
-                       {"has_low", range.has_low},
-                       {"has_high", range.has_high}});
-  }
-  return json;
-}
-
-template <class Range>
 std::string text_of(const Range& range, NumberText& text) {
   if (range.high == range.low) return text(range.low);
   return (range.has_low ? "[" : "(") + text(range.low) + ", " +
@@ -50,7 +30,8 @@ template <class Range>
 void print(const Question& question, const Inertia& inertia, const std::vector<Range>& ranges,
            const NumberOptions& output) {
   if (output.json) {
-    std::cout << finished(json_of(question, inertia, ranges), output.floats).dump(1) << '\n';
+    std::cout << finished(classes_json(question, inertia, ranges), output.floats).dump(1)
+              << '\n';
     return;
   }
   NumberText text(output);

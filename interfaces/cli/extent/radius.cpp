@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/interfaces/radius_answer.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
 #include "terminal.hpp"
 
@@ -117,26 +118,6 @@ void Report::print() {
             << engine_text(box_engine(asked_.question), asked_.question.law);
 }
 
-void print_json(const RadiusQuestion& asked, const Radius& radius, bool floats) {
-  Json json;
-  json["verdict"] = verdict_name(radius.stable);
-  json["name"] = asked.box.description.name;
-  if (!asked.question.case_name.empty()) json["case"] = asked.question.case_name;
-  add_units(json, asked.box.description.units);
-  json["engine"] = box_engine(asked.question);
-  json["normal_law"] = to_string(asked.question.law);
-  json["wrench"] = wrench_json(asked.centre.wrench);
-  json["uncertain"] = uncertain_json(uncertain_numbers(asked.box));
-  if (asked.box.ball) json["ball"] = ball_json(*asked.box.ball);
-  json["proved"] = number_json(radius.proved);
-  json["refuted"] = radius.refuted ? number_json(*radius.refuted) : Json();
-  json["limit"] = number_json(radius.limit);
-  if (radius.example) {
-    json["counterexample"] = Json::parse(write_grasp(*radius.example));
-  }
-  std::cout << finished(json, floats).dump(1) << '\n';
-}
-
 void write_certificates(const RadiusQuestion& asked, const Radius& radius,
                         const std::string& folder) {
   std::vector<ProvedFiles> proofs =
@@ -172,7 +153,8 @@ int radius(const RadiusArguments& arguments) {
     write_certificates(asked, found, arguments.certificates);
   }
   if (arguments.output.json) {
-    print_json(asked, found, arguments.output.floats);
+    const Json json = radius_json(asked.question, found);
+    std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
     Report(asked, found, arguments.output).print();
     if (!arguments.certificates.empty() && found.stable) {

@@ -6,7 +6,7 @@
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/core/json_value.hpp"
+#include "stickslip/interfaces/plane_answers.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -25,20 +25,6 @@ Enumerator enumerator(const std::string& engine) {
          : engine == "sweep" ? Enumerator::kSweep
          : engine == "paper" ? Enumerator::kPaper
                              : Enumerator::kAuto;
-}
-
-void print_json(const StatesArguments& arguments, const Enumeration& report) {
-  const ArrangementCounts& c = report.found.counts;
-  Json json{{"contacts", c.planes},   {"circles", c.circles},
-            {"rank", c.rank},         {"vertices", c.vertices},
-            {"edges", c.edges},       {"faces", c.faces},
-            {"cells", c.cells()},     {"distinct_states", c.distinct_states},
-            {"engine", report.engine}};
-  if (arguments.list) {
-    Json& states = json["states"] = Json::array();
-    for (const SlipState& state : report.found.states) states.push_back(to_string(state));
-  }
-  std::cout << json.dump(1) << '\n';
 }
 
 void print_text(const StatesArguments& arguments, const std::string& name,
@@ -68,7 +54,7 @@ int states(const StatesArguments& arguments) {
   const Enumeration report = enumerate_slip_states(
       stick_planes(grasp), enumerator(arguments.engine), arguments.list, arguments.threads);
   if (arguments.json) {
-    print_json(arguments, report);
+    std::cout << states_json(report, arguments.list).dump(1) << '\n';
   } else {
     print_text(arguments, grasp.name(), report);
   }

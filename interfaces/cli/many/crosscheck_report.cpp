@@ -8,21 +8,11 @@
 
 #include "commands.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/interfaces/claim_answer.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
 namespace {
-
-Json to_json(const std::optional<Rational>& value) {
-  return value ? number_json(*value) : Json();
-}
-
-Json to_json(const LargestResidual& residual) {
-  Json json;
-  json["value"] = number_json(residual.value);
-  json["contact"] = residual.contact ? Json(residual.contact->index()) : Json();
-  return json;
-}
 
 /// Returns the force of a wrench.
 RationalRow force_of(const RationalRow& wrench) {
@@ -34,63 +24,9 @@ RationalRow torque_of(const RationalRow& wrench) {
   return {wrench.begin() + (wrench.size() == 3 ? 2 : 3), wrench.end()};
 }
 
-Json to_json(const ClaimResiduals& residuals) {
-  Json json = Json::object();
-  if (residuals.balance) {
-    const RationalRow torque = torque_of(*residuals.balance);
-    json["force"] = number_json(force_of(*residuals.balance));
-    json["torque"] = torque.size() == 1 ? number_json(torque[0]) : number_json(torque);
-  }
-  if (residuals.cone) json["cone"] = to_json(*residuals.cone);
-  if (residuals.normal_law) json["normal_law"] = to_json(*residuals.normal_law);
-  if (residuals.dissipation) json["dissipation"] = to_json(*residuals.dissipation);
-  return json;
-}
-
-Json to_json(const NearbyEquilibrium& nearby) {
-  Json json;
-  json["from"] = nearby.from_claim ? "claim" : "engine";
-  json["force_distance"] = to_json(nearby.force_distance);
-  json["twist_distance"] = to_json(nearby.twist_distance);
-  json["same_slip"] = nearby.same_slip ? Json(*nearby.same_slip) : Json();
-  json["same_contacts"] = nearby.same_contacts;
-  json["twist"] = number_json(nearby.twist);
-  json["force_vectors"] = Json::array();
-  for (const RationalRow& force : nearby.forces) {
-    json["force_vectors"].push_back(number_json(force));
-  }
-  return json;
-}
-
-/// Returns one number if the distance is known exactly; else two that it lies between, the
-/// upper one null if it is not known.
-Json to_json(const std::optional<DistanceBounds>& distance) {
-  if (!distance) return {};
-  if (distance->low == distance->high) return number_json(distance->low);
-  return Json::array({number_json(distance->low), to_json(distance->high)});
-}
-
-Json to_json(const ThresholdDistance& distance) {
-  Json json;
-  json["smallest"] = to_json(distance.smallest());
-  json["along_load"] = to_json(distance.along_load);
-  if (distance.all_at_once) {
-    json["all_at_once"] = to_json(distance.all_at_once);
-  } else {
-    json["along_axes"] = to_json(distance.along_axes);
-    json["axis"] = distance.along_axes ? number_json(distance.axis) : Json();
-  }
-  if (distance.limit) json["limit"] = *distance.limit;
-  return json;
-}
-
 /// Returns the JSON on one line; names of files may be any bytes.
 std::string line_of(const Json& json) {
   return json.dump(-1, Json::Utf8::kReplaced);
-}
-
-const char* claimed_verdict(const Claim& claim) {
-  return claim.stable ? "stable" : "unstable";
 }
 
 std::string residual_text(const LargestResidual& residual, NumberText& number) {
@@ -203,28 +139,9 @@ int ClaimCounts::exit_code() const {
 }
 
 std::string to_json_line(const JudgedLine& judged, bool floats) {
-  const ClaimReport& report = judged.report;
-  const Question& question = judged.line.question;
   Json json;
   json["line"] = judged.number;
-  json["class"] = name_of(report.claim_class);
-  json["name"] = question.description().name;
-  json["normal_law"] = to_string(question.law);
-  json["claimed"] = claimed_verdict(judged.line.claim);
-  json["verdict"] = name_of(report.answer.verdict);
-  json["engine"] = report.answer.engine();
-  if (const auto* undecided = std::get_if<Undecided>(&report.answer.verdict)) {
-    add_undecided(json, *undecided);
-  }
-  json["inaccurate"] = report.inaccurate;
-  json["residuals"] = to_json(report.residuals);
-  json["residual_scale"] = {{"force", number_json(report.scale.force)},
-                            {"length", number_json(report.scale.length)},
-                            {"motion", number_json(report.scale.motion)}};
-  json["claimed_slip"] = report.claimed_slip ? Json(to_string(*report.claimed_slip)) : Json();
-  json["nearby"] = report.nearby ? to_json(*report.nearby) : Json();
-  if (report.no_nearby) json["no_nearby"] = *report.no_nearby;
-  json["distance"] = report.distance ? to_json(*report.distance) : Json();
+  json.update(claim_json(judged.line.question, judged.line.claim, judged.report));
   if (!judged.saved.empty()) json["saved"] = judged.saved;
   return line_of(finished(json, floats));
 }
@@ -258,7 +175,7 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options, Numbe
   const std::string& name = judged.line.question.description().name;
   std::string text = "line " + std::to_string(judged.number) + ": " +
                      name_of(report.claim_class) + ": claimed " +
-                     claimed_verdict(judged.line.claim);
+                     (judged.line.claim.stable ? "stable" : "unstable");
   if (const auto* undecided = std::get_if<Undecided>(&report.answer.verdict)) {
     text += ", not decided: " + in_words(*undecided);
   } else {

@@ -8,7 +8,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/earlier/comparison.hpp"
+#include "stickslip/interfaces/comparison_answer.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -61,35 +61,6 @@ std::string inertia_text(const Inertia& inertia, NumberText& text) {
   std::string result = text(inertia.centre) + ", tensor";
   for (const RationalRow& row : inertia.gyration) result += " " + text(row);
   return result;
-}
-
-void print_json(const Question& question, const Compared& answer, bool floats) {
-  const Comparison& comparison = answer.comparison;
-  Json wrench = Json::array();
-  for (const Interval& w : wrench_of(question.grasp)) wrench.push_back(number_json(w.low));
-  Json json{{"name", question.description().name},
-            {"normal_law", to_string(question.law)},
-            {"wrench", std::move(wrench)},
-            {"length", number_json(answer.length)},
-            {"inertia", inertia_json(answer.inertia)},
-            {"class", comparison.load_class ? Json(*comparison.load_class) : Json(nullptr)}};
-  if (const auto& undecided = comparison.undecided) {
-    json["reason"] = undecided->reason;
-    json["limit"] = undecided->limit;
-  }
-  if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
-  add_units(json, question.description().units);
-  Json& methods = json["methods"] = Json::array();
-  for (const MethodRow& row : comparison.methods) {
-    methods.push_back({{"method", row.method},
-                       {"source", row.source},
-                       {"about", row.about_the_load ? "load" : "grasp"},
-                       {"verdict", row.verdict},
-                       {"agrees", row.agrees ? Json(*row.agrees) : Json(nullptr)},
-                       {"why", row.why},
-                       {"evidence", row.evidence}});
-  }
-  std::cout << finished(json, floats).dump(1) << '\n';
 }
 
 void print_text(const Question& question, const Compared& answer, NumberText& text) {
@@ -152,7 +123,8 @@ int compare(const CompareArguments& arguments) {
     throw InputError("", "--" + error.place(), error.problem(), error.remedy());
   }
   if (arguments.output.json) {
-    print_json(question, answer, arguments.output.floats);
+    const Json json = comparison_json(question, length, answer.inertia, answer.comparison);
+    std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
     print_text(question, answer, text);
   }

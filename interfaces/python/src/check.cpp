@@ -78,9 +78,7 @@ struct ToDict {
     throw InputError(m.file == "the question" ? "" : m.file, m.place, m.problem, "");
   }
   py::dict operator()(const stickslip_check::NotJudged& given_up) const {
-    const py::object error = py::module_::import("stickslip.errors").attr("LimitReached");
-    PyErr_SetString(error.ptr(), given_up.why.c_str());
-    throw py::error_already_set();
+    throw LimitError(Undecided{given_up.why});
   }
 };
 
@@ -90,8 +88,8 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& plane, const py::object& inertia, const std::string& uncertain,
                const std::string& max_motion, const std::string& grasp_name,
                const std::string& certificate_name) {
-  const QuestionOptions asked =
-      question_options(py::none(), preload, bilateral, py::none(), preload_direction);
+  const QuestionOptions asked = question_options(
+      py::dict("preload"_a = preload, "preload_direction"_a = preload_direction));
   stickslip_check::Options options;
   options.bilateral = bilateral;
   // Rows have three numbers, or six, or of several bodies one for each coordinate.

@@ -29,6 +29,19 @@ py::object python_int(const Integer& value) {
   return result;
 }
 
+py::object fraction_of(const Integer& above, const Integer& below) {
+  return py::module_::import("fractions")
+      .attr("Fraction")(python_int(above), python_int(below));
+}
+
+/// Returns a number of any length by its digits.
+py::object exact_of(const std::string& digits) {
+  if (digits.find_first_not_of("-/0123456789") != std::string::npos) return py::str(digits);
+  const std::size_t bar = digits.find('/');
+  return fraction_of(Integer(digits.substr(0, bar)),
+                     bar == std::string::npos ? Integer(1) : Integer(digits.substr(bar + 1)));
+}
+
 bool is_instance(py::handle value, const char* module, const char* type) {
   return py::isinstance(value, py::module_::import(module).attr(type));
 }
@@ -102,20 +115,11 @@ Wrench exact_wrench(const py::list& values, const std::string& name) {
 }
 
 py::object fraction(const Rational& value) {
-  return py::module_::import("fractions")
-      .attr("Fraction")(python_int(numerator(value)), python_int(denominator(value)));
-}
-
-py::object fraction_or_none(const std::optional<Rational>& value) {
-  return value ? fraction(*value) : py::object(py::none());
+  return fraction_of(numerator(value), denominator(value));
 }
 
 py::tuple fractions(const Rational& x, const Rational& y) {
   return py::make_tuple(fraction(x), fraction(y));
-}
-
-py::tuple fractions(const Twist& d) {
-  return py::make_tuple(fraction(d.x), fraction(d.y), fraction(d.r));
 }
 
 py::tuple fractions(const Wrench& w) {
@@ -127,6 +131,25 @@ py::str text(const std::string& bytes) {
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace");
   if (decoded == nullptr) throw py::error_already_set();
   return py::reinterpret_steal<py::str>(decoded);
+}
+
+py::object python_of(const Json& json) {
+  if (json.is_exact()) return exact_of(json.text());
+  if (json.is_string()) return text(json.text());
+  if (json.is_null()) return py::none();
+  if (json.is_array()) {
+    py::tuple values(json.size());
+    for (std::size_t i = 0; i < json.size(); ++i) values[i] = python_of(json[i]);
+    return std::move(values);
+  }
+  if (json.is_object()) {
+    py::dict members;
+    for (const auto& [key, value] : json.members()) members[text(key)] = python_of(value);
+    return std::move(members);
+  }
+  const std::string word = json.dump();
+  if (word == "true" || word == "false") return py::bool_(word == "true");
+  return python_int(Integer(word));  // a count
 }
 
 }  // namespace stickslip::python

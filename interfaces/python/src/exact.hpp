@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "stickslip/core/json_value.hpp"
 #include "stickslip/core/twist.hpp"
 
 namespace stickslip::python {
@@ -26,13 +27,14 @@ Wrench exact_wrench(const pybind11::list& values, const std::string& name);
 
 /// Returns a fractions.Fraction.
 pybind11::object fraction(const Rational& value);
-/// Returns None if there is no value.
-pybind11::object fraction_or_none(const std::optional<Rational>& value);
-pybind11::tuple fractions(const Twist& twist);
 pybind11::tuple fractions(const Wrench& wrench);
 pybind11::tuple fractions(const Rational& x, const Rational& y);
 
 /// Returns a str; bytes that are not UTF-8 become U+FFFD.
 pybind11::str text(const std::string& bytes);
+
+/// Returns an answer as dicts and tuples, with Fractions for exact numbers. Decimals, which
+/// bound roots, are strings.
+pybind11::object python_of(const Json& json);
 
 }  // namespace stickslip::python

@@ -19,6 +19,8 @@ void translate(std::exception_ptr thrown) {
     const py::tuple arguments = py::make_tuple(text(error.file()), text(error.place()),
                                                text(error.problem()), text(error.remedy()));
     PyErr_SetObject(error_class("InputError").ptr(), arguments.ptr());
+  } catch (const LimitError& error) {
+    PyErr_SetObject(error_class("LimitReached").ptr(), text(error.what()).ptr());
   } catch (const ContractError& error) {
     PyErr_SetObject(error_class("ContractError").ptr(), text(error.what()).ptr());
   }
@@ -41,14 +43,9 @@ PYBIND11_MODULE(_core, module) {
     return stickslip::to_readable_string(1, stickslip::python::rational(square));
   });
   stickslip::python::bind_grasp(module);
-  stickslip::python::bind_questions(module);
+  stickslip::python::bind_ask(module);
   stickslip::python::bind_check(module);
-  stickslip::python::bind_crosscheck(module);
   stickslip::python::bind_many(module);
   stickslip::python::bind_batch(module);
-  stickslip::python::bind_compare(module);
-  stickslip::python::bind_pictures(module);
   stickslip::python::bind_space(module);
-  stickslip::python::bind_boxes(module);
-  stickslip::python::bind_preload(module);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grasps in space, and of several bodies: the classes beside GraspData, and the questions that
-// they answer to. The functions have the names and arguments of those of the plane.
+// Grasps in space, and of several bodies: the classes beside GraspData.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -9,21 +8,12 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
-#include "stickslip/certificate/certificate.hpp"
-#include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/core/spatial_forces.hpp"
-#include "stickslip/interfaces/grasp_plot.hpp"
-#include "stickslip/interfaces/margin_answer.hpp"
-#include "stickslip/interfaces/verdict_answer.hpp"
-#include "stickslip/measures/model_warnings.hpp"
-#include "stickslip/measures/spatial_margin.hpp"
 
 namespace stickslip::python {
 namespace {
 
 namespace py = pybind11;
-using py::literals::operator""_a;
 
 template <std::size_t N>
 std::array<Rational, N> exact_array(const py::list& values, const std::string& name) {
@@ -143,32 +133,6 @@ auto scalars(Interval UncertainContact::*member) {
   return by_contact([member](const UncertainContact& c) { return fraction((c.*member).low); });
 }
 
-py::dict margin_fields(const Question& question, const SpatialMargin& margin) {
-  const auto pairs = [](const std::vector<MarginInterval>& intervals) {
-    py::list result;
-    for (const MarginInterval& i : intervals) {
-      result.append(py::make_tuple(fraction(i.low), fraction_or_none(i.high)));
-    }
-    return py::tuple(result);
-  };
-  py::dict result(
-      "resisted"_a = pairs(margin.resisted()), "refuted"_a = pairs(margin.refuted()),
-      "wrench"_a = lows(question.box()->wrench), "normal_law"_a = to_string(question.law),
-      "certificate"_a =
-          margin_certificate_text(question, margin, producer_of(box_engine(question))),
-      "stats"_a = stats(margin.work));
-  result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
-                                           : py::object(py::none());
-  if (question.preload) result["preload"] = fraction(*question.preload);
-  if (question.preload_direction) {
-    result["preload_direction"] = preload_direction_of(*question.preload_direction);
-  }
-  if (question.is_bounded()) {
-    result["max_motion"] = tuple_of(question.box()->max_motion, fraction);
-  }
-  return result;
-}
-
 py::tuple pickled_grasp(const SpatialGraspFile& grasp) {
   return py::make_tuple(py::bytes(write_grasp_file(grasp)));
 }
@@ -204,28 +168,6 @@ py::object parse(const std::string& content, const std::string& name) {
 }
 
 }  // namespace
-
-py::dict margin_by_claims(const Question& question, std::size_t node_limit, bool warnings,
-                          const py::object& accuracy) {
-  SpatialMarginOptions options;
-  options.search.node_limit = node_limit;
-  options.accuracy = exact(accuracy, "accuracy");
-  if (options.accuracy.sign() <= 0) {
-    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
-                     "give a number above 0, such as 1/1000");
-  }
-  std::vector<ModelWarning> traps;
-  const auto [margin, within] = without_gil([&] {
-    SpatialMargin found = find_margin(question, options);
-    if (warnings) traps = model_warnings(question, found);
-    auto second = margin_within(question, found, options);
-    return std::pair(std::move(found), std::move(second));
-  });
-  py::dict result = margin_fields(question, margin);
-  result["warnings"] = warning_fields(traps);
-  if (within) result["within"] = margin_fields(within->question, within->margin);
-  return result;
-}
 
 void bind_space(py::module_& module) {
   py::class_<SpatialGraspFile, GraspFile, std::shared_ptr<SpatialGraspFile>>(module,

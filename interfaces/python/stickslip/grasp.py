@@ -523,11 +523,13 @@ class Grasp:
         load = (None if case else self._load(wrench)) or []
         if not 0 <= time_limit <= 86400:
             raise InputError("", "time_limit", f"found {time_limit!r}", "give 0 to 86400 seconds")
-        page = Page(_core.page(
-            about._data, ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
-            as_text(case, "case"), "" if preload is None else exactly(preload, "preload"),
-            is_bilateral(normal_law), "" if uncertain is None else as_uncertain(uncertain),
-            as_count("node_limit", node_limit), time_limit))
+        page = Page(_core.ask(about._data, "page", {
+            "load": ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
+            "case": as_text(case, "case"),
+            "preloads": "" if preload is None else exactly(preload, "preload"),
+            "bilateral": is_bilateral(normal_law),
+            "tolerances": "" if uncertain is None else as_uncertain(uncertain),
+            "node_limit": as_count("node_limit", node_limit), "time_limit": float(time_limit)}))
         if path is not None:
             page.save(path)
         return page

@@ -11,7 +11,7 @@ import json
 import os
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
 
 import numpy as np
 
@@ -38,7 +38,7 @@ from .arguments import (
     is_bilateral,
     one_of,
 )
-from .errors import InputError, LimitReached
+from .errors import InputError
 from .grasp import Assembly, Grasp, SnappedNormal, Vector
 from .results import (
     BestPreload,
@@ -53,7 +53,6 @@ from .results import (
     MapCell,
     Margin,
     Method,
-    ModelWarning,
     NearbyEquilibrium,
     Outline,
     Piece,
@@ -64,10 +63,12 @@ from .results import (
     Residual,
     SlipStates,
     StabilityMap,
+    answer_of,
     decision_of,
 )
 from .views import Picture
 
+AnyAnswer = TypeVar("AnyAnswer")
 Number = Union[int, float, str, Fraction, Decimal]
 OneWrench = Union[Tuple[Any, Any, Any], Tuple[Any, Any, Any, Any, Any, Any], Vector,
                   Tuple[Number, ...]]
@@ -178,17 +179,10 @@ def decide(
                              "ask for the warnings of one grasp, without uncertain")
         about = _with_friction(grasp, friction)
         tolerances = as_uncertain(uncertain)
-        result = _core.decide_box(
-            about._data, tolerances, about._load(wrench),
-            as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-            as_count("node_limit", node_limit), as_max_motion(max_motion))
-        return BoxDecision(grasp=about, uncertain=tolerances,
-                           **_with_proofs(result, "proof", "examples"))
-    how = (
-        is_bilateral(normal_law),
-        as_engine(engine),
-        as_count("node_limit", node_limit),
-    )
+        return _boxed(BoxDecision, _ask(
+            "decide_box", about, wrench, preload, normal_law, node_limit, max_motion,
+            uncertain=tolerances), about, uncertain=tolerances)
+    method = as_engine(engine)
     at_once = as_count("threads", threads, 1024)
     many = Questions(grasp, wrench, friction, preload)
     if many.count is not None:
@@ -198,14 +192,14 @@ def decide(
         if max_motion is not None:
             raise InputError("", "max_motion", "these are many questions",
                              "bound the motions of one question at a time")
-        return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.asked)
+        return Decisions(_core.decide_many(
+            many.count, *many.lists(), is_bilateral(normal_law), method,
+            as_count("node_limit", node_limit), at_once), many.asked)
     about, snapped = _asked(grasp, preload)
     about = _with_friction(about, friction)
-    result = _core.decide(about._data, about._load(wrench),
-                          as_number_or_none(preload, "preload"), *how, bool(warnings),
-                          as_max_motion(max_motion))
-    result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    return decision_of(about, snapped, result)
+    return decision_of(about, snapped, _ask(
+        "decide", about, wrench, preload, normal_law, node_limit, max_motion, engine=method,
+        warnings=bool(warnings)))
 
 
 def radius(
@@ -229,12 +223,9 @@ def radius(
     """
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
-    result = _core.radius(
-        about._data, tolerances, about._load(wrench), as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law), as_number(accuracy, "accuracy"),
-        as_count("node_limit", node_limit), as_max_motion(max_motion))
-    return Radius(grasp=about, uncertain=tolerances,
-                  **_with_proofs(result, "proof", "counterexample"))
+    return _boxed(Radius, _ask(
+        "radius", about, wrench, preload, normal_law, node_limit, max_motion, uncertain=tolerances,
+        accuracy=as_number(accuracy, "accuracy")), about, uncertain=tolerances)
 
 
 def quality(
@@ -267,12 +258,15 @@ def quality(
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
     """
     about_grasp = _with_friction(grasp, friction)
-    result = _core.quality(
-        about_grasp._data, as_number(length, "length"), as_row_or_none(about, "about", None), str(body),
-        about_grasp._load(wrench), as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-        as_number_or_none(at_most, "at_most"), as_number(accuracy, "accuracy"),
-        as_count("node_limit", node_limit), as_max_motion(max_motion))
-    return Quality(grasp=about_grasp, **_with_proofs(result, "proof", "counterexample"))
+    answer = _ask(
+        "quality", about_grasp, wrench, preload, normal_law, node_limit, max_motion,
+        length=as_number(length, "length"), about=as_row_or_none(about, "about", None), body=str(body),
+        at_most=as_number_or_none(at_most, "at_most"), accuracy=as_number(accuracy, "accuracy"))
+    proofs = answer.get("proofs", {})
+    answer.update({field: proofs[name] for name, field in
+                   (("proved", "proof"), ("refuted", "counterexample")) if name in proofs})
+    return _boxed(Quality, answer, about_grasp, length=answer["ball"]["length"],
+                  scales="scales" in answer)
 
 
 def best_preload(
@@ -312,16 +306,19 @@ def best_preload(
     if not rows or (budget is not None and len(rows) > 1):
         raise InputError("", "wrench", f"there are {len(rows)} loads",
                          "give one, or without a budget one or more")
-    result = _core.best_preload(
-        about_grasp._data, [about_grasp._load(row) for row in rows],
-        as_number_or_none(budget, "budget"), as_uncertain(uncertain), as_number(length, "length"),
-        as_list(about, "about", (len(about),), "a point") if len(about) else [], body,
-        bool(balanced), is_bilateral(normal_law), as_number(accuracy, "accuracy"),
-        as_count("boxes", boxes), as_count("node_limit", node_limit), as_max_motion(max_motion))
-    law = result["normal_law"]
-    result["proofs"] = {name: _proof(files, law) for name, files in result["proofs"].items()}
-    result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    return BestPreload(grasp=about_grasp, **result)
+    answer = _ask(
+        "preload", about_grasp, None, None, normal_law, node_limit, max_motion, needed=False,
+        loads=[about_grasp._load(row) for row in rows],
+        budget=as_number_or_none(budget, "budget"), uncertain=as_uncertain(uncertain),
+        length=as_number(length, "length"),
+        about=as_list(about, "about", (len(about),), "a point") if len(about) else [], body=body,
+        balanced=bool(balanced), accuracy=as_number(accuracy, "accuracy"),
+        boxes=as_count("boxes", boxes))
+    ball = {} if answer["preloads"] is None else answer
+    return answer_of(
+        BestPreload, answer, grasp=about_grasp, radius=ball.get("proved"),
+        refuted=ball.get("not_resisted_at"),
+        proofs={name: Proof.of(files, answer) for name, files in answer["proofs"].items()})
 
 
 def stability_map(
@@ -354,18 +351,14 @@ def stability_map(
     """
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
-    result = _core.stability_map(
-        about._data, str(x), str(y), tolerances, about._load(wrench),
-        as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-        as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs),
-        as_max_motion(max_motion))
-    law = result["normal_law"]
-    result["cells"] = tuple(
-        MapCell(along_x, along_y, verdict,
-                None if files is None else _proof(files, law))
-        for along_x, along_y, verdict, files in result["cells"])
-    result["picture"] = Picture(result["picture"])
-    return StabilityMap(grasp=about, x=str(x), y=str(y), uncertain=tolerances, **result)
+    answer = _ask(
+        "map", about, wrench, preload, normal_law, node_limit, max_motion, uncertain=tolerances,
+        x=str(x), y=str(y), depth=as_count("depth", depth, 12), proofs=bool(proofs))
+    cells = tuple(
+        MapCell(cell["x"], cell["y"], cell["verdict"], files and Proof.of(files, answer))
+        for cell, files in zip(answer["cells"], answer["proofs"]))
+    return answer_of(StabilityMap, answer, grasp=about, x=str(x), y=str(y), uncertain=tolerances,
+                     cells=cells, picture=Picture(answer["picture"]))
 
 
 def slip_states(
@@ -383,8 +376,8 @@ def slip_states(
     """
     engine = one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
     threads = as_count("threads", threads, 1024)
-    fields = _core.slip_states(_require_grasp(grasp)._planar(), engine, bool(list_states), threads)
-    return SlipStates(grasp=grasp, **fields)
+    return answer_of(SlipStates, _core.ask(_require_grasp(grasp)._planar(), "states", {
+        "engine": engine, "list": bool(list_states), "threads": threads}), grasp=grasp)
 
 
 def region(
@@ -424,14 +417,15 @@ def region(
                          'ask stability_map(grasp, "1,0,0=-2:2", "0,1,0=-2:2", origin, max_motion=...), '
                          "which proves cells of the plane")
     about, snapped = _asked(grasp, preload)
-    fields = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, bool(pieces),
-                     False, bool(certificate), node_limit)
-    fields["areas"] = tuple(
-        tuple(Outline(*outline) for outline in outlines) for outlines in fields["areas"])
-    fields["curves"] = tuple(Cell(*curve) for curve in fields["curves"])
-    fields["pieces"] = tuple(
-        Piece(slip, closed, Cell(*cell)) for slip, closed, cell in fields["pieces"])
-    return Region(grasp=about, snapped=snapped, normal_law=normal_law, **fields)
+    answer = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, node_limit,
+                     pieces=bool(pieces), certificate=bool(certificate))
+    return answer_of(
+        Region, answer, grasp=about, snapped=snapped, **answer["plane"],
+        areas=tuple(tuple(Outline(border["vertices"], border.get("from"), border.get("to"))
+                          for border in area["outlines"]) for area in answer["areas"]),
+        curves=tuple(Cell(**curve) for curve in answer["curves"]),
+        pieces=tuple(Piece(piece["slip"], piece["closed"], Cell(piece["vertices"], piece["rays"]))
+                     for piece in answer.get("pieces", ())))
 
 
 def plot_region(
@@ -448,7 +442,7 @@ def plot_region(
     """A picture of ``region``, as SVG."""
     about, _ = _asked(grasp, preload)
     return Picture(_region(
-        about, torque, origin, u, v, preload, normal_law, mode_limit, False, True))
+        about, torque, origin, u, v, preload, normal_law, mode_limit, picture=True)["picture"])
 
 
 def plot_grasp(
@@ -457,15 +451,14 @@ def plot_grasp(
     """A picture of the verdict, as SVG: contacts, cones, load, and the forces and motion that
     hold it, or the virtual twist that wins. In space from three sides."""
     about, _ = _asked(grasp, preload)
-    return Picture(_core.plot_grasp(
-        about._data, about._load(wrench), as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law), "auto", None))
+    return Picture(_ask("picture", about, wrench, preload, normal_law, 0, None, engine="auto",
+                        limit=None))
 
 
 def plot_states(grasp: Grasp) -> Picture:
     """A picture of the slip states, as SVG: the sphere of motions, cut by one great circle a
     contact."""
-    return Picture(_core.plot_states(_require_grasp(grasp)._planar()))
+    return Picture(_core.ask(_require_grasp(grasp)._planar(), "states picture", {}))
 
 
 def compare(
@@ -490,17 +483,15 @@ def compare(
         LimitReached: the class, of which a certificate is wanted, is not known.
     """
     about, snapped = _asked(grasp, preload)
-    answer = _core.compare(
-        about._one_body(), about._load(wrench),
-        as_number_or_none(preload, "preload"), is_bilateral(normal_law), list(methods),
-        as_number(length, "length"),
-        None if inertia is None else as_inertia(inertia, about._coordinates), bool(certificate),
-        as_max_motion(max_motion))
-    if "limit" in answer:
-        raise LimitReached(answer["limit"])
-    rows: List[Tuple[str, str, bool, str, Optional[bool], str, str]] = answer["methods"]
-    return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows),
-                      answer["load_class"], about, snapped, answer.get("certificate"))
+    about._one_body()
+    answer = _ask(
+        "compare", about, wrench, preload, normal_law, 0, max_motion, methods=list(methods),
+        length=as_number(length, "length"), certificate=bool(certificate),
+        inertia=None if inertia is None else as_inertia(inertia, about._coordinates))
+    rows = tuple(Method(row["method"], row["source"], row["about"] == "load", row["verdict"],
+                        row["agrees"], row["why"], json.loads(row["evidence"]))
+                 for row in answer["methods"])
+    return Comparison(rows, answer["class"], about, snapped, answer.get("certificate"))
 
 
 def class_margin(
@@ -518,11 +509,8 @@ def class_margin(
         Ranges in their order, each of one class; a class may have several.
     """
     about, _ = _asked(grasp, 0)
-    answer = _core.class_margin(about._planar(), as_wrench(direction, "direction", 2),
-                               about._load(wrench, needed=False), as_inertia(inertia))
-    if isinstance(answer, str):
-        raise LimitReached(answer)
-    return tuple(ClassRange(*row) for row in answer)
+    return _classes("classes", about, wrench, needed=False, inertia=as_inertia(inertia),
+                    direction=as_wrench(direction, "direction", 2))
 
 
 def friction_margin(
@@ -540,9 +528,8 @@ def friction_margin(
         Ranges of s in their order. Where the class is not known, ``load_class`` is None.
     """
     about, _ = _asked(grasp, 0)
-    rows = _core.friction_margin(about._planar(), about._load(wrench), as_inertia(inertia),
-                                 as_number(accuracy, "accuracy"))
-    return tuple(ClassRange(*row) for row in rows)
+    return _classes("factors", about, wrench, inertia=as_inertia(inertia),
+                    accuracy=as_number(accuracy, "accuracy"))
 
 
 def export(
@@ -551,8 +538,9 @@ def export(
     """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA, in space QF_NRA; sat means
     stable."""
     about, _ = _asked(grasp, preload)
-    return _core.smtlib(about._one_body(), about._load(wrench), as_number_or_none(preload, "preload"),
-                        is_bilateral(normal_law))
+    about._one_body()
+    text: str = _ask("smtlib", about, wrench, preload, normal_law, 0, None)
+    return text
 
 
 def margin(
@@ -600,24 +588,18 @@ def margin(
     if direction is None and preload_direction is None:
         raise InputError("", "direction", "nothing grows",
                          "give a direction such as (0, 1, 0), or a preload_direction")
-    result = _core.margin(
-        about._data,
-        as_row_or_none(direction, "direction", about._components),
-        about._load(wrench, needed=direction is None),
-        as_number_or_none(preload, "preload"),
-        as_preload_direction_or_none(preload_direction),
-        is_bilateral(normal_law),
-        as_count("node_limit", node_limit),
-        bool(warnings),
-        as_number(accuracy, "accuracy"),
-        as_max_motion(max_motion),
-    )
-    if "limit" in result:
-        raise LimitReached(result["limit"])
-    result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    if "within" in result:
-        result["within"] = Margin(grasp=about, snapped=snapped, **result["within"])
-    return Margin(grasp=about, snapped=snapped, **result)
+    answer = _ask(
+        "margin", about, wrench, preload, normal_law, node_limit, max_motion,
+        needed=direction is None, warnings=bool(warnings), accuracy=as_number(accuracy, "accuracy"),
+        direction=as_row_or_none(direction, "direction", about._components),
+        preload_direction=as_preload_direction_or_none(preload_direction))
+
+    def margin_of(one: Dict[str, Any], within: Optional[Margin]) -> Margin:
+        return answer_of(Margin, one, grasp=about, snapped=snapped, within=within,
+                         direction=one.get("direction"))
+
+    second = answer.get("within")
+    return margin_of(answer, second and margin_of(second, None))
 
 
 def crosscheck(
@@ -649,30 +631,31 @@ def crosscheck(
         distances: find the distance to the threshold for right claims as well.
     """
     about, snapped = _asked(grasp, preload)
-    fields = _core.crosscheck(
-        about._one_body(),
-        one_of("verdict", verdict, ("stable", "unstable")) == "stable",
-        None if twist is None
+    about._one_body()
+    answer = _ask(
+        "crosscheck", about, wrench, preload, normal_law, node_limit, None,
+        verdict=one_of("verdict", verdict, ("stable", "unstable")),
+        twist=None if twist is None
         else as_list(twist, "twist", (6,), "translation x, y, z and rotation x, y, z")
         if about.in_space
         else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
-        None if forces is None
+        forces=None if forces is None
         else as_list(forces, "forces", (len(about), about._coordinates), "one vector for each contact"),
-        about._load(wrench),
-        as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law),
-        as_number(tie, "tie"),
-        as_number(tolerance, "tolerance"),
-        as_count("node_limit", node_limit),
-        distances,
-    )
-    fields["decision"] = decision_of(about, snapped, fields["decision"])
-    for name in ("cone", "normal_law", "dissipation"):
-        if fields[name] is not None:
-            fields[name] = Residual(*fields[name])
-    if "nearby" in fields:
-        fields["nearby"] = NearbyEquilibrium(**fields["nearby"])
-    return CrossCheck(**fields)
+        tie=as_number(tie, "tie"), tolerance=as_number(tolerance, "tolerance"),
+        distances=bool(distances))
+    missed, near, distance = answer["residuals"], answer["nearby"], answer["distance"] or {}
+    torque = missed.get("torque")
+    return answer_of(
+        CrossCheck, {}, outcome=answer["class"], inaccurate=answer["inaccurate"],
+        decision=decision_of(about, snapped, answer["decision"]),
+        balance=None if torque is None
+        else missed["force"] + (torque if isinstance(torque, tuple) else (torque,)),
+        claimed_slip=answer["claimed_slip"],
+        nearby=near and answer_of(NearbyEquilibrium, near, forces=near["force_vectors"],
+                                  from_claim=near["from"] == "claim"),
+        distance=distance.get("smallest"), distance_along_load=distance.get("along_load"),
+        **{name: Residual(missed[name]["value"], missed[name]["contact"])
+           for name in ("cone", "normal_law", "dissipation") if name in missed})
 
 
 def check(
@@ -744,8 +727,9 @@ def check(
 
 def _region(
     grasp: Grasp, torque: Any, origin: Any, u: Any, v: Any, preload: Any, normal_law: str,
-    mode_limit: int, pieces: bool, picture: bool, certificate: bool = False, node_limit: int = 0,
-) -> Any:
+    mode_limit: int, node_limit: int = 0, pieces: bool = False, certificate: bool = False,
+    picture: bool = False,
+) -> Dict[str, Any]:
     grasp._one_body()
     if grasp.in_space:
         raise InputError("", "grasp", "the grasp is in space",
@@ -756,14 +740,18 @@ def _region(
         if any(entry != 0 for entry in start):
             raise InputError("", "torque", "there is an origin as well", "give one of the two")
         start = [0, 0, as_number(torque, "torque")]
-    found = _core.region(
-        grasp._planar(), start, as_wrench(u, "u"), as_wrench(v, "v"),
-        as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-        as_count("mode_limit", mode_limit), pieces, certificate, as_count("node_limit", node_limit),
-        picture)
-    if isinstance(found, dict) and "limit" in found:
-        raise LimitReached(found["limit"])
-    return found
+    answer: Dict[str, Any] = _ask(
+        "region", grasp, None, preload, normal_law, node_limit, None, needed=False, origin=start,
+        u=as_wrench(u, "u"), v=as_wrench(v, "v"), pieces=pieces, picture=picture,
+        mode_limit=as_count("mode_limit", mode_limit), certificate=certificate)
+    return answer
+
+
+def _classes(question: str, grasp: Grasp, wrench: Any, needed: bool = True,
+             **options: Any) -> Tuple[ClassRange, ...]:
+    grasp._planar()
+    answer = _ask(question, grasp, wrench, None, "unilateral", 0, None, needed, **options)
+    return tuple(ClassRange(row.pop("class"), **row) for row in answer["classes"])
 
 
 class Questions:
@@ -846,20 +834,27 @@ def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
     return Grasp._of(data.with_friction(as_number(friction, "friction")), grasp._loaded)
 
 
-def _proof(files: Tuple[Any, ...], law: str) -> Proof:
-    grasp, certificate, *needed = files
-    return Proof(grasp, certificate, law, *needed)
+def _ask(question: str, grasp: Grasp, wrench: Any, preload: Any, normal_law: str, node_limit: int,
+         max_motion: Any, needed: bool = True, **options: Any) -> Any:
+    """The answer as the command's JSON has it; with the preload, if one replaced the grasp's own."""
+    load = grasp._load(wrench, needed=needed)
+    replaced = as_number_or_none(preload, "preload")
+    answer = _core.ask(grasp._data, question, dict(
+        options, wrench=load, preload=replaced, bilateral=is_bilateral(normal_law),
+        node_limit=as_count("node_limit", node_limit), max_motion=as_max_motion(max_motion)))
+    if replaced is not None and isinstance(answer, dict):
+        answer["preload"] = _core.exact(replaced, "preload")
+    return answer
 
 
-def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
-    """The files of proofs, or pairs of these, become proofs."""
-    law = fields["normal_law"]
-    for name in names:
-        if name in fields:
-            value = fields[name]
-            fields[name] = (_proof(value, law) if isinstance(value[0], str)
-                            else tuple(_proof(files, law) for files in value))
-    return fields
+def _boxed(kind: Type[AnyAnswer], answer: Dict[str, Any], grasp: Grasp, **more: Any) -> AnyAnswer:
+    """An answer whose files of proofs become proofs."""
+    for name in ("proof", "counterexample"):
+        if name in answer:
+            answer[name] = Proof.of(answer[name], answer)
+    if "examples" in answer:
+        answer["examples"] = tuple(Proof.of(files, answer) for files in answer["examples"])
+    return answer_of(kind, answer, grasp=grasp, **more)
 
 
 def _require_grasp(grasp: Grasp) -> Grasp:

@@ -9,9 +9,12 @@ from __future__ import annotations
 import importlib
 import json
 import operator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from typing import Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import (
+    Any, Dict, Iterable, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar, Union, cast,
+    overload,
+)
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,11 +24,18 @@ from .errors import InputError, LimitReached
 from .grasp import SNAPPED_WITHIN, Assembly, Grasp, Pair, SnappedNormal, Triple, Vector
 from .views import Answer, FloatArray, FloatView, Picture, doubles, nearest_root, table
 
+AnyAnswer = TypeVar("AnyAnswer")
 _MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
 
 
 def _is_shown(grasp: Grasp) -> bool:
     return len(grasp) <= _MOST_CONTACTS_TO_SHOW
+
+
+def _picture_of(grasp: Grasp, answer: Union[Decision, BoxDecision], engine: str) -> Picture:
+    return Picture(_core.ask(grasp._data, "picture", {
+        "wrench": list(answer.wrench), "preload": answer.preload, "engine": engine,
+        "bilateral": answer.normal_law == "bilateral", "limit": answer.limit}))
 
 
 def _as_option(max_motion: Optional[Vector]) -> str:
@@ -53,6 +63,11 @@ class Proof(NamedTuple):
     preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     """Likewise, of multiples of preloads: as of ``check``."""
 
+    @classmethod
+    def of(cls, files: Mapping[str, Any], answer: Mapping[str, Any]) -> Proof:
+        """The files that prove this answer."""
+        return cls(normal_law=answer["normal_law"], **files)
+
     def check(self) -> CheckResult:
         """What the independent checker says of the two."""
         along = self.preload_direction
@@ -79,17 +94,32 @@ class Within(NamedTuple):
     """None if undecided."""
 
 
+def answer_of(kind: Type[AnyAnswer], answer: Mapping[str, Any], **more: Any) -> AnyAnswer:
+    """What of an answer in the command's words has the name of a field; ``more`` has others."""
+    known = {one.name: answer[one.name] for one in fields(cast(Any, kind)) if one.name in answer}
+    if known.get("warnings"):
+        known["warnings"] = tuple(ModelWarning(**warning) for warning in known["warnings"])
+    return kind(**{**known, **more})
+
+
 def decision_of(grasp: Grasp, snapped: Tuple[SnappedNormal, ...],
-                fields: Dict[str, Any]) -> Decision:
+                answer: Mapping[str, Any]) -> Decision:
     """A Decision, of what the library says of one question."""
-    fields = dict(fields)  # what is given may be asked for again
-    within = fields.pop("within", None)
-    if within is not None:
-        proof = None
-        if "certificate" in within:
-            proof = Proof(within["grasp"], within["certificate"], within["normal_law"])
-        fields["within"] = Within(within["verdict"], within.get("max_motion"), within["wrench"], proof)
-    return Decision(grasp=grasp, snapped=snapped, **fields)
+    contacts, second = answer.get("contacts"), answer.get("within")
+    more: Dict[str, Any] = {}
+    if contacts is not None:
+        more = {name: tuple(contact[key] for contact in contacts)
+                for name, key in (("forces", "force"), ("closed", "closed"))}
+        if any("moment" in contact for contact in contacts):
+            none = (Fraction(0),) * 3
+            more["moments"] = tuple(contact.get("moment", none) for contact in contacts)
+        if "coefficients" in answer:
+            more["slip"] = "".join(contact["slip"] for contact in contacts)
+    if second is not None:
+        proof = second.get("proof")
+        more["within"] = Within(second["verdict"], second.get("max_motion"), second["wrench"],
+                                proof and Proof.of(proof, second))
+    return answer_of(Decision, answer, grasp=grasp, snapped=snapped, **more)
 
 
 @dataclass(frozen=True, repr=False)
@@ -157,9 +187,7 @@ class Decision(Answer):
     def plot(self) -> Picture:
         """The grasp, its load and the evidence, as ``plot_grasp`` draws them; if undecided there is
         none."""
-        return Picture(_core.plot_grasp(
-            self.grasp._data, list(self.wrench), self.preload, self.normal_law == "bilateral",
-            self.engine, self.limit))
+        return _picture_of(self.grasp, self, self.engine)
 
     def check(self) -> CheckResult:
         """What the independent checker says of the certificate, to the same question.
@@ -239,9 +267,7 @@ class BoxDecision(Answer):
         middle = Grasp.from_text(json.dumps(file))
         if not middle.in_space and not isinstance(middle, Assembly):  # lengths may be irrational
             middle = middle.snap(SNAPPED_WITHIN).grasp
-        return Picture(_core.plot_grasp(
-            middle._data, list(self.wrench), self.preload, self.normal_law == "bilateral", "auto",
-            self.limit))
+        return _picture_of(middle, self, "auto")
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if _is_shown(self.grasp) else None
@@ -518,7 +544,7 @@ class SlipStates(Answer):
 
     def plot(self) -> Picture:
         """The sphere of motions with its cells, as ``plot_states`` draws it."""
-        return Picture(_core.plot_states(self.grasp._planar()))
+        return Picture(_core.ask(self.grasp._planar(), "states picture", {}))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if self.circles <= _MOST_CONTACTS_TO_SHOW else None
@@ -609,9 +635,10 @@ class Region(Answer):
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
-        return Picture(_core.region(
-            self.grasp._planar(), list(self.origin), list(self.u), list(self.v), self.preload,
-            self.normal_law == "bilateral", 0, False, False, 0, True))
+        return Picture(_core.ask(self.grasp._planar(), "region", {
+            "origin": list(self.origin), "u": list(self.u), "v": list(self.v),
+            "preload": self.preload, "bilateral": self.normal_law == "bilateral", "pieces": False,
+            "mode_limit": 0, "node_limit": 0, "certificate": False, "picture": True})["picture"])
 
     def _picture(self) -> Optional[Picture]:
         return self.plot()

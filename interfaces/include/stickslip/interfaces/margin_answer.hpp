@@ -12,6 +12,9 @@
 
 namespace stickslip {
 
+/// Returns "scale", or how much each preload grows.
+Json preload_direction_json(const PreloadDirection& direction);
+
 /// \{ Return the output of `margin --json`, before finished().
 Json margin_json(const Question& question, const Margin& margin, const MarginWork& work,
                  const Warnings& warnings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The regions of `region --json`, found and proved, and the maps of `map --json`.
+/// The regions of `region --json`, found and proved, the maps of `map --json`, and the slip
+/// states of `states --json`.
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/engine/question.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -63,5 +65,8 @@ LoadWindow load_window(const Question& question, RationalRow origin, RationalRow
 /// Returns the output of `region --json` for a window, before finished().
 Json region_json(const Question& question, const LoadWindow& plane,
                  const std::vector<MapCell>& cells);
+
+/// Returns the counts of cells, and the slip states if they were listed.
+Json states_json(const Enumeration& found, bool listed);
 
 }  // namespace stickslip

@@ -530,42 +530,36 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   const bool may_be_half = gap < kPi + kClose;
   const double first = directions[after].angle;
   const double last = first + 2 * kPi - gap;
-  // Of directions that doubles hardly tell apart, the two outermost ones are sides. (One would
-  // do, but at nearly opposite ends the other one says which way the cone goes.)
-  struct Ends {
-    std::optional<Way> right;
-    std::optional<Way> left;
-  };
-  Ends at_first;
-  Ends at_last;
   std::optional<Way> middle;
-  std::vector<Way> near_sides;
-  const auto extend = [&](Ends& ends, const Way& d) {
-    const ExactSlip s = exact_slip(contact, d.generator, d.corner);
-    const auto is_beyond = [&](const std::optional<Way>& end, int sign) {
-      return !end || turn(exact_slip(contact, end->generator, end->corner), s, c.axis) == sign;
-    };
-    if (is_beyond(ends.right, -1)) ends.right = d;
-    if (is_beyond(ends.left, 1)) ends.left = d;
-  };
+  std::vector<Way> near_first;
+  std::vector<Way> near_last;
   for (const Way& d : directions) {
     const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
-    const bool near_first = angle < first + kClose;
-    const bool near_last = angle > last - kClose;
-    if (near_first) extend(at_first, d);
-    if (near_last) extend(at_last, d);
-    if (near_first || near_last) {
-      near_sides.push_back(d);
-    } else if (may_be_half && !middle) {
-      middle = d;
-    }
+    const bool is_first = angle < first + kClose;
+    const bool is_last = angle > last - kClose;
+    const bool is_middle = may_be_half && !is_first && !is_last && !middle;
+    if (is_middle) middle = d;
+    if (is_first) near_first.push_back(d);
+    if (is_last && !is_first) near_last.push_back(d);
+    if (is_first || is_last || is_middle) cone.sides.emplace_back(d.generator, d.corner);
   }
-  for (const auto& side :
-       {at_first.right, at_first.left, middle, at_last.right, at_last.left}) {
-    if (!side) continue;
-    const std::pair<std::size_t, std::size_t> place(side->generator, side->corner);
-    if (std::find(cone.sides.begin(), cone.sides.end(), place) == cone.sides.end()) {
-      cone.sides.push_back(place);
+  constexpr std::size_t kManySides = 16;
+  if (cone.sides.size() > kManySides) {
+    // Of many directions that doubles hardly tell apart, the two outermost ones are the sides.
+    // (One would do, but at nearly opposite ends the other one says which way the cone goes.)
+    cone.sides.clear();
+    if (middle) cone.sides.emplace_back(middle->generator, middle->corner);
+    for (const auto* near : {&near_first, &near_last}) {
+      if (near->empty()) continue;
+      for (const int sign : {-1, 1}) {
+        Way end = near->front();
+        for (const Way& d : *near) {
+          const int turned = turn(exact_slip(contact, end.generator, end.corner),
+                                  exact_slip(contact, d.generator, d.corner), c.axis);
+          if (turned == sign) end = d;
+        }
+        cone.sides.emplace_back(end.generator, end.corner);
+      }
     }
   }
   if (may_be_half) {
@@ -579,9 +573,10 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
       cone.sides.clear();
       return;
     }
-    for (const Way& d : near_sides) {
-      if (!cone.moves && is_opposed(d.generator, d.corner))
-        still[d.corner].push_back(d.generator);
+    for (const auto* near : {&near_first, &near_last}) {
+      for (const auto& [angle, g, k] : *near) {
+        if (!cone.moves && is_opposed(g, k)) still[k].push_back(g);
+      }
     }
   }
   if (cone.moves) return;

@@ -577,7 +577,7 @@ class Undecided(Space):
         answer = json.loads(out)
         self.assertEqual((code, answer["verdict"], answer["reason"]), (UNDECIDED, "undecided", "nodes"))
         self.assertIn("limit of 3 nodes", answer["limit"])
-        self.assertIn("--node-limit", answer["remedy"])
+        self.assertIn("node limit", answer["remedy"])
         _, out, _ = stickslip("decide", file, "--node-limit", "3")
         self.assertIn("limit of 3 nodes", out)
         self.assertIn("--node-limit", out)

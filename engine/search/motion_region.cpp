@@ -543,7 +543,7 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
     if (is_last && !is_first) near_last.push_back(d);
     if (is_first || is_last || is_middle) cone.sides.emplace_back(d.generator, d.corner);
   }
-  constexpr std::size_t kManySides = 16;
+  constexpr std::size_t kManySides = 100;
   if (cone.sides.size() > kManySides) {
     // Of many directions that doubles hardly tell apart, the two outermost ones are the sides.
     // (One would do, but at nearly opposite ends the other one says which way the cone goes.)

@@ -134,9 +134,7 @@ class RelaxedRegion {
       c.most.push_back(std::move(v));
     }
     const auto edge = [&](int sign) {
-      RationalRow wrench = row.wrench_of({sign * contact.friction.low});
-      for (std::size_t j = 0; j < wrench.size(); ++j) wrench[j] += row.normal[j];
-      c.edges.push_back(std::move(wrench));
+      c.edges.push_back(row.push_with({sign * contact.friction.low}));
     };
     if (contact.friction.low.is_zero()) {
       edge(0);

@@ -41,33 +41,18 @@ std::optional<Question> bounded(const Question& question, const Verdict& verdict
   return with_grasp(question, std::move(box));
 }
 
-Rational squared_length(const RationalRow& load, const Law& law, const Rational& length) {
-  Rational sum = 0;
-  for (std::size_t j = 0; j < load.size(); ++j) {
-    const Rational entry = law.rotates[j] != 0 ? Rational(load[j] / length) : load[j];
-    sum += entry * entry;
-  }
-  return sum;
-}
-
-/// Returns a typical length of the grasp in few bits.
-Rational typical_length(const Law& law) {
-  constexpr int kBits = 4;
-  return rational_in_bits(law.length, kBits);
-}
-
 /// Returns the nearest load that no free motion sees, if the part of this one that it lacks is
 /// rounding alone.
 std::optional<RationalRow> without_rounding(const Law& law, const RationalRow& load) {
   const ForceSpan span(law);
   if (span.rank() == law.motions) return std::nullopt;
-  const Rational length = typical_length(law);
+  const Rational length = law.short_length();
   RationalRow opposed = opposed_part(span, law, load, length);
   if (opposed == load) return std::nullopt;
   RationalRow off = load;
   for (std::size_t j = 0; j < off.size(); ++j) off[j] -= opposed[j];
   static const Rational kRounding = parse_rational("1e-24");  // the bound on squares
-  if (squared_length(off, law, length) > kRounding * squared_length(load, law, length)) {
+  if (law.squared_size(off, length) > kRounding * law.squared_size(load, length)) {
     return std::nullopt;
   }
   return opposed;
@@ -122,7 +107,7 @@ Rational squared_distance(const Question& a, const Question& b) {
   for (std::size_t j = 0; j < one.size(); ++j) {
     difference.push_back(one[j].middle() - other[j].middle());
   }
-  return squared_length(difference, law, typical_length(law));
+  return law.squared_size(difference, law.short_length());
 }
 
 }  // namespace stickslip

@@ -199,9 +199,8 @@ class ModeProgram {
       const std::size_t force =
           program.add_variable(c.is_spring ? VariableKind::kFree : VariableKind::kNonNegative);
       to.forces.back()[edge] = force;
-      RationalRow wrench = corner.wrench_of({(edge == 0 ? 1 : -1) * c.friction.low});
-      add_multiple(wrench, 1, corner.normal);
-      to.wrenches.emplace_back(force, std::move(wrench));
+      to.wrenches.emplace_back(force,
+                               corner.push_with({(edge == 0 ? 1 : -1) * c.friction.low}));
       row.resize(program.variable_count());
       row[force] = 1;
     }

@@ -166,6 +166,12 @@ RationalRow CornerRow::wrench_of(const RationalRow& friction) const {
   return result;
 }
 
+RationalRow CornerRow::push_with(const RationalRow& friction) const {
+  RationalRow result = wrench_of(friction);
+  for (std::size_t j = 0; j < result.size(); ++j) result[j] += normal[j];
+  return result;
+}
+
 std::vector<Row> CornerRow::slip_planes(std::size_t coordinates) const {
   std::vector<Row> planes;
   for (const Row& row : slip) {
@@ -242,6 +248,20 @@ void Law::complete(double farthest) {
   }
   for (LawContact& c : contacts) c.size = force_size(c);
   complete_loads();
+}
+
+Rational Law::short_length() const {
+  constexpr int kBits = 4;
+  return rational_in_bits(length, kBits);
+}
+
+Rational Law::squared_size(const RationalRow& row, const Rational& about) const {
+  Rational sum = 0;
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    const Rational entry = rotates[j] != 0 ? Rational(row[j] / about) : row[j];
+    sum += entry * entry;
+  }
+  return sum;
 }
 
 /// Returns the length of the part of N that is a force: for one body's contact that of its

@@ -545,7 +545,7 @@ void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
   }
   constexpr std::size_t kManySides = 100;
   if (cone.sides.size() > kManySides) {
-    // Of many directions that doubles hardly tell apart, the two outermost ones are the sides.
+    // The two outermost ones of many directions that doubles hardly tell apart are the sides.
     // (One would do, but at nearly opposite ends the other one says which way the cone goes.)
     cone.sides.clear();
     if (middle) cone.sides.emplace_back(middle->generator, middle->corner);

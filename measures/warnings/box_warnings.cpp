@@ -174,12 +174,6 @@ std::optional<std::string> assumed_stiffness_of(const Answer& answer, bool stabl
   return assumed_stiffness(trial);
 }
 
-std::vector<ModelWarning> warnings_of_bodies(const GraspBox& grasp) {
-  ModelWarnings warnings;
-  warnings.add(ModelTrap::kReversedContact, reversed_contacts(grasp));
-  return std::move(warnings).take();
-}
-
 }  // namespace
 
 std::vector<ModelWarning> warnings_detail::box_warnings(const Answer& answer,
@@ -187,19 +181,18 @@ std::vector<ModelWarning> warnings_detail::box_warnings(const Answer& answer,
   const Question& question = answer.question;
   const bool is_on_edge = !only_of_motion && std::holds_alternative<Stable>(answer.verdict) &&
                           question.box()->is_point();
-  const auto edge = is_on_edge ? balance_on_an_edge(*question.box()) : std::nullopt;
+  const auto edge = is_on_edge ? balance_on_an_edge(question.grasp) : std::nullopt;
+  ModelWarnings warnings;
   if (question.mechanism() != nullptr) {
-    ModelWarnings found;
-    found.add(ModelTrap::kReversedContact, reversed_contacts(*question.box()));
-    found.add(ModelTrap::kEdgeBalance, edge);
-    return std::move(found).take();
+    warnings.add(ModelTrap::kReversedContact, reversed_contacts(*question.box()));
+    warnings.add(ModelTrap::kEdgeBalance, edge);
+    return std::move(warnings).take();
   }
   if (!question.box()->is_point()) return {};
   const GraspBox grasp = seen_in_space(*question.box());
   const std::vector<Rational> preloads = preloads_of(grasp);
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   const RationalRow motion = stable != nullptr ? seen_in_space(stable->motion) : RationalRow{};
-  ModelWarnings warnings;
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLargeMotion,
                  large_motion_of(grasp, motion, !question.assumed_stiffness.empty()));
@@ -217,9 +210,12 @@ std::vector<ModelWarning> warnings_detail::box_warnings(const Answer& answer,
 
 std::vector<ModelWarning> model_warnings(const Question& question,
                                          const SpatialMargin& margin) {
-  if (question.mechanism() != nullptr) return warnings_of_bodies(*question.box());
-  const GraspBox grasp = seen_in_space(*question.box());
   ModelWarnings warnings;
+  if (question.mechanism() != nullptr) {
+    warnings.add(ModelTrap::kReversedContact, reversed_contacts(*question.box()));
+    return std::move(warnings).take();
+  }
+  const GraspBox grasp = seen_in_space(*question.box());
   const auto preloads_at = [&](const Rational& multiple) {
     std::vector<Rational> preloads = preloads_of(grasp);
     for (std::size_t i = 0; i < question.preload_growth.size(); ++i) {

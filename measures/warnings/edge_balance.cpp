@@ -11,46 +11,34 @@ namespace stickslip::warnings_detail {
 namespace {
 
 /// Returns wrenches of which those that the contact can exert are sums with multiples >= 0.
-/// Friction is put into a square around its disc, and so may be more than it is.
+/// Friction is put into a box around it, and so may be more than it is.
 std::vector<RationalRow> edges_of(const LawContact& contact) {
   const CornerRow& row = contact.corners.front();
-  std::vector<RationalRow> edges{row.normal};
-  if (contact.friction.low.is_zero()) return edges;
+  const std::size_t numbers = contact.directions.front().size();
+  if (contact.friction.low.is_zero()) return {row.push_with(RationalRow(numbers))};
+  std::vector<RationalRow> corners{RationalRow(numbers)};
   for (const RationalRow& direction : contact.directions) {
     constexpr unsigned kBits = 20;
     const Rational square = contact.friction.low * contact.friction.low *
                             contact.squared_length / contact.squared_force(direction);
-    RationalRow most = direction;
-    for (Rational& entry : most) entry *= short_sqrt(square, kBits).upper;
-    const RationalRow wrench = row.wrench_of(most);
-    std::vector<RationalRow> with_friction;
-    for (const RationalRow& edge : edges) {
+    const Rational most = short_sqrt(square, kBits).upper;
+    std::vector<RationalRow> farther;
+    for (const RationalRow& corner : corners) {
       for (const int sign : {1, -1}) {
-        with_friction.push_back(edge);
-        for (std::size_t j = 0; j < edge.size(); ++j) {
-          with_friction.back()[j] += sign * wrench[j];
-        }
+        farther.push_back(corner);
+        add_multiple(farther.back(), sign * most, direction);
       }
     }
-    edges = std::move(with_friction);
+    corners = std::move(farther);
   }
+  std::vector<RationalRow> edges;
+  for (const RationalRow& corner : corners) edges.push_back(row.push_with(corner));
   return edges;
 }
 
-/// Returns the square of a motion's length times `length`, or of a load's length, where torques
-/// are over `length`.
-Rational square_of(const Law& law, const RationalRow& row, const Rational& length) {
-  Rational sum = 0;
-  for (std::size_t j = 0; j < row.size(); ++j) {
-    const Rational entry = law.rotates[j] != 0 ? Rational(row[j] / length) : row[j];
-    sum += entry * entry;
-  }
-  return sum;
-}
-
-/// Returns a motion y that no wrench opposes, y.g >= 0 for all: a free one, y.g = 0, or else one
-/// on which the load does the least negative work, none or some; nothing if there is no free one
-/// and every other one has work below -1 over the sum of all y.g.
+/// Returns a motion y that no wrench opposes, y.g >= 0 for all: a free one, y.g = 0, or else
+/// one on which the load does the least negative work, none or some; nothing if there is no
+/// free one and every other one has work below -1 over the sum of all y.g.
 std::optional<RationalRow> least_opposed(const std::vector<RationalRow>& wrenches,
                                          const RationalRow& load) {
   const std::vector<RationalRow> free = null_space(matrix_of(wrenches, load.size()));
@@ -82,14 +70,17 @@ std::optional<RationalRow> least_opposed(const std::vector<RationalRow>& wrenche
 
 }  // namespace
 
-std::optional<std::string> balance_on_an_edge(const GraspBox& grasp) {
+std::optional<std::string> balance_on_an_edge(const AnyGrasp& any) {
+  // A crowd of contacts in the plane would take much memory as a box.
+  const auto* crowd = std::get_if<LoadedGrasp>(&any);
+  if (crowd != nullptr && crowd->grasp.size() > kMostContactsInBalance) return {};
+  const GraspBox grasp = box_of(any);
   if (!grasp.springs.empty() || grasp.contacts.size() > kMostContactsInBalance) return {};
   const GraspLaw law(grasp, NormalLaw::kUnilateral);
   RationalRow load;
   for (const Interval& w : law.wrench) load.push_back(w.low);
-  constexpr int kBits = 4;
-  const Rational length = rational_in_bits(law.length, kBits);
-  const Rational size = square_of(law, load, length);
+  const Rational length = law.short_length();
+  const Rational size = law.squared_size(load, length);
   if (size.is_zero()) return {};
   std::vector<RationalRow> wrenches;
   for (const LawContact& contact : law.contacts) {
@@ -99,7 +90,7 @@ std::optional<std::string> balance_on_an_edge(const GraspBox& grasp) {
   if (!y) return {};
   const Rational work = dot(*y, load);
   const Rational part = work * kRoundingPart;
-  if (part * part > size * square_of(law, *y, 1 / length)) return {};
+  if (part * part > size * law.squared_size(*y, 1 / length)) return {};
   std::size_t largest = 0;
   const auto entry = [&](std::size_t j) {
     return law.rotates[j] != 0 ? Rational(abs((*y)[j]) * length) : Rational(abs((*y)[j]));

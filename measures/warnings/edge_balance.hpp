@@ -23,6 +23,6 @@ inline constexpr long kRoundingPart = 1000000000;
 /// contacts. Requires one grasp that is stable.
 /// Takes one exact linear program, with a row for each coordinate and 2 variables for each
 /// contact, in space 4.
-std::optional<std::string> balance_on_an_edge(const GraspBox& grasp);
+std::optional<std::string> balance_on_an_edge(const AnyGrasp& grasp);
 
 }  // namespace stickslip::warnings_detail

@@ -189,7 +189,7 @@ std::vector<ModelWarning> model_warnings(const Answer& answer, bool only_of_moti
                  assumed_stiffness_of(question, problem, stable != nullptr, nodes));
   }
   if (!only_of_motion && stable != nullptr) {
-    warnings.add(ModelTrap::kEdgeBalance, warnings_detail::balance_on_an_edge(box_of(question.grasp)));
+    warnings.add(ModelTrap::kEdgeBalance, warnings_detail::balance_on_an_edge(question.grasp));
   }
   return std::move(warnings).take();
 }

@@ -121,7 +121,7 @@ std::optional<Rational> best_vertex(const std::vector<std::vector<Rational>>& pl
   return best;
 }
 
-// Of a polytope the optimum is at a vertex. It is that of the dual program: max -b.y with
+// The optimum over a polytope is at a vertex. It is that of the dual program: max -b.y with
 // A^T y = -c, y >= 0; and of the program in other words: rows in another order, turned round
 // and scaled.
 TEST(LpProperty, OptimaAreThoseOfTheBestVertexAndOfTheDual) {

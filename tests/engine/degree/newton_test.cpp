@@ -84,7 +84,7 @@ TEST(Newton, AnswersByStiffnessAndFriction) {
   }
 }
 
-// With modes given the equations are linear here: one step balances.
+// The equations are linear here once modes are given: one step balances.
 TEST(ModalEquations, OneStepBalancesThePinch) {
   const GraspLaw law(pinch(kHalf, {1, -kHalf, 0}), NormalLaw::kUnilateral);
   const RoundedGrasp grasp = rounded_middle(law);

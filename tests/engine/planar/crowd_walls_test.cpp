@@ -169,8 +169,8 @@ TEST(CrowdWalls, TreesRefuteWalls) {
   EXPECT_GE(closed, 10);
 }
 
-// What Newton's method returns is mostly an equilibrium: forces of springs, friction within its
-// cone and against the slip, and all of it in balance with the load.
+// Newton's method mostly returns an equilibrium: forces of springs, friction within its cone
+// and against the slip, and all of it in balance with the load.
 TEST(CrowdWalls, NearEquilibriaBalance) {
   RandomSource random(112);
   int right = 0;

@@ -162,7 +162,8 @@ TEST(RegionProgram, RefutesOrRelaxesARegion) {
     if (const auto* leaf = std::get_if<TwistLeaf>(&outcome)) {
       ++seen[0];
       EXPECT_TRUE(naive_refutes(problem, naive, rays, *leaf));
-      // What refutes is returned as it is; what does not leads to a leaf all the same.
+      // A guess that refutes is returned as it is; one that does not leads to a leaf all the
+      // same.
       TwistLeaf longer = *leaf;
       for (Integer& entry : longer.twist) entry *= 3;
       const auto same = solve_region(problem, region, nullptr, &longer);

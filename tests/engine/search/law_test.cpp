@@ -180,8 +180,8 @@ TEST(Law, TheMostWorkOfALoadIsThatOfACorner) {
   }
 }
 
-// Of a ball it is the work of the load in its middle and of the radius times |y|, up to a bound
-// of the root.
+// The most work of a ball of loads is that of the load in its middle and of the radius times
+// |y|, up to a bound of the root.
 TEST(Law, TheMostWorkOfABallIsItsRadiusTimesTheTwist) {
   RandomSource random(74);
   for (int round = 0; round < 60; ++round) {

@@ -56,7 +56,7 @@ TEST(LeastPreload, OfAPushIsNothing) {
   EXPECT_EQ(found.bound, 0);
 }
 
-// With arms of 1 friction carries |f_y| + |torque| of at most mu (P1 + P2 - |f_x|): a ball of
+// Friction carries |f_y| + |torque| of at most mu (P1 + P2 - |f_x|) with arms of 1: a ball of
 // mu (P1 + P2) / sqrt(2 + mu^2), which is a third of P1 + P2 as mu is 1/2. The unit of length
 // does not matter if torques are divided by it.
 TEST(Quality, OfAPinchIsAThirdOfItsPreloads) {

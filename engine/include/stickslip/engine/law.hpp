@@ -58,6 +58,8 @@ struct CornerRow {
   std::vector<Row> slip_planes(std::size_t coordinates) const;
   /// Returns the wrench of a friction force, which has as many numbers as a slip.
   RationalRow wrench_of(const RationalRow& friction) const;
+  /// Returns N plus the wrench of this friction force: the force of a contact with a = 1.
+  RationalRow push_with(const RationalRow& friction) const;
   /// Sets the slip from `multiple`, which is `factor` times S. Requires factor > 0.
   void set_slip(const std::vector<RationalRow>& multiple, const Rational& factor);
 };
@@ -205,6 +207,11 @@ struct Law {
   /// Fills in what follows from the loads. It suffices after complete() if the loads alone have
   /// changed.
   void complete_loads();
+  /// Returns the typical distance in few bits.
+  Rational short_length() const;
+  /// Returns the square of the length of a row, of which rotations and torques are divided by
+  /// `about`: a length for a load, and its inverse for a motion.
+  Rational squared_size(const RationalRow& row, const Rational& about) const;
   /// Returns the size of the force of a = 1, in doubles.
   double force_size(const LawContact& contact) const;
   /// Returns the largest work of a load on a virtual twist; for a ball of loads, a bound of it.

@@ -143,10 +143,7 @@ void add_load(WrenchBox& sum, const JsonNode& load, const std::string& path,
     return;
   }
   const RationalRow force = read_one_load(load, path, written, true);
-  const std::vector<RationalRow> motion = mechanism.motion_of(body);
-  for (std::size_t j = 0; j < sum.size(); ++j) {
-    Rational component = 0;
-    for (std::size_t k = 0; k < force.size(); ++k) component += force[k] * motion[k][j];
+  for (const auto& [j, component] : mechanism.load_on(body, force)) {
     add(sum, j, point_interval(component));
   }
 }

@@ -72,6 +72,28 @@ std::vector<RationalRow> Mechanism::motion_of(BodyIndex body) const {
   return motion;
 }
 
+SparseRow Mechanism::load_on(BodyIndex body, const RationalRow& wrench) const {
+  RationalRow on_joints(joints.size());
+  while (body && bodies.at(*body).link) {
+    const Link& link = *bodies[*body].link;
+    const Rational work = dot(twist_of(link), wrench);
+    for (std::size_t q = 0; q < joints.size(); ++q) {
+      on_joints[q] += rate_of(joints[q].turns, *body) * work;
+    }
+    body = link.on;
+  }
+  SparseRow load;
+  const auto add = [&](std::size_t coordinate, const Rational& entry) {
+    if (!entry.is_zero()) load.emplace_back(coordinate, entry);
+  };
+  if (body) {
+    const std::size_t first = first_coordinate(*body);
+    for (std::size_t k = 0; k < wrench.size(); ++k) add(first + k, wrench[k]);
+  }
+  for (std::size_t q = 0; q < joints.size(); ++q) add(joint_coordinate(q), on_joints[q]);
+  return load;
+}
+
 std::vector<RationalRow> Mechanism::motion_between(BodyIndex of, BodyIndex by) const {
   std::vector<RationalRow> motion = motion_of(of);
   const std::vector<RationalRow> other = motion_of(by);

@@ -22,6 +22,16 @@ Rational dot(const RationalRow& a, const RationalRow& b) {
   return sum;
 }
 
+Rational dot(const SparseRow& a, const RationalRow& b) {
+  Rational sum = 0;
+  for (const auto& [index, entry] : a) sum += entry * b[index];
+  return sum;
+}
+
+void add_multiple(RationalRow& to, const Rational& factor, const SparseRow& row) {
+  for (const auto& [index, entry] : row) to[index] += factor * entry;
+}
+
 bool is_zero(const Row& a) {
   return std::all_of(a.begin(), a.end(), [](const Integer& entry) { return entry.is_zero(); });
 }

@@ -143,7 +143,14 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   one_body_ = !box.mechanism;
   parameters_ = parameters_of(box);
   motions = box.wrench.size();
-  require(motions + 2 <= kMostCoordinates, "states have too many coordinates");
+  if (motions + 2 > kMostCoordinates) {
+    throw InputError(
+        "", "bodies",
+        "bodies and joints have " + std::to_string(motions) + " coordinates together",
+        "the law of contacts is decided for at most " + std::to_string(kMostCoordinates - 2) +
+            ", 6 for each body in space or 3 in the plane, and 1 for each joint; "
+            "statics of any number is in compare and margin, as the class");
+  }
   if (box.mechanism) {
     rotates.clear();
     for (std::size_t j = 0; j < motions; ++j) {

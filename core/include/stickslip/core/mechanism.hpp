@@ -89,6 +89,9 @@ struct Mechanism {
   std::size_t joint_coordinate(std::size_t joint) const;
   /// Returns J of a body, its twist as functions of states: 3 rows in the plane, 6 in space.
   std::vector<RationalRow> motion_of(BodyIndex body) const;
+  /// Returns J^T of a body times a wrench on it: the generalised force, 0 where it is not
+  /// listed.
+  SparseRow load_on(BodyIndex body, const RationalRow& wrench) const;
   /// Returns J_of - J_by, the motion of one body relative to another.
   std::vector<RationalRow> motion_between(BodyIndex of, BodyIndex by) const;
   /// Returns the sum of r_b times how each link b turns, as a function of states.

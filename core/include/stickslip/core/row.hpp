@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "stickslip/core/error.hpp"
@@ -17,12 +18,18 @@ namespace stickslip {
 using Row = std::vector<Integer>;
 /// A vector of fractions.
 using RationalRow = std::vector<Rational>;
+/// A vector by its entries that are not 0, each with its index, in the order of these.
+using SparseRow = std::vector<std::pair<std::size_t, Rational>>;
 
 /// \{ Returns the sum of a_j b_j over the coordinates that both have. So a function of points
 /// (d, h, l) may be given a motion d alone.
 Integer dot(const Row& a, const Row& b);
 Rational dot(const RationalRow& a, const RationalRow& b);
 /// \}
+/// Returns the product of a vector of few entries and one that has all of these.
+Rational dot(const SparseRow& a, const RationalRow& b);
+/// Adds `factor` times a vector of few entries.
+void add_multiple(RationalRow& to, const Rational& factor, const SparseRow& row);
 
 bool is_zero(const Row& a);  ///< whether every entry is 0
 Row negated(Row a);          ///< -a

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Statics as rows: the columns of the forces that hold one grasp, of any number of bodies.
+///
+/// Each body has coordinates about a point of its own, amid its contacts: its motion y is that
+/// of this point, and torques are about it. So numbers are short, and a body far from the
+/// origin is as any other. Joints that are held leave out coordinates.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "stickslip/core/box.hpp"
+#include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/lp/cone_program.hpp"
+
+namespace stickslip::earlier_detail {
+
+/// The forces of a contact or ratchet: a times `normal` and c_k times `slips[k]`, with a >= 0
+/// and sum c_k^2 squares[k] <= squared_most a^2.
+struct ForceCone {
+  std::size_t element = 0;         ///< the index of the contact or ratchet
+  SparseRow normal{};              ///< N, in the model's coordinates
+  std::vector<SparseRow> slips{};  ///< the wrenches of `directions`; empty without friction
+  std::vector<RationalRow> directions{};  ///< an orthogonal basis of friction forces
+  RationalRow squares{};                  ///< |d_k|^2 of each direction
+  Rational squared_most{0};               ///< (mu L)^2
+};
+
+/// Forces of a cone: a and then c_k. Without an entry for friction there is none.
+using ConeForce = RationalRow;
+
+/// The statics of one grasp, with all friction multiplied by a factor.
+class StaticsModel {
+ public:
+  StaticsModel(const GraspBox& grasp, const Rational& friction_factor);
+
+  std::size_t size() const { return size_; }  ///< the number of the model's coordinates
+  const std::vector<ForceCone>& cones() const { return cones_; }  ///< the contacts and ratchets
+  /// Returns a load in the model's coordinates, without what springs exert.
+  RationalRow load_of(const RationalRow& wrench) const;
+  /// Returns the load of the grasp with what springs without stiffness exert.
+  const RationalRow& load() const { return load_; }
+  /// Returns whether a coordinate is of a body, and which others are of the same.
+  const std::vector<std::size_t>& bodies() const { return bodies_; }
+  /// Returns, by coordinate, what torques are divided by to compare with forces: a power of
+  /// two, 1 for a force.
+  const std::vector<double>& arms() const { return arms_; }
+
+  /// Returns the columns in doubles, of cones that are all the same: those of z_0 >= |z_1..|.
+  ConePair rounded(const RationalRow& load) const;
+  /// Returns the factor from z_k of that to the coefficient of column k.
+  double scale(const ForceCone& cone, std::size_t column) const;
+
+  /// Returns the motion of the grasp with this one of the model, as coprime integers.
+  RationalRow motion_of(const RationalRow& y) const;
+  /// Returns whether no force of the cone opposes the motion.
+  static bool is_unopposed(const ForceCone& cone, const RationalRow& y);
+  /// Returns whether the force is in the cone.
+  static bool is_in(const ForceCone& cone, const ConeForce& force);
+  /// Returns the forces by element of the grasp, with those of springs, which balance the load.
+  RigidForces forces_of(const std::vector<ConeForce>& forces, const RationalRow& wrench) const;
+
+ private:
+  void add_contact(const UncertainContact& contact, std::size_t element,
+                   const Rational& friction_factor);
+  SparseRow row_of(const UncertainContact& contact, const RationalRow& wrench) const;
+  SparseRow shifted(SparseRow row) const;
+  SparseRow held(SparseRow row) const;
+  void find_centres();
+  void hold_joints();
+
+  const GraspBox& grasp_;
+  std::size_t size_ = 0;
+  std::size_t twist_ = 3;             ///< coordinates of a body: 3 or 6
+  std::size_t free_ = 0;              ///< coordinates of all bodies that are no links
+  std::vector<RationalRow> centres_;  ///< by body that is no link
+  std::optional<std::vector<RationalRow>> joints_;  ///< motions of joints that are not held
+  std::vector<ForceCone> cones_;
+  RationalRow load_;
+  std::vector<std::size_t> bodies_;
+  std::vector<double> arms_;
+};
+
+}  // namespace stickslip::earlier_detail

@@ -27,6 +27,18 @@ struct Range {
   bool open_high = false;  ///< nor is high
 };
 
+/// Of a margin of statics: which multiples may stand, and which must move.
+struct Standing {
+  bool any = false;  ///< whether multiples from low to high may stand
+  Rational low;
+  Rational high;
+  bool low_end = true;  ///< if not, all below do as well; likewise above
+  bool high_end = true;
+  std::optional<Rational> below;  ///< those below it must move
+  std::optional<Rational> above;  ///< those above it must move
+  bool always_moves = false;      ///< all must
+};
+
 /// The certificate proves `verdict` about the question.
 struct Accepted {
   Question question;
@@ -35,11 +47,14 @@ struct Accepted {
   std::vector<Range> refuted;      ///< of claims: none of these
   std::uint64_t segments = 0;      ///< of a margin by segments
   std::uint64_t pieces = 0;        ///< of a region, whose union it is
-  std::size_t trees = 0;           ///< of a margin, one for each range without a multiple
-  std::uint64_t rests = 0;         ///< proofs at rest
-  std::uint64_t stickings = 0;     ///< proofs by sticking
-  std::uint64_t parts = 0;         ///< proofs by degree
-  std::uint64_t nodes = 0;         ///< of all trees; 0 for a witness
+  std::uint64_t stands = 0;        ///< load points of statics, whose sums may stand
+  std::uint64_t moves = 0;         ///< twists of statics
+  std::optional<Standing> standing = {};
+  std::size_t trees = 0;        ///< of a margin, one for each range without a multiple
+  std::uint64_t rests = 0;      ///< proofs at rest
+  std::uint64_t stickings = 0;  ///< proofs by sticking
+  std::uint64_t parts = 0;      ///< proofs by degree
+  std::uint64_t nodes = 0;      ///< of all trees; 0 for a witness
   std::uint64_t leaves = 0;
 };
 

@@ -32,11 +32,11 @@ Vector parse_list(const std::string& option, const std::string& text) {
 /// Of the coordinates of a motion.
 Vector parse_wrench(const std::string& option, const std::string& text) {
   Vector values = parse_list(option, text);
-  if (values.size() > kMostCoordinates) {
+  if (values.size() > kMostOfStatics) {
     throw UsageError{
         option + ": " + quote(text) +
         " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ, or of "
-        "several bodies at most 30 numbers"};
+        "several bodies a number for each coordinate"};
   }
   return values;
 }
@@ -56,11 +56,11 @@ Vector parse_max_motion(const std::string& option, const std::string& text) {
 
 std::vector<Vector> parse_plane(const std::string& option, const std::string& text) {
   const Vector values = parse_list(option, text);
-  if (values.size() != 2 * kPlanar) {
+  if (values.size() < 2 || values.size() % 2 != 0 || values.size() > 2 * kMostOfStatics) {
     throw UsageError{option + ": " + quote(text) +
                      " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0"};
   }
-  const auto middle = values.begin() + kPlanar;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   return {Vector(values.begin(), middle), Vector(middle, values.end())};
 }
 
@@ -184,6 +184,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       options.plane = parse_plane(word, value());
     } else if (word == "--inertia") {
       options.inertia = parse_inertia(word, value());
+    } else if (word == "--statics") {
+      options.statics = parse_number(word, value());
     } else if (word == "--preload-direction") {
       const std::string growth = value();
       options.preload_direction.emplace();

@@ -26,39 +26,58 @@ std::size_t dimension_of(const std::vector<Body>& bodies, std::size_t joints, bo
   return dimension;
 }
 
+Matrix unit_matrix(std::size_t size) {
+  Matrix unit{size, {}};
+  for (std::size_t j = 0; j < size; ++j) unit.rows.push_back({{j, 1}});
+  return unit;
+}
+
+SparseRow plus(const SparseRow& to, const Rational& factor, const SparseRow& row) {
+  SparseRow sum;
+  auto a = to.begin();
+  auto b = row.begin();
+  while (a != to.end() || b != row.end()) {
+    const bool from_a = b == row.end() || (a != to.end() && a->first <= b->first);
+    const bool from_b = a == to.end() || (b != row.end() && b->first <= a->first);
+    const std::size_t column = from_a ? a->first : b->first;
+    Rational entry = from_a ? a++->second : Rational(0);
+    if (from_b) entry += factor * b++->second;
+    if (entry != 0) sum.emplace_back(column, std::move(entry));
+  }
+  return sum;
+}
+
 Mechanism::Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space)
     : joints_(std::move(joints)), dimension_(dimension_of(bodies, joints_.size(), in_space)) {
-  const std::size_t rows = in_space ? kSpatial : kPlanar;
-  ground_ = Matrix(rows, Vector(dimension_));
+  ground_ = {dimension_, std::vector<SparseRow>(in_space ? kSpatial : kPlanar)};
   std::size_t next = 0;  // column
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Body& body = bodies[b];
     Matrix own = body.way ? motion(body.on) : ground_;
-    for (std::size_t k = 0; k < rows; ++k) {
-      if (!body.way) {
-        own[k][next++] = 1;
-        continue;
+    for (std::size_t k = 0; k < own.rows.size(); ++k) {
+      if (body.way) {
+        own.rows[k] = plus(own.rows[k], 1, row({{b, (*body.way)[k]}}));
+      } else {
+        own.rows[k].emplace_back(next++, 1);
       }
-      const Vector turn = row({{b, (*body.way)[k]}});
-      for (std::size_t j = 0; j < dimension_; ++j) own[k][j] += turn[j];
     }
     motions_.push_back(std::move(own));
   }
 }
 
-Vector Mechanism::row_of_joint(std::size_t q) const {
-  Vector row(dimension_);
-  row[dimension_ - joints_.size() + q] = 1;
-  return row;
+SparseRow Mechanism::row_of_joint(std::size_t q) const {
+  return {{dimension_ - joints_.size() + q, 1}};
 }
 
-Vector Mechanism::row(const Turns& over) const {
-  Vector row(dimension_);
-  for (const auto& [link, r] : over) {
-    for (std::size_t q = 0; q < joints_.size(); ++q) {
+SparseRow Mechanism::row(const Turns& over) const {
+  SparseRow row;
+  for (std::size_t q = 0; q < joints_.size(); ++q) {
+    Rational sum;
+    for (const auto& [link, r] : over) {
       const auto c = joints_[q].find(link);
-      if (c != joints_[q].end()) row[dimension_ - joints_.size() + q] += r * c->second;
+      if (c != joints_[q].end()) sum += r * c->second;
     }
+    if (sum != 0) row.emplace_back(dimension_ - joints_.size() + q, std::move(sum));
   }
   return row;
 }
@@ -85,10 +104,26 @@ Vector bound_of(const Rational& length, const Rational& angle, std::size_t dimen
   return bound;
 }
 
-Vector combined(const Matrix& rows, const Vector& factors) {
-  Vector result(rows[0].size());
-  spend(kStepsOfRational * factors.size() * result.size());
-  for (std::size_t k = 0; k < factors.size(); ++k) add(result, factors[k], rows[k]);
+Vector combined(const Matrix& matrix, const Vector& factors) {
+  Vector result(matrix.columns);
+  add_combined(result, matrix, factors);
+  return result;
+}
+
+void add_combined(Vector& to, const Matrix& matrix, const Vector& factors) {
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    spend(kStepsOfRational * (matrix.rows[k].size() + 1));
+    for (const auto& [j, entry] : matrix.rows[k]) to[j] += factors[k] * entry;
+  }
+}
+
+Vector moved(const Matrix& matrix, const Vector& motion) {
+  Vector result;
+  for (const SparseRow& row : matrix.rows) {
+    spend(kStepsOfRational * (row.size() + 1));
+    Rational& sum = result.emplace_back();
+    for (const auto& [j, entry] : row) sum += entry * motion[j];
+  }
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "number.hpp"
@@ -21,9 +22,22 @@ namespace stickslip_check {
 
 inline constexpr std::size_t kPlanar = 3;   ///< of one body: translation x, y and rotation
 inline constexpr std::size_t kSpatial = 6;  ///< translation x, y, z and rotation x, y, z
-inline constexpr std::size_t kMostCoordinates = 30;  ///< the largest D
+inline constexpr std::size_t kMostCoordinates = 30;   ///< the largest D
+inline constexpr std::size_t kMostOfStatics = 65536;  ///< that of statics (FORMAT.md §16)
 
-using Matrix = std::vector<Vector>;  ///< by rows
+/// A row by its entries that are not 0, each with its column, in their order.
+using SparseRow = std::vector<std::pair<std::size_t, Rational>>;
+
+/// A matrix of few entries.
+struct Matrix {
+  std::size_t columns = 0;
+  std::vector<SparseRow> rows = {};
+};
+
+/// The matrix that leaves vectors of `size` numbers as they are.
+Matrix unit_matrix(std::size_t size);
+/// to + factor row
+SparseRow plus(const SparseRow& to, const Rational& factor, const SparseRow& row);
 
 /// A body as the grasp file gives it.
 struct Body {
@@ -54,9 +68,9 @@ class Mechanism {
     return body ? motions_[*body] : ground_;
   }
   /// e_q.
-  Vector row_of_joint(std::size_t q) const;
+  SparseRow row_of_joint(std::size_t q) const;
   /// That of `over`.
-  Vector row(const Turns& over) const;
+  SparseRow row(const Turns& over) const;
 
  private:
   std::vector<Turns> joints_;
@@ -93,7 +107,11 @@ Vector bound_of(const Rational& length, const Rational& angle, std::size_t dimen
                 bool in_space);
 
 /// The sum of the rows of a matrix, each by its factor.
-Vector combined(const Matrix& rows, const Vector& factors);
+Vector combined(const Matrix& matrix, const Vector& factors);
+/// Adds that sum, in as many steps as the matrix has entries.
+void add_combined(Vector& to, const Matrix& matrix, const Vector& factors);
+/// The products of the rows with a motion.
+Vector moved(const Matrix& matrix, const Vector& motion);
 
 /// G^T row.
 Vector seen(const Sight& sight, const Vector& row);

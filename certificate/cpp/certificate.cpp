@@ -41,6 +41,7 @@ Claim CertificateReader::claim() {
   margin_ = claim.asked.margin();
   plane_ = claim.asked.plane.has_value();
   rigid_ = claim.asked.rigid();
+  statics_ = claim.asked.statics.has_value();
   return claim;
 }
 
@@ -48,7 +49,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !plane_ && !rigid_ && (!margin_ || claims_)) {
+  if (name == "bits" && !plane_ && !rigid_ && !statics_ && (!margin_ || claims_)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -67,6 +68,9 @@ std::string CertificateReader::verdict() {
         verdict.is_text("must move") || verdict.is_text("must hold") || verdict.is_text("open"),
         verdict, "verdict",
         "\"must move\", \"must hold\" or \"open\", as the question has an inertia");
+  } else if (statics_ && !margin_) {
+    json_.expect(verdict.is_text("may stand") || verdict.is_text("must move"), verdict,
+                 "verdict", R"("may stand" or "must move", as the question is of statics)");
   } else if (margin_) {
     json_.expect(verdict.is_text("margin"), verdict, "verdict",
                  "\"margin\", as the question has a direction");
@@ -86,14 +90,33 @@ Vector CertificateReader::acceleration() {
 }
 
 std::vector<RigidForce> CertificateReader::forces(const char* name) {
+  return forces_of(take(name), name);
+}
+
+std::vector<RigidForce> CertificateReader::forces_of(const Value& value,
+                                                     const std::string& place) const {
   std::vector<RigidForce> result;
-  const Value value = take(name);
-  for (const Value& entry : list(value, name, "an array of forces")) {
-    json_.expect(entry.is_array(3), entry, name, "a contact, a normal force and friction");
-    result.push_back({index(entry.items[0], name), number(entry.items[1], name),
-                      friction(entry.items[2], name, in_space_ ? 3 : 1)});
+  for (const Value& entry : list(value, place, "an array of forces")) {
+    json_.expect(entry.is_array(3), entry, place, "a contact, a normal force and friction");
+    const Integer contact = index(entry.items[0], place);
+    result.push_back({contact, number(entry.items[1], place),
+                      friction(entry.items[2], place, friction_numbers(contact))});
   }
   return result;
+}
+
+std::optional<StandPoint> CertificateReader::next_stand() {
+  if (!next_element("stand")) return std::nullopt;
+  const std::string place = "stand[" + std::to_string(elements_ - 1) + "]";
+  const Value value = json_.value();
+  json_.expect(value.is_array(2), value, place, "a load point and forces");
+  return StandPoint{numbers(value.items[0], place, 0, plane_ ? 3 : 2),
+                    forces_of(value.items[1], place)};
+}
+
+std::optional<Vector> CertificateReader::next_move() {
+  if (!next_element("move")) return std::nullopt;
+  return numbers(json_.value(), "move[" + std::to_string(elements_ - 1) + "]", 0, dimension_);
 }
 
 std::optional<RigidNode> CertificateReader::next_rigid_node() {
@@ -337,7 +360,7 @@ const Value& CertificateReader::member(const Value& value, const std::string& pl
 Claim CertificateReader::claim_of(const Value& value) const {
   expect_order(value, "question",
                {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction",
-                "plane", "inertia", "uncertain", "max_motion"});
+                "plane", "inertia", "statics", "uncertain", "max_motion"});
   Claim claim;
   claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
   const std::string at_wrench = "question.wrench";
@@ -368,10 +391,13 @@ Claim CertificateReader::claim_of(const Value& value) const {
       }
     }
   }
+  const Value* statics = value.find("statics");
+  if (statics != nullptr) asked.statics = number(*statics, "question.statics");
   if (const Value* plane = value.find("plane")) {
     const std::string place = "question.plane";
-    json_.expect(!in_space_ && !several_ && plane->is_array(2), *plane, place,
-                 "two directions, of a question about a planar grasp");
+    json_.expect(((!in_space_ && !several_) || statics != nullptr) && plane->is_array(2),
+                 *plane, place,
+                 "two directions, of a question about a planar grasp or statics");
     asked.plane.emplace();
     for (const Value& entry : plane->items) {
       asked.plane->push_back(numbers(entry, place, 0, dimension_));

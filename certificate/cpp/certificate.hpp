@@ -14,6 +14,7 @@
 #include "json.hpp"
 #include "margin.hpp"
 #include "rigid.hpp"
+#include "statics.hpp"
 #include "tree.hpp"
 #include "witness.hpp"
 
@@ -33,7 +34,8 @@ class CertificateReader {
 
   /// All up to the member `question`.
   Claim claim();
-  /// "stable", "unstable", "margin" or "region"; or "must move", "must hold" or "open".
+  /// "stable", "unstable", "margin" or "region"; or "must move", "must hold", "open" or "may
+  /// stand".
   std::string verdict();
   /// Of lengths that are irrational; known with the verdict.
   unsigned bits() const { return bits_; }
@@ -49,6 +51,9 @@ class CertificateReader {
   // a class, in the order of FORMAT.md §13
   Vector twist();
   std::vector<RigidForce> forces(const char* name);
+  // of statics, in the order of FORMAT.md §16
+  std::optional<StandPoint> next_stand();
+  std::optional<Vector> next_move();
   Vector acceleration();
   std::optional<RigidNode> next_rigid_node();
 
@@ -100,6 +105,7 @@ class CertificateReader {
                    const std::string& place) const;
   Witness load_point(const Value& value, const std::string& place) const;
   Vector friction(const Value& value, const std::string& place, std::size_t size) const;
+  std::vector<RigidForce> forces_of(const Value& value, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 
@@ -109,9 +115,10 @@ class CertificateReader {
   bool claims_;  ///< of a margin, and not segments and a tree
   bool several_;
   Fixed<Contacts> contacts_;
-  bool margin_ = false;  ///< the question has a direction
-  bool plane_ = false;   ///< or a plane
-  bool rigid_ = false;   ///< or an inertia
+  bool margin_ = false;   ///< the question has a direction
+  bool plane_ = false;    ///< or a plane
+  bool rigid_ = false;    ///< or an inertia
+  bool statics_ = false;  ///< or a factor of friction
   unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken
   std::size_t elements_ = 0;

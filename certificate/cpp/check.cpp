@@ -8,6 +8,7 @@
 #include "margin.hpp"
 #include "plane.hpp"
 #include "rigid.hpp"
+#include "statics.hpp"
 #include "work.hpp"
 
 namespace stickslip_check {
@@ -33,6 +34,10 @@ std::string in_words_inertia(const std::optional<Vector>& inertia) {
 
 std::string in_words(const std::optional<Rational>& preload) {
   return preload ? "the preload " + show(*preload) : "the file's own preloads";
+}
+
+std::string in_words_statics(const std::optional<Rational>& factor) {
+  return factor ? "statics with friction times " + show(*factor) : "no statics";
 }
 
 std::string in_words(const std::map<std::string, Tolerance>& uncertain) {
@@ -74,6 +79,8 @@ void check_question(const Claim& claim, const Question& question) {
           in_words(asked.plane));
   compare("question-inertia", said.inertia == asked.inertia, in_words_inertia(said.inertia),
           in_words_inertia(asked.inertia));
+  compare("question-statics", said.statics == asked.statics, in_words_statics(said.statics),
+          in_words_statics(asked.statics));
   compare("question-uncertain", said.uncertain == asked.uncertain, in_words(said.uncertain),
           in_words(asked.uncertain));
   compare("question-max-motion", said.max_motion == asked.max_motion,
@@ -130,6 +137,32 @@ void check_class(CertificateReader& certificate, const Question& question,
   accepted.leaves = proof->leaves();
 }
 
+/// FORMAT.md §16.
+void check_statics(CertificateReader& certificate, const Question& question,
+                   FirstRejection& rejection, Accepted& accepted) {
+  std::optional<StaticsProof> proof;
+  rejection.unless_rejected([&] { proof.emplace(question); });
+  if (accepted.verdict == "must move") {
+    const Vector twist = certificate.twist();
+    rejection.unless_rejected([&] { proof->check_twist(twist); });
+    return;
+  }
+  if (accepted.verdict == "may stand") {
+    const StandPoint point{{1}, certificate.forces("forces")};
+    rejection.unless_rejected([&] { proof->check(point, "forces"); });
+    return;
+  }
+  while (const std::optional<StandPoint> point = certificate.next_stand()) {
+    const std::string place = "stand " + std::to_string(accepted.stands++);
+    rejection.unless_rejected([&] { proof->check(*point, place); });
+  }
+  while (const std::optional<Vector> twist = certificate.next_move()) {
+    const std::string place = "move " + std::to_string(accepted.moves++);
+    rejection.unless_rejected([&] { proof->check(*twist, place); });
+  }
+  if (proof && accepted.verdict == "margin") accepted.standing = proof->standing();
+}
+
 Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
@@ -137,10 +170,19 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   Accepted accepted;
   accepted.verdict = certificate.verdict();
   if (question.is_box) enlarge(question, certificate.bits());
-  const bool in_ranges = accepted.verdict == "margin" && question.claims();
+  const bool statics = claim.asked.statics.has_value();
+  if (question.asked.statics && !statics) {
+    // It is rejected, and what is read as another proof needs no more than a box.
+    if (question.dimension() > kMostCoordinates) return *rejection.found;
+    question.load = Load(question.wrench);
+    enlarge(question);
+  }
+  const bool in_ranges = accepted.verdict == "margin" && question.claims() && !statics;
   std::vector<Root> roots;
   const bool rigid = claim.asked.rigid();
-  if (rigid) {
+  if (statics) {
+    check_statics(certificate, question, rejection, accepted);
+  } else if (rigid) {
     check_class(certificate, question, rejection, accepted);
   } else if (accepted.verdict == "stable" && certificate.has_parts()) {
     PartWalk walk(question.asked, question.box);
@@ -183,7 +225,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else {
     roots = roots_of(question, {{0, 0}});
   }
-  if (accepted.verdict != "stable" && !in_ranges && !rigid) {
+  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics) {
     TreeWalk walk(std::move(roots));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });

@@ -396,13 +396,17 @@ class GraspReader {
     Wrench sum(load_numbers());
     for (std::size_t k = 0; k < value.items.size(); ++k) {
       const Value& load = value.items[k];
-      add(sum, mechanism_ ? load_on_body(load, place[k]) : wrench_of(load, place[k]));
+      if (mechanism_) {
+        add_load_on_body(sum, load, place[k]);
+      } else {
+        add(sum, wrench_of(load, place[k]));
+      }
     }
     return sum;
   }
 
   /// FORMAT.md §14, `loads`: J_b^T times the wrench.
-  Wrench load_on_body(Value load, const Where& place) {
+  void add_load_on_body(Wrench& sum, Value load, const Where& place) {
     expect(load.kind == Value::Kind::kObject, load, place, "an object {...}");
     const auto name = std::find(load.keys.begin(), load.keys.end(), "body");
     if (name == load.keys.end()) member(load, place, "body");
@@ -424,14 +428,12 @@ class GraspReader {
     }
     // Where the wrench may be uncertain, J_b has ones alone.
     const Matrix& motion = mechanism_->motion(b);
-    Wrench result(mechanism_->dimension());
     for (std::size_t k = 0; k < wrench.size(); ++k) {
-      for (std::size_t j = 0; j < result.size(); ++j) {
-        result[j].low += motion[k][j] * wrench[k].low;
-        result[j].high += motion[k][j] * wrench[k].high;
+      for (const auto& [j, entry] : motion.rows[k]) {
+        sum[j].low += entry * wrench[k].low;
+        sum[j].high += entry * wrench[k].high;
       }
     }
-    return result;
   }
 
   std::size_t body_named(const Value& value, const Where& place) const {
@@ -471,13 +473,13 @@ class GraspReader {
     }
     const bool in_space = dimension_ == kSpatial;
     const std::size_t dimension = dimension_of(bodies_, all_turns.size(), in_space);
-    if (dimension > kMostCoordinates) {
+    if (dimension > kMostOfStatics) {
       throw Malformed{json_.file(), "bodies",
                       "found " + std::to_string(dimension) + " coordinates, " +
                           std::to_string(dimension_) +
                           " for each body that is no link and one for each joint; expected "
                           "at most " +
-                          std::to_string(kMostCoordinates)};
+                          std::to_string(kMostOfStatics)};
     }
     mechanism_ = std::make_shared<const Mechanism>(bodies_, std::move(all_turns), in_space);
     grasp_.wrench = Wrench(dimension);
@@ -486,8 +488,9 @@ class GraspReader {
     for (std::size_t q = 0; q < joints.items.size(); ++q) {
       const Value& joint = joints.items[q];
       if (joint.find("stiffness") == nullptr && joint.find("torque") == nullptr) continue;
-      read_element(joint, in_joints[q],
-                   {Element::Kind::kSpring, {mechanism_->row_of_joint(q)}, "", "torque"});
+      read_element(
+          joint, in_joints[q],
+          {Element::Kind::kSpring, one_row(mechanism_->row_of_joint(q)), "", "torque"});
     }
     read_over(take("tendons"), "tendons", Element::Kind::kSpring, "tension");
   }
@@ -604,12 +607,14 @@ class GraspReader {
       read_name(entry, place);
       if (kind == Element::Kind::kRatchet) member(entry, place, "stiffness");
       const Value& over = member(entry, place, "over");
-      Vector row = mechanism_->row(read_turns(over, place + ".over"));
-      expect(row != Vector(row.size()), over, place + ".over",
+      SparseRow row = mechanism_->row(read_turns(over, place + ".over"));
+      expect(!row.empty(), over, place + ".over",
              "links that some joint turns, so that its length changes");
-      read_element(entry, place, {kind, {std::move(row)}, "", preload});
+      read_element(entry, place, {kind, one_row(std::move(row)), "", preload});
     }
   }
+
+  Matrix one_row(SparseRow row) const { return {mechanism_->dimension(), {std::move(row)}}; }
 
   void read_element(const Value& value, const Where& place, Element element) {
     const bool spring = element.kind == Element::Kind::kSpring;
@@ -648,8 +653,8 @@ class GraspReader {
       Matrix rows = mechanism_->motion(names_.at(*of));
       const Matrix& under = mechanism_->motion(
           by == kGround ? std::nullopt : std::optional<std::size_t>(names_.at(by)));
-      for (std::size_t k = 0; k < rows.size(); ++k) {
-        for (std::size_t j = 0; j < rows[k].size(); ++j) rows[k][j] -= under[k][j];
+      for (std::size_t k = 0; k < rows.rows.size(); ++k) {
+        rows.rows[k] = plus(rows.rows[k], -1, under.rows[k]);
       }
       sight = std::make_shared<const Element>(
           Element{Element::Kind::kContact, std::move(rows), "", ""});

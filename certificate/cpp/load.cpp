@@ -23,11 +23,11 @@ Load::Load(std::vector<Bounds> components)
 Load::Load(Vector w0, const Ball& ball, const Matrix& motion) : w0_(std::move(w0)) {
   const std::size_t forces = ball.about.size();
   const Rational most_torque = ball.radius * ball.length;
-  for (std::size_t j = 0; j < motion.size(); ++j) {
+  for (std::size_t j = 0; j < motion.rows.size(); ++j) {
     const bool of_force = j < forces;
     const Rational& most = of_force ? ball.radius : most_torque;
     ways_.push_back(combined(
-        motion, of_force ? at_point(ball.about, unit(forces, j)) : unit(motion.size(), j)));
+        motion, of_force ? at_point(ball.about, unit(forces, j)) : unit(motion.rows.size(), j)));
     numbers_.emplace_back(-most, most);
     squares_.emplace_back(most * most);
   }

@@ -69,6 +69,9 @@ the program that produced the certificate:
                            hold, or neither follows (open); its centre of mass, and the squared
                            radius of gyration about that; in space X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ],
                            the centre and the tensor of inertia about that, of mass 1
+  --statics FACTOR         ask whether bodies may stand or must move, with any stiffness and preloads, and
+                           all friction multiplied by FACTOR; with --direction which multiples
+                           may, with --plane (of as many numbers as two wrenches) which loads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
@@ -97,7 +100,9 @@ Answers and exit codes:
   accepted   0   the certificate proves the verdict about the question that is printed;
                  of a margin, that exactly the factors printed as "resisted" are; by claims,
                  that those are, that those printed as "refuted" are not, and nothing of others;
-                 of a region, that exactly the (s, t) in the certificate's pieces are
+                 of a region, that exactly the (s, t) in the certificate's pieces are;
+                 of statics with a direction or a plane, that those printed as "may stand" may,
+                 that those printed as "must move" must, and nothing of others
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error; of a
                  batch, a line, where it ends; else its exit code is 0

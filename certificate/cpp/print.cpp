@@ -89,6 +89,41 @@ std::string in_words(const std::vector<Range>& ranges) {
   return text;
 }
 
+/// "from A to B" with ends that there are.
+std::string in_words(const Standing& standing) {
+  std::string text = "may stand   ";
+  if (standing.any) {
+    text += (standing.low_end ? "[" + standing.low.get_str() : "(-oo") + ", " +
+            (standing.high_end ? standing.high.get_str() + "]" : "oo)");
+  } else {
+    text += "none claimed";
+  }
+  text += "\nmust move   ";
+  if (standing.always_moves) return text + "all";
+  std::string ends = standing.below ? "below " + standing.below->get_str() : "";
+  if (standing.above)
+    ends += (ends.empty() ? "above " : ", above ") + standing.above->get_str();
+  return text + (ends.empty() ? "none claimed" : ends);
+}
+
+std::string json_standing(const Standing& standing) {
+  const auto end = [](bool is_there, const Rational& value) {
+    return is_there ? json_string(value.get_str()) : "null";
+  };
+  const auto border = [&](const std::optional<Rational>& value) {
+    return end(value.has_value(), value.value_or(0));
+  };
+  return R"({"stand": )" +
+         (standing.any ? "[" + end(standing.low_end, standing.low) + ", " +
+                             end(standing.high_end, standing.high) + "]"
+                       : "null") +
+         R"(, "move": )" +
+         (standing.always_moves
+              ? "\"all\""
+              : "[" + border(standing.below) + ", " + border(standing.above) + "]") +
+         "}";
+}
+
 std::string json_intervals(const std::vector<Interval>& intervals) {
   std::string text;
   for (const auto& [low, high] : intervals) {
@@ -123,6 +158,7 @@ std::string json_question(const Question& question) {
                        : R"(, "plane": [)" + list((*asked.plane)[0], "[", "]", true) + ", " +
                              list((*asked.plane)[1], "[", "]", true) + "]") +
          (!asked.inertia ? "" : R"(, "inertia": )" + list(*asked.inertia, "[", "]", true)) +
+         (!asked.statics ? "" : R"(, "statics": )" + json_string(asked.statics->get_str())) +
          R"(, "uncertain": )" +
          (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") +
          (!asked.max_motion ? ""
@@ -151,12 +187,18 @@ std::string text_of(const Accepted& a) {
   const Options& asked = a.question.asked;
   const auto& growth = asked.preload_direction;
   const bool margin = a.verdict == "margin";
-  const bool in_ranges = margin && a.question.claims();
+  const bool statics = asked.statics.has_value();
+  const bool in_ranges = margin && a.question.claims() && !statics;
   const auto list_or = [](const std::string& listed, const char* none) {
     return listed.empty() ? none : listed;
   };
   std::string text = "accepted\n";
-  if (in_ranges) {
+  if (a.standing) {
+    text += in_words(*a.standing) + "\nelsewhere   nothing is claimed";
+  } else if (statics && asked.plane) {
+    text += "may stand   the sums of load points: " + std::to_string(a.stands) +
+            "\nmust move   where a load does work on a twist: " + std::to_string(a.moves);
+  } else if (in_ranges) {
     text += "resisted    " + list_or(in_words(a.resisted), "none claimed") + "\nrefuted     " +
             list_or(in_words(a.refuted), "none claimed") + "\nelsewhere   nothing is claimed";
   } else if (margin) {
@@ -177,6 +219,7 @@ std::string text_of(const Accepted& a) {
             list((*asked.plane)[1], "(", ")", false);
   }
   if (asked.inertia) text += "\ninertia     " + list(*asked.inertia, "(", ")", false);
+  if (statics) text += "\nstatics     friction times " + asked.statics->get_str();
   text += "\npreload     ";
   if (growth && growth->scale) text += "f times ";
   text +=
@@ -188,7 +231,11 @@ std::string text_of(const Accepted& a) {
   text += "\nproof       ";
   const std::string tree =
       std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves";
-  if (in_ranges) {
+  if (statics && (margin || asked.plane)) {
+    text += "load points: " + std::to_string(a.stands) + ", twists: " + std::to_string(a.moves);
+  } else if (a.verdict == "may stand") {
+    text += "forces";
+  } else if (in_ranges) {
     text += "intervals by degree: " + std::to_string(a.parts) +
             (a.rests > 0 ? ", at rest: " + std::to_string(a.rests) : "") +
             (a.stickings > 0 ? ", sticking: " + std::to_string(a.stickings) : "") +
@@ -240,10 +287,11 @@ std::string as_json(const Answer& answer) {
   const auto* r = std::get_if<Rejected>(&answer);
   const auto* m = std::get_if<Malformed>(&answer);
   const auto* n = std::get_if<NotJudged>(&answer);
-  const bool margin = a != nullptr && a->verdict == "margin";
-  const bool region = a != nullptr && a->verdict == "region";
-  const bool tree =
-      a != nullptr && (a->verdict != "stable" || a->rests + a->stickings + a->parts > 0);
+  const bool statics = a != nullptr && a->question.asked.statics;
+  const bool margin = a != nullptr && a->verdict == "margin" && !statics;
+  const bool region = a != nullptr && a->verdict == "region" && !statics;
+  const bool tree = a != nullptr && !statics &&
+                    (a->verdict != "stable" || a->rests + a->stickings + a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
   const std::string result = a != nullptr   ? "accepted"
                              : r != nullptr ? "rejected"
@@ -269,7 +317,14 @@ std::string as_json(const Answer& answer) {
          (margin ? json_intervals(a->resisted) : "null") + R"(, "refuted": )" +
          (margin && a->question.claims() ? json_ranges(a->refuted) : "null") +
          R"(, "question": )" + (a != nullptr ? json_question(a->question) : "null") +
-         (region ? R"(, "pieces": )" + std::to_string(a->pieces) : "") + "}\n";
+         (region ? R"(, "pieces": )" + std::to_string(a->pieces) : "") +
+         (statics && (a->stands > 0 || a->moves > 0)
+              ? R"(, "points": )" + std::to_string(a->stands) + R"(, "twists": )" +
+                    std::to_string(a->moves)
+              : "") +
+         (a != nullptr && a->standing ? R"(, "standing": )" + json_standing(*a->standing)
+                                      : "") +
+         "}\n";
 }
 
 std::string as_text(const Answer& answer) {

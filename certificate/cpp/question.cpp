@@ -25,6 +25,17 @@ void check_dimension(const Grasp& grasp, const Options& options) {
   };
   check(options.wrench, "wrench");
   check(options.direction, "direction");
+  if (options.plane) {
+    check((*options.plane)[0], "plane");
+    check((*options.plane)[1], "plane");
+  }
+  const std::size_t dimension = grasp.dimension();
+  if (grasp.several && !options.statics && dimension > kMostCoordinates) {
+    refuse("bodies", "found " + std::to_string(dimension) +
+                         " coordinates of bodies and joints; expected at most " +
+                         std::to_string(kMostCoordinates) + ", but in a question of statics");
+  }
+  if (options.statics) return;
   if (grasp.several && (options.plane || options.inertia)) {
     refuse(options.plane ? "plane" : "inertia",
            "the grasp is of several bodies; expected a question about a wrench or a direction");
@@ -58,7 +69,10 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
 
 /// Of what is asked about many loads.
 std::string kind_of(const Options& asked) {
-  return asked.plane ? "a region" : asked.inertia ? "a class" : "a margin";
+  return asked.statics   ? "statics"
+         : asked.plane   ? "a region"
+         : asked.inertia ? "a class"
+                         : "a margin";
 }
 
 /// The plane of a region has two directions that differ, and nothing else grows.
@@ -67,11 +81,24 @@ void check_plane(const Options& options) {
   if (options.margin()) refuse("plane", "a direction is given as well; expected one of them");
   const Vector& u = (*options.plane)[0];
   const Vector& v = (*options.plane)[1];
-  for (std::size_t j = 0; j < kPlanar; ++j) {
-    const std::size_t k = (j + 1) % kPlanar;
-    if (u[j] * v[k] != u[k] * v[j]) return;
+  // v is a multiple of u if it is where u is not 0.
+  const auto first = std::find_if(u.begin(), u.end(), [](const Rational& x) { return x != 0; });
+  for (std::size_t j = 0; first != u.end() && j < u.size(); ++j) {
+    if (*first * v[j] != u[j] * v[static_cast<std::size_t>(first - u.begin())]) return;
   }
   refuse("plane", "its directions are multiples of one another; expected a plane");
+}
+
+/// FORMAT.md §16.
+void check_statics(const Options& options) {
+  if (!options.statics) return;
+  if (*options.statics < 0) {
+    refuse("statics", "found the factor " + show(*options.statics) + ", expected 0 or more");
+  }
+  if (options.inertia) refuse("statics", "an inertia is given as well; expected one of them");
+  if (options.preload_direction) {
+    refuse("statics", "a preload direction is given as well, but preloads play no part");
+  }
 }
 
 /// FORMAT.md §13.
@@ -103,10 +130,11 @@ void check_inertia(const Grasp& grasp, const Options& options) {
 /// FORMAT.md §1, *max motion*: B, if motions are bounded.
 std::optional<Vector> max_motion_asked(const Grasp& grasp, const Options& options) {
   const std::optional<Vector>& given = options.max_motion;
+  if (options.statics && !given) return std::nullopt;
   const auto refuse_bound = [](const std::string& problem) { refuse("max_motion", problem); };
   std::optional<Vector> bound = given ? given : grasp.max_motion;
   if (!bound || bound->empty()) return std::nullopt;
-  if (options.plane || options.inertia) {
+  if (options.plane || options.inertia || options.statics) {
     refuse_bound("motions are bounded, but " + kind_of(options) + " is about all motions; " +
                  (given ? "expected one of the two"
                         : "to leave the bound of the grasp file out, give --max-motion none"));
@@ -162,9 +190,7 @@ Load load_of(Ball& ball, const Question& question, const std::string& found) {
   }
   if (!question.several) {
     require(!ball.body, "no body, as the grasp has one only");
-    Matrix unit(rows, Vector(rows));
-    for (std::size_t j = 0; j < rows; ++j) unit[j][j] = 1;
-    return {std::move(w0), ball, unit};
+    return {std::move(w0), ball, unit_matrix(rows)};
   }
   const auto& bodies = question.several->names;
   const auto body = ball.body ? bodies.find(*ball.body) : bodies.end();
@@ -176,7 +202,7 @@ Load load_of(Ball& ball, const Question& question, const std::string& found) {
 /// Replaces what is asked to be, and widens it; the wrench has been replaced.
 void apply_uncertain(Question& question, Contacts& contacts) {
   Options& asked = question.asked;
-  question.load = Load(question.wrench);
+  if (!asked.statics) question.load = Load(question.wrench);
   for (auto& [kind, tolerance] : asked.uncertain) {
     const std::string found = kind + "=" + show(tolerance);
     if (asked.family()) {
@@ -243,7 +269,9 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
     }
     const bool loaded = contact.preload.high != 0 || (!growth.empty() && growth[i] != 0);
     const bool has_length = is_contact(contact.sight);
-    if (!loaded || !has_length || exact_sqrt(dot(contact.normal, contact.normal))) continue;
+    if (!loaded || !has_length || question.asked.statics ||
+        exact_sqrt(dot(contact.normal, contact.normal)))
+      continue;
     question.is_box = true;
     question.encloses_lengths = true;
     if ((question.asked.plane || question.asked.inertia) && !question.in_space) {
@@ -253,7 +281,7 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
           "no exact question; run stickslip snap GRASP -o FILE, and ask about FILE"};
     }
   }
-  for (const Bounds& w : question.load.numbers()) {
+  for (const Bounds& w : question.asked.statics ? question.wrench : question.load.numbers()) {
     check(w, [] { return std::string("wrench"); });
   }
 }
@@ -307,6 +335,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   check_dimension(grasp, options);
   check_plane(options);
   check_inertia(grasp, options);
+  check_statics(options);
   Question question;
   question.asked = options;
   question.asked.max_motion = max_motion_asked(grasp, options);
@@ -348,7 +377,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   }
   question.contacts = Fixed<Contacts>(std::move(contacts));
   question.preload_growth = Fixed<Vector>(std::move(growth));
-  if (!question.is_box) enlarge(question);
+  if (!question.is_box && !options.statics) enlarge(question);
   return question;
 }
 

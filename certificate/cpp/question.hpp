@@ -61,6 +61,7 @@ struct Options {
   std::optional<PreloadDirection> preload_direction;
   std::optional<std::vector<Vector>> plane;  ///< u and v, of wrenches
   std::optional<Vector> inertia;         ///< of a class: centre of mass and squared gyration
+  std::optional<Rational> statics;       ///< of statics: the factor of all friction
   std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
   std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
   /// B. Of whoever asks also a length and an angle, or for none an empty list, in place of the
@@ -70,9 +71,9 @@ struct Options {
   /// Whether the margin along a direction is asked for, and not one verdict.
   bool margin() const { return direction || preload_direction; }
   /// Whether the class of a load under rigid contacts is asked for, and nothing else.
-  bool rigid() const { return inertia && !margin() && !plane; }
-  /// Whether it is no verdict, and so about one grasp: a margin, a region or a class.
-  bool family() const { return margin() || plane || inertia; }
+  bool rigid() const { return inertia && !margin() && !plane && !statics; }
+  /// Whether it is no verdict, and so about one grasp: a margin, a region, a class or statics.
+  bool family() const { return margin() || plane || inertia || statics; }
 };
 
 /// A list that nobody changes any more; copies are the same list.

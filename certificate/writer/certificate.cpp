@@ -326,6 +326,13 @@ std::string forces_text(const RigidForces& forces) {
   return text + "]";
 }
 
+/// Returns the motion of a load that must move.
+const UnopposedMotion& motion_of(const LoadClass& found) {
+  const auto* motion = std::get_if<UnopposedMotion>(&found);
+  require(motion != nullptr, "an undecided question has no certificate");
+  return *motion;
+}
+
 /// Writes the evidence of a class.
 struct RigidText {
   std::string operator()(const UnopposedMotion& motion) const {
@@ -384,6 +391,55 @@ std::string class_certificate_text(const Question& question, const Inertia& iner
               ", \"inertia\": [" + list(numbers_of(inertia)) + "]", producer) +
          kVerdict + "\"" + name_of(verdict) + "\",\n" + std::visit(RigidText{}, verdict) +
          "}\n";
+}
+
+namespace {
+
+std::string statics_head(const Question& question, const StaticsAsked& asked,
+                         const std::string& producer) {
+  const GraspBox box = box_of(question.grasp);
+  require(box.is_point() && !question.is_margin(), "statics is of one grasp");
+  std::string members;
+  if (asked.directions.size() == 1) {
+    members = ", \"direction\": [" + list(asked.directions[0]) + "]";
+  } else if (asked.directions.size() == 2) {
+    members = ", \"plane\": [[" + list(asked.directions[0]) + "], [" +
+              list(asked.directions[1]) + "]]";
+  }
+  members += ", \"statics\": " + number(asked.friction_factor);
+  return head(without_bound(question), wrench_text(box.wrench), members, producer);
+}
+
+}  // namespace
+
+std::string statics_certificate_text(const Question& question, const StaticsAsked& asked,
+                                     const LoadClass& found, const std::string& producer) {
+  require(asked.directions.empty(), "one load has no directions");
+  const std::string text = statics_head(question, asked, producer) + kVerdict;
+  if (const auto* forces = std::get_if<RigidForces>(&found)) {
+    return text + "\"may stand\",\n \"forces\": " + forces_text(*forces) + "}\n";
+  }
+  return text + "\"must move\",\n" + RigidText{}(motion_of(found)) + "}\n";
+}
+
+std::string statics_certificate_text(const Question& question, const StaticsAsked& asked,
+                                     const StandingLoads& found, const std::string& producer) {
+  require(!asked.directions.empty(), "many loads have directions");
+  std::string text = statics_head(question, asked, producer) + kVerdict +
+                     (asked.directions.size() == 1 ? "\"margin\"" : "\"region\"") +
+                     ",\n \"stand\": [";
+  std::string separator = "\n  ";
+  for (const StandPoint& stand : found.stand) {
+    text += separator + "[[" + list(stand.point) + "]," + forces_text(stand.forces) + "]";
+    separator = ",\n  ";
+  }
+  text += "],\n \"move\": [";
+  separator = "\n  ";
+  for (const RationalRow& y : found.move) {
+    text += separator + "[" + list(y) + "]";
+    separator = ",\n  ";
+  }
+  return text + "]}\n";
 }
 
 namespace {

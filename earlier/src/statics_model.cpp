@@ -305,14 +305,14 @@ bool StaticsModel::is_in(const ForceCone& cone, const ConeForce& force) {
 }
 
 RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
-                                    const RationalRow& wrench) const {
+                                    const RationalRow& wrench, const Rational& weight) const {
   RigidForces result(grasp_.elements());
+  for (RigidForce& force : result) force.friction.resize(grasp_.in_space() ? 3 : 1);
   for (std::size_t i = 0; i < cones_.size(); ++i) {
     const ForceCone& cone = cones_[i];
     RigidForce& force = result[cone.element];
     force.normal = forces[i][0];
     const bool is_contact = cone.element < grasp_.contacts.size();
-    force.friction.resize(grasp_.in_space() && is_contact ? 3 : 1);
     if (is_contact && !grasp_.contacts[cone.element].torsion.is_zero()) {
       force.friction.resize(4);
     }
@@ -355,7 +355,7 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
     if (spring.is_ratchet()) {
       stickslip::add_multiple(left, result[element].normal, sparse(spring.row));
     } else if (spring.stiffness.low.is_zero()) {
-      stickslip::add_multiple(left, spring.force.low, sparse(spring.row));
+      stickslip::add_multiple(left, weight * spring.force.low, sparse(spring.row));
     } else {
       rows.push_back(spring.row);
       places.push_back(element);

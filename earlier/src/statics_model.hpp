@@ -60,7 +60,10 @@ class StaticsModel {
   /// Returns whether the force is in the cone.
   static bool is_in(const ForceCone& cone, const ConeForce& force);
   /// Returns the forces by element of the grasp, with those of springs, which balance the load.
-  RigidForces forces_of(const std::vector<ConeForce>& forces, const RationalRow& wrench) const;
+  /// `wrench` is that load without what springs without stiffness exert, which is `weight`
+  /// times their forces.
+  RigidForces forces_of(const std::vector<ConeForce>& forces, const RationalRow& wrench,
+                        const Rational& weight = 1) const;
 
  private:
   void add_contact(const UncertainContact& contact, std::size_t element,

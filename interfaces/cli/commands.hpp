@@ -40,6 +40,7 @@ void add_radius_command(Command& app, int& exit_code);
 void add_quality_command(Command& app, int& exit_code);
 void add_preload_command(Command& app, int& exit_code);
 void add_map_command(Command& app, int& exit_code);
+void add_statics_command(Command& app, int& exit_code);
 void add_compare_command(Command& app, int& exit_code);
 void add_region_command(Command& app, int& exit_code);
 void add_batch_command(Command& app, int& exit_code);

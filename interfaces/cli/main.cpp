@@ -29,6 +29,7 @@ constexpr NamedAddition kCommands[] = {
     {"quality", stickslip::add_quality_command},
     {"preload", stickslip::add_preload_command},
     {"map", stickslip::add_map_command},
+    {"statics", stickslip::add_statics_command},
     {"compare", stickslip::add_compare_command},
     {"region", stickslip::add_region_command},
     {"batch", stickslip::add_batch_command},

@@ -64,6 +64,10 @@ class QuestionArguments {
   std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
   /// Returns true if --case is given.
   bool chooses_case() const { return !text_.case_name.empty(); }
+  /// Returns true if --wrench is given.
+  bool gives_wrench() const { return !text_.wrench.empty(); }
+  /// Returns true if --wrench or --case is given.
+  bool chooses_load() const { return chooses_case() || gives_wrench(); }
 
  private:
   void add_model_options_to(Command& command);

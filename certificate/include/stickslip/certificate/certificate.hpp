@@ -6,8 +6,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/earlier/statics.hpp"
 #include "stickslip/engine/decide.hpp"
 #include "stickslip/measures/margin.hpp"
 #include "stickslip/measures/region_proof.hpp"
@@ -48,6 +50,21 @@ std::string region_certificate_text(const Question& question, const WrenchPlane&
 /// for Undecided, and unless the question is about one load of one grasp.
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer);
+
+/// What is asked of statics (FORMAT.md, section 16).
+struct StaticsAsked {
+  Rational friction_factor{1};            ///< the factor of all friction
+  std::vector<RationalRow> directions{};  ///< one, of a margin, or two, of a region
+};
+
+/// \{ Return the certificate of one load's statics, or of which loads of a line or plane may
+/// stand. The question's bound of motions plays no part. Throw ContractError for Undecided, and
+/// unless the question is about one grasp.
+std::string statics_certificate_text(const Question& question, const StaticsAsked& asked,
+                                     const LoadClass& found, const std::string& producer);
+std::string statics_certificate_text(const Question& question, const StaticsAsked& asked,
+                                     const StandingLoads& found, const std::string& producer);
+/// \}
 
 /// Returns the whole question as an SMT-LIB 2 problem for solvers such as Z3 and cvc5. It is a
 /// complete script: declarations, the conditions of problem.hpp with their disjunctions,

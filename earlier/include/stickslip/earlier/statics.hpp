@@ -22,7 +22,9 @@
 /// structurally-sound masonry buildings", ACM Trans. Graph. 28(5), 2009.
 #pragma once
 
+#include <optional>
 #include <variant>
+#include <vector>
 
 #include "stickslip/core/box.hpp"
 #include "stickslip/earlier/load_classes.hpp"
@@ -47,5 +49,43 @@ struct LeastFriction {
 /// friction, and Undecided if no factor up to a million is found with which they may stand.
 std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const GraspBox& grasp, const Rational& accuracy = Rational(1, 1000000));
+
+/// Forces that balance the load h w + sum l_k u_k of a plane or line of loads. If h is 0, so do
+/// they together with any others.
+struct StandPoint {
+  RationalRow point;   ///< h >= 0, and l_k for each direction
+  RigidForces forces;  ///< forces by element
+};
+
+/// The loads w + sum l_k u_k of one or two directions: which may stand, and which must move.
+struct StandingLoads {
+  /// The l for which (1, l) is a sum of multiples >= 0 of these points may stand.
+  std::vector<StandPoint> stand{};
+  /// The l for which the load does positive work on one of these must move. They are integers.
+  std::vector<RationalRow> move{};
+  bool is_exact = true;     ///< whether no load is left between the two, but their border
+  bool is_complete = true;  ///< whether what is left is no more than was asked for
+};
+
+/// Returns the loads of one direction or two that may stand; in the plane exactly, if there are
+/// not too many bodies. Else what is left undecided is, along rays from a load that may stand,
+/// at most a part `accuracy` of the distance to the border. Throws InputError ("plane") if two
+/// directions are linearly dependent, and ("direction") if one is 0.
+StandingLoads standing_loads(const GraspBox& grasp, const std::vector<RationalRow>& directions,
+                             const Rational& friction_factor = 1,
+                             const Rational& accuracy = Rational(1, 1000));
+
+/// Returns the multiples l of one direction: [low, high] that may stand, where an end that is
+/// missing is none, and the borders below and above which they must move.
+struct StandingMultiples {
+  bool any = false;                 ///< whether some may stand
+  std::optional<Rational> low{};    ///< the least that may stand
+  std::optional<Rational> high{};   ///< the greatest
+  std::optional<Rational> below{};  ///< those below it must move
+  std::optional<Rational> above{};  ///< those above it must move
+  bool always_moves = false;        ///< whether all must move
+};
+StandingMultiples multiples_of(const GraspBox& grasp, const StandingLoads& loads,
+                               const RationalRow& direction);
 
 }  // namespace stickslip

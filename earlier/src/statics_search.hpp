@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The decision of one load of a model of statics, with evidence in the model's coordinates.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "statics_model.hpp"
+#include "stickslip/lp/linear_program.hpp"
+
+namespace stickslip::earlier_detail {
+
+/// The linear program of forces along the edges of cones, where these are rational.
+class EdgeProgram {
+ public:
+  /// Returns nothing if the program would be large, or edges are not rational.
+  static std::optional<EdgeProgram> of(const StaticsModel& model);
+
+  /// Returns the program of forces that balance the load; with a growth, of forces and the
+  /// largest t >= 0, the last variable, that balance the load plus t times that.
+  LinearProgram balancing(const RationalRow& load, const RationalRow& growth) const;
+  /// Returns the forces of a point, or ray, of the program.
+  std::vector<ConeForce> forces_at(const RationalRow& point) const;
+
+ private:
+  explicit EdgeProgram(const StaticsModel& model) : model_(&model) {}
+
+  const StaticsModel* model_;
+  std::vector<std::pair<std::size_t, Rational>>
+      edges_;  ///< of a cone, and its friction for a = 1
+};
+
+/// Forces by cone that balance a load, a motion that no force opposes and the load goes along,
+/// or neither, near the border of both.
+using ModelAnswer = std::variant<std::vector<ConeForce>, RationalRow, std::monostate>;
+
+/// Decides a load, in the model's coordinates.
+ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load);
+
+/// Returns the wrench of one grasp.
+RationalRow wrench_of_point(const GraspBox& grasp);
+
+}  // namespace stickslip::earlier_detail

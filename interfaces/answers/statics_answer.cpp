@@ -190,6 +190,15 @@ std::pair<RationalRow, std::vector<RationalRow>> loads_of_places(const Question&
   return {load_of(at_origin), std::move(directions)};
 }
 
+void add_load(Question& question, const RationalRow& load) {
+  GraspBox box = box_of(question.grasp);
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    box.wrench[j].low += load[j];
+    box.wrench[j].high += load[j];
+  }
+  question.grasp = std::move(box);
+}
+
 Json to_json(const StaticsAnswer& answer) {
   const Question& question = answer.asked.question;
   Json json{{"name", question.description().name}};

@@ -16,6 +16,7 @@
 #include "stickslip/engine/decide.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "terminal.hpp"
+#include "verdict/statics.hpp"
 #include "warnings.hpp"
 
 namespace stickslip {
@@ -124,13 +125,37 @@ int margin_by_claims(const Question& question, const MarginArguments& arguments)
                                            arguments.least, !arguments.no_warnings});
 }
 
+/// In space and of several bodies rigid contacts tell whether they may stand.
+int margin_of_statics(const Question& question, const MarginArguments& arguments) {
+  if (question.preload_direction) {
+    throw InputError("", "--class", "rigid contacts know no preloads",
+                     "leave out --preload-direction");
+  }
+  if (arguments.friction == question.direction.has_value()) {
+    throw InputError(
+        "", arguments.friction ? "--friction" : "--class",
+        arguments.friction ? "friction changes, and the load as well" : "nothing grows",
+        arguments.friction ? "leave out --direction"
+                           : "say which load does, as in --direction, or ask with "
+                             "--friction for the least factor of friction");
+  }
+  StaticsQuestion asked{question};
+  asked.least_friction = arguments.friction;
+  if (question.direction) asked.asked.directions = {*question.direction};
+  asked.question.direction.reset();
+  asked.gives_wrench = arguments.question.gives_wrench();
+  if (!arguments.friction || arguments.accuracy != MarginArguments().accuracy) {
+    asked.accuracy = accuracy_of(arguments);
+  }
+  return answer_statics(std::move(asked), "", arguments.question.name_of_argument(),
+                        arguments.output);
+}
+
 int margin(const MarginArguments& arguments) {
   const Question question = arguments.question.any_question();
   if (arguments.asks_class) {
-    require_one_body(question, "a class of loads");
-    if (question.in_space()) {
-      throw InputError("", "--class", "the grasp is in space",
-                       "classes are known of grasps in the plane");
+    if (question.mechanism() != nullptr || question.in_space()) {
+      return margin_of_statics(question, arguments);
     }
     require_exact(question, arguments.question.name_of_file());
     return answer_class_margin(question,
@@ -200,9 +225,11 @@ void add_margin_command(Command& app, int& exit_code) {
           ->type_name("FILE");
   CommandOption* asks_class =
       command
-          ->add_flag("--class", arguments->asks_class,
-                     "Ask which multiples of the load must move, must hold or are open under "
-                     "rigid contacts, as compare does")
+          ->add_flag(
+              "--class", arguments->asks_class,
+              "Ask which multiples of the load must move, must hold or are open under "
+              "rigid contacts, as compare does; in space and of several bodies which may "
+              "stand, as statics does")
           ->excludes(least)
           ->excludes(certificate);
   command

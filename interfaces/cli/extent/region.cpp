@@ -14,6 +14,7 @@
 #include "stickslip/interfaces/plane_answers.hpp"
 #include "stickslip/interfaces/region_plot.hpp"
 #include "terminal.hpp"
+#include "verdict/statics.hpp"
 
 namespace stickslip {
 namespace {
@@ -26,6 +27,7 @@ struct RegionArguments {
   std::string v;
   std::size_t mode_limit = 0;
   bool list = false;
+  bool asks_class = false;
   std::string certificate;
   std::size_t node_limit = 0;
   NumberOptions numbers;
@@ -197,8 +199,40 @@ RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
   return options;
 }
 
+/// Answers which loads of the plane may stand, under rigid contacts.
+int answer_statics_of_plane(const Question& question, const RegionArguments& arguments) {
+  if (!arguments.torque.empty()) {
+    throw InputError("", "--torque", "it is about the region of the passive model",
+                     "give --origin");
+  }
+  StaticsQuestion asked{question};
+  const std::size_t size = wrench_of(question.grasp).size();
+  const auto row = [&](const char* option, const std::string& given, std::size_t unit) {
+    if (!given.empty()) return rationals_at(option, given);
+    RationalRow result(size);
+    if (unit < size) result[unit] = 1;
+    return result;
+  };
+  asked.asked.directions = {row("--u", arguments.u, 0), row("--v", arguments.v, 1)};
+  if (!arguments.origin.empty()) {
+    const RationalRow origin = rationals_at("--origin", arguments.origin);
+    GraspBox box = box_of(question.grasp);
+    if (origin.size() != size) {
+      throw InputError("", "--origin", "it has " + std::to_string(origin.size()) + " numbers",
+                       "give " + std::to_string(size));
+    }
+    for (std::size_t j = 0; j < size; ++j) box.wrench[j] = point_interval(origin[j]);
+    asked.question.grasp = std::move(box);
+    asked.gives_wrench = true;
+  }
+  asked.accuracy = Rational(1, 1000);
+  return answer_statics(std::move(asked), arguments.certificate,
+                        arguments.question.name_of_argument(), arguments.numbers);
+}
+
 int region(const RegionArguments& arguments) {
   const Question question = arguments.question.any_question();
+  if (arguments.asks_class) return answer_statics_of_plane(question, arguments);
   require_one_body(question, "region");
   arguments.check(question);
   if (is_found_in_cells(question))
@@ -296,6 +330,10 @@ void add_region_command(Command& app, int& exit_code) {
       "Which wrenches of a plane does the grasp resist? The exact set; in space, and where "
       "motions are bounded, cell by cell");
   add_region_options(*command, *arguments);
+  command->add_flag(
+      "--class", arguments->asks_class,
+      "Ask instead which loads of the plane may stand, under rigid contacts with any "
+      "stiffness and preloads, of one body or several (stickslip statics)");
   CommandOption* list = command->add_flag(
       "--list", arguments->list,
       "List the piece of each contact mode: slips, contacts with a force, polygon");

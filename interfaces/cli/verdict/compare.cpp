@@ -10,6 +10,7 @@
 #include "stickslip/core/file.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
 #include "terminal.hpp"
+#include "verdict/statics.hpp"
 
 namespace stickslip {
 namespace {
@@ -95,11 +96,27 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
             << units_text(question) << text.note();
 }
 
+/// Of several bodies rigid contacts tell whether they may stand, and nothing more is computed.
+int compare_bodies(const Question& question, const CompareArguments& arguments) {
+  for (const auto& [is_given, option] :
+       {std::pair(!arguments.methods.empty(), "--methods"),
+        {!arguments.inertia.empty(), "--inertia"},
+        {arguments.length != CompareArguments().length, "--length"}}) {
+    if (!is_given) continue;
+    throw InputError("", option, "the grasp is of several bodies",
+                     "leave it out: of them the class alone is computed");
+  }
+  StaticsQuestion asked{question};
+  asked.gives_wrench = arguments.question.gives_wrench();
+  return answer_statics(std::move(asked), arguments.certificate,
+                        arguments.question.name_of_argument(), arguments.output);
+}
+
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
   const Rational length = positive_length(arguments.length);
   const Question question = arguments.question.any_question();
-  require_one_body(question, "compare");
+  if (question.mechanism() != nullptr) return compare_bodies(question, arguments);
   const bool in_space = question.in_space();
   Compared answer{
       length,
@@ -182,7 +199,9 @@ void add_compare_command(Command& app, int& exit_code) {
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
       "In space cones are round: of the grasp wrench space, L1, there are bounds of the "
       "largest\n"
-      "ball, and Linf and three-state compliance are not done.\n",
+      "ball, and Linf and three-state compliance are not done. Of several bodies only the "
+      "class\n"
+      "is: must move, or may stand (stickslip statics).\n",
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "statics.hpp"
+#include "verdict/statics.hpp"
 
 #include <iostream>
 #include <memory>
@@ -87,7 +87,10 @@ struct FoundText {
   std::string operator()(const StandingLoads& found) const {
     const std::vector<RationalRow>& directions = answer.asked.asked.directions;
     std::string lines;
-    if (directions.size() == 1) {
+    if (found.is_exact && found.move.empty()) {
+      lines = directions.size() == 1 ? "Every l may stand.\n"
+                                     : "Every load of the plane may stand.\n";
+    } else if (directions.size() == 1) {
       lines =
           multiples(multiples_of(box_of(answer.asked.question.grasp), found, directions[0]));
     } else if (found.stand.empty()) {
@@ -188,16 +191,6 @@ Rational positive(const char* option, const std::string& text) {
   Rational value = rational_at(option, text);
   if (value.sign() > 0) return value;
   throw InputError("", option, "the value is " + text, "give a number above 0, such as 1/1000");
-}
-
-/// Puts the load of a force at the origin beside that of the question.
-void add_load(Question& question, const RationalRow& load) {
-  GraspBox box = box_of(question.grasp);
-  for (std::size_t j = 0; j < load.size(); ++j) {
-    box.wrench[j].low += load[j];
-    box.wrench[j].high += load[j];
-  }
-  question.grasp = std::move(box);
 }
 
 void set_load_zero(Question& question) {

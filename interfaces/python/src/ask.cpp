@@ -22,6 +22,7 @@
 #include "stickslip/interfaces/radius_answer.hpp"
 #include "stickslip/interfaces/region_plot.hpp"
 #include "stickslip/interfaces/states_plot.hpp"
+#include "stickslip/interfaces/statics_answer.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -363,6 +364,39 @@ Work factors_asked(const Given& given) {
   };
 }
 
+Work statics_asked(const Given& given) {
+  StaticsQuestion asked{given.about()};
+  asked.asked.friction_factor = exact(given["friction_factor"], "friction_factor");
+  asked.least_friction = given.as<bool>("least_friction");
+  for (const py::handle direction : given["directions"]) {
+    const std::string place =
+        "directions[" + std::to_string(asked.asked.directions.size()) + "]";
+    asked.asked.directions.push_back(
+        numbers(py::reinterpret_borrow<py::list>(direction), 0, place));
+  }
+  if (!given["place"].is_none()) {
+    auto [load, ways] = loads_of_places(asked.question, numbers(given["place"], 0, "place"),
+                                        given.as<std::string>("body"));
+    add_load(asked.question, load);
+    asked.asked.directions = std::move(ways);
+  }
+  if (!given["accuracy"].is_none()) {
+    asked.accuracy = given.positive("accuracy", "give a number above 0, such as 1/1000");
+  } else if (!asked.least_friction) {
+    asked.accuracy = Rational(1, 1000);
+  }
+  return [asked, proves = given.as<bool>("certificate")] {
+    const StaticsAnswer answer = statics(asked);
+    Json json = to_json(answer);
+    if (!proves) return json;
+    Json& certificates = json["certificates"] = Json::object();
+    for (const StaticsCertificate& certificate : certificates_of(answer)) {
+      certificates[certificate.name] = certificate.text;
+    }
+    return json;
+  };
+}
+
 /// Returns the square of a residual; or two numbers between which it lies, if it is irrational.
 Json square_json(const RootSum& residual) {
   if (const auto square = residual.rational_square()) return number_json(*square);
@@ -471,23 +505,15 @@ Work page_asked(const Given& given) {
 py::object ask_by_name(const GraspFile& grasp, const std::string& question,
                        const py::dict& options) {
   static const std::map<std::string, Work (*)(const Given&)> questions{
-      {"decide", decide_asked},
-      {"decide_box", box_asked},
-      {"radius", radius_asked},
-      {"quality", quality_asked_of},
-      {"preload", preload_asked},
-      {"map", map_asked},
-      {"states", states_asked},
-      {"margin", margin_asked},
-      {"region", region_asked},
-      {"compare", compare_asked},
-      {"classes", classes_asked},
-      {"factors", factors_asked},
-      {"crosscheck", crosscheck_asked},
-      {"picture", picture_asked},
-      {"states picture", states_picture_asked},
-      {"smtlib", smtlib_asked},
-      {"page", page_asked}};
+      {"decide", decide_asked},   {"decide_box", box_asked},
+      {"radius", radius_asked},   {"quality", quality_asked_of},
+      {"preload", preload_asked}, {"map", map_asked},
+      {"states", states_asked},   {"margin", margin_asked},
+      {"region", region_asked},   {"compare", compare_asked},
+      {"classes", classes_asked}, {"factors", factors_asked},
+      {"statics", statics_asked}, {"crosscheck", crosscheck_asked},
+      {"picture", picture_asked}, {"states picture", states_picture_asked},
+      {"smtlib", smtlib_asked},   {"page", page_asked}};
   const Given given(grasp, options);
   return python_of(without_gil(questions.at(question)(given)));
 }

@@ -58,7 +58,7 @@ struct ToDict {
           py::make_tuple(wrench((*q.asked.plane)[0]), wrench((*q.asked.plane)[1]));
       result["pieces"] = a.pieces;
     }
-    if (q.asked.margin()) {
+    if (q.asked.margin() && !q.asked.statics) {
       py::list resisted;
       for (const stickslip_check::Interval& interval : a.resisted) {
         const py::object high = interval.high ? number(*interval.high) : py::object(py::none());
@@ -87,7 +87,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& direction, const py::object& preload_direction,
                const py::object& plane, const py::object& inertia, const std::string& uncertain,
                const std::string& max_motion, const std::string& grasp_name,
-               const std::string& certificate_name) {
+               const std::string& certificate_name, const py::object& statics) {
   const QuestionOptions asked = question_options(
       py::dict("preload"_a = preload, "preload_direction"_a = preload_direction));
   stickslip_check::Options options;
@@ -106,6 +106,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   options.direction = read(direction, "direction");
   options.inertia = read(inertia, "inertia");
   if (options.inertia && options.inertia->size() == 6) options.inertia->resize(9);
+  if (!statics.is_none()) options.statics = for_checker(exact(statics, "statics"));
   if (!plane.is_none()) {
     options.plane.emplace();
     for (const py::handle& along : plane) {

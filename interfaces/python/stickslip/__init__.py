@@ -35,6 +35,7 @@ from .questions import (
     region,
     slip_states,
     stability_map,
+    statics,
 )
 from .results import (
     BestPreload,
@@ -60,6 +61,9 @@ from .results import (
     Residual,
     SlipStates,
     StabilityMap,
+    StaticForce,
+    StaticMultiples,
+    Statics,
     Within,
 )
 from .views import Page, Picture
@@ -102,6 +106,9 @@ __all__ = [
     "SnapResult",
     "SnappedNormal",
     "StabilityMap",
+    "StaticForce",
+    "StaticMultiples",
+    "Statics",
     "Within",
     "best_preload",
     "check",
@@ -120,5 +127,6 @@ __all__ = [
     "region",
     "slip_states",
     "stability_map",
+    "statics",
     "wrench_of",
 ]

@@ -58,6 +58,9 @@ from .results import (
     Piece,
     Proof,
     Quality,
+    StaticForce,
+    StaticMultiples,
+    Statics,
     Radius,
     Region,
     Residual,
@@ -494,6 +497,54 @@ def compare(
     return Comparison(rows, answer["class"], about, snapped, answer.get("certificate"))
 
 
+def statics(
+    grasp: Grasp, wrench: Any = None, *, friction_factor: Any = 1, least_friction: bool = False,
+    directions: Sequence[Any] = (), place: Any = None, body: str = "", accuracy: Any = None,
+    certificate: bool = False,
+) -> Statics:
+    """May it stand at all, whatever stiffness and preloads are? With which friction and loads?
+
+    Args:
+        grasp: of one body or several, or a mechanism. Its preloads play no part.
+        wrench: the load, in place of the grasp's own; with directions it is 0 if None.
+        friction_factor: all friction is multiplied by it.
+        least_friction: ask for the least such factor with which it may stand.
+        directions: one load u, or two: which l may stand under wrench + l u, or which (s, t)
+            under wrench + s u + t v?
+        place: a force besides the load, such as a weight: at which places (x, y), or x in the
+            plane, may it act?
+        body: the one of several that it is on.
+        accuracy: where ends are not exact, the part that may be left: 1/1000000 of a factor, 1/1000
+            of a way to the border of loads.
+        certificate: also prove it, for stickslip-check.
+    """
+    about, _ = _asked(grasp, 0)
+    rows = [as_row_or_none(row, "directions", None) for row in directions]
+    load = wrench
+    if rows and wrench is None:
+        load = [0] * len(rows[0] or ())
+    answer = _ask(
+        "statics", about, load, None, "unilateral", 0, None, friction_factor=as_number(friction_factor, "friction_factor"),
+        least_friction=bool(least_friction), directions=rows, place=as_row_or_none(place, "place", None),
+        body=str(body), accuracy=as_number_or_none(accuracy, "accuracy"), certificate=bool(certificate))
+
+    def forces(rows: Any) -> Tuple[StaticForce, ...]:
+        return tuple(StaticForce(row["contact"], row["normal"], tuple(row["friction"])) for row in rows)
+
+    least = answer.get("least_friction")
+    multiples = answer.get("multiples")
+    return Statics(
+        grasp=about, wrench=answer["wrench"], load_class=answer.get("class"), reason=answer.get("reason"),
+        forces=forces(answer.get("forces", ())), motion=answer.get("motion"),
+        least_friction=None if least is None else (least["low"], least["high"]),
+        multiples=None if multiples is None else StaticMultiples(
+            multiples["stand"] and tuple(multiples["stand"]), multiples["below"], multiples["above"],
+            multiples["always_moves"]),
+        stand=tuple((tuple(row["point"]), forces(row["forces"])) for row in answer.get("stand", ())),
+        move=tuple(answer.get("move", ())), exact=answer.get("exact"), complete=answer.get("complete"),
+        certificates=answer.get("certificates", {}))
+
+
 def class_margin(
     grasp: Grasp, direction: Any, wrench: Any = None, *, inertia: Any = (0, 0, 1),
 ) -> Tuple[ClassRange, ...]:
@@ -669,6 +720,7 @@ def check(
     preload_direction: Any = None,
     plane: Any = None,
     inertia: Any = None,
+    statics: Any = None,
     uncertain: Union[str, Mapping[str, Number]] = "",
     max_motion: Any = None,
 ) -> CheckResult:
@@ -685,6 +737,7 @@ def check(
         plane: u and v of a region, whose certificate this then is; the wrench is its origin, and
             0 unless given.
         inertia: as of ``compare``: of the class of a load, whose certificate this then is.
+        statics: of ``statics``, whose certificate this then is: the factor of all friction.
         uncertain: as of ``decide``, of a box.
         max_motion: numbers as of ``decide``, or "none".
 
@@ -716,12 +769,13 @@ def check(
         is_bilateral(normal_law),
         as_row_or_none(direction, "direction", row),
         as_preload_direction_or_none(preload_direction),
-        as_plane_or_none(plane),
+        as_plane_or_none(plane) if statics is None else plane,
         None if inertia is None else as_inertia(inertia, n),
         as_uncertain(uncertain),
         as_max_motion(max_motion),
         grasp_name,
         name,
+        as_number_or_none(statics, "statics"),
     ))
 
 

@@ -75,7 +75,7 @@ class Proof(NamedTuple):
             self.grasp.encode(), self.certificate.encode(), None, None,
             self.normal_law == "bilateral", None,
             list(along) if isinstance(along, tuple) else along, None, None, self.uncertain,
-            "", b"<grasp>", b"<certificate>"))
+            "", b"<grasp>", b"<certificate>", None))
 
     def __repr__(self) -> str:
         return f"Proof({len(self.certificate)} characters)"
@@ -200,7 +200,7 @@ class Decision(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral", None, None, None, None,
-            "", _as_option(self.max_motion), b"<grasp>", b"<certificate>"))
+            "", _as_option(self.max_motion), b"<grasp>", b"<certificate>", None))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if _is_shown(self.grasp) else None
@@ -812,6 +812,70 @@ class ClassRange:
     """Whether low is one of them; else it ends the range before."""
     has_high: bool
     """The same of high."""
+
+
+@dataclass(frozen=True)
+class StaticForce:
+    """The force of a contact, ratchet or spring by statics, over the length of the normal."""
+
+    contact: int
+    normal: Fraction
+    friction: Vector
+    """The coefficient of the tangent in the plane, else a vector across the normal."""
+
+
+@dataclass(frozen=True)
+class StaticMultiples:
+    """Which multiples of a direction may stand, and which must move."""
+
+    stand: Optional[Tuple[Optional[Fraction], Optional[Fraction]]]
+    """From the one to the other; None for an end that there is not, or if none is known."""
+    below: Optional[Fraction]
+    """Those below it must move."""
+    above: Optional[Fraction]
+    """Those above it must move."""
+    always_moves: bool
+
+
+@dataclass(frozen=True, repr=False)
+class Statics(Answer):
+    """What statics says of a grasp, for any stiffness and preloads."""
+
+    grasp: Grasp = field(repr=False)
+    wrench: Vector
+    load_class: Optional[str] = None
+    """"may stand" or "must move" of one load; else None."""
+    reason: Optional[str] = None
+    """Why it is not known, if so."""
+    forces: Tuple[StaticForce, ...] = field(default=(), repr=False)
+    """Some with which it may stand: those that are not 0."""
+    motion: Optional[Vector] = field(default=None, repr=False)
+    """One along which it must move, and with the least friction, at the lower end."""
+    least_friction: Optional[Tuple[Fraction, Fraction]] = None
+    """It must move with all friction times the first, unless that is 0, and may stand with it
+    times the second."""
+    multiples: Optional[StaticMultiples] = None
+    """Those of one direction."""
+    stand: Tuple[Tuple[Vector, Tuple[StaticForce, ...]], ...] = field(default=(), repr=False)
+    """Load points (h, l) with forces: l may stand if (1, l) is a sum of multiples of these."""
+    move: Tuple[Vector, ...] = field(default=(), repr=False)
+    """Motions: loads that do work on one must move."""
+    exact: Optional[bool] = None
+    """Whether the two leave no load out, of many loads."""
+    complete: Optional[bool] = None
+    """Whether they leave out no more than the accuracy."""
+    certificates: Mapping[str, str] = field(default_factory=dict, repr=False)
+    """By name, if they were asked for: "statics", or "moves" and "stands" of the least friction."""
+
+    def __repr__(self) -> str:
+        if self.least_friction is not None:
+            low, high = map(float, self.least_friction)
+            return f"least friction: {low:g} to {high:g} times what it is"
+        if self.multiples is not None:
+            return repr(self.multiples)
+        if self.exact is not None:
+            return f"loads: {len(self.stand)} that may stand, {len(self.move)} motions"
+        return self.load_class or f"undecided: {self.reason}"
 
 
 @dataclass(frozen=True, repr=False)

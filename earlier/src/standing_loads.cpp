@@ -85,7 +85,22 @@ class LoadSearch {
   }
 
   /// Finds a load that may stand, as any multiple of the directions may be added.
-  bool find_start() {
+  bool find_start() { return edges_ ? find_start_exactly() : find_start_in_doubles(); }
+
+  bool find_start_exactly() {
+    const LpResult result = solve(
+        edges_->balancing(loads_[0], {loads_.begin() + 1, loads_.end()}, VariableKind::kFree));
+    if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
+      add_move(opposite(infeasible->farkas));
+      return false;
+    }
+    const RationalRow& point = std::get<Optimal>(result).point;
+    start_.assign(point.end() - static_cast<std::ptrdiff_t>(loads_.size() - 1), point.end());
+    add_stand(1, start_, edges_->forces_at(point));
+    return true;
+  }
+
+  bool find_start_in_doubles() {
     ConePair pair = model_.rounded(loads_[0]);
     for (std::size_t k = 1; k < loads_.size(); ++k) {
       for (const int sign : {1, -1}) {
@@ -178,7 +193,12 @@ class LoadSearch {
 
   std::optional<Rational> shoot_exactly(const Place& way) {
     const RationalRow growth = load_at(0, way);
-    const LpResult result = solve(edges_->balancing(load_at(1, start_), growth));
+    LinearProgram program =
+        edges_->balancing(load_at(1, start_), {growth}, VariableKind::kNonNegative);
+    RationalRow objective(program.variable_count());
+    objective.back() = -1;
+    program.minimize(std::move(objective));
+    const LpResult result = solve(program);
     if (const auto* unbounded = std::get_if<Unbounded>(&result)) {
       Place far = way;
       for (Rational& entry : far) entry *= unbounded->ray.back();

@@ -27,10 +27,13 @@ std::optional<EdgeProgram> EdgeProgram::of(const StaticsModel& model) {
   return result;
 }
 
-LinearProgram EdgeProgram::balancing(const RationalRow& load, const RationalRow& growth) const {
+LinearProgram EdgeProgram::balancing(const RationalRow& load,
+                                     const std::vector<RationalRow>& more,
+                                     VariableKind kind) const {
   LinearProgram program;
   std::vector<RationalRow> rows(model_->size(), RationalRow(edges_.size()));
-  program.add_variables(edges_.size() + (growth.empty() ? 0 : 1), VariableKind::kNonNegative);
+  program.add_variables(edges_.size(), VariableKind::kNonNegative);
+  program.add_variables(more.size(), kind);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto& [i, friction] = edges_[e];
     const ForceCone& cone = model_->cones()[i];
@@ -39,13 +42,9 @@ LinearProgram EdgeProgram::balancing(const RationalRow& load, const RationalRow&
     for (const auto& [j, entry] : cone.slips[0]) rows[j][e] += friction * entry;
   }
   for (std::size_t j = 0; j < rows.size(); ++j) {
-    if (!growth.empty()) rows[j].push_back(growth[j]);
+    for (const RationalRow& growth : more) rows[j].push_back(growth[j]);
     program.add_row(std::move(rows[j]), Relation::kEqual, -load[j]);
   }
-  if (growth.empty()) return program;
-  RationalRow objective(edges_.size() + 1);
-  objective.back() = -1;
-  program.minimize(std::move(objective));
   return program;
 }
 
@@ -167,7 +166,7 @@ class StaticsSearch {
   ModelAnswer by_program() const {
     std::optional<EdgeProgram> edges = EdgeProgram::of(model_);
     if (!edges) return std::monostate{};
-    const LpResult result = solve(edges->balancing(load_, {}));
+    const LpResult result = solve(edges->balancing(load_, {}, VariableKind::kFree));
     if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
       return opposite(infeasible->farkas);
     }

@@ -19,9 +19,10 @@ class EdgeProgram {
   /// Returns nothing if the program would be large, or edges are not rational.
   static std::optional<EdgeProgram> of(const StaticsModel& model);
 
-  /// Returns the program of forces that balance the load; with a growth, of forces and the
-  /// largest t >= 0, the last variable, that balance the load plus t times that.
-  LinearProgram balancing(const RationalRow& load, const RationalRow& growth) const;
+  /// Returns the program of forces, and of multiples of more loads, that balance the load
+  /// together. The multiples are the last variables.
+  LinearProgram balancing(const RationalRow& load, const std::vector<RationalRow>& more,
+                          VariableKind kind) const;
   /// Returns the forces of a point, or ray, of the program.
   std::vector<ConeForce> forces_at(const RationalRow& point) const;
 

@@ -64,6 +64,13 @@ Answer decide(Question question, const SearchOptions& options) {
   how.second = !second->is_bounded();
   Answer found = decide(std::move(*second), how);
   if (found.within) found = *found.within;
+  // An equilibrium within a bound is one of all, and so is what proves it.
+  if (std::holds_alternative<Undecided>(answer.verdict) && found.question.is_bounded() &&
+      std::holds_alternative<Stable>(found.verdict)) {
+    answer.verdict = std::move(found.verdict);
+    answer.bits = found.bits;
+    return answer;
+  }
   // A second answer that says the same says nothing more.
   const bool is_same = answer.verdict.index() == found.verdict.index();
   if (is_same && !std::holds_alternative<Stable>(answer.verdict)) return answer;

@@ -201,8 +201,7 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquil
       if (auto witness = witness_in_bits(model, near, bits, is_at_rest)) return witness;
     }
   }
-  if (model.is_linear()) return degree_detail::equilibrium_in_modes(model, near);
-  return std::nullopt;
+  return degree_detail::equilibrium_in_modes(model, near);
 }
 
 }  // namespace stickslip

@@ -2,9 +2,9 @@
 #include "mode_program.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -24,12 +24,16 @@ struct Mode {
 };
 using Modes = std::vector<Mode>;
 
-/// A point of a program, with forces along the edges N + mu T and N - mu T of cones.
+/// A point of a program, with forces along the edges of cones.
 struct ProgramPoint {
   RationalRow motion;
-  std::vector<std::array<Rational, 2>> edges;  ///< forces along the two edges, by contact
+  std::vector<RationalRow> edges;  ///< the force along each edge, by contact
 
-  Rational pressing(std::size_t i) const { return edges[i][0] + edges[i][1]; }
+  Rational pressing(std::size_t i) const {
+    Rational sum = 0;
+    for (const Rational& force : edges[i]) sum += force;
+    return sum;
+  }
 };
 
 /// The contacts whose assumed slips, or gaps, contradict each other.
@@ -41,13 +45,19 @@ struct Contradiction {
 class ModeProgram {
  public:
   ModeProgram(const GraspLaw& law, const NearEquilibrium& near) : law_(law), near_(near) {
-    for (const LawContact& c : law.contacts) {
-      const Row& row = c.corners.front().slip.front();
-      slips_.emplace_back(row.begin(), row.end());
+    for (std::size_t i = 0; i < law.contacts.size(); ++i) {
+      auto& slips = slips_.emplace_back();
+      for (const Row& row : law.contacts[i].corners.front().slip) {
+        slips.emplace_back(row.begin(), row.end());
+      }
+      frictions_.push_back(frictions_of(i));
     }
   }
 
   std::optional<ShareWitness> solve() {
+    for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+      if (slips_in_space(i) && !is_slight(i)) return std::nullopt;
+    }
     Modes modes = near_modes();
     auto result = point_in(modes);
     // Rounded faces are not quite parallel: what sticks in doubles may slip by that.
@@ -66,7 +76,6 @@ class ModeProgram {
       const LawContact& c = law_.contacts[i];
       Mode& mode = modes[i];
       const double normal = near_.normal[i];
-      constexpr double kBorder = 1e-7;  // relative to typical forces
       double separation = (c.preloads[0] + c.preloads[1]) / 2;
       separation -= (c.stiffnesses[0] + c.stiffnesses[1]) / 2 *
                     c.corners.front().normal_rounded.dot(near_.motion);
@@ -77,6 +86,11 @@ class ModeProgram {
         mode.gap = separation > 0 ? Mode::Gap::kClosed : Mode::Gap::kOpen;
       }
       if (!rubs(i)) continue;
+      if (!slips_along_a_line(i)) {
+        mode.slip = Mode::Slip::kSticks;
+        if (mode.gap == Mode::Gap::kUnknown || slips_in_space(i)) mode.gap = Mode::Gap::kOpen;
+        continue;
+      }
       const double most = c.slopes[0] * normal;
       const double friction = near_.friction[i][0];
       const bool has_spare = most - std::fabs(friction) > kBorder * most;
@@ -89,7 +103,47 @@ class ModeProgram {
     return modes;
   }
 
+  static constexpr double kBorder = 1e-7;  ///< relative to typical forces
+
   bool rubs(std::size_t i) const { return !law_.contacts[i].friction.high.is_zero(); }
+  bool slips_along_a_line(std::size_t i) const {
+    return law_.contacts[i].slip_dimension() == 1;
+  }
+  /// Returns whether it slips so that friction has irrational numbers.
+  bool slips_in_space(std::size_t i) const {
+    return rubs(i) && !slips_along_a_line(i) && near_.normal[i] > 0 && near_.sticks[i] == 0;
+  }
+  /// Returns whether its force is as good as none.
+  bool is_slight(std::size_t i) const {
+    return !(near_.normal[i] * law_.contacts[i].size > kBorder * law_.force);
+  }
+
+  /// Returns friction forces for a = 1 that are corners of a part of the cone: all of it in the
+  /// plane; in space forces along the axes, and one near that of the equilibrium.
+  std::vector<RationalRow> frictions_of(std::size_t i) const {
+    const LawContact& c = law_.contacts[i];
+    if (!rubs(i)) return {RationalRow(c.slip_numbers())};
+    if (slips_along_a_line(i)) return {{c.friction.low}, {-c.friction.low}};
+    constexpr unsigned kBits = 20;
+    std::vector<RationalRow> frictions;
+    const auto add = [&](const RationalRow& direction) {
+      const Rational square = c.squared_force(direction);
+      if (square.is_zero()) return;
+      const Rational most = c.friction.low * short_sqrt(c.squared_length / square, kBits).lower;
+      RationalRow friction(direction.size());
+      add_multiple(friction, most, direction);
+      frictions.push_back(std::move(friction));
+    };
+    for (const RationalRow& direction : c.directions) {
+      for (const int sign : {1, -1}) {
+        RationalRow along(direction.size());
+        add_multiple(along, sign, direction);
+        add(along);
+      }
+    }
+    if (near_.normal[i] > 0) add(c.force_near(near_.friction[i], kBits));
+    return frictions;
+  }
 
   /// Leaves open the slips that contradict each other; if there are none, the gaps. Returns
   /// whether there were any.
@@ -110,11 +164,16 @@ class ModeProgram {
       const bool presses = separation(broken.contact, point.motion).sign() >= 0;
       for (const bool closed : {presses, !presses}) {
         mode.gap = closed ? Mode::Gap::kClosed : Mode::Gap::kOpen;
+        if (!slips_along_a_line(broken.contact)) mode.slip = Mode::Slip::kSticks;
         if (auto found = solve_with(modes)) return found;
       }
       return std::nullopt;
     }
-    const bool forward = dot(slips_[broken.contact], point.motion).sign() > 0;
+    if (!slips_along_a_line(broken.contact)) {
+      mode.slip = Mode::Slip::kSticks;
+      return solve_with(modes);
+    }
+    const bool forward = dot(slips_[broken.contact].front(), point.motion).sign() > 0;
     for (const Mode::Slip slip :
          {forward ? Mode::Slip::kForward : Mode::Slip::kBackward, Mode::Slip::kSticks,
           forward ? Mode::Slip::kBackward : Mode::Slip::kForward}) {
@@ -153,9 +212,12 @@ class ModeProgram {
         const Rational v = std::max<Rational>(0, separation(i, point.motion));
         consider(i, true, (a - v) / law_.contacts[i].stiffness.low * a);
       }
-      if (modes[i].slip == Mode::Slip::kUnknown && rubs(i)) {
-        const Rational slip = dot(slips_[i], point.motion);
-        consider(i, false, abs(slip) * point.edges[i][slip.sign() > 0 ? 0 : 1]);
+      if (modes[i].slip != Mode::Slip::kUnknown || !rubs(i)) continue;
+      for (const RationalRow& row : slips_[i]) {
+        const Rational slip = dot(row, point.motion);
+        consider(i, false,
+                 abs(slip) * (slips_along_a_line(i) ? point.edges[i][slip.sign() > 0 ? 0 : 1]
+                                                    : point.pressing(i)));
       }
     }
     return widest;
@@ -169,17 +231,20 @@ class ModeProgram {
   /// The linear program of some modes, over the motion and then the forces along edges.
   struct Assembled {
     LinearProgram program;
-    std::vector<std::size_t> gap_rows;   ///< rows by contact
-    std::vector<std::size_t> slip_rows;  ///< rows by contact; that of the gap if there is none
-    std::vector<std::array<std::optional<std::size_t>, 2>> forces;  ///< variables by contact
-    std::vector<std::pair<std::size_t, RationalRow>> wrenches;      ///< per unit of a variable
+    std::vector<std::size_t> gap_rows;  ///< rows by contact
+    std::vector<std::size_t>
+        slip_rows;  ///< the first by contact; that of the gap if there is none
+    std::vector<std::vector<std::optional<std::size_t>>> forces;  ///< variables by contact
+    std::vector<std::pair<std::size_t, RationalRow>> wrenches;    ///< per unit of a variable
   };
 
   /// Returns the edges of its cone along which a contact may push; a spring has one.
   std::vector<std::size_t> edges_of(std::size_t i, const Mode& mode) const {
-    if (!rubs(i) || mode.slip == Mode::Slip::kBackward) return {0};
-    if (mode.slip == Mode::Slip::kForward) return {1};
-    return {0, 1};
+    if (mode.slip == Mode::Slip::kForward && rubs(i)) return {1};
+    if (mode.slip == Mode::Slip::kBackward) return {0};
+    std::vector<std::size_t> all(frictions_[i].size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
   }
 
   void add_contact(std::size_t i, const Mode& mode, Assembled& to) const {
@@ -188,7 +253,7 @@ class ModeProgram {
     LinearProgram& program = to.program;
     to.gap_rows.push_back(program.row_count());
     to.slip_rows.push_back(program.row_count());
-    to.forces.emplace_back();
+    to.forces.emplace_back(frictions_[i].size());
     RationalRow row = corner.normal;  // k N z, which is P - v
     for (Rational& entry : row) entry *= c.stiffness.low;
     if (mode.gap == Mode::Gap::kOpen) {
@@ -199,8 +264,7 @@ class ModeProgram {
       const std::size_t force =
           program.add_variable(c.is_spring ? VariableKind::kFree : VariableKind::kNonNegative);
       to.forces.back()[edge] = force;
-      to.wrenches.emplace_back(force,
-                               corner.push_with({(edge == 0 ? 1 : -1) * c.friction.low}));
+      to.wrenches.emplace_back(force, corner.push_with(frictions_[i][edge]));
       row.resize(program.variable_count());
       row[force] = 1;
     }
@@ -209,11 +273,13 @@ class ModeProgram {
                     c.preload.low);
     if (!rubs(i) || mode.slip == Mode::Slip::kUnknown) return;
     to.slip_rows.back() = program.row_count();
-    program.add_row(slips_[i],
-                    mode.slip == Mode::Slip::kSticks    ? Relation::kEqual
-                    : mode.slip == Mode::Slip::kForward ? Relation::kGreaterEqual
-                                                        : Relation::kLessEqual,
-                    0);
+    for (const RationalRow& slip : slips_[i]) {
+      program.add_row(slip,
+                      mode.slip == Mode::Slip::kSticks    ? Relation::kEqual
+                      : mode.slip == Mode::Slip::kForward ? Relation::kGreaterEqual
+                                                          : Relation::kLessEqual,
+                      0);
+    }
   }
 
   Assembled assembled(const Modes& modes) const {
@@ -245,10 +311,11 @@ class ModeProgram {
     const std::vector<Rational>& found = std::get<Optimal>(result).point;
     ProgramPoint point{
         RationalRow(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(law_.motions)),
-        std::vector<std::array<Rational, 2>>(modes.size())};
+        {}};
     for (std::size_t i = 0; i < modes.size(); ++i) {
-      for (const std::size_t edge : {std::size_t{0}, std::size_t{1}}) {
-        if (built.forces[i][edge]) point.edges[i][edge] = found[*built.forces[i][edge]];
+      RationalRow& edges = point.edges.emplace_back();
+      for (const auto& force : built.forces[i]) {
+        edges.push_back(force ? found[*force] : Rational(0));
       }
     }
     return point;
@@ -260,7 +327,11 @@ class ModeProgram {
     for (std::size_t i = 0; i < modes.size(); ++i) {
       const std::size_t gap = built.gap_rows[i];
       const std::size_t slip = built.slip_rows[i];
-      if (slip != gap && !farkas[slip].is_zero()) result.slips.push_back(i);
+      for (std::size_t k = 0; slip != gap && k < slips_[i].size(); ++k) {
+        if (farkas[slip + k].is_zero()) continue;
+        result.slips.push_back(i);
+        break;
+      }
       const bool may_open = !law_.contacts[i].is_spring && law_.law != NormalLaw::kBilateral;
       const bool is_known = modes[i].gap != Mode::Gap::kUnknown;
       if (may_open && is_known && !farkas[gap].is_zero()) result.gaps.push_back(i);
@@ -268,23 +339,34 @@ class ModeProgram {
     return result;
   }
 
+  bool slips(std::size_t i, const RationalRow& motion) const {
+    return std::any_of(slips_[i].begin(), slips_[i].end(),
+                       [&](const RationalRow& row) { return !dot(row, motion).is_zero(); });
+  }
+
   /// Returns the point as a witness. Requires that no law is broken.
   ShareWitness witness_of(const ProgramPoint& point) const {
     ShareWitness witness{point.motion, {}};
     for (std::size_t i = 0; i < point.edges.size(); ++i) {
-      if (!rubs(i) || !dot(slips_[i], point.motion).is_zero()) continue;
+      if (!rubs(i) || slips(i, point.motion)) continue;
       const Rational a = point.pressing(i);
-      if (a.is_zero() || point.edges[i][0] == point.edges[i][1]) continue;
-      witness.shares.emplace_back(ContactId(i),
-                                  RationalRow{(point.edges[i][0] - point.edges[i][1]) / a});
+      if (a.is_zero()) continue;
+      RationalRow share(frictions_[i].front().size());
+      for (std::size_t edge = 0; edge < point.edges[i].size(); ++edge) {
+        const Rational part = point.edges[i][edge] / (law_.contacts[i].friction.low * a);
+        add_multiple(share, part, frictions_[i][edge]);
+      }
+      if (share != RationalRow(share.size())) witness.shares.emplace_back(ContactId(i), share);
     }
     return witness;
   }
 
   const GraspLaw& law_;
   const NearEquilibrium& near_;
-  std::vector<RationalRow> slips_;  ///< multiples of S by contact
-  std::size_t choices_ = 0;         ///< programs that were solved with a mode chosen
+  std::vector<std::vector<RationalRow>> slips_;  ///< multiples of the rows of S by contact
+  std::vector<std::vector<RationalRow>>
+      frictions_;            ///< that of each edge for a = 1, by contact
+  std::size_t choices_ = 0;  ///< programs that were solved with a mode chosen
 };
 
 }  // namespace

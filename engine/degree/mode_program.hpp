@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Equilibria of several bodies in the plane by exact linear programs in contact modes.
+/// Equilibria of a body in space, or of several, by exact linear programs in contact modes.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,9 @@ namespace stickslip::degree_detail {
 /// what is drawn with symmetry, Newton's method has no one to converge to, and a linear program
 /// does not mind. Modes that doubles do not tell apart are left open at first, and tried one
 /// after another where the program's point breaks their law. A program has D + O(m) rows; a
-/// limited number is solved. Requires law.is_linear().
+/// limited number is solved. In space contacts with friction
+/// stick or are open, and forces of those that stick are in polygons in their cones.
+/// Requires that no number is uncertain.
 std::optional<ShareWitness> equilibrium_in_modes(const GraspLaw& law,
                                                  const NearEquilibrium& near);
 

@@ -118,8 +118,12 @@ TEST(Statics, ThePlaneOfForcesAgreesWithItsRays) {
       for (const RationalRow& y : loads.move) moves = moves || dot(y, load).sign() > 0;
       const bool stands = statics(box_of(grasp, w + Wrench{s, t, 0})).index() == 0;
       // An empty set may have no motion that excludes all of it at once.
-      if (!loads.stand.empty()) EXPECT_EQ(stands, !moves) << round;
-      if (moves) EXPECT_FALSE(stands) << round;
+      if (!loads.stand.empty()) {
+        EXPECT_EQ(stands, !moves) << round;
+      }
+      if (moves) {
+        EXPECT_FALSE(stands) << round;
+      }
     }
   }
 }

@@ -159,11 +159,11 @@ std::string Mechanism::name_of(BodyIndex body) const {
 }
 
 std::size_t Mechanism::body_named(const std::string& name, const std::string& path) const {
-  std::vector<std::string> names;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].name == name) return b;
-    names.push_back(bodies[b].name);
   }
+  std::vector<std::string> names;
+  for (const Body& body : bodies) names.push_back(body.name);
   fail_at(path, "there is no body " + quote(name),
           choice_of(name, names, "the bodies before this place are "));
 }

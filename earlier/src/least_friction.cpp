@@ -25,7 +25,7 @@ class FrictionBracket {
   /// Asks about a factor and narrows the bracket; returns whether it was decided.
   bool ask(const Rational& factor) {
     const StaticsModel model(grasp_, factor);
-    ModelAnswer answer = decide_load(model, model.load());
+    ModelAnswer answer = decide_load(model, model.load(), needs_long_);
     if (const auto* forces = std::get_if<std::vector<ConeForce>>(&answer)) {
       found_.high = std::min(factor, needed(*forces));
       found_.forces = model.forces_of(*forces, wrench_of_point(grasp_));
@@ -33,16 +33,21 @@ class FrictionBracket {
       return true;
     }
     const auto* y = std::get_if<RationalRow>(&answer);
-    if (y == nullptr) return false;
+    if (y == nullptr) {
+      moves_ = false;
+      return false;
+    }
     const std::optional<Rational> most = harmless(*y);
     found_.motion = {model.motion_of(*y)};
     always_moves_ = !most;
+    moves_ = true;
     if (most) found_.low = std::max(factor, *most);
     return true;
   }
 
   bool stands() const { return stands_; }
   bool always_moves() const { return always_moves_; }
+  bool moves() const { return moves_; }
   const LeastFriction& found() const { return found_; }
 
  private:
@@ -85,8 +90,10 @@ class FrictionBracket {
   const GraspBox& grasp_;
   const StaticsModel plain_;  ///< with friction as it is
   LeastFriction found_;
+  bool needs_long_ = false;  ///< whether factors are so near the least that doubles do not tell
   bool stands_ = false;
   bool always_moves_ = false;
+  bool moves_ = false;  ///< whether the answer before was that they must move
 };
 
 }  // namespace
@@ -106,6 +113,11 @@ LoadClass statics(const GraspBox& grasp, const Rational& friction_factor) {
   return kBorder;
 }
 
+std::string name_of(const LoadClass& found) {
+  constexpr const char* kNames[] = {"may stand", "must move", "undecided"};
+  return kNames[found.index()];
+}
+
 std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const GraspBox& grasp, const Rational& accuracy) {
   FrictionBracket bracket(grasp);
@@ -113,6 +125,7 @@ std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     if (bracket.ask(factor) && bracket.always_moves()) return bracket.found().motion;
     if (bracket.stands()) break;
   }
+  if (!bracket.stands() && bracket.moves()) return bracket.found().motion;
   if (!bracket.stands()) return kBorder;
   constexpr int kMostRounds = 60;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -67,8 +67,11 @@ class StaticsSearch {
   StaticsSearch(const StaticsModel& model, const RationalRow& load)
       : model_(model), load_(load) {}
 
-  ModelAnswer run() const {
+  /// Doubles are asked first, unless that is of no use, and then long doubles.
+  ModelAnswer run(bool& needs_long) const {
     for (const bool is_long : {false, true}) {
+      if (needs_long && !is_long) continue;
+      needs_long = is_long;
       const ConeSearch search(model_.rounded(load_), is_long);
       const ConeProposal& proposal = search.proposal();
       for (const bool rests : {proposal.rests, !proposal.rests}) {
@@ -180,7 +183,12 @@ class StaticsSearch {
 }  // namespace
 
 ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load) {
-  return StaticsSearch(model, load).run();
+  bool needs_long = false;
+  return decide_load(model, load, needs_long);
+}
+
+ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load, bool& needs_long) {
+  return StaticsSearch(model, load).run(needs_long);
 }
 
 RationalRow wrench_of_point(const GraspBox& grasp) {

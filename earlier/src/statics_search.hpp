@@ -40,6 +40,9 @@ using ModelAnswer = std::variant<std::vector<ConeForce>, RationalRow, std::monos
 
 /// Decides a load, in the model's coordinates.
 ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load);
+/// Does the same; `needs_long` says whether doubles are of no use, and becomes it if they are
+/// not: as when loads or frictions that are asked about come near a border.
+ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load, bool& needs_long);
 
 /// Returns the wrench of one grasp.
 RationalRow wrench_of_point(const GraspBox& grasp);

@@ -261,6 +261,21 @@ void require_one_grasp(const Question& question) {
   }
 }
 
+Question as_one_body(Question question) {
+  const GraspBox* box = question.box();
+  if (box == nullptr || !box->mechanism || box->mechanism->bodies.size() != 1 ||
+      !box->mechanism->joints.empty() || !box->springs.empty()) {
+    return question;
+  }
+  for (const UncertainContact& c : box->contacts) {
+    if (!c.torsion.is_zero()) return question;
+  }
+  GraspBox one = *box;
+  one.mechanism.reset();
+  question.grasp = simplest(std::move(one), question.preload_growth);
+  return question;
+}
+
 void require_one_body(const AnyGrasp& grasp, const std::string& what) {
   if (mechanism_of(grasp) == nullptr) return;
   throw InputError("", "", "the grasp has several bodies", what + " is for one body only");

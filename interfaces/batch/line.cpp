@@ -157,8 +157,14 @@ LineResult LineDecider::decide(const BatchLine& line) const {
       if (certificate.empty() && wants_certificate() && is_stable(found.verdict)) {
         certificate = certificate_text(found.question, found.verdict, kProducer, found.bits);
       }
+    } else if (question.mechanism() != nullptr) {
+      // Rigid contacts of several bodies tell whether they may stand.
+      const LoadClass found = statics(box_of(question.grasp));
+      answer("class", found);
+      if (wants_certificate()) {
+        certificate = statics_certificate_text(question, {}, found, kProducer);
+      }
     } else {
-      require_one_body(question, "a class of loads");
       const bool in_space = question.in_space();
       const Inertia inertia = options_.inertia->empty()
                                   ? Inertia::of_length(1, in_space)

@@ -231,8 +231,10 @@ int answer_statics_of_plane(const Question& question, const RegionArguments& arg
 }
 
 int region(const RegionArguments& arguments) {
-  const Question question = arguments.question.any_question();
-  if (arguments.asks_class) return answer_statics_of_plane(question, arguments);
+  const Question asked = arguments.question.any_question();
+  if (arguments.asks_class) return answer_statics_of_plane(asked, arguments);
+  // A certificate of a region is about a file of one body.
+  const Question question = arguments.certificate.empty() ? as_one_body(asked) : asked;
   require_one_body(question, "region");
   arguments.check(question);
   if (is_found_in_cells(question))
@@ -263,7 +265,7 @@ int region(const RegionArguments& arguments) {
 }
 
 int draw_region(const RegionArguments& arguments) {
-  const Question question = arguments.question.any_question();
+  const Question question = as_one_body(arguments.question.any_question());
   require_one_body(question, "region");
   arguments.check(question);
   if (is_found_in_cells(question)) {

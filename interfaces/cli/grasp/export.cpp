@@ -31,7 +31,7 @@ void add_export_command(Command& app, int& exit_code) {
   command->footer(
       footer_text("", kExitCodes, "stickslip export fig1.json --smt2 -o fig1.smt2"));
   command->callback([arguments, &exit_code] {
-    const Question question = arguments->question.any_question();
+    const Question question = as_one_body(arguments->question.any_question());
     require_one_body(question, "the problem in SMT-LIB");
     write_whole_file(arguments->output, smtlib_text(question));
     exit_code = kDone;

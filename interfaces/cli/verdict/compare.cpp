@@ -115,7 +115,9 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
   const Rational length = positive_length(arguments.length);
-  const Question question = arguments.question.any_question();
+  const Question asked = arguments.question.any_question();
+  // A certificate of a class is about a file of one body.
+  const Question question = arguments.certificate.empty() ? as_one_body(asked) : asked;
   if (question.mechanism() != nullptr) return compare_bodies(question, arguments);
   const bool in_space = question.in_space();
   Compared answer{

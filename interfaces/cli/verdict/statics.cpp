@@ -79,8 +79,7 @@ struct FoundText {
   }
   std::string operator()(const LeastFrictionAnswer& found) const {
     if (std::holds_alternative<UnopposedMotion>(found)) {
-      return "Must move with any friction: the load goes along a motion on which nothing slips "
-             "or presses.\n";
+      return "Must move with any friction, or at least with all of it times a million.\n";
     }
     return std::visit(*this, found);
   }

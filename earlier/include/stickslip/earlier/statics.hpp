@@ -23,6 +23,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,9 @@ namespace stickslip {
 /// that no number is uncertain. Evidence is checked by substitution.
 LoadClass statics(const GraspBox& grasp, const Rational& friction_factor = 1);
 
+/// Returns "may stand", "must move" or "undecided".
+std::string name_of(const LoadClass& found);
+
 /// The least factor of all friction with which bodies may stand is in [low, high].
 struct LeastFriction {
   Rational low{0};           ///< they must move with this factor, unless it is 0
@@ -46,7 +50,7 @@ struct LeastFriction {
 
 /// Encloses the least factor of friction: high - low is at most `accuracy` times high, unless
 /// programs between them stay undecided. Returns the motion if they must move with any
-/// friction, and Undecided if no factor up to a million is found with which they may stand.
+/// friction, or with all of it times a million, and Undecided if that is not known.
 std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const GraspBox& grasp, const Rational& accuracy = Rational(1, 1000000));
 

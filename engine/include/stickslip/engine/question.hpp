@@ -103,6 +103,11 @@ void require_one_grasp(const Question& question);
 /// Returns the same question without a bound of motions.
 Question without_bound(Question question);
 
+/// Returns the same question about a grasp of one body if that is all that a mechanism is: a
+/// body that moves freely, with contacts of the ground alone and without torsion. Certificates
+/// about the file still speak of several bodies.
+Question as_one_body(Question question);
+
 /// \{ Throws InputError if there are several bodies, and says that `what` is for one body only.
 void require_one_body(const AnyGrasp& grasp, const std::string& what);
 inline void require_one_body(const Question& question, const std::string& what) {

@@ -104,12 +104,10 @@ struct Direction {
   Real kappa = 0;
 };
 
-}  // namespace lp_detail
-
 /// The path, in numbers of any length.
-class ConeSearch::Path {
+class ConePath {
  public:
-  virtual ~Path() = default;
+  virtual ~ConePath() = default;
   virtual void run() = 0;
   virtual std::vector<std::vector<double>> changes(const std::vector<double>& load) const = 0;
 
@@ -119,10 +117,8 @@ class ConeSearch::Path {
   ConeProposal proposal_;  // NOLINT(misc-non-private-member-variables-in-classes)
 };
 
-using namespace lp_detail;
-
 template <class Real>
-class ConeSearch::InteriorPoint final : public ConeSearch::Path {
+class InteriorPoint final : public ConePath {
   using Part = lp_detail::Vector<Real>;
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   using Columns =
@@ -428,11 +424,13 @@ class ConeSearch::InteriorPoint final : public ConeSearch::Path {
   Parts z1_;
 };
 
+}  // namespace lp_detail
+
 ConeSearch::ConeSearch(const ConePair& pair, bool is_long) {
   if (is_long) {
-    path_ = std::make_unique<InteriorPoint<long double>>(pair);
+    path_ = std::make_unique<lp_detail::InteriorPoint<long double>>(pair);
   } else {
-    path_ = std::make_unique<InteriorPoint<double>>(pair);
+    path_ = std::make_unique<lp_detail::InteriorPoint<double>>(pair);
   }
   path_->run();
 }

@@ -322,8 +322,8 @@ void add_statics_command(Command& app, int& exit_code) {
       "What may stand may still fall: stickslip decide asks about contacts with their "
       "stiffness.\n",
       kExitCodesWithLimit,
-      "stickslip statics bodies-arch.json --least-friction\n"
-      "  $ stickslip statics space-cup.json --place 0,0,-1 --certificate places.json"));
+      "stickslip statics fig1.json --wrench 0,1,0 --least-friction\n"
+      "  $ stickslip statics fig1.json --place 0,-1 --certificate places.json"));
   command->callback([arguments, &exit_code] { exit_code = statics(*arguments); });
 }
 

@@ -79,8 +79,8 @@ StandingLoads standing_loads(const GraspBox& grasp, const std::vector<RationalRo
                              const Rational& friction_factor = 1,
                              const Rational& accuracy = Rational(1, 1000));
 
-/// Returns the multiples l of one direction: [low, high] that may stand, where an end that is
-/// missing is none, and the borders below and above which they must move.
+/// The multiples l of one direction: [low, high] may stand, where an end that is missing is
+/// none, and below and above borders they must move.
 struct StandingMultiples {
   bool any = false;                 ///< whether some may stand
   std::optional<Rational> low{};    ///< the least that may stand
@@ -89,6 +89,7 @@ struct StandingMultiples {
   std::optional<Rational> above{};  ///< those above it must move
   bool always_moves = false;        ///< whether all must move
 };
+/// Returns what loads of one direction say of its multiples.
 StandingMultiples multiples_of(const GraspBox& grasp, const StandingLoads& loads,
                                const RationalRow& direction);
 

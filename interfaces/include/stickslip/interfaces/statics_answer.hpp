@@ -31,8 +31,8 @@ using LeastFrictionAnswer = std::variant<LeastFriction, UnopposedMotion, Undecid
 
 /// The answer to a question of statics: about one load, the least friction, or many loads.
 struct StaticsAnswer {
-  StaticsQuestion asked;  ///< the question
-  std::variant<LoadClass, LeastFrictionAnswer, StandingLoads> found;
+  StaticsQuestion asked;                                              ///< the question
+  std::variant<LoadClass, LeastFrictionAnswer, StandingLoads> found;  ///< the evidence
 
   /// Returns why it is not known, if so.
   std::optional<Undecided> undecided() const;

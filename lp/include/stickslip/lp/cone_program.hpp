@@ -25,6 +25,10 @@
 
 namespace stickslip {
 
+namespace lp_detail {
+class ConePath;
+}  // namespace lp_detail
+
 /// A column of few entries: pairs of a row and a number, each row at most once.
 using DoubleColumn = std::vector<std::pair<std::size_t, double>>;
 
@@ -60,10 +64,7 @@ class ConeSearch {
   std::vector<std::vector<double>> changes(const std::vector<double>& load) const;
 
  private:
-  class Path;
-  template <class Real>
-  class InteriorPoint;
-  std::unique_ptr<Path> path_;
+  std::unique_ptr<lp_detail::ConePath> path_;
 };
 
 }  // namespace stickslip

@@ -22,6 +22,7 @@ using RationalRow = std::vector<Rational>;
 /// (d, h, l) may be given a motion d alone.
 Integer dot(const Row& a, const Row& b);
 Rational dot(const RationalRow& a, const RationalRow& b);
+Rational dot(const Row& a, const RationalRow& b);
 /// \}
 
 bool is_zero(const Row& a);  ///< whether every entry is 0

@@ -75,7 +75,7 @@ class StickingSearch : AnswerSearch {
         continue;
       }
       if (!(a > 0)) {
-        if (box_.law == NormalLaw::kBilateral) return false;
+        if (box_.normal_law == NormalLaw::kBilateral) return false;
         continue;
       }
       const double spare = c.slopes[0] * a - norm_of(middle_.friction[i]);
@@ -86,7 +86,7 @@ class StickingSearch : AnswerSearch {
       if (rubs) state_friction(i);
     }
     if (pressing_.empty()) return false;
-    if (box_.law == NormalLaw::kUnilateral) {
+    if (box_.normal_law == NormalLaw::kUnilateral) {
       constexpr std::size_t kMost = 32;
       keep_best(rubbing_, kMost, [&](std::size_t i) { return slip_of(i); });
       keep_best(pressing_, kMost, [&](std::size_t i) { return normal_of(i); });
@@ -134,7 +134,7 @@ class StickingSearch : AnswerSearch {
     if (!answers.allFinite()) return false;
     for (std::size_t k = 0; k < pressing_.size(); ++k) {
       StickingProof::Press press{ContactId(pressing_[k].contact), {}};
-      bool is_any = box_.law == NormalLaw::kBilateral;
+      bool is_any = box_.normal_law == NormalLaw::kBilateral;
       for (std::size_t l = 0; l < box_.motions; ++l) {
         const double a = answers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l));
         press.forces.push_back(rational_in_bits(a / box_.unit(l), kForceBits));
@@ -160,9 +160,7 @@ class StickingSearch : AnswerSearch {
       if (moves) {
         bool is_first = true;
         for (std::size_t k = 0; k < c.separations.size(); ++k) {
-          Rational v = 0;
-          for (std::size_t j = 0; j < x.size(); ++j) v += Rational(c.separations[k][j]) * x[j];
-          v *= c.separation_factors[k];
+          const Rational v = c.separation_factors[k] * dot(c.separations[k], x);
           if (is_first || v < pressed.separation.low) pressed.separation.low = v;
           if (is_first || v > pressed.separation.high) pressed.separation.high = v;
           is_first = false;
@@ -170,11 +168,7 @@ class StickingSearch : AnswerSearch {
         Rational square = 0;
         for (const CornerRow& corner : c.corners) {
           RationalRow s;
-          for (const Row& row : corner.slip) {
-            Rational entry = 0;
-            for (std::size_t j = 0; j < row.size(); ++j) entry += Rational(row[j]) * x[j];
-            s.push_back(entry / corner.slip_factor);
-          }
+          for (const Row& row : corner.slip) s.push_back(dot(row, x) / corner.slip_factor);
           Rational here = 0;
           for (std::size_t k = 0; k < s.size(); ++k) {
             here += k == 3 ? Rational(c.spin_weight * s[k] * s[k]) : Rational(s[k] * s[k]);

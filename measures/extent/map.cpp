@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "in_parallel.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_list.hpp"

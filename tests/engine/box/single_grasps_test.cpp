@@ -6,7 +6,8 @@
 
 #include "engine/box/box_prover.hpp"
 #include "engine/box/examples.hpp"
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/short_numbers.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "law_cases.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
 
@@ -131,6 +132,9 @@ TEST(OneGrasp, PowersAndMiddlesAreShort) {
                                        << static_cast<unsigned>(msb(denominator(middle))));
   }
   EXPECT_EQ(box_detail::power_of_two_above(0), 1);
+  for (const Rational& power : {Rational(1, 8), Rational(1), Rational(16)}) {
+    EXPECT_EQ(box_detail::power_of_two_above(power), power);
+  }
 }
 
 // One grasp in the plane is the same problem by its law and by its contacts.

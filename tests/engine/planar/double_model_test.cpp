@@ -336,7 +336,7 @@ TEST(CrowdForces, RefuteOrBalanceARegion) {
       region = region.separation_child(
           problem, contact, random.one_in(3) ? Separation::kOpen : Separation::kClosed);
     }
-    ConeWork work;
+    BranchWork work;
     planar_detail::CrowdForces forces(problem, model, nullptr, true, work);
     EXPECT_EQ(forces.enter(region, 1), !region.is_barred());
     EXPECT_EQ(work.nodes, 1U);

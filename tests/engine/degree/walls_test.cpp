@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "engine/degree/wall_refuter.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/engine/near_forces.hpp"
 #include "stickslip/engine/question.hpp"
@@ -153,6 +156,77 @@ TEST(Walls, AreUnsoundWhereNothingHolds) {
   EXPECT_FALSE(Walls(grasp, span, rest, 0.25, &law).is_sound());
 }
 
+/// Returns whether the tree that begins at a node refutes the region by the exact rule of
+/// leaves; `next` becomes the node behind it.
+bool is_refuted(const Law& law, const MotionRegion& region, const Trees& trees,
+                std::size_t& next, const PullRule* pull) {
+  const TreeNode& node = trees.at(next++);
+  std::vector<MotionRegion> children;
+  if (const auto* slip = std::get_if<SlipSplit>(&node)) {
+    children = region.slip_children(slip->contact.index());
+  } else if (const auto* split = std::get_if<SeparationSplit>(&node)) {
+    children = region.halves(law.contacts[split->contact.index()].separations.front());
+  } else if (const auto* cut = std::get_if<PlaneCut>(&node)) {
+    children = region.halves(cut->plane);
+  } else {
+    return region.is_refuted(std::get<TwistLeaf>(node).twist, pull);
+  }
+  bool all = true;
+  for (const MotionRegion& child : children) {
+    all = is_refuted(law, child, trees, next, pull) && all;
+  }
+  return all;
+}
+
+// Trees refute the walls of a body, contact by contact and in groups, with the pull and without
+// it; both ways know whether all contacts are closed there.
+TEST(WallRefuters, TreesRefuteWalls) {
+  using degree_detail::CrowdRefuter;
+  using degree_detail::LawRefuter;
+  RandomSource random(325);
+  std::array<int, 4> seen{};
+  std::array<int, 2> closed{};
+  for (int round = 0; round < 20; ++round) {
+    const GraspBox box = pinch(random).middle();
+    const GraspLaw law(box, NormalLaw::kUnilateral);
+    const Problem problem(box.planar_middle(), NormalLaw::kUnilateral);
+    const RoundedGrasp grasp = rounded_middle(law);
+    const std::vector<NearEquilibrium> found = Newton(grasp).solve_from(1);
+    if (found.empty()) continue;
+    const ForceSpan span(law);
+    const double size = random.one_in(2) ? 0.25 : 4;
+    const Walls walls(grasp, span, found.front(), size, &law);
+    if (!walls.is_sound()) continue;
+    const DegreeProof body = walls.proof(Walls::Pull::kTwists, false);
+    SearchWork work;
+    LawRefuter by_law(law, law, work);
+    CrowdWalls crowd(problem);
+    CrowdRefuter by_crowd(crowd, work);
+    const bool are_closed = by_law.all_are_closed(body);
+    EXPECT_EQ(by_crowd.all_are_closed(body), are_closed);
+    ++closed[are_closed ? 1 : 0];
+    const PullRule pull(body.direction, body.twist);
+    for (std::size_t wall = 0; wall < body.wall_count(); ++wall) {
+      const MotionRegion region = MotionRegion::wall(law, body, wall);
+      for (std::size_t way = 0; way < 4; ++way) {
+        const bool second = way % 2 == 1;
+        DegreeProof proof = body;
+        constexpr std::size_t kNodes = 300;
+        degree_detail::WallRefuter& refuter =
+            way < 2 ? static_cast<degree_detail::WallRefuter&>(by_law) : by_crowd;
+        if (!refuter.refute(proof, wall, second, kNodes)) continue;
+        ++seen[way];
+        std::size_t next = 0;
+        EXPECT_TRUE(is_refuted(law, region, proof.trees, next, second ? &pull : nullptr));
+        EXPECT_EQ(next, proof.trees.size());
+      }
+    }
+    EXPECT_GT(work.nodes, 0U);
+  }
+  for (const int count : seen) EXPECT_GE(count, 20);
+  for (const int count : closed) EXPECT_GE(count, 2);
+}
+
 // Forces for people near an equilibrium balance its load, within cones.
 TEST(NearForces, BalanceTheLoad) {
   RandomSource random(323);
@@ -186,6 +260,23 @@ TEST(NearForces, BalanceTheLoad) {
     for (const double left : sum) EXPECT_NEAR(left, 0, 1e-6);
   }
   EXPECT_GE(count, 20);
+}
+
+// Where nothing balances, friction is still against the slip, with all that it may have.
+TEST(NearForces, OpposeTheSlip) {
+  RandomSource random(324);
+  for (int round = 0; round < 10; ++round) {
+    GraspBox box = pinch(random);
+    for (UncertainContact& c : box.contacts) c.position[1] = {};
+    const int down = random.one_in(2) ? -1 : 1;
+    box.wrench = {{}, point_interval(3 * down), {}};
+    Question question;
+    question.grasp = box;
+    for (const SpatialForce& f : near_forces(question, {0, down, 0})) {
+      EXPECT_NEAR(to_double(f.normal), 2, 1e-9);
+      EXPECT_NEAR(to_double(f.friction[1]), -down * 0.625 * 2, 1e-9);
+    }
+  }
 }
 
 }  // namespace walls_test

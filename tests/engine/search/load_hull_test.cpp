@@ -112,6 +112,13 @@ TEST(LoadHull, BoundsAndBarsAreThoseOfItsLoads) {
       }
     }
     EXPECT_EQ(bars, sum.strict[0].is_zero() || sum.strict[1].is_zero());
+    Load without_corners{RationalRow(3), RationalRow(2)};
+    for (const LoadGenerator& g : hull.directions) {
+      if (!dot(twist, g.load).is_zero()) continue;
+      for (std::size_t k = 0; k < 2; ++k) without_corners.strict[k] += g.strict[k];
+    }
+    EXPECT_EQ(bars_directions,
+              without_corners.strict[0].is_zero() || without_corners.strict[1].is_zero());
   }
   EXPECT_GE(barred, 40);
   EXPECT_GE(unbounded, 40);

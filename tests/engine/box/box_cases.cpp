@@ -17,7 +17,7 @@ Wrench any_direction(RandomSource& random) {
 /// none.
 Rational first_threshold(const Grasp& grasp, const Wrench& direction, NormalLaw law) {
   const Problem family = Problem({grasp, {}}, law).along({direction});
-  const auto found = find_spatial_margin(family);
+  const auto found = find_margin(family);
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr || margin->resisted.empty()) return 1;
   const MarginInterval& first = margin->resisted.front();

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/motion/dense.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/engine/reals.hpp"
 
@@ -42,15 +43,20 @@ TEST(NearestInCone, TheRestIsAgainstTheCone) {
     EXPECT_NEAR(dot(found.point, rest), 0, 1e-8);
     ASSERT_LE(found.generators.size(), 3U);
     ++used[found.generators.size()];
-    // The point is in the cone: of its own generators it is the nearest point, too.
-    std::vector<Double3> own;
-    for (const std::size_t k : found.generators) own.push_back(units[k]);
-    if (own.empty()) {
+    // The point is in the cone: a sum of multiples of its generators, none below 0.
+    if (found.generators.empty()) {
       EXPECT_EQ(dot(found.point, found.point), 0);
       continue;
     }
-    const ConePoint again = nearest_in_cone(own, found.point);
-    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(again.point[j], found.point[j], 1e-8);
+    Eigen::MatrixXd own(3, static_cast<Eigen::Index>(found.generators.size()));
+    for (std::size_t k = 0; k < found.generators.size(); ++k) {
+      own.col(static_cast<Eigen::Index>(k)) =
+          Eigen::Map<const Eigen::Vector3d>(units[found.generators[k]].data());
+    }
+    const Eigen::Map<const Eigen::Vector3d> point(found.point.data());
+    const Eigen::VectorXd multiples = least_squares(own, point);
+    EXPECT_NEAR((own * multiples - point).norm(), 0, 1e-8);
+    EXPECT_GE(multiples.minCoeff(), -1e-8);
   }
   for (const int count : used) EXPECT_GE(count, 30);
 }

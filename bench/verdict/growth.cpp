@@ -38,7 +38,7 @@ Worst search_threshold(HardFamily family, std::size_t contacts, NormalLaw law) {
   const auto is_stable = [&](const Question& question) {
     const Clock::time_point start = Clock::now();
     if (std::chrono::duration<double>(start - begin).count() > kSearchSeconds) throw TimeIsUp{};
-    ConeWork work;
+    BranchWork work;
     SearchOptions options;
     options.node_limit = kNodeLimit;
     const Verdict verdict =

@@ -32,6 +32,13 @@ void add_multiple(RationalRow& to, const Rational& factor, const SparseRow& row)
   for (const auto& [index, entry] : row) to[index] += factor * entry;
 }
 
+Rational dot(const Row& a, const RationalRow& b) {
+  Rational sum = 0;
+  const std::size_t n = std::min(a.size(), b.size());
+  for (std::size_t j = 0; j < n; ++j) sum += Rational(a[j]) * b[j];
+  return sum;
+}
+
 bool is_zero(const Row& a) {
   return std::all_of(a.begin(), a.end(), [](const Integer& entry) { return entry.is_zero(); });
 }

@@ -9,7 +9,7 @@
 #include "engine/degree/prove_stable.hpp"
 #include "engine/search/law_forces.hpp"
 #include "exact_region.hpp"
-#include "one_grasp.hpp"
+#include "single_grasp.hpp"
 #include "stickslip/engine/force_span.hpp"
 
 namespace stickslip {

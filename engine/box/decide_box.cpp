@@ -6,7 +6,7 @@
 #include "box_prover.hpp"
 #include "engine/degree/prove_stable.hpp"
 #include "examples.hpp"
-#include "one_grasp.hpp"
+#include "single_grasp.hpp"
 
 namespace stickslip {
 

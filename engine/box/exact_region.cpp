@@ -110,11 +110,7 @@ class RelaxedRegion {
 
  private:
   static Rational separation(const LawContact& contact, const RationalRow& x) {
-    Rational v = 0;
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      v += Rational(contact.separations.front()[j]) * x[j];
-    }
-    return contact.separation_factors.front() * v;
+    return contact.separation_factors.front() * dot(contact.separations.front(), x);
   }
 
   static bool has_variables(const Pushes& c) {

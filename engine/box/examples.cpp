@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/degree/moving_equilibrium.hpp"
-#include "one_grasp.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::box_detail {

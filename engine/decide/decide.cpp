@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 #include "stickslip/engine/second_question.hpp"
 
 namespace stickslip {
@@ -45,7 +45,7 @@ const char* box_engine(const Question& question) {
 
 const char* Answer::engine() const {
   if (std::holds_alternative<StatesWork>(work)) return "states";
-  return std::holds_alternative<ConeWork>(work) ? "branch-and-bound" : box_engine(question);
+  return std::holds_alternative<BranchWork>(work) ? "branch-and-bound" : box_engine(question);
 }
 
 Answer decide(Question question, const SearchOptions& options) {
@@ -81,7 +81,7 @@ Answer decide(Question question, const SearchOptions& options) {
 std::vector<std::pair<std::string, std::size_t>> counters(const Answer& answer) {
   using Counters = std::vector<std::pair<std::string, std::size_t>>;
   if (const auto* states = std::get_if<StatesWork>(&answer.work)) return counters(*states);
-  if (const auto* cone = std::get_if<ConeWork>(&answer.work)) return counters(*cone);
+  if (const auto* cone = std::get_if<BranchWork>(&answer.work)) return counters(*cone);
   const auto* search = std::get_if<SearchWork>(&answer.work);
   return search != nullptr ? counters(*search) : Counters{};
 }

@@ -172,11 +172,9 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
         c.preload.low - c.stiffness.low * dot(c.corners.front().normal, witness.twist);
     if (c.is_spring) continue;
     if (closed[i] ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
-    if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
+    if (model.normal_law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
     if (slips[i] != 0 && v.sign() > 0) {
-      const RationalRow slip(c.corners.front().slip.front().begin(),
-                             c.corners.front().slip.front().end());
-      const int sign = dot(slip, witness.twist).sign();
+      const int sign = dot(c.corners.front().slip.front(), witness.twist).sign();
       if (sign == -slips[i]) return std::nullopt;
       if (sign == 0) witness.shares.emplace_back(ContactId(i), RationalRow{-slips[i]});
       continue;

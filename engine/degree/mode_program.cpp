@@ -80,7 +80,7 @@ class ModeProgram {
       separation -= (c.stiffnesses[0] + c.stiffnesses[1]) / 2 *
                     c.corners.front().normal_rounded.dot(near_.motion);
       const bool is_clear = std::fabs(separation) * c.size > kBorder * law_.force;
-      if (c.is_spring || law_.law == NormalLaw::kBilateral) {
+      if (c.is_spring || law_.normal_law == NormalLaw::kBilateral) {
         mode.gap = Mode::Gap::kClosed;
       } else if (is_clear) {
         mode.gap = separation > 0 ? Mode::Gap::kClosed : Mode::Gap::kOpen;
@@ -332,7 +332,8 @@ class ModeProgram {
         result.slips.push_back(i);
         break;
       }
-      const bool may_open = !law_.contacts[i].is_spring && law_.law != NormalLaw::kBilateral;
+      const bool may_open =
+          !law_.contacts[i].is_spring && law_.normal_law != NormalLaw::kBilateral;
       const bool is_known = modes[i].gap != Mode::Gap::kUnknown;
       if (may_open && is_known && !farkas[gap].is_zero()) result.gaps.push_back(i);
     }

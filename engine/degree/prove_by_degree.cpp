@@ -307,7 +307,7 @@ std::optional<DegreeProof> DegreeSearch::prove_with(Walls walls, const Attempt& 
 std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& middle,
                                            const NearEquilibrium& near,
                                            const DegreeLimits& limits, SearchWork& work) {
-  const DegreeSubject about{rounded_middle(middle), ForceSpan(box), box.law, &box};
+  const DegreeSubject about{rounded_middle(middle), ForceSpan(box), box.normal_law, &box};
   if (!about.span.has_loads_of(box)) return std::nullopt;
   LawRefuter refuter(box, middle, work);
   return DegreeSearch(about, refuter, limits, work).prove_box(near);
@@ -324,7 +324,8 @@ std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& w
   const Newton newton(about.grasp);
   std::vector<Reals> tried;
   for (const std::size_t starts : {0, 1}) {
-    for (const NearEquilibrium& proposed : walls.near_equilibria(starts, about.grasp.length)) {
+    for (const NearEquilibrium& proposed :
+         walls.newton_equilibria(starts, about.grasp.length)) {
       if (starts == 0) {
         if (auto proof = search.prove_quickly(proposed)) return proof;
       }

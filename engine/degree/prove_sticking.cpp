@@ -14,8 +14,6 @@ using namespace degree_detail;
 
 namespace {
 
-constexpr unsigned kRootBits = 64;  // the format's
-
 /// The numbers of one element that the rules compare, over the box at one multiple.
 struct PressedContact {
   Interval separation;  ///< v at d0
@@ -24,18 +22,11 @@ struct PressedContact {
   Rational spare{};     ///< s, once it is known
 };
 
-class StickingSearch {
+class StickingSearch : AnswerSearch {
  public:
   /// Proposes a motion in so many bits; 0: rest.
   StickingSearch(const GraspLaw& box, const NearEquilibrium& middle, int bits)
-      : box_(box), middle_(middle), motions_(static_cast<Eigen::Index>(box.motions)) {
-    multiples_ = {0};
-    if (box.is_family) {
-      multiples_ = {box.multiples.low};
-      if (box.multiples.high && *box.multiples.high != box.multiples.low) {
-        multiples_.push_back(*box.multiples.high);
-      }
-    }
+      : AnswerSearch(box, middle) {
     proof_.motion.resize(box.motions);
     for (std::size_t j = 0; bits > 0 && j < box.motions; ++j) {
       const double d = middle.motion[static_cast<Eigen::Index>(j)] / box.unit(j);
@@ -47,19 +38,17 @@ class StickingSearch {
     if (!may_move() || !choose_contacts()) return std::nullopt;
     for (const Rational& multiple : multiples_) measure_contacts(multiple);
     if (!choose_answers()) return std::nullopt;
-    Rows off(box_.motions, RationalRow(box_.motions));
-    RationalRow rest(box_.motions);
-    measure(off, rest);
-    if (!choose_reach(off, rest)) return std::nullopt;
+    measure([&](std::size_t at, std::size_t i) { return contacts_[at][i].normal; });
+    if (!choose_reach()) return std::nullopt;
     sum_up();
-    if (!choose_energy() || !holds() || !is_within_bound(off)) return std::nullopt;
+    if (!choose_energy() || !holds() || !is_within_bound()) return std::nullopt;
+    proof_.friction = std::move(friction_);
+    proof_.presses = std::move(presses_);
+    proof_.answers = std::move(answers_);
     return std::move(proof_);
   }
 
  private:
-  static constexpr double kFlat = 1e-9;  ///< the part below which nothing is independent
-  static constexpr int kForceBits = 24;
-
   bool moves() const {
     return std::any_of(proof_.motion.begin(), proof_.motion.end(),
                        [](const Rational& d) { return !d.is_zero(); });
@@ -86,7 +75,7 @@ class StickingSearch {
         continue;
       }
       if (!(a > 0)) {
-        if (box_.law == NormalLaw::kBilateral) return false;
+        if (box_.normal_law == NormalLaw::kBilateral) return false;
         continue;
       }
       const double spare = c.slopes[0] * a - norm_of(middle_.friction[i]);
@@ -94,55 +83,15 @@ class StickingSearch {
       if (rubs && !(spare > 0)) return false;
       pressing_.push_back({i, a});
       if (rubs) rubbing_.push_back({i, spare});
-      if (rubs && norm_of(middle_.friction[i]) > 0) {
-        proof_.friction.emplace_back(ContactId(i),
-                                     c.force_near(middle_.friction[i], kForceBits));
-      }
+      if (rubs) state_friction(i);
     }
     if (pressing_.empty()) return false;
-    if (box_.law == NormalLaw::kUnilateral) {
-      keep_best(rubbing_, [&](std::size_t i) { return slip_of(i); });
-      keep_best(pressing_, [&](std::size_t i) { return normal_of(i); });
+    if (box_.normal_law == NormalLaw::kUnilateral) {
+      constexpr std::size_t kMost = 32;
+      keep_best(rubbing_, kMost, [&](std::size_t i) { return slip_of(i); });
+      keep_best(pressing_, kMost, [&](std::size_t i) { return normal_of(i); });
     }
     return true;
-  }
-
-  struct Bearing {
-    std::size_t contact;
-    double spare;  ///< friction, or the normal force
-  };
-
-  /// Keeps those with most to spare: 8, or more until the rank is full, but 32 at most.
-  template <class RowsOf>
-  void keep_best(std::vector<Bearing>& bearing, const RowsOf& rows_of) const {
-    constexpr std::size_t kMany = 8;
-    if (bearing.size() <= kMany) return;
-    std::stable_sort(bearing.begin(), bearing.end(),
-                     [](const Bearing& a, const Bearing& b) { return a.spare > b.spare; });
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(motions_, motions_);
-    std::size_t taken = 0;
-    constexpr std::size_t kMost = 32;
-    while (taken < std::min(bearing.size(), kMost) &&
-           (taken < kMany || rank(sum, kFlat) < motions_)) {
-      const Eigen::MatrixXd rows = rows_of(bearing[taken++].contact);
-      sum += rows.transpose() * rows;
-    }
-    bearing.resize(taken);
-    std::sort(bearing.begin(), bearing.end(),
-              [](const Bearing& a, const Bearing& b) { return a.contact < b.contact; });
-  }
-
-  Eigen::MatrixXd normal_of(std::size_t contact) const {
-    return box_.contacts[contact].corners.front().normal_rounded.transpose();
-  }
-
-  Eigen::MatrixXd slip_of(std::size_t contact) const {
-    const std::vector<Reals>& rows = box_.contacts[contact].corners.front().slip_rounded;
-    Eigen::MatrixXd slip(static_cast<Eigen::Index>(rows.size()), motions_);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      slip.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
-    }
-    return slip;
   }
 
   /// Chooses H and G: a right inverse, in which contacts with more to spare answer more. A
@@ -181,33 +130,20 @@ class StickingSearch {
     }
     if (!(weights.maxCoeff() > 0)) return false;
     weights /= weights.maxCoeff();
-    const Eigen::MatrixXd gram = wrenches * weights.asDiagonal() * wrenches.transpose();
-    const Eigen::MatrixXd answers =
-        weights.asDiagonal() * wrenches.transpose() * pseudo_inverse(gram, kFlat);
+    const Eigen::MatrixXd answers = right_inverse(wrenches, weights);
     if (!answers.allFinite()) return false;
     for (std::size_t k = 0; k < pressing_.size(); ++k) {
       StickingProof::Press press{ContactId(pressing_[k].contact), {}};
-      bool is_any = box_.law == NormalLaw::kBilateral;
+      bool is_any = box_.normal_law == NormalLaw::kBilateral;
       for (std::size_t l = 0; l < box_.motions; ++l) {
         const double a = answers(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l));
         press.forces.push_back(rational_in_bits(a / box_.unit(l), kForceBits));
         is_any = is_any || a != 0;
       }
-      if (is_any) proof_.presses.push_back(std::move(press));
+      if (is_any) presses_.push_back(std::move(press));
     }
     for (std::size_t k = 0; k < rubbing_.size(); ++k) {
-      const std::size_t i = rubbing_[k].contact;
-      RestProof::Answer answer{ContactId(i), {}};
-      for (std::size_t l = 0; l < box_.motions; ++l) {
-        Double3 f{};
-        for (std::size_t j = 0; j < box_.contacts[i].slip_dimension(); ++j) {
-          f[j] =
-              answers(first[k] + static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)) /
-              box_.unit(l);
-        }
-        answer.forces.push_back(box_.contacts[i].force_near(f, kForceBits));
-      }
-      proof_.answers.push_back(std::move(answer));
+      state_answer(rubbing_[k].contact, answers, first[k]);
     }
     return true;
   }
@@ -224,9 +160,7 @@ class StickingSearch {
       if (moves) {
         bool is_first = true;
         for (std::size_t k = 0; k < c.separations.size(); ++k) {
-          Rational v = 0;
-          for (std::size_t j = 0; j < x.size(); ++j) v += Rational(c.separations[k][j]) * x[j];
-          v *= c.separation_factors[k];
+          const Rational v = c.separation_factors[k] * dot(c.separations[k], x);
           if (is_first || v < pressed.separation.low) pressed.separation.low = v;
           if (is_first || v > pressed.separation.high) pressed.separation.high = v;
           is_first = false;
@@ -234,11 +168,7 @@ class StickingSearch {
         Rational square = 0;
         for (const CornerRow& corner : c.corners) {
           RationalRow s;
-          for (const Row& row : corner.slip) {
-            Rational entry = 0;
-            for (std::size_t j = 0; j < row.size(); ++j) entry += Rational(row[j]) * x[j];
-            s.push_back(entry / corner.slip_factor);
-          }
+          for (const Row& row : corner.slip) s.push_back(dot(row, x) / corner.slip_factor);
           Rational here = 0;
           for (std::size_t k = 0; k < s.size(); ++k) {
             here += k == 3 ? Rational(c.spin_weight * s[k] * s[k]) : Rational(s[k] * s[k]);
@@ -258,84 +188,45 @@ class StickingSearch {
     }
   }
 
-  /// Measures max |W|, and max |M - 1| by rows.
-  void measure(Rows& off, RationalRow& rest) const {
-    for (std::size_t at = 0; at < multiples_.size(); ++at) {
-      WrenchRange sum = loads_at(box_, multiples_[at]);
-      auto next = proof_.friction.begin();
-      for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
-        const LawContact& c = box_.contacts[i];
-        RationalRow f(c.slip_numbers());
-        if (next != proof_.friction.end() && next->first.index() == i) f = (next++)->second;
-        add_wrenches(sum, c, f, ends_of(contacts_[at][i].normal));
-      }
-      for (std::size_t k = 0; k < sum.size(); ++k) rest[k] = std::max(rest[k], largest(sum[k]));
-    }
-    for (std::size_t l = 0; l < rest.size(); ++l) {
-      WrenchRange column(rest.size());
-      column[l] = point_interval(-1);
-      for (const StickingProof::Press& press : proof_.presses) {
-        const LawContact& c = box_.contacts[press.contact.index()];
-        add_wrenches(column, c, RationalRow(c.slip_numbers()), {press.forces[l]});
-      }
-      for (const RestProof::Answer& answer : proof_.answers) {
-        add_wrenches(column, box_.contacts[answer.contact.index()], answer.forces[l], {0});
-      }
-      for (std::size_t k = 0; k < rest.size(); ++k) off[k][l] = largest(column[k]);
-    }
-  }
-
   /// Chooses Z, a little above the solution of Z = |W| + |M - 1| Z. Returns whether rule
   /// `sticking-reach` holds.
-  bool choose_reach(const Rows& off, const RationalRow& rest) {
+  bool choose_reach() {
     Eigen::MatrixXd system = Eigen::MatrixXd::Identity(motions_, motions_);
     Reals right(motions_);
     constexpr double kLeast = 1e-14;  // relative to a typical force: all are to be above 0
-    for (std::size_t k = 0; k < rest.size(); ++k) {
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
-      right[row] = to_double(rest[k]) / box_.unit(k) + kLeast * box_.force;
-      for (std::size_t l = 0; l < rest.size(); ++l) {
+      right[row] = to_double(rest_[k]) / box_.unit(k) + kLeast * box_.force;
+      for (std::size_t l = 0; l < rest_.size(); ++l) {
         system(row, static_cast<Eigen::Index>(l)) -=
-            to_double(off[k][l]) * box_.unit(l) / box_.unit(k);
+            to_double(off_[k][l]) * box_.unit(l) / box_.unit(k);
       }
     }
     const Reals reach = solution(system, right);
-    for (std::size_t k = 0; k < rest.size(); ++k) {
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
       const double z = reach[static_cast<Eigen::Index>(k)];
       if (!std::isfinite(z) || !(z > 0)) return false;
       proof_.reach.push_back(rational_in_bits(z * box_.unit(k) * 1.0002, kForceBits));
     }
-    for (std::size_t k = 0; k < rest.size(); ++k) {
-      if (!(rest[k] + dot(off[k], proof_.reach) < proof_.reach[k])) return false;
-    }
-    return true;
+    return is_reached(proof_.reach, true);
   }
 
   /// Sums up delta and phi.
   void sum_up() {
     press_.assign(box_.contacts.size(), 0);
-    friction_.assign(box_.contacts.size(), 0);
+    needed_ = friction_needed(proof_.reach);
     is_listed_.assign(box_.contacts.size(), 0);
     rubs_.assign(box_.contacts.size(), 0);
-    for (const StickingProof::Press& press : proof_.presses) {
+    for (const StickingProof::Press& press : presses_) {
       const std::size_t i = press.contact.index();
       is_listed_[i] = 1;
       for (std::size_t l = 0; l < box_.motions; ++l) {
         press_[i] += abs(press.forces[l]) * proof_.reach[l];
       }
     }
-    for (const auto& [contact, f] : proof_.friction) {
-      const std::size_t i = contact.index();
-      is_listed_[i] = rubs_[i] = 1;
-      friction_[i] = length_above(box_.contacts[i], f);
-    }
-    for (const RestProof::Answer& answer : proof_.answers) {
-      const std::size_t i = answer.contact.index();
-      is_listed_[i] = rubs_[i] = 1;
-      for (std::size_t l = 0; l < box_.motions; ++l) {
-        friction_[i] += length_above(box_.contacts[i], answer.forces[l]) * proof_.reach[l];
-      }
-    }
+    const auto rubs = [&](ContactId id) { is_listed_[id.index()] = rubs_[id.index()] = 1; };
+    for (const auto& [id, f] : friction_) rubs(id);
+    for (const RestProof::Answer& answer : answers_) rubs(answer.contact);
   }
 
   Rational energy_of(std::size_t i, const PressedContact& at) const {
@@ -349,7 +240,7 @@ class StickingSearch {
       const Rational energy = sum * sum / (2 * k);
       most = std::max(most, energy);
     }
-    return most + (slope * at.normal.high + friction_[i]) * at.slip;
+    return most + (slope * at.normal.high + needed_[i]) * at.slip;
   }
 
   /// Chooses c, a little above what `sticking-energy` asks; returns false if it cannot.
@@ -385,8 +276,7 @@ class StickingSearch {
         const Rational pressed = all[i].separation.low - loss;
         if (pressed < 0) return false;
         if (rubs_[i] == 0) continue;
-        const Rational slope = c.friction.low * short_sqrt(c.squared_length, kRootBits).lower;
-        all[i].spare = slope * pressed - friction_[i];
+        all[i].spare = least_slope(c) * pressed - needed_[i];
         if (!(all[i].spare > 0)) return false;
       }
     }
@@ -394,7 +284,7 @@ class StickingSearch {
   }
 
   /// Returns whether rule `sticking-bound` holds.
-  bool is_within_bound(const Rows& off) const {
+  bool is_within_bound() const {
     if (box_.max_motion.empty()) return true;
     RationalRow room;  // E
     for (std::size_t l = 0; l < box_.motions; ++l) {
@@ -403,12 +293,12 @@ class StickingSearch {
     }
     for (const std::vector<PressedContact>& all : contacts_) {
       RationalRow moved(box_.motions);
-      for (const StickingProof::Press& press : proof_.presses) {
+      for (const StickingProof::Press& press : presses_) {
         const LawContact& c = box_.contacts[press.contact.index()];
         const Rational depth = short_sqrt(2 * proof_.energy / c.stiffness.low, kRootBits).upper;
         for (std::size_t l = 0; l < moved.size(); ++l) moved[l] += abs(press.forces[l]) * depth;
       }
-      for (const RestProof::Answer& answer : proof_.answers) {
+      for (const RestProof::Answer& answer : answers_) {
         const std::size_t i = answer.contact.index();
         const Rational slip = proof_.energy / all[i].spare + all[i].slip;
         for (std::size_t l = 0; l < moved.size(); ++l) {
@@ -416,22 +306,18 @@ class StickingSearch {
         }
       }
       for (std::size_t l = 0; l < moved.size(); ++l) {
-        for (std::size_t k = 0; k < moved.size(); ++k) moved[l] += off[k][l] * room[k];
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[l] += off_[k][l] * room[k];
         if (moved[l] > room[l]) return false;
       }
     }
     return true;
   }
 
-  const GraspLaw& box_;
-  const NearEquilibrium& middle_;
-  Eigen::Index motions_;
-  std::vector<Rational> multiples_;                    ///< 0, or the ends of a margin
   std::vector<std::vector<PressedContact>> contacts_;  ///< contacts by multiple
   std::vector<Bearing> pressing_;                      ///< contacts whose normal forces answer
   std::vector<Bearing> rubbing_;                       ///< contacts whose friction answers
   std::vector<Rational> press_;                        ///< delta, by contact
-  std::vector<Rational> friction_;                     ///< phi, by contact
+  std::vector<Rational> needed_;                       ///< phi, by contact
   std::vector<char> is_listed_;                        ///< whether it is listed, by contact
   std::vector<char> rubs_;                             ///< whether it rubs, by contact
   StickingProof proof_;

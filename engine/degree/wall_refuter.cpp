@@ -27,10 +27,10 @@ bool LawRefuter::all_are_closed(const DegreeProof& proof) const {
 bool CrowdRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
                           std::size_t node_limit) {
   const PullRule pull(proof.direction, proof.twist);
-  const ConeWork before = walls_.work();
+  const BranchWork before = walls_.work();
   const bool done = walls_.refute(Region::wall(walls_.problem(), proof, wall),
                                   second ? &pull : nullptr, node_limit, proof.trees);
-  const ConeWork& after = walls_.work();
+  const BranchWork& after = walls_.work();
   work_.nodes += after.nodes - before.nodes;
   work_.leaves += after.leaves - before.leaves;
   work_.filter_hits += after.filter_hits - before.filter_hits;

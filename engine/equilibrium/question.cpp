@@ -126,16 +126,6 @@ std::size_t pushing_elements(const AnyGrasp& grasp) {
                                     [](const Spring& s) { return s.is_ratchet(); }));
 }
 
-/// Returns the box, or one grasp in the plane if that is all it is. `growth` is that of
-/// preloads.
-AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
-  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
-    LoadedGrasp point = box.planar_middle();
-    if (!has_irrational_preload(point.grasp, growth)) return point;
-  }
-  return box;
-}
-
 /// Returns the grasp under this wrench, widened by the tolerances: a box, or one grasp in the
 /// plane if that is all it is.
 AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& options,
@@ -202,6 +192,14 @@ void require_certain(const Question& question) {
 }
 
 }  // namespace
+
+AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
+  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
+    LoadedGrasp point = box.planar_middle();
+    if (!has_irrational_preload(point.grasp, growth)) return point;
+  }
+  return box;
+}
 
 const LoadedGrasp& Question::loaded() const {
   const auto* one = std::get_if<LoadedGrasp>(&grasp);

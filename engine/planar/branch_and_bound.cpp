@@ -35,7 +35,7 @@ class Explorer {
     follow(search_);
   }
 
-  const ConeWork& work() const { return work_; }
+  const BranchWork& work() const { return work_; }
   std::optional<Witness>& witness() { return witness_; }
   /// Returns the multiple of the load that the witness is of.
   const Rational& multiple() const { return multiple_; }
@@ -98,7 +98,7 @@ class Explorer {
       }
     }
     constexpr std::size_t kMostNodes = 200;  // mostly one will do if an equilibrium is near
-    ConeWork here;
+    BranchWork here;
     CrowdSearch search(CrowdForces(problem_, model_, nullptr, true, here),
                        std::min(kMostNodes, most_nodes_));
     follow(search);
@@ -168,7 +168,7 @@ class Explorer {
   const DoubleModel& model_;
   std::size_t most_nodes_;
   Region root_;
-  ConeWork work_;
+  BranchWork work_;
   CrowdSearch search_;
   std::optional<MotionBox> near_;  ///< a place where an equilibrium may be; not yet searched
   std::vector<ModeGuess> failed_modes_;  ///< the last modes that failed
@@ -178,7 +178,7 @@ class Explorer {
 
 }  // namespace
 
-ConeWork& ConeWork::operator+=(const ConeWork& part) {
+BranchWork& BranchWork::operator+=(const BranchWork& part) {
   nodes += part.nodes;
   leaves += part.leaves;
   voids += part.voids;
@@ -196,7 +196,8 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
   return *this;
 }
 
-Verdict branch_and_bound(const Problem& problem, const SearchOptions& options, ConeWork* work) {
+Verdict branch_and_bound(const Problem& problem, const SearchOptions& options,
+                         BranchWork* work) {
   require(!problem.is_family(), "a verdict is on one member of a family");
   const DoubleModel model(problem);
   Explorer explorer(problem, model, options);
@@ -224,7 +225,7 @@ std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts)
 
 std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
                                                              const SearchOptions& options,
-                                                             ConeWork* work) {
+                                                             BranchWork* work) {
   const DoubleModel model(family);
   Explorer explorer(family, model, options);
   auto tree = explorer.explore();
@@ -236,7 +237,7 @@ std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& fami
   return Unstable{std::move(*tree)};
 }
 
-std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) {
+std::vector<std::pair<std::string, std::size_t>> counters(const BranchWork& work) {
   return {{"nodes", work.nodes},
           {"leaves", work.leaves},
           {"void_leaves", work.voids},

@@ -34,7 +34,7 @@ class CrowdForces {
   /// Leaves have `leaf-direction` if there is a pull. `exactly` has twists that doubles do not
   /// confirm tried exactly. All must outlive this; `model` is that of the problem.
   CrowdForces(const Problem& problem, const DoubleModel& model, const PullRule* pull,
-              bool exactly, ConeWork& work)
+              bool exactly, BranchWork& work)
       : problem_(problem),
         exactly_(exactly),
         work_(work),
@@ -79,7 +79,7 @@ class CrowdForces {
  private:
   const Problem& problem_;
   bool exactly_;
-  ConeWork& work_;
+  BranchWork& work_;
   const Region* region_ = nullptr;  ///< the region entered last
   bool is_last_ = false;            ///< no look at it is more precise than the last
   RegionForces forces_;             ///< the contacts on it

@@ -13,9 +13,9 @@ CrowdWalls::CrowdWalls(const Problem& problem)
 
 CrowdWalls::~CrowdWalls() = default;
 
-std::vector<NearEquilibrium> CrowdWalls::near_equilibria(std::size_t starts,
-                                                         double length) const {
-  return stickslip::near_equilibria(*model_, starts, length);
+std::vector<NearEquilibrium> CrowdWalls::newton_equilibria(std::size_t starts,
+                                                           double length) const {
+  return stickslip::newton_equilibria(*model_, starts, length);
 }
 
 bool CrowdWalls::all_are_closed(const Region& wall) const {

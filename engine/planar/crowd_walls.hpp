@@ -8,7 +8,7 @@
 
 #include "region.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 
 namespace stickslip {
 
@@ -26,9 +26,9 @@ class CrowdWalls {
 
   const Problem& problem() const { return problem_; }   ///< the problem in question
   const DoubleModel& model() const { return *model_; }  ///< the problem in doubles
-  /// Returns equilibria around which there may be walls, as near_equilibria() does; for one
+  /// Returns equilibria around which there may be walls, as newton_equilibria() does; for one
   /// grasp.
-  std::vector<NearEquilibrium> near_equilibria(std::size_t starts, double length) const;
+  std::vector<NearEquilibrium> newton_equilibria(std::size_t starts, double length) const;
   /// Returns whether every contact is closed on all of a wall.
   bool all_are_closed(const Region& wall) const;
   /// Appends to `trees` one that refutes the wall, with `leaf-direction` if there is a pull.
@@ -36,12 +36,12 @@ class CrowdWalls {
   /// tree.
   bool refute(Region wall, const PullRule* pull, std::size_t node_limit, Trees& trees);
   /// Returns the work of all trees.
-  const ConeWork& work() const { return work_; }
+  const BranchWork& work() const { return work_; }
 
  private:
   const Problem& problem_;
   std::unique_ptr<const DoubleModel> model_;
-  ConeWork work_;
+  BranchWork work_;
 };
 
 }  // namespace stickslip

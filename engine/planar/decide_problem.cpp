@@ -11,7 +11,7 @@ Decision decide(const Problem& problem, const SearchOptions& options) {
     Verdict verdict = decide_by_states(problem, &work);
     return {std::move(verdict), work};
   }
-  ConeWork work;
+  BranchWork work;
   Verdict verdict = branch_and_bound(problem, options, &work);
   return {std::move(verdict), work};
 }

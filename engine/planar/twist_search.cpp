@@ -236,7 +236,7 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const RegionForces& forces
   return worst;
 }
 
-SearchResult TwistSearch::search(const RegionForces& forces, bool precisely, ConeWork& work) {
+SearchResult TwistSearch::search(const RegionForces& forces, bool precisely, BranchWork& work) {
   ++work.searches;
   list_middles(forces);
   scale_rays(forces);
@@ -537,7 +537,7 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
 
 std::optional<Row> TwistSearch::confirm(const Problem& problem, const Region& region,
                                         const RegionForces& forces, const Double3& twist,
-                                        ConeWork& work, bool exactly) {
+                                        BranchWork& work, bool exactly) {
   std::vector<IntegerVector5> points;
   if (pull_ != nullptr) {
     for (const Ray& ray : forces.exact_rays()) points.push_back(ray.x);

@@ -54,7 +54,7 @@ class TwistSearch {
   /// Searches for a twist. Unless `precisely`, contacts of a group have the edges that are best
   /// in its middle: the result is about right, and costs O(groups rays) for each twist that is
   /// tried.
-  SearchResult search(const RegionForces& forces, bool precisely, ConeWork& work);
+  SearchResult search(const RegionForces& forces, bool precisely, BranchWork& work);
 
   /// Returns the force of an undecided contact.
   RelaxedForce force(std::uint32_t contact, const ContactFreedom& freedom,
@@ -67,7 +67,7 @@ class TwistSearch {
   /// Returns the twist rounded to the smallest integers that still refute the region. Where
   /// error bounds do not decide, it is tried exactly or, unless `exactly`, turned down.
   std::optional<Row> confirm(const Problem& problem, const Region& region,
-                             const RegionForces& forces, const Double3& twist, ConeWork& work,
+                             const RegionForces& forces, const Double3& twist, BranchWork& work,
                              bool exactly = true);
 
  private:

@@ -11,7 +11,7 @@
 #include "engine/motion/dense.hpp"
 #include "few_shares.hpp"
 #include "smooth_balance.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
@@ -423,8 +423,8 @@ std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleM
   return found;
 }
 
-std::vector<NearEquilibrium> near_equilibria(const DoubleModel& model, std::size_t starts,
-                                             double length) {
+std::vector<NearEquilibrium> newton_equilibria(const DoubleModel& model, std::size_t starts,
+                                               double length) {
   SmoothBalance balance(model);
   std::vector<NearEquilibrium> found;
   std::vector<Eigen::Vector3d> motions;
@@ -447,8 +447,8 @@ std::vector<NearEquilibrium> near_equilibria(const DoubleModel& model, std::size
   return found;
 }
 
-NearEquilibrium near_equilibrium(const Problem& problem, const Witness& witness,
-                                 double length) {
+NearEquilibrium rounded_equilibrium(const Problem& problem, const Witness& witness,
+                                    double length) {
   const Twist& d = witness.twist;
   NearEquilibrium result{
       Eigen::Vector3d(to_double(d.x), to_double(d.y), to_double(d.r) * length), {}, {}, {}};
@@ -464,9 +464,9 @@ NearEquilibrium near_equilibrium(const Problem& problem, const Witness& witness,
   return result;
 }
 
-std::vector<NearEquilibrium> near_equilibria(const Problem& problem, std::size_t starts,
-                                             double length) {
-  return near_equilibria(DoubleModel(problem), starts, length);
+std::vector<NearEquilibrium> newton_equilibria(const Problem& problem, std::size_t starts,
+                                               double length) {
+  return newton_equilibria(DoubleModel(problem), starts, length);
 }
 
 bool has_long_equilibria(const Problem& problem, std::size_t bits) {

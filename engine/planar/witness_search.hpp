@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "double_model.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
@@ -62,8 +62,8 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
 std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
                                            std::size_t starts);
 
-/// Returns those of one grasp whose model is there (near_equilibria.hpp).
-std::vector<NearEquilibrium> near_equilibria(const DoubleModel& model, std::size_t starts,
-                                             double length);
+/// Returns those of one grasp whose model is there (newton_equilibria.hpp).
+std::vector<NearEquilibrium> newton_equilibria(const DoubleModel& model, std::size_t starts,
+                                               double length);
 
 }  // namespace stickslip

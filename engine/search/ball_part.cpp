@@ -25,8 +25,7 @@ Rational BallPart::most_work(const Row& y) const {
   Rational of_box = 0;
   Rational square = 0;
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    Rational along = 0;
-    for (std::size_t j = 0; j < y.size(); ++j) along += Rational(y[j]) * motion[k][j];
+    Rational along = dot(y, motion[k]);
     of_box += along * (along.sign() > 0 ? parts[k].high : parts[k].low);
     if (k >= forces) along *= length;
     square += along * along;

@@ -137,7 +137,7 @@ void GraspLaw::add_spring(const Spring& spring, const Rational& rate) {
   row.set_slip({RationalRow(motions)}, 1);
 }
 
-GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
+GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
                    const std::optional<GrowthRates>& margin) {
   in_space_ = box.in_space();
   one_body_ = !box.mechanism;
@@ -161,7 +161,7 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   }
   wrench = box.wrench;
   if (box.ball) ball = BallPart::all_of(box);
-  law = normal_law;
+  normal_law = law;
   max_motion = box.max_motion;
   const GrowthRates rates = margin.value_or(GrowthRates{});
   // (A box of many contacts is not copied for a verdict.)
@@ -221,7 +221,7 @@ void GraspLaw::add_corners(LawContact& contact) const {
 /// distance from the origin, as it is for fingers around it: friction turns these all the same.
 void GraspLaw::complete() {
   const bool has_arms = in_space_ && one_body_;
-  double farthest = 0;
+  double distance = 0;
   double longest = 0;  // the longest arm
   for (const LawContact& c : contacts) {
     if (!c.place) continue;
@@ -232,10 +232,10 @@ void GraspLaw::complete() {
         most = std::max(most, std::fabs(to_double(end)));
       }
       square += most * most;
-      if (!has_arms) farthest = std::max(farthest, most);
+      if (!has_arms) distance = std::max(distance, most);
     }
     if (!has_arms) continue;
-    farthest = std::max(farthest, std::sqrt(square));
+    distance = std::max(distance, std::sqrt(square));
     for (const CornerRow& row : c.corners) {  // (a turned n hardly changes it)
       double arm = 0;
       for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
@@ -243,7 +243,7 @@ void GraspLaw::complete() {
     }
   }
   constexpr double kMuchSmaller = 0.1;
-  Law::complete(longest > kMuchSmaller * farthest ? longest : farthest);
+  Law::complete(longest > kMuchSmaller * distance ? longest : distance);
 }
 
 GraspLaw GraspLaw::within(const MultipleRange& range) const {

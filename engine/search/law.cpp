@@ -198,8 +198,8 @@ bool Law::may_be_rounded() const {
   });
 }
 
-void Law::complete(double farthest) {
-  length = farthest > 0 && std::isfinite(farthest) ? farthest : 1;
+void Law::complete(double distance) {
+  length = distance > 0 && std::isfinite(distance) ? distance : 1;
   for (LawContact& c : contacts) {
     add_separations(c);
     const double slope = std::sqrt(to_double(c.squared_length));
@@ -336,10 +336,10 @@ void Law::complete_loads() {
 
 Law planar_law(const Problem& problem) {
   Law law;
-  law.law = problem.law();
+  law.normal_law = problem.law();
   const auto as_row = [](const Wrench& w) { return RationalRow{w.x, w.y, w.torque}; };
   for (const Rational& w : as_row(problem.wrench())) law.wrench.push_back(point_interval(w));
-  double farthest = 0;
+  double distance = 0;
   for (const ContactRow& row : problem.rows()) {
     LawContact& contact = law.contacts.emplace_back();
     contact.friction = point_interval(row.friction);
@@ -350,10 +350,10 @@ Law planar_law(const Problem& problem) {
     corner.set_slip({as_row(row.tangent)}, 1);
     const double size = std::hypot(to_double(row.normal.x), to_double(row.normal.y));
     for (const Wrench& w : {row.normal, row.tangent}) {
-      farthest = std::max(farthest, std::fabs(to_double(w.torque)) / size);
+      distance = std::max(distance, std::fabs(to_double(w.torque)) / size);
     }
   }
-  law.complete(farthest);
+  law.complete(distance);
   return law;
 }
 

@@ -4,19 +4,9 @@
 #include <algorithm>
 
 namespace stickslip {
-namespace {
-
-Rational work(const Row& y, const LoadGenerator& g) {
-  Rational sum = 0;
-  for (std::size_t j = 0; j < y.size(); ++j) sum += Rational(y[j]) * g.load[j];
-  return sum;
-}
-
-}  // namespace
-
 Rational LoadHull::most_work(const Row& y) const {
-  Rational most = work(y, corners.front());
-  for (const LoadGenerator& g : corners) most = std::max(most, work(y, g));
+  Rational most = dot(y, corners.front().load);
+  for (const LoadGenerator& g : corners) most = std::max(most, dot(y, g.load));
   return most;
 }
 
@@ -30,7 +20,7 @@ const Reals& LoadHull::worst(const Reals& y) const {
 
 bool LoadHull::is_unbounded(const Row& y) const {
   return std::any_of(directions.begin(), directions.end(),
-                     [&](const LoadGenerator& g) { return work(y, g).sign() > 0; });
+                     [&](const LoadGenerator& g) { return dot(y, g.load).sign() > 0; });
 }
 
 bool LoadHull::bars(const Row& y, bool at_corners) const {
@@ -42,10 +32,10 @@ bool LoadHull::bars(const Row& y, bool at_corners) const {
   };
   const Rational most = most_work(y);
   for (const LoadGenerator& g : corners) {
-    if (at_corners && work(y, g) == most) note(g);
+    if (at_corners && dot(y, g.load) == most) note(g);
   }
   for (const LoadGenerator& g : directions) {
-    if (work(y, g).is_zero()) note(g);
+    if (dot(y, g.load).is_zero()) note(g);
   }
   return std::find(is_zero.begin(), is_zero.end(), 1) != is_zero.end();
 }

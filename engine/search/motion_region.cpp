@@ -190,7 +190,7 @@ MotionRegion MotionRegion::root(const Law& law) {
   if (!law.max_motion.empty()) {
     for (const Row& plane : simplex_planes(law.max_motion)) cone.cut(plane, Side::kPositive);
   }
-  if (law.law == NormalLaw::kBilateral) {
+  if (law.normal_law == NormalLaw::kBilateral) {
     for (const LawContact& contact : law.contacts) {
       if (contact.has_certain_separation && !contact.is_spring) {
         cone.cut(contact.separations.front(), Side::kPositive);
@@ -634,14 +634,9 @@ void MotionRegion::find_solid(SlipCone& cone, std::size_t contact) const {
     const std::vector<Row> functions = dual.directions();
     cone.whole = dual.lines().empty() && dual.rays().size() == 1;
     for (std::size_t side = 0; side < cone.sides.size(); ++side) {
-      const bool is_opposed =
-          std::all_of(functions.begin(), functions.end(), [&](const Row& function) {
-            Rational sum = 0;
-            for (std::size_t j = 0; j < 3; ++j) {
-              sum += Rational(function[j]) * coordinates[side][j];
-            }
-            return sum.is_zero();
-          });
+      const bool is_opposed = std::all_of(
+          functions.begin(), functions.end(),
+          [&](const Row& function) { return dot(function, coordinates[side]).is_zero(); });
       if (is_opposed) still[cone.sides[side].second].push_back(cone.sides[side].first);
     }
   }
@@ -664,8 +659,7 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
   constexpr unsigned kBits = 64;
   std::optional<Rational> most;
   for (const CornerRow& row : c.corners) {
-    Rational normal = 0;
-    for (std::size_t j = 0; j < y.size(); ++j) normal += Rational(y[j]) * row.normal[j];
+    const Rational normal = dot(y, row.normal);
     const auto consider = [&](Rational alpha) {
       if (!most || alpha > *most) most = std::move(alpha);
     };

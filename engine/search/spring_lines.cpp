@@ -39,8 +39,7 @@ void SpringLines::note(std::size_t generator) {
   for (const LawContact& c : law_.contacts) {
     if (!c.is_spring) continue;
     const RationalRow& normal = c.corners.front().normal;
-    Rational along = 0;
-    for (std::size_t j = 0; j < law_.motions; ++j) along += normal[j] * Rational(x[j]);
+    Rational along = dot(x, normal);
     if (along.is_zero()) continue;
     if (!c.stiffness.is_point()) {
       seen_.push_back(normal);

@@ -62,7 +62,7 @@ std::optional<SecondMargin> margin_within(
     box.max_motion = *bound;
     within.question.grasp = std::move(box);
   }
-  within.margin = find_margin(within.question, options, progress);
+  within.margin = find_spatial_margin(within.question, options, progress);
   return within;
 }
 

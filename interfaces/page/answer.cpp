@@ -474,7 +474,7 @@ class PageAnswer {
       const auto keep = [&](const SpatialMargin& so_far) {
         found = margin_json(question, without_proofs(so_far), std::nullopt);
       };
-      found = margin_json(question, find_margin(question, options, keep), std::nullopt);
+      found = margin_json(question, find_spatial_margin(question, options, keep), std::nullopt);
       return;
     }
     SearchOptions options;

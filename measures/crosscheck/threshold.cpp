@@ -57,7 +57,7 @@ std::optional<DistanceBounds> bounds_along_load(const Question& question, bool s
   // half a minute.
   constexpr std::size_t kFewNodes = 100;
   options.search.node_limit = node_limit != 0 ? node_limit : kFewNodes;
-  const SpatialMargin margin = find_margin(family, options);
+  const SpatialMargin margin = find_spatial_margin(family, options);
 
   DistanceBounds bounds;
   // `same` is how far the verdict is known to be the same, on both sides of 1.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/box/examples.hpp"
-#include "engine/box/one_grasp.hpp"
 #include "in_parallel.hpp"
 #include "preload_boxes.hpp"
 #include "preload_patterns.hpp"

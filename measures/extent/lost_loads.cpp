@@ -4,7 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/short_numbers.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "engine/degree/newton.hpp"
 
 namespace stickslip::extent_detail {

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "in_parallel.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_list.hpp"
@@ -248,7 +248,9 @@ class Quadtree {
     if (options_.uncertain.any()) {
       return stickslip::is_stable(prove_box(box, law_, options_.box, 0).verdict);
     }
-    if (!box.is_one_planar_body()) return is_stable(box.middle(), law_, options_.box);
+    if (!box.is_one_planar_body() || box.is_bounded()) {
+      return is_stable(box.middle(), law_, options_.box);
+    }
     return std::holds_alternative<Stable>(
         branch_and_bound(box_detail::planar_problem(GraspLaw(box, law_).middle())));
   }

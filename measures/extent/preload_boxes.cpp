@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/short_numbers.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::extent_detail {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "preload_boxes.hpp"
 
 namespace stickslip::extent_detail {
@@ -38,7 +38,7 @@ std::optional<PreloadMargin> margin_of(const GraspBox& load, NormalLaw law,
   if (question.has_claims()) {
     SpatialMarginOptions search;
     search.search = options;
-    SpatialMargin margin = find_margin(question, search);
+    SpatialMargin margin = find_spatial_margin(question, search);
     return PreloadMargin{std::move(question), std::move(margin)};
   }
   SearchOptions search;

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/short_numbers.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {
 
-/// Returns the largest force of the load and of preloads, rounded up to a power of two; 1 if
-/// all are 0.
-Rational typical_force(const GraspBox& grasp) {
+/// Returns the largest force of the load and of preloads.
+Rational largest_force(const GraspBox& grasp) {
   Rational most = 0;
   const auto consider = [&](const Interval& force) {
     most = std::max<Rational>(most, abs(force.low));
@@ -20,16 +19,7 @@ Rational typical_force(const GraspBox& grasp) {
   for (const Interval& component : grasp.wrench) consider(component);
   for (const UncertainContact& c : grasp.contacts) consider(c.preload);
   for (const Spring& spring : grasp.springs) consider(spring.force);
-  return box_detail::power_of_two_above(most);
-}
-
-bool is_without_forces(const GraspBox& grasp) {
-  const auto is_zero = [](const Interval& force) { return force == Interval{}; };
-  return std::all_of(grasp.wrench.begin(), grasp.wrench.end(), is_zero) &&
-         std::all_of(grasp.contacts.begin(), grasp.contacts.end(),
-                     [&](const UncertainContact& c) { return is_zero(c.preload); }) &&
-         std::all_of(grasp.springs.begin(), grasp.springs.end(),
-                     [&](const Spring& spring) { return is_zero(spring.force); });
+  return most;
 }
 
 }  // namespace
@@ -39,8 +29,9 @@ Quality find_quality(const GraspBox& grasp, NormalLaw law, LoadBall shape,
                      const std::function<void(const Quality&)>& progress) {
   require(grasp.is_point(), "the quality of one grasp");
   Quality quality;
-  quality.scales = !grasp.is_bounded() && is_without_forces(grasp);
-  shape.radius = typical_force(grasp);
+  const Rational force = largest_force(grasp);
+  quality.scales = !grasp.is_bounded() && force.is_zero();
+  shape.radius = box_detail::power_of_two_above(force);
   RadiusOptions of_radius = options.radius;
   of_radius.only_stable = true;
   if (quality.scales) of_radius.most = 1;

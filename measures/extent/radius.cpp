@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "engine/box/examples.hpp"
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/short_numbers.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "lost_loads.hpp"
 #include "suspects.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/box/one_grasp.hpp"
+#include "engine/box/single_grasp.hpp"
 #include "stickslip/measures/margin.hpp"
 
 namespace stickslip::extent_detail {
@@ -18,11 +18,10 @@ namespace {
 /// Returns how far the load is from the nearest multiple of it at which the verdict changes:
 /// below 0 if the grasp is unstable. Nothing if no multiple changes it.
 std::optional<double> distance(const Examples& examples, const Place& place) {
-  const GraspBox grasp = examples.at(place);
-  const Wrench wrench = planar_middle(grasp.wrench);
-  if (wrench == Wrench{}) return std::nullopt;
-  const Problem problem = box_detail::planar_problem(GraspLaw(grasp, examples.law()).middle());
-  const auto found = find_margin(problem.with_wrench({}).along({wrench}), {2000});
+  const GraspLaw law(examples.at(place), examples.law());
+  const Problem problem = box_detail::planar_problem(law.middle());
+  if (problem.wrench() == Wrench{}) return std::nullopt;
+  const auto found = find_margin(problem.with_wrench({}).along({problem.wrench()}), {2000});
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr) return std::nullopt;
   std::optional<double> nearest;

@@ -10,7 +10,7 @@
 #include "margin_degree.hpp"
 #include "short_segments.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 
 namespace stickslip {
 
@@ -89,7 +89,7 @@ class MarginSearch {
       return search_all();
     }
     // The engine for single loads is quick at the multiple 0, which is most often stable.
-    ConeWork cone;
+    BranchWork cone;
     count(work_.ranges);
     Verdict verdict = branch_and_bound(family_.at(0), options_, &cone);
     work_.cone += cone;
@@ -155,7 +155,7 @@ class MarginSearch {
       options.node_limit -= work_.cone.nodes;
     }
     count(work_.ranges);
-    ConeWork cone;
+    BranchWork cone;
     auto found = search_family(family_.within(gap), options, &cone);
     work_.cone += cone;
     // Names the limit for all nodes, not the part of it that was left for this search.

@@ -23,7 +23,7 @@ namespace stickslip::margin_detail {
 /// The work of a search; reproducible.
 struct DegreeWork {
   std::size_t proofs = 0;  ///< parallelepipeds tried
-  ConeWork cone;           ///< the work of the trees of their walls
+  BranchWork cone;         ///< the work of the trees of their walls
 };
 
 class SegmentSearch {

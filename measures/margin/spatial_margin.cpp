@@ -604,8 +604,8 @@ std::vector<MarginInterval> SpatialMargin::refuted() const {
   return intervals;
 }
 
-SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options,
-                          const std::function<void(const SpatialMargin&)>& progress) {
+SpatialMargin find_spatial_margin(const Question& question, const SpatialMarginOptions& options,
+                                  const std::function<void(const SpatialMargin&)>& progress) {
   require(question.has_claims(), "a margin that is a list of claims");
   return SpatialMarginSearch(question, options, progress).run();
 }

@@ -124,7 +124,7 @@ class StiffnessInDoubles {
     for (std::size_t j = 0; j < 3; ++j) c.separation[j] *= factor;
     c.stiffness *= factor;
     model_.stiffness += c.stiffness - before.stiffness;
-    const bool is_stable = !near_equilibria(model_, 0, 1).empty();
+    const bool is_stable = !newton_equilibria(model_, 0, 1).empty();
     c = before;
     model_.stiffness = all;
     return is_stable != stable_;
@@ -155,7 +155,7 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
     varied[contact.index()].stiffness = stiffness;
     SearchOptions options;
     options.node_limit = left;
-    ConeWork work;
+    BranchWork work;
     const Verdict verdict = branch_and_bound(
         Problem({Grasp(std::move(varied)), question.loaded().wrench}, question.law), options,
         &work);

@@ -48,7 +48,7 @@ PARTS = {
         "python": {"answers", "batch", "plot", "page"},
     },
 }
-HEADERS_ALONE = {"search_options": "equilibrium", "near_equilibria": "planar", "near_equilibrium": "search", "reals": "motion",
+HEADERS_ALONE = {"search_options": "equilibrium", "newton_equilibria": "planar", "near_equilibrium": "search", "reals": "motion",
                  "box_verdict": "box", "preload": "extent"}
 
 # Folders that may include the private headers of the engine's parts: "engine/<part>/<name>.hpp". Other modules have none that

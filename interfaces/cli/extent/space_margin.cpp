@@ -74,7 +74,7 @@ int answer_margin_in_space(const Question& question, const SpaceMarginArguments&
     progress.show(std::to_string(so_far.claims.size()) + " steps proved, " +
                   std::to_string(so_far.work.nodes) + " nodes");
   };
-  const SpatialMargin margin = find_margin(question, arguments.search, show);
+  const SpatialMargin margin = find_spatial_margin(question, arguments.search, show);
   const std::optional<SecondMargin> within =
       margin_within(question, margin, arguments.search, show);
   progress.clear();

@@ -270,7 +270,7 @@ Work margin_by_claims(const Given& given, const Question& question, bool warns) 
           margin_json(asked, margin, warnings), asked,
           margin_certificate_text(asked, margin, producer_of(box_engine(asked))));
     };
-    const SpatialMargin found = find_margin(question, options);
+    const SpatialMargin found = find_spatial_margin(question, options);
     Json json = json_of(question, found,
                         warns ? Warnings(model_warnings(question, found)) : Warnings());
     if (const auto second = margin_within(question, found, options)) {

@@ -66,7 +66,7 @@ TEST(HardCases, KeepTheirVerdictsAndNoMoreThanTwiceTheirNodes) {
     QuestionOptions options;
     options.law = c.law;
     const Question question = ask(read_grasp_file(path_of(c)), options);
-    ConeWork work;
+    BranchWork work;
     SearchOptions limit;
     limit.node_limit = 2 * c.nodes + 1;
     const Verdict verdict =

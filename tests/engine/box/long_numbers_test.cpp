@@ -12,7 +12,7 @@
 #include "rounds.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 
 namespace stickslip {
 namespace {

@@ -84,6 +84,38 @@ TEST(Newton, AnswersByStiffnessAndFriction) {
   }
 }
 
+// A stiffer pad rubs more against the same slip as it is pressed: with smooth friction of mu a
+// over the size of slips, a slip of s up takes mu s k / size from what each pad pushes up.
+TEST(Newton, AnswersByFrictionAgainstTheSlip) {
+  GraspBox box = pinch(kHalf, {0, 0, 0});
+  box.contacts[1].stiffness = point_interval(3);
+  const GraspLaw law(box, NormalLaw::kUnilateral);
+  const RoundedGrasp grasp = rounded_middle(law);
+  Reals up = Reals::Zero(3);
+  up[1] = 0.01;
+  const Eigen::MatrixXd answer = Newton(grasp).answer(up, 0.1);
+  EXPECT_NEAR(answer(1, 0), 0.5 * 0.01 / 0.1 * (3 - 1), kNearly);
+  EXPECT_NEAR(answer(1, 1), 20, kNearly);
+}
+
+// Pads carry 2 of a weight of 3 while the body slides down onto a spring, by 1.
+TEST(Newton, SlidesUntilASpringCarriesTheRest) {
+  GraspBox box = pinch(kHalf, {0, -3, 0});
+  UncertainContact& floor = box.contacts.emplace_back();
+  floor.position = {point_interval(0), point_interval(-1)};
+  floor.normal = {0, 1};
+  floor.friction = point_interval(0);
+  const GraspLaw law(box, NormalLaw::kUnilateral);
+  const RoundedGrasp grasp = rounded_middle(law);
+  const auto found = Newton(grasp).solve(Reals::Zero(3));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->motion[1], -1, 1e-6);
+  EXPECT_NEAR(found->normal[2], 1, 1e-6);
+  EXPECT_NEAR(found->friction[0][0], 1, 1e-6);
+  EXPECT_NEAR(found->friction[1][0], -1, 1e-6);
+  EXPECT_EQ(found->sticks, (std::vector<char>{0, 0, 0}));
+}
+
 // The equations are linear here once modes are given: one step balances.
 TEST(ModalEquations, OneStepBalancesThePinch) {
   const GraspLaw law(pinch(kHalf, {1, -kHalf, 0}), NormalLaw::kUnilateral);

@@ -9,7 +9,7 @@
 #include "paper_grasps.hpp"
 #include "rounds.hpp"
 #include "stickslip/engine/decide_problem.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 #include "stickslip/engine/refutation_summary.hpp"
 
 namespace stickslip::test {
@@ -46,7 +46,7 @@ TEST(ConeEngine, SameAnswerEveryTime) {
     std::vector<std::string> texts;
     std::vector<std::vector<std::pair<std::string, std::size_t>>> works;
     for (int time = 0; time < 2; ++time) {
-      ConeWork work;
+      BranchWork work;
       const Verdict verdict = branch_and_bound(problem, {}, &work);
       if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
         texts.push_back(to_text(unstable->tree));
@@ -60,7 +60,7 @@ TEST(ConeEngine, SameAnswerEveryTime) {
     }
     EXPECT_EQ(texts[0], texts[1]);
     EXPECT_EQ(works[0], works[1]);
-    ConeWork work;
+    BranchWork work;
     branch_and_bound(problem, {}, &work);
     // Every contact once, and every group of some.
     EXPECT_LE(work.visits, 2 * work.nodes * problem.size());
@@ -91,7 +91,7 @@ TEST(ConeEngine, ManyContactsWithBothVerdictsJudged) {
 
 TEST(ConeEngine, GivesUpOnlyAtItsLimit) {
   const Problem problem({fig1_grasp(1), {0, Rational(11, 10), 0}}, NormalLaw::kUnilateral);
-  ConeWork whole;
+  BranchWork whole;
   ASSERT_TRUE(std::holds_alternative<Unstable>(branch_and_bound(problem, {}, &whole)));
   SearchOptions options;
   for (std::size_t limit = 1; limit <= whole.nodes; ++limit) {
@@ -109,7 +109,7 @@ TEST(ConeEngine, GivesUpOnlyAtItsLimit) {
 
 TEST(ConeEngine, CountersAddUp) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    ConeWork work;
+    BranchWork work;
     const Verdict verdict =
         branch_and_bound(Problem(arc(40, seed, true), NormalLaw::kUnilateral), {}, &work);
     const auto* unstable = std::get_if<Unstable>(&verdict);
@@ -130,7 +130,7 @@ TEST(ConeEngine, FindsEquilibriaOfManyContactsInFewRegions) {
        bench::stable_instances(1000, rounds(2 * bench::kStableFamilies))) {
     const Problem problem = problem_of(instance.question);
     if (has_long_equilibria(problem)) continue;
-    ConeWork work;
+    BranchWork work;
     EXPECT_TRUE(std::holds_alternative<Stable>(branch_and_bound(problem, {}, &work)))
         << instance.family;
     ++instances;

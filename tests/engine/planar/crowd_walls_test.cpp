@@ -180,7 +180,7 @@ TEST(CrowdWalls, NearEquilibriaBalance) {
     const auto [problem, d] = balanced(random);
     const double length = random.between(1, 3);
     bool is_right = false;
-    for (const NearEquilibrium& near : CrowdWalls(problem).near_equilibria(3, length)) {
+    for (const NearEquilibrium& near : CrowdWalls(problem).newton_equilibria(3, length)) {
       const double x = near.motion[0];
       const double y = near.motion[1];
       const double r = near.motion[2] / length;

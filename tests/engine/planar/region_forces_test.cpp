@@ -127,7 +127,7 @@ void compare(const Problem& problem, const Region& region, const RegionForces& f
 void confirm_twists(const Problem& problem, const DoubleModel& model, const Region& region,
                     const RegionForces& forces, RandomSource& random, Seen& seen) {
   TwistSearch search(model);
-  ConeWork work;
+  BranchWork work;
   std::vector<Double3> twists;
   for (const bool precisely : {false, true}) {
     const SearchResult found = search.search(forces, precisely, work);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "law_cases.hpp"
 
+#include <utility>
+
 namespace stickslip::test {
 
 Direction random_direction(RandomSource& random, bool in_space) {
@@ -39,6 +41,25 @@ GraspBox random_law_box(RandomSource& random, bool in_space) {
   }
   box.check();
   return box;
+}
+
+MotionRegion random_region(RandomSource& random, const Law& law) {
+  MotionRegion region = MotionRegion::root(law);
+  for (int cuts = random.between(0, 3); cuts > 0; --cuts) {
+    const auto contact = static_cast<std::size_t>(random.between(0, 99)) % law.contacts.size();
+    const bool is_certain = law.contacts[contact].geometry_is_certain();
+    if (is_certain && random.one_in(3) && !region.is_barred()) {
+      std::vector<MotionRegion> children = region.slip_children(contact);
+      region = std::move(
+          children[static_cast<std::size_t>(random.between(0, 99)) % children.size()]);
+    } else {
+      Row plane(law.motions + 2);
+      for (std::size_t j = 0; j <= law.motions; ++j) plane[j] = random.between(-2, 2);
+      if (random.one_in(2)) plane = law.contacts[contact].separations.front();
+      if (!is_zero(plane)) region = std::move(region.halves(plane)[random.one_in(4) ? 1 : 0]);
+    }
+  }
+  return region;
 }
 
 RationalRow random_row(RandomSource& random, std::size_t size) {

@@ -5,6 +5,7 @@
 
 #include "random_grasps.hpp"
 #include "stickslip/core/box.hpp"
+#include "stickslip/engine/motion_region.hpp"
 
 namespace stickslip::test {
 
@@ -18,6 +19,9 @@ Direction random_direction(RandomSource& random, bool in_space);
 /// 1 to 3 contacts, of which each number is an interval or not, with normals of rational
 /// length.
 GraspBox random_law_box(RandomSource& random, bool in_space);
+
+/// A region of the law: its root, split at random.
+MotionRegion random_region(RandomSource& random, const Law& law);
 
 RationalRow random_row(RandomSource& random, std::size_t size);
 

@@ -21,25 +21,6 @@ double real(const Rational& x) {
   return to_double(x);
 }
 
-MotionRegion random_region(RandomSource& random, const Law& law) {
-  MotionRegion region = MotionRegion::root(law);
-  for (int cuts = random.between(0, 3); cuts > 0; --cuts) {
-    const auto contact = static_cast<std::size_t>(random.between(0, 99)) % law.contacts.size();
-    const bool is_certain = law.contacts[contact].geometry_is_certain();
-    if (is_certain && random.one_in(3) && !region.is_barred()) {
-      std::vector<MotionRegion> children = region.slip_children(contact);
-      region = std::move(
-          children[static_cast<std::size_t>(random.between(0, 99)) % children.size()]);
-    } else {
-      Row plane(law.motions + 2);
-      for (std::size_t j = 0; j <= law.motions; ++j) plane[j] = random.between(-2, 2);
-      if (random.one_in(2)) plane = law.contacts[contact].separations.front();
-      if (!is_zero(plane)) region = std::move(region.halves(plane)[random.one_in(4) ? 1 : 0]);
-    }
-  }
-  return region;
-}
-
 Rational within(RandomSource& random, const Interval& interval) {
   return interval.low + random.between(0, 1) * (interval.high - interval.low);
 }
@@ -162,7 +143,7 @@ TEST(LawForces, RefuteOrBalanceARegion) {
     }
     const bool is_one = box.is_point();
     const GraspLaw law(box, NormalLaw::kUnilateral);
-    const MotionRegion region = random_region(random, law);
+    const MotionRegion region = test::random_region(random, law);
     SearchWork work;
     LawForces forces(law, nullptr, work);
     if (!forces.enter(region, 0)) continue;

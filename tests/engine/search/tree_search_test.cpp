@@ -38,7 +38,7 @@ Law law_of(const Problem& problem, const Embedding& m) {
   Law law;
   law.motions = m.size();
   law.rotates.assign(m.size(), 0);  // of toys all coordinates are alike
-  law.law = problem.law();
+  law.normal_law = problem.law();
   for (const Rational& w : embedded(m, problem.wrench())) {
     law.wrench.push_back(point_interval(w));
   }

@@ -125,12 +125,36 @@ TEST(Map, CellsOfAPinchLieOnOneSideOfItsLine) {
   EXPECT_GE(cells, 15);
 }
 
+// A body that its weight presses 1 deep into the ground is not held by less motion, with
+// whatever friction: corners of cells are asked about with the bound, and one cell says it.
+TEST(Map, PointsKnowTheBoundOfMotions) {
+  GraspBox grasp;
+  UncertainContact& ground = grasp.contacts.emplace_back();
+  ground.position = {point_interval(0), point_interval(0)};
+  ground.normal = {0, 1};
+  ground.friction = point_interval(1);
+  grasp.wrench = {point_interval(Rational(1, 2)), point_interval(-1), {}};
+  grasp.max_motion.assign(3, Rational(1, 2));
+  const MapAxis x = parse_axis(grasp, "friction=0:1", "--x");
+  const MapAxis y = parse_axis(grasp, "stiffness=1/2:1", "--y");
+  MapOptions options;
+  options.depth = 2;
+  int cells = 0;
+  map_verdicts(grasp, kLaw, x, y, options,
+               [&](const MapCell& cell) {
+                 ++cells;
+                 EXPECT_EQ(is_stable(cell.decision.verdict), false);
+               },
+               {});
+  EXPECT_EQ(cells, 1);
+}
+
 // In space pads carry l (0, 3, 4), of length 5 l, up to mu (P1 + P2): l is at most 3/5.
 TEST(SpatialMargin, OfAPinchEndsWhereItsFrictionEnds) {
   Question question;
   question.grasp = pinch(1, 3, RationalRow(6));
   question.direction = RationalRow{0, 3, 4, 0, 0, 0};
-  const SpatialMargin margin = find_margin(question);
+  const SpatialMargin margin = find_spatial_margin(question);
   const Rational end(3, 5);
   const std::vector<MarginInterval> resisted = margin.resisted();
   const std::vector<MarginInterval> refuted = margin.refuted();

@@ -25,6 +25,7 @@ using SparseRow = std::vector<std::pair<std::size_t, Rational>>;
 /// (d, h, l) may be given a motion d alone.
 Integer dot(const Row& a, const Row& b);
 Rational dot(const RationalRow& a, const RationalRow& b);
+Rational dot(const Row& a, const RationalRow& b);
 /// \}
 /// Returns the product of a vector of few entries and one that has all of these.
 Rational dot(const SparseRow& a, const RationalRow& b);

@@ -39,7 +39,7 @@
 namespace stickslip {
 
 /// The work of the engine, by counters; reproducible.
-struct ConeWork {
+struct BranchWork {
   /// The regions looked at, without those in the search near a balance of Newton's method.
   std::size_t nodes = 0;
   std::size_t leaves = 0;             ///< virtual-work leaves
@@ -59,16 +59,16 @@ struct ConeWork {
   std::size_t largest_twist_bits = 0;  ///< the bits of the largest integer in a leaf
 
   /// Adds the counters of another search; depth and bits become the larger ones.
-  ConeWork& operator+=(const ConeWork& part);
+  BranchWork& operator+=(const BranchWork& part);
 };
 
 /// Returns the counters with their names, in a fixed order.
-std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
+std::vector<std::pair<std::string, std::size_t>> counters(const BranchWork& work);
 
 /// Returns the verdict with its evidence, and puts the work into `work`. Undecided only when
 /// the node limit is reached. Deterministic. Requires that the problem is no family.
 Verdict branch_and_bound(const Problem& problem, const SearchOptions& options = {},
-                         ConeWork* work = nullptr);
+                         BranchWork* work = nullptr);
 
 /// Returns some equilibria with different motions, which Newton's method finds from `starts`
 /// motions. There is none if the grasp is unstable; there may be none, too, if it is stable.
@@ -86,6 +86,6 @@ struct MarginPoint {
 /// when the node limit is reached.
 std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
                                                              const SearchOptions& options = {},
-                                                             ConeWork* work = nullptr);
+                                                             BranchWork* work = nullptr);
 
 }  // namespace stickslip

@@ -28,7 +28,7 @@ struct Answer {
   Question question;  ///< the question as asked, or about a box of one point, see above
   Verdict verdict;    ///< with its evidence
   /// The work of the engine that ran; none of a proof that another answer's search has brought.
-  std::variant<std::monostate, StatesWork, ConeWork, SearchWork> work{};
+  std::variant<std::monostate, StatesWork, BranchWork, SearchWork> work{};
   unsigned bits = kDefaultBits;      ///< the precision, as of BoxDecision
   std::optional<Problem> problem{};  ///< the problem, unless the question is about a box
   /// The answer to a second question, if rounding of the data alone may decide the first

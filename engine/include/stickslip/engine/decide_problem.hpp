@@ -12,8 +12,8 @@ namespace stickslip {
 
 /// The answer to a problem, and the work to find it.
 struct Decision {
-  Verdict verdict;                          ///< the verdict with its evidence
-  std::variant<StatesWork, ConeWork> work;  ///< the work of the engine that ran
+  Verdict verdict;                            ///< the verdict with its evidence
+  std::variant<StatesWork, BranchWork> work;  ///< the work of the engine that ran
 
   /// Returns "states" or "branch-and-bound".
   const char* engine() const {

@@ -178,8 +178,8 @@ struct Law {
   RationalRow growth{};                ///< u of a margin
   bool is_family = false;     ///< whether it is a margin, so that points have multiples
   MultipleRange multiples{};  ///< the multiples of a margin
-  NormalLaw law = NormalLaw::kUnilateral;  ///< the law of all contacts
-  RationalRow max_motion{};                ///< B, by coordinate of motions; empty: no bound
+  NormalLaw normal_law = NormalLaw::kUnilateral;  ///< the law of all contacts
+  RationalRow max_motion{};  ///< B, by coordinate of motions; empty: no bound
   /// Far motions are those beyond this, by coordinate: rounding of the data decides what holds
   /// there (natural_bound()). It chooses where to search first, and decides nothing. If it is
   /// empty, no motion is far.
@@ -201,9 +201,9 @@ struct Law {
   bool is_moderate = true;
   /// \}
 
-  /// Fills in what follows from the other members. `farthest` is a typical distance, or 0 if
+  /// Fills in what follows from the other members. `distance` is a typical one, or 0 if
   /// there is none.
-  void complete(double farthest);
+  void complete(double distance);
   /// Fills in what follows from the loads. It suffices after complete() if the loads alone have
   /// changed.
   void complete_loads();

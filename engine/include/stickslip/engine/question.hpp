@@ -84,6 +84,11 @@ struct Question {
   const GraspBox* box() const { return std::get_if<GraspBox>(&grasp); }
 };
 
+/// Returns the box, or one grasp in the plane if that is all it is: one body, certain numbers,
+/// no bound on motions, and no irrational length of a normal whose contact has a preload, or
+/// whose preload grows. `growth` is that of preloads; it is empty if none grows.
+AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth = {});
+
 /// Returns the question about the file's grasp and load with what the options replace. A margin
 /// with a direction of the load leaves the file's own wrench out: its load grows from 0, unless
 /// the options give a wrench or a case. A margin with preloads in proportion begins with no

@@ -32,7 +32,7 @@ struct SecondMargin {
 /// matters. If far motions ended the search, it is the margin within 1000 times the natural
 /// motion (natural_bound()). If the direction differs from the nearest one that no free motion
 /// sees by a part of less than 1e-12 of it, it is the margin along that one. Calls `progress`
-/// as find_margin() does.
+/// as find_spatial_margin() does.
 std::optional<SecondMargin> margin_within(
     const Question& question, const SpatialMargin& margin, const SpatialMarginOptions& options,
     const std::function<void(const SpatialMargin&)>& progress = {});

@@ -71,7 +71,7 @@ struct MarginWork {
   std::size_t ranges = 0;  ///< ranges searched
   std::size_t modes = 0;   ///< modes whose ends were looked for
   std::size_t proofs = 0;  ///< proofs by degree that were tried
-  ConeWork cone;           ///< the work of all searches
+  BranchWork cone;         ///< the work of all searches
 };
 
 /// How to prove what is resisted. kByLength takes equilibria, unless these would be very long,

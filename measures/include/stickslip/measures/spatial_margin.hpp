@@ -76,7 +76,8 @@ struct SpatialMarginOptions {
 
 /// Returns the margin of a question whose margin is a list of claims. If motions are bounded,
 /// only equilibria within the bound count. Deterministic. Calls `progress` now and then.
-SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options = {},
-                          const std::function<void(const SpatialMargin&)>& progress = {});
+SpatialMargin find_spatial_margin(
+    const Question& question, const SpatialMarginOptions& options = {},
+    const std::function<void(const SpatialMargin&)>& progress = {});
 
 }  // namespace stickslip

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "one_grasp.hpp"
+#include "single_grasp.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "engine/degree/newton.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
-#include "stickslip/engine/near_equilibria.hpp"
+#include "stickslip/engine/newton_equilibria.hpp"
 
 namespace stickslip::box_detail {
-
-Rational power_of_two_above(const Rational& size) {
-  Rational power = 1;
-  while (power < size) power *= 2;
-  while (!size.is_zero() && power / 2 >= size) power /= 2;
-  return power;
-}
-
-Rational short_middle(const Rational& a, const Rational& b) {
-  const Rational exact = (a + b) / 2;
-  for (int bits = 4; bits <= 40; bits += 4) {
-    const Rational unit = (b - a) / (Integer(1) << static_cast<unsigned>(bits));
-    // The grain 1 / power is the largest binary one that is not above that unit.
-    const Integer scale =
-        Integer(1) + numerator(Rational(1) / unit) / denominator(Rational(1) / unit);
-    const Rational power = power_of_two_above(Rational(scale));
-    const Rational scaled = exact * power;
-    const Rational rounded = Rational(numerator(scaled) / denominator(scaled)) / power;
-    if (a < rounded && rounded < b) return rounded;
-  }
-  return exact;
-}
 
 Problem planar_problem(const GraspLaw& point) {
   const auto as_wrench = [](const RationalRow& row) { return Wrench{row[0], row[1], row[2]}; };
@@ -41,7 +19,7 @@ Problem planar_problem(const GraspLaw& point) {
                     c.preload.low, c.stiffness.low});
   }
   const std::vector<Interval>& w = point.wrench;
-  return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law);
+  return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.normal_law);
 }
 
 namespace {
@@ -79,18 +57,18 @@ std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool h
     const Verdict verdict = branch_and_bound(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return {};
-    result.push_back(near_equilibrium(problem, stable->witness(), grasp.length));
+    result.push_back(rounded_equilibrium(problem, stable->witness(), grasp.length));
     constexpr std::size_t kStarts = 40;
     const std::size_t most = result.size() + kMost - 1;
     for (const Witness& witness : find_equilibria(problem, kStarts)) {
       if (result.size() == most) break;
-      result.push_back(near_equilibrium(problem, witness, grasp.length));
+      result.push_back(rounded_equilibrium(problem, witness, grasp.length));
     }
   }
   const std::size_t most = result.size() + kMost;
   constexpr std::size_t kStarts = 12;
   for (const std::size_t starts : {std::size_t{0}, kStarts}) {
-    for (NearEquilibrium& found : near_equilibria(problem, starts, grasp.length)) {
+    for (NearEquilibrium& found : newton_equilibria(problem, starts, grasp.length)) {
       if (result.size() <= most) result.push_back(std::move(found));
     }
   }
@@ -112,9 +90,9 @@ bool may_be_within(const Law& law, const NearEquilibrium& near) {
 
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
                               const SearchOptions& options) {
-  if (point.is_one_planar_body() && !needs_enclosure(point) && !point.is_bounded()) {
-    return std::holds_alternative<Stable>(
-        branch_and_bound(Problem(point.planar_middle(), law)));
+  const AnyGrasp grasp = simplest(point);
+  if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
+    return std::holds_alternative<Stable>(branch_and_bound(Problem(*one, law)));
   }
   return stickslip::is_stable(decide_box(point, law, options).verdict);
 }

@@ -14,12 +14,6 @@
 
 namespace stickslip::box_detail {
 
-/// Returns the least power of two that is not below a number > 0; for 0 it is 1.
-Rational power_of_two_above(const Rational& size);
-
-/// Returns a number of few bits near (a + b) / 2, between them.
-Rational short_middle(const Rational& a, const Rational& b);
-
 /// Returns the problem of a law of one grasp in the plane.
 Problem planar_problem(const GraspLaw& point);
 

@@ -17,6 +17,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/earlier/statics.hpp"
 #include "stickslip/engine/near_forces.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
@@ -292,6 +293,9 @@ class PageAnswer {
     json["outline"] = outline_json(grasp.description.outline);
     json["mechanism"] = mechanism_json(grasp);
     if (parts.decide) decide(json, parts.warnings);
+    if (parts.decide && grasp.mechanism && grasp.is_point()) {
+      part(json, "statics", [&](Json& found) { found = name_of(statics(grasp)); });
+    }
     if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
     if (parts.region) part(json, "region", [&](Json& found) { region(found); });
     if (parts.margin) part(json, "margin", [&](Json& found) { margin(found); });

@@ -136,6 +136,7 @@ class Layout(unittest.TestCase):
         for included, files in {
                 "<CGAL/": {"arrangement/src/cgal_enumerator.cpp", "measures/resistance/plane_overlay.cpp"},
                 "<Eigen/(QR|SVD)>": {"engine/motion/dense.cpp"},
+                "<Eigen/Sparse": {"lp/src/cone_program.cpp"},
                 "<nlohmann/": {"core/src/json.cpp"},
                 "<CLI/": {"interfaces/cli/command_line.cpp"},
                 "<httplib": {"interfaces/cli/page/page_server.cpp"},

@@ -224,6 +224,9 @@
         ),
       );
     }
+    const statics = { "may stand": "some forces would balance the load", "must move": "no forces would balance the load" };
+    if (statics[page.answer.statics])
+      lines.push(html("p", {}, "For any stiffness and preloads: ", page.answer.statics, ", as ", statics[page.answer.statics], "."));
     for (const warning of (decide && decide.warnings) || [])
       lines.push(html("p", { class: "warning" }, "Warning: " + warning.text + "."));
     for (const message of messages()) lines.push(html("p", { class: "muted" }, message));
@@ -234,7 +237,7 @@
   function messages() {
     const reasons = new Map();
     for (const message of page.answer.messages || []) {
-      const [, part, reason] = /^(states|region|margin|map|quality|lost): (.*)$/.exec(message) || [null, "", message];
+      const [, part, reason] = /^(states|region|margin|map|quality|statics|lost): (.*)$/.exec(message) || [null, "", message];
       // In space nobody expects them of one body.
       if (page.isSpatial() && !page.mechanism() && ["states", "region", "map"].includes(part)) continue;
       reasons.set(reason, [...(reasons.get(reason) || []), part]);

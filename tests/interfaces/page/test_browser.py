@@ -431,6 +431,7 @@ class Several(PageTest):
         self.assertEqual(self.forces(), [[float(Fraction(x)) for x in c["force"]] for c in decide(grasp, *case)["contacts"]])
         self.assertIn("up turns clockwise", self.text("#motion-words"))
         self.assertIn("there are several bodies", self.text("#why"))
+        self.assertIn("For any stiffness and preloads: may stand", self.text("#why"))
         for panel in ("sphere", "region", "map"):
             self.assertFalse(self.find(f"#{panel}-panel").is_displayed())
         self.picture("bodies-stack")
@@ -442,6 +443,7 @@ class Several(PageTest):
         answer = self.open(example("bodies-stack"), "--case", "the upper one slides", *QUICK)
         self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "unstable")
         self.assertIn("The load drives this motion", self.text("#motion-words"))
+        self.assertIn("For any stiffness and preloads: must move", self.text("#why"))
         self.assertEqual(len(self.all("#body .moving .virtual-ghost")), 2)
         self.picture("bodies-stack-unstable")
         forged = json.loads(answer["certificate"])

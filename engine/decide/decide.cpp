@@ -67,9 +67,10 @@ Answer decide(Question question, const SearchOptions& options) {
   // An equilibrium within a bound is one of all, and so is what proves it.
   if (std::holds_alternative<Undecided>(answer.verdict) && found.question.is_bounded() &&
       std::holds_alternative<Stable>(found.verdict)) {
-    answer.verdict = std::move(found.verdict);
-    answer.bits = found.bits;
-    return answer;
+    GraspBox box = box_of(found.question.grasp);
+    box.max_motion.clear();
+    found.question.grasp = std::move(box);
+    return found;
   }
   // A second answer that says the same says nothing more.
   const bool is_same = answer.verdict.index() == found.verdict.index();

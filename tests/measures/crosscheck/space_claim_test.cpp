@@ -226,12 +226,12 @@ TEST(SpaceClaims, AnEquilibriumThatSlips) {
 // few nodes the engine knows nothing of it, and the claim is the proof.
 TEST(SpaceClaims, AnEquilibriumProvesItself) {
   // At the end of all friction: the contacts share the force along the line between them in one
-  // way alone, in sevenths, which doubles miss.
+  // way alone, along (28, 45, 0) over 53, which doubles miss.
   const Rational a = number("10/7");
   const Question question = ask_about(
       {contact({0, 0, 0}, {0, 0, 1}, kHalf, a), contact({1, 0, 0}, {0, 0, 1}, kHalf, a)},
-      {number("-6/7"), number("-8/7"), -2 * a, 0, a, number("-4/7")});
-  const RationalRow force{number("3/7"), number("4/7"), a};
+      {number("-40/53"), number("-450/371"), -2 * a, 0, a, number("-225/371")});
+  const RationalRow force{number("20/53"), number("225/371"), a};
   const Claim claim = solution(RationalRow(6), {force, force});
   ClaimOptions options;
   options.node_limit = 1;

@@ -3852,10 +3852,10 @@ def number_option(name: str, text: str) -> Fraction:
         raise UsageError(f"{name}: {error}") from None
 
 
-def wrench_option(name: str, text: str) -> Vector:
+def wrench_option(name: str, text: str, most: int) -> Vector:
     """So many numbers as a grasp can have coordinates; which it has is known later."""
-    if text.count(",") >= MAX_STATIC_DIMENSION:
-        raise UsageError(f"{name}: '{show(text)}' has more than {MAX_STATIC_DIMENSION} numbers")
+    if text.count(",") >= most:
+        raise UsageError(f"{name}: '{show(text)}' has more than {most} numbers")
     return list_option(name, text)
 
 
@@ -3903,6 +3903,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
     files: List[str] = []
     options, as_json, ended = Options(), False, False
     waiting = list(reversed(words))
+    # Options are in any order, and with one of them grasps may have more coordinates.
+    most = MAX_STATIC_DIMENSION if any(word.partition("=")[0] == "--statics" for word in words) else MAX_DIMENSION
     while waiting:
         word = waiting.pop()
         is_help = word in ("-h", "--help")
@@ -3923,9 +3925,9 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
                 raise UsageError(f"{name} needs a value")
             value = waiting.pop()
         if name == "--wrench":
-            options = options._replace(wrench=wrench_option(name, value))
+            options = options._replace(wrench=wrench_option(name, value, most))
         elif name == "--direction":
-            options = options._replace(direction=wrench_option(name, value))
+            options = options._replace(direction=wrench_option(name, value, most))
         elif name == "--plane":
             values = list_option(name, value)
             options = options._replace(plane=(values[:len(values) // 2], values[len(values) // 2:]))
@@ -3949,7 +3951,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
         elif name == "--uncertain":
             options = options._replace(uncertain=tolerances_option(name, value))
         elif name == "--max-motion":
-            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value))
+            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value, most))
         elif value in LAWS:
             options = options._replace(law=value)
         else:

@@ -704,7 +704,7 @@ class Bodies(NamedTuple):
         """J y of each and of the ground, and how far links turn."""
         motions, turned = {GROUND: zeros(self.size)}, {}
         for name, on, turn, joints, first in self.bodies.values():
-            Work.spend(2 + 2 * len(joints))
+            Work.spend(6 + 2 * len(joints))
             if turn is None:
                 motions[name] = y[first:first + self.size]
                 continue
@@ -1026,8 +1026,8 @@ def read_grasp(name: str, statics: bool) -> Grasp:
     cases = read_cases(source, top["cases"]) if "cases" in top else {}
     if source.uncertain and top["format"] == GRASP.formats[0]:
         source.fail(source.uncertain, f"an object here needs \"format\": \"{GRASP.formats[1]}\"")
-    return Grasp(contacts, common, cases, source.space, Bodies({"": Body("", GROUND, None)}, source.dimension, source.dimension),
-                 bool(cases), max_motion=read_max_motion(source, top, source.dimension, 0))
+    alone = Bodies({"": Body("", GROUND, None)}, source.dimension, source.dimension)
+    return Grasp(contacts, common, cases, source.space, alone, bool(cases), max_motion=read_max_motion(source, top, source.dimension, 0))
 
 
 def make_row(contact: Contact, growth: Fraction) -> Row:
@@ -1453,7 +1453,8 @@ def read_several(source: Source) -> Grasp:
     for q, fields in enumerate(joints):
         if "stiffness" in fields or "torque" in fields:
             joint = bodies.dimension - len(joints) + q
-            elements.append(along(read_spring(source, fields, f"joints[{q}]", "torque")._replace(joint=joint), {joint: Fraction(1)}))
+            spring = read_spring(source, fields, f"joints[{q}]", "torque")
+            elements.append(along(spring._replace(joint=joint), {joint: Fraction(1)}))
     for k, fields in enumerate(lists["tendons"]):
         elements.append(over(read_spring(source, fields, f"tendons[{k}]", "tension"), fields))
     common = read_load(source, top, "", False, bodies)
@@ -1701,7 +1702,8 @@ def read_statics(source: Source, top: Dict[str, Any], numbers: int) -> StaticPro
         stand.append((source.vector(point, f"stand[{k}][0]", numbers), read_forces(source, forces, f"stand[{k}][1]")))
     return StaticProof(read_forces(source, top.get("forces", []), "forces"),
                        source.vector(top["twist"], "twist", dimension) if "twist" in top else (), stand,
-                       [source.vector(y, f"move[{k}]", dimension) for k, y in enumerate(source.array(top.get("move", []), "move"))])
+                       [source.vector(y, f"move[{k}]", dimension)
+                        for k, y in enumerate(source.array(top.get("move", []), "move"))])
 
 
 def read_rigid_node(source: Source, value: Any, place: str) -> Node:
@@ -3641,7 +3643,8 @@ class Statics:
         self.loads = (summed([question.w(), self.bodies.gathered({}, work, along)]), *question.growths)
         self.rows: Dict[int, StaticRow] = {}  # of contacts, made where a twist asks for it
 
-    def push_along(self, contact: Contact, a: Fraction, work: Dict[str, List[Fraction]], along: Dict[int, List[Fraction]]) -> None:
+    def push_along(self, contact: Contact, a: Fraction, work: Dict[str, List[Fraction]],
+                   along: Dict[int, List[Fraction]]) -> None:
         """The force a of a ratchet or a spring."""
         if contact.joint >= 0:
             along.setdefault(contact.joint, []).append(a)
@@ -3675,8 +3678,8 @@ class Statics:
                     terms.append((turned[name] * r,))
                 (way,) = summed(terms)
                 if way < 0 or (way and contact.spring):
-                    raise Rejected("static-motion", f"the {'locked joint or tendon' if contact.spring else 'ratchet'} of {contact.place} "
-                                                    f"moves by {show(way)}", place)
+                    raise Rejected("static-motion", f"{contact.place} moves by {show(way)}, but "
+                                                    + ("is locked" if contact.spring else "is a ratchet"), place)
                 continue
             (of, of_factor), (by, by_factor), row = motions[contact.of], motions[contact.by], self.row(i)
             motion = tuple(by_factor * a - of_factor * b for a, b in zip(of, by))
@@ -3708,7 +3711,8 @@ class Statics:
                 raise Rejected("static-force", f"contact {show(i)}, which is not there or not in order", place)
             last, contact = i, self.contacts[i]
             Work.spend(30)
-            count_words((a, *stated, *contact.normal, *(x.low for x in contact.position), contact.friction.low, contact.torsion, self.factor), 30)
+            point_ = tuple(x.low for x in contact.position)
+            count_words((a, *stated, *contact.normal, *point_, contact.friction.low, contact.torsion, self.factor), 30)
             if not self.may_push(contact, a, stated):
                 raise Rejected("static-force", f"the force of contact {i} is not one that it may have", place)
             if not contact.is_contact():
@@ -3716,7 +3720,7 @@ class Statics:
                 continue
             n = contact.normal
             friction = (-stated[0] * n[1], stated[0] * n[0]) if len(n) == 2 else stated[:3]
-            wrench = at(tuple(x.low for x in contact.position), plus(friction, a, n))
+            wrench = at(point_, plus(friction, a, n))
             if len(stated) == 4:
                 wrench = plus(wrench, stated[3], zeros(3) + n)
             wrenches.setdefault(contact.of, []).append(wrench)
@@ -3775,7 +3779,8 @@ class Standing(NamedTuple):
         low, high = self.stand or (None, None)
         stand = f"{'(-oo' if low is None else f'[{low}'}, {'oo)' if high is None else f'{high}]'}"
         move = ", ".join([f"below {self.below}"] * (self.below is not None) + [f"above {self.above}"] * (self.above is not None))
-        return [f"may stand   {stand if self.stand else 'none claimed'}", f"must move   {'all' if self.all_move else move or 'none claimed'}",
+        return [f"may stand   {stand if self.stand else 'none claimed'}",
+                f"must move   {'all' if self.all_move else move or 'none claimed'}",
                 "elsewhere   nothing is claimed"]
 
 

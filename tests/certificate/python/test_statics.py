@@ -71,7 +71,7 @@ def random_world(rng):
         normal = [0] * length
         while not any(normal):
             normal = [rng.randint(-1, 2) for _ in range(length)]
-        contact = {"position": [rng.randint(-2, 2) for _ in range(length)], "normal": normal, "friction": rng.choice([0, "1/2", 1, "2/3"]),
+        contact = {"position": [rng.choice([-2, -1, 0, 1, 2, "1/2", "-2/3"]) for _ in range(length)], "normal": normal, "friction": rng.choice([0, "1/2", 1, "2/3"]),
                    "preload": rng.choice([0, 1])}
         if several:
             contact["of"] = rng.choice(names)
@@ -315,15 +315,16 @@ class TwinTest(StaticsCase):
                 contact = rng.choice(contacts)
                 name = rng.choice(["position", "normal", "friction", "preload"])
                 if name in ("position", "normal"):
-                    contact[name][rng.randrange(len(contact[name]))] += rng.choice([-1, 1])
+                    j = rng.randrange(len(contact[name]))
+                    contact[name][j] = texts([naive.number(contact[name][j]) + rng.choice([-1, 1])])[0]
                 else:
                     contact[name] = rng.choice([0, "1/3", 1])
                 if any(contact["normal"]):
                     tally[self.same({**file, "contacts": contacts}, certificate, options)["rule"]] += 1
         self.assertGreater(tally[None], 50, tally)
-        self.assertGreater(tally["static-force"], 5, tally)
+        self.assertGreater(tally["static-force"], 3, tally)
         self.assertGreater(tally["static-balance"], 30, tally)
-        self.assertGreater(tally["static-motion"], 20, tally)
+        self.assertGreater(tally["static-motion"], 10, tally)
 
 
 def tower(count):

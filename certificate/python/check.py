@@ -187,7 +187,7 @@ CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
 MAX_CONTACTS = 1_000_000
-MAX_DIMENSION, GROUND = 30, "ground"  # §14
+MAX_DIMENSION, MAX_STATIC_DIMENSION, GROUND = 30, 65_536, "ground"  # §14
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
 STRING_OR_BRACKET = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
@@ -229,8 +229,9 @@ def count_values(value: Any, most: int) -> int:
 class Source:
     """One JSON file: its content, and errors that name the file and the place in it."""
 
-    def __init__(self, name: str, kind: FileKind) -> None:
+    def __init__(self, name: str, kind: FileKind, statics: bool = False) -> None:
         self.name, self.kind = "<stdin>" if name == "-" else name, kind
+        self.statics = statics  # §16: of a grasp file, is it about that?
         self.uncertain = ""  # where an interval or a slope was found first
         self.dimension = PLANE  # D of a certificate; in a grasp file that of one body
         self.space = False
@@ -380,6 +381,7 @@ class Source:
 
 LAWS = ("unilateral", "bilateral")
 CLASSES = ("must move", "must hold", "open")  # §13
+STATICS = ("may stand", "must move")  # §16
 
 
 class Bounds(NamedTuple):
@@ -427,6 +429,10 @@ class Contact(NamedTuple):
     motion: Optional[Matrix] = None  # §14: G, if the grasp is of several bodies
     spring: str = ""        # what a spring's τ is called in the grasp file; "" of all others
     torsion: Fraction = Fraction(0)  # §15: e
+    of: str = ""   # the body that it touches, which has no name if it is the only one
+    by: str = GROUND
+    over: Dict[str, Fraction] = {}  # of a ratchet or a tendon: the numbers of links
+    joint: int = -1                 # of a joint's spring: its coordinate
 
     def is_contact(self) -> bool:
         return bool(self.position)
@@ -437,16 +443,25 @@ class Contact(NamedTuple):
         return self.torsion ** 2 / dot(self.normal, self.normal)
 
 
+Pushes = List[Tuple[Optional[str], Wrench]]  # each a wrench on the body of that name, or w itself
+
+
 class Grasp(NamedTuple):
     contacts: List[Contact]   # or elements
-    wrench: Optional[Wrench]  # None if a case has to be chosen
-    cases: Dict[str, Wrench]  # the wrench of each, by name
+    common: Pushes            # of all cases
+    cases: Dict[str, Pushes]  # what else there is in each, by name
     space: bool
-    dimension: int            # D
+    bodies: Bodies
+    choose: bool              # has a case to be chosen?
     names: Tuple[str, ...] = ()  # §14: of the coordinates, if the grasp is of several bodies
-    motions: Dict[str, Matrix] = {}  # J of each of them
+    motions: Dict[str, Matrix] = {}  # J of each of them, but for statics
     joints: int = 0
     max_motion: Optional[Vector] = None  # §1: B
+
+    @property
+    def dimension(self) -> int:
+        """D"""
+        return self.bodies.dimension
 
 
 KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
@@ -522,6 +537,7 @@ class Options(NamedTuple):
     uncertain: Optional[Dict[str, Union[Tolerance, Ball]]] = None  # by kind
     plane: Optional[Tuple[Vector, Vector]] = None     # §12: u and v
     inertia: Optional[Vector] = None                  # §13: the centre of mass and γ²
+    statics: Optional[Fraction] = None                # §16: φ
     max_motion: Optional[Vector] = None  # B, or a length and an angle, or () for none; of a question B, or None
 
     def margin(self) -> bool:
@@ -529,7 +545,8 @@ class Options(NamedTuple):
 
     def family(self) -> str:
         """What is about one grasp and many loads or preloads, if that is asked."""
-        return ("a margin" if self.margin() else "a region" if self.plane else
+        return ("statics" if self.statics is not None else
+                "a margin" if self.margin() else "a region" if self.plane else
                 "a class" if self.inertia else "")
 
 
@@ -560,7 +577,7 @@ def force_square(f: Vector, gamma: Fraction) -> Fraction:
 
 
 class Question(NamedTuple):
-    """About one grasp, or about a box (§6), and then without rows."""
+    """About one grasp, or about a box (§6) or statics (§16), and then without rows."""
     asked: Options
     wrench: Wrench            # w, before it is widened
     loads: Loads              # w
@@ -572,6 +589,7 @@ class Question(NamedTuple):
     space: bool = False
     names: Tuple[str, ...] = ()  # §14: of the coordinates
     claims: bool = False  # §5: is a margin a list of claims?
+    bodies: Optional[Bodies] = None
 
     def slipping(self) -> int:
         """How many are contacts; other elements follow."""
@@ -644,24 +662,97 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
     return found
 
 
-def add(a: Wrench, b: Wrench) -> Wrench:
-    return tuple(Bounds(x.low + y.low, x.high + y.high) for x, y in zip(a, b))
+class Body(NamedTuple):
+    name: str
+    on: str                   # of links
+    turn: Optional[Vector]    # η of links
+    joints: Dict[int, Fraction] = {}  # of links: c_bq, by the coordinate of q
+    first: int = 0            # of one that is no link: its first coordinate
 
 
 class Bodies(NamedTuple):
-    """§14."""
-    motions: Dict[str, Matrix]  # J of each, and of the ground
-    turns: Dict[str, Vector]    # of links: Σ c_bq e_q
-    dimension: int
+    """§14; of one body it is that alone. Lists go from a body to those that are on it, so that one pass over
+    them says how all move, or what acts on all coordinates, in a time that is linear in the size of the file."""
+    bodies: Dict[str, Body]
+    size: int       # of a motion of one body
+    dimension: int  # D
 
-    def motion(self, source: Source, name: Any, place: str, ground: bool = False) -> Matrix:
-        if type(name) is not str or name not in self.motions or (name == GROUND and not ground):
+    def known(self, source: Source, name: Any, place: str, ground: bool = False) -> str:
+        """That of a body."""
+        if type(name) is not str or not (name in self.bodies or (name == GROUND and ground)):
             source.fail(place, "must be the name of a body" + f" or '{GROUND}'" * ground)
-        return self.motions[name]
+        return str(name)
+
+    def row_over(self, over: Dict[str, Fraction]) -> Dict[int, Fraction]:
+        """The row of an object of `over`, by coordinate."""
+        row: Dict[int, Fraction] = {}
+        for name, r in over.items():
+            Work.spend(len(self.bodies[name].joints))
+            for q, c in self.bodies[name].joints.items():
+                row[q] = row.get(q, Fraction(0)) + r * c
+        return row
+
+    def matrices(self) -> Dict[str, Matrix]:
+        """J of each, and of the ground."""
+        found: Dict[str, Matrix] = {GROUND: (zeros(self.size),) * self.dimension}
+        for name, on, turn, joints, first in self.bodies.values():
+            found[name] = (tuple(unit(self.size, q - first) for q in range(self.dimension)) if turn is None else
+                           tuple(plus(column, joints.get(q, Fraction(0)), turn) for q, column in enumerate(found[on])))
+        return found
+
+    def moved(self, y: Vector) -> Tuple[Dict[str, Vector], Dict[str, Fraction]]:
+        """J y of each and of the ground, and how far links turn."""
+        motions, turned = {GROUND: zeros(self.size)}, {}
+        for name, on, turn, joints, first in self.bodies.values():
+            Work.spend(6 + 2 * len(joints))
+            if turn is None:
+                motions[name] = y[first:first + self.size]
+                continue
+            (angle,) = pairwise_sum([(c * y[q],) for q, c in joints.items()])
+            count_words((*motions[on], angle, *turn), 2 * self.size + len(joints))
+            turned[name], motions[name] = angle, plus(motions[on], angle, turn)
+        return motions, turned
+
+    def gathered(self, wrenches: Dict[str, List[Vector]], work: Dict[str, List[Fraction]],
+                 along: Dict[int, List[Fraction]]) -> Vector:
+        """The sum of Jᵀ times the wrenches on bodies, of forces that do so much work as links turn, and of those
+        along coordinates. What is given is used up."""
+        total = [Fraction(0)] * self.dimension
+        for name, on, turn, joints, first in reversed(list(self.bodies.values())):
+            here = wrenches.get(name, [])
+            if not here and name not in work:
+                continue
+            sum_ = summed(here) if here else zeros(self.size)
+            if turn is None:
+                total[first:first + self.size] = sum_
+                continue
+            count_words((*sum_, *turn), self.size)
+            (push,) = summed([(one,) for one in (dot(sum_, turn), *work.get(name, []))])
+            for q, c in joints.items():
+                along.setdefault(q, []).append(c * push)
+            if here and on != GROUND:
+                wrenches.setdefault(on, []).append(sum_)
+        for q, pushes in along.items():
+            (total[q],) = summed([(push,) for push in pushes])
+        return tuple(total)
 
 
-def read_one_load(source: Source, value: Any, place: str, bodies: Optional[Bodies]) -> Wrench:
-    """The wrench of a force at a point, of a torque or of a weight; of several bodies in Q^D."""
+def count_words(numbers: Sequence[Fraction], count: int) -> None:
+    """§8: so many sums or products of them, with their common divisors."""
+    longest = 1 + (max(max(x.numerator.bit_length(), x.denominator.bit_length()) for x in numbers) >> 6)
+    Work.divide(2 * count, 2 * longest, longest)
+
+
+def summed(terms: List[Vector]) -> Vector:
+    """Counted as work; one or more."""
+    Work.spend(len(terms))
+    for term in terms:
+        count_words(term, len(term))
+    return pairwise_sum(list(terms))
+
+
+def read_one_load(source: Source, value: Any, place: str, bodies: Optional[Bodies]) -> Tuple[Optional[str], Wrench]:
+    """The wrench of a force at a point, of a torque or of a weight; of several bodies also the name of one."""
     kinds = [key for key, _ in value.pairs] if type(value) is Members else []
     body = "body " if bodies else ""
     if "torque" in kinds:
@@ -685,46 +776,52 @@ def read_one_load(source: Source, value: Any, place: str, bodies: Optional[Bodie
     elif "wrench" in kinds and bodies:
         fields = source.members(value, place, "body wrench")
         wrench = read_vector_of_bounds(source, fields["wrench"], f"{place}.wrench", source.dimension)
-        if fields["body"] in bodies.turns:
+        if bodies.bodies[bodies.known(source, fields["body"], f"{place}.body")].turn:
             source.fail(f"{place}.wrench", f"{show(fields['body'])} is a link; give a force at a point, a weight or a torque")
     else:
         fields = source.members(value, place, body + "force at")
         force = read_point_of(source, fields["force"], f"{place}.force")
         wrench = exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), force))
-    if not bodies:
-        return wrench
-    motion = bodies.motion(source, dict(value.pairs)["body"], f"{place}.body")
-    # Where an end is not the other, J has ones and zeros alone.
-    lows, highs = zip(*wrench)
-    return tuple(map(Bounds, pulled(motion, lows), pulled(motion, highs)))
+    return bodies.known(source, dict(value.pairs)["body"], f"{place}.body") if bodies else None, wrench
+
+
+def wrench_of(pushes: Pushes, bodies: Bodies) -> Wrench:
+    """Their sum. Where an end of an interval is not the other, J has ones and zeros alone."""
+    ends = []
+    for end in (0, 1):
+        whole, wrenches = [zeros(bodies.dimension)], {}
+        for name, wrench in pushes:
+            one = tuple(bounds[end] for bounds in wrench)
+            (whole if name is None else wrenches.setdefault(name, [])).append(one)
+        ends.append(pairwise_sum(whole + [bodies.gathered(wrenches, {}, {})]))
+        if all(bounds.certain for _, wrench in pushes for bounds in wrench):
+            return exact_wrench(ends[0])
+    return tuple(map(Bounds, *ends))
 
 
 def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool,
-              bodies: Optional[Bodies] = None) -> Wrench:
-    """§1: "wrench", or the sum of "loads"."""
+              bodies: Optional[Bodies] = None) -> Pushes:
+    """§1: "wrench" or "loads"."""
     given = [key for key in ("wrench", "loads") if key in fields]
     if len(given) > 1 or (needed and not given):
         source.fail(place.rstrip("."), "both 'wrench' and 'loads'; give one of them" if given else
                                        "'wrench' is missing (in version 2, that or 'loads')")
     if "wrench" in fields:
-        return read_vector_of_bounds(source, fields["wrench"], place + "wrench",
-                                     bodies.dimension if bodies else source.dimension)
-    loads = source.array(fields.get("loads", []), place + "loads")
-    none = exact_wrench(zeros(bodies.dimension if bodies else source.dimension))
-    return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]", bodies)
-                                  for k, load in enumerate(loads)), none)
+        return [(None, read_vector_of_bounds(source, fields["wrench"], place + "wrench",
+                                             bodies.dimension if bodies else source.dimension))]
+    return [read_one_load(source, load, f"{place}loads[{k}]", bodies)
+            for k, load in enumerate(source.array(fields.get("loads", []), place + "loads"))]
 
 
-def read_cases(source: Source, value: Any, common: Wrench,
-               bodies: Optional[Bodies] = None) -> Dict[str, Wrench]:
-    cases: Dict[str, Wrench] = {}
+def read_cases(source: Source, value: Any, bodies: Optional[Bodies] = None) -> Dict[str, Pushes]:
+    cases: Dict[str, Pushes] = {}
     for k, entry in enumerate(source.array(value, "cases")):
         place = f"cases[{k}]"
         fields = source.members(entry, place, "name wrench? loads?")
         name = fields["name"]
         if type(name) is not str or not name or name in cases:
             source.fail(f"{place}.name", "must be a string, not empty, and of this case alone")
-        cases[name] = add(common, read_load(source, fields, place + ".", True, bodies))
+        cases[name] = read_load(source, fields, place + ".", True, bodies)
     if not cases:
         source.fail("cases", "must not be empty")
     return cases
@@ -893,9 +990,9 @@ def read_contact(source: Source, fields: Dict[str, Any], place: str, defaults: D
                    values["preload"], place, torsion=values["torsion"].low)
 
 
-def read_grasp(name: str) -> Grasp:
+def read_grasp(name: str, statics: bool) -> Grasp:
     """§1, §14: what the grasp file says."""
-    source = Source(name, GRASP)
+    source = Source(name, GRASP, statics)
     given = dict(source.root.pairs) if type(source.root) is Members else {}
     if given.get("format") == GRASP.formats[2] or "bodies" in given:
         return read_several(source)
@@ -926,11 +1023,11 @@ def read_grasp(name: str) -> Grasp:
         fields = source.members(entry, place, where + "friction? stiffness? preload?")
         contacts.append(read_contact(source, fields, place, defaults, outline))
     common = read_load(source, top, "", "cases" not in top)
-    cases = read_cases(source, top["cases"], common) if "cases" in top else {}
+    cases = read_cases(source, top["cases"]) if "cases" in top else {}
     if source.uncertain and top["format"] == GRASP.formats[0]:
         source.fail(source.uncertain, f"an object here needs \"format\": \"{GRASP.formats[1]}\"")
-    return Grasp(contacts, None if cases else common, cases, source.space, source.dimension,
-                 max_motion=read_max_motion(source, top, source.dimension, 0))
+    alone = Bodies({"": Body("", GROUND, None)}, source.dimension, source.dimension)
+    return Grasp(contacts, common, cases, source.space, alone, bool(cases), max_motion=read_max_motion(source, top, source.dimension, 0))
 
 
 def make_row(contact: Contact, growth: Fraction) -> Row:
@@ -982,33 +1079,35 @@ def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
     if asked.case is not None:
         if asked.case not in grasp.cases:
             raise Malformed("the question", "case", f"the grasp has no case '{show(asked.case)}'")
-        return grasp.cases[asked.case]
+        return wrench_of(grasp.common + grasp.cases[asked.case], grasp.bodies)
     if asked.direction is not None or asked.plane:
         return exact_wrench(zeros(grasp.dimension))
-    if grasp.wrench is None:
+    if grasp.choose:
         raise Malformed("the question", "case", f"the grasp has {len(grasp.cases)} cases, and none "
                                                 "is chosen; give the name of one")
-    return grasp.wrench
+    return wrench_of(grasp.common, grasp.bodies)
 
 
 def check_dimension(asked: Options, grasp: Grasp) -> None:
     """§1: so many numbers as the grasp has."""
-    for part, vector in (("wrench", asked.wrench), ("direction", asked.direction)):
+    u, v = asked.plane if asked.plane and asked.statics is not None else (None, None)
+    for part, vector in (("wrench", asked.wrench), ("direction", asked.direction), ("plane", u), ("plane", v)):
         if vector is not None and len(vector) != grasp.dimension:
             raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
                                                   f"{grasp.dimension} as the grasp has")
 
 
 def check_plane(asked: Options, grasp: Grasp) -> None:
-    """§12: which plane cannot be asked about."""
+    """§12, §16: which plane cannot be asked about."""
     if asked.plane is None:
         return
     u, v = asked.plane
-    problem = ("the grasp is in space" if grasp.space else
-               "the grasp is of several bodies" if grasp.names else
+    pivot, statics = next((j for j, c in enumerate(u) if c), 0), asked.statics is not None
+    problem = ("the grasp is in space" if grasp.space and not statics else
+               "the grasp is of several bodies" if grasp.names and not statics else
                "a direction is given as well" if asked.margin() else
                "its directions are multiples of one another"
-               if all(u[j] * v[k] == u[k] * v[j] for j in range(PLANE) for k in range(j)) else "")
+               if all(u[pivot] * c == v[pivot] * b for b, c in zip(u, v)) else "")
     if problem:
         raise Malformed("the question", "plane", problem)
 
@@ -1031,6 +1130,18 @@ def check_inertia(asked: Options, grasp: Grasp) -> None:
         raise Malformed("the question", "inertia", problem)
 
 
+def check_statics(asked: Options) -> None:
+    """§16: with what it cannot be asked."""
+    if asked.statics is None:
+        return
+    problem = (f"found {show(asked.statics)}, must be >= 0" if asked.statics < 0 else
+               "a direction of preloads is given as well" if asked.preload_direction is not None else
+               "an inertia is given as well" if asked.inertia else
+               "a bound of motions is given as well" if asked.max_motion else "")
+    if problem:
+        raise Malformed("the question", "statics", problem)
+
+
 def in_full(inertia: Vector) -> Vector:
     """§13: with xy, xz and yz, which may be left out."""
     return inertia + zeros(3) if len(inertia) == 6 else inertia
@@ -1038,6 +1149,8 @@ def in_full(inertia: Vector) -> Vector:
 
 def max_motion_asked(asked: Options, grasp: Grasp) -> Optional[Vector]:
     """§1, max motion: B, or None if motions are not bounded."""
+    if asked.statics is not None:
+        return None  # that of a file plays no part
     of_option = asked.max_motion is not None
     bound = asked.max_motion if of_option else grasp.max_motion
     if not bound:
@@ -1140,7 +1253,7 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options
                 name = contact.spring if contact.spring and name == "preload" else name
                 raise Malformed(grasp_file, place + name, f"found {show(number)}, but {family} is "
                                                           "about one grasp; give a number")
-    irrational = is_irrational(contact, grows)
+    irrational = asked.statics is None and is_irrational(contact, grows)
     if irrational and (asked.plane or asked.inertia) and len(contact.normal) == 2:
         raise Malformed(grasp_file, place + "normal",
                         "the contact has a preload and a normal of irrational length, so there "
@@ -1150,13 +1263,14 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options
 
 def pose(grasp_file: str, asked: Options) -> Question:
     """§1, the table: the question, if it can be asked."""
-    grasp = read_grasp(grasp_file)
+    grasp = read_grasp(grasp_file, asked.statics is not None)
     m = len(grasp.contacts)
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
     check_dimension(asked, grasp)
     check_plane(asked, grasp)
     check_inertia(asked, grasp)
+    check_statics(asked)
     check_tolerances(asked)
     asked = about_given(asked, grasp)._replace(max_motion=max_motion_asked(asked, grasp))
     contacts = [widened(contact, asked) for contact in grasp.contacts]
@@ -1181,11 +1295,11 @@ def pose(grasp_file: str, asked: Options) -> Question:
     u = asked.direction or zeros(grasp.dimension)
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
-    rows = [] if is_box else list(map(make_row, contacts, growth))
+    rows = [] if is_box or asked.statics is not None else list(map(make_row, contacts, growth))
     claims = (grasp.space or bool(grasp.names) or asked.max_motion is not None
               or any(is_irrational(contact, bool(grown)) for contact, grown in zip(contacts, growth)))
     return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box, grasp.space,
-                    grasp.names, claims)
+                    grasp.names, claims, grasp.bodies)
 
 
 # ---- §14 The grasp file of several bodies ------------------------------------------------------
@@ -1194,13 +1308,7 @@ def unit(size: int, j: int) -> Vector:
     return tuple(Fraction(j == k) for k in range(size))
 
 
-class Body(NamedTuple):
-    name: str
-    on: str                   # of links
-    turn: Optional[Vector]    # η of links
-
-
-def read_body(source: Source, entry: Any, place: str, before: Sequence[str]) -> Body:
+def read_body(source: Source, entry: Any, place: str, before: Dict[str, Body]) -> Body:
     fields = source.members(entry, place, "name hinge? slide? on? outline? mesh?")
     name, on = fields["name"], fields.get("on", GROUND)
     if type(name) is not str or not name or name == GROUND or name in before:
@@ -1219,7 +1327,7 @@ def read_body(source: Source, entry: Any, place: str, before: Sequence[str]) -> 
         if "on" in fields:
             source.fail(f"{place}.on", "only a link, with 'hinge' or 'slide', is on a body")
         return Body(name, on, None)
-    if type(on) is not str or on not in (*before, GROUND):
+    if type(on) is not str or (on not in before and on != GROUND):
         source.fail(f"{place}.on", f"must be '{GROUND}' or a body that stands before this one, so that no links "
                                    "are in a loop")
     if "slide" in fields:
@@ -1237,7 +1345,7 @@ def read_body(source: Source, entry: Any, place: str, before: Sequence[str]) -> 
     return Body(name, on, turn)
 
 
-def read_over(source: Source, value: Any, place: str, links: Sequence[str]) -> Dict[str, Fraction]:
+def read_over(source: Source, value: Any, place: str, links: Dict[str, Body]) -> Dict[str, Fraction]:
     """An object of `turns` or `over`: numbers for links."""
     if type(value) is not Members or not value.pairs:
         source.fail(place, "must be an object of one link or more, such as {\"tip\": 1}")
@@ -1253,43 +1361,43 @@ def read_over(source: Source, value: Any, place: str, links: Sequence[str]) -> D
 
 
 def read_bodies(source: Source, top: Dict[str, Any], joints: Sequence[Dict[str, Any]]) -> Bodies:
-    """J of each."""
-    bodies: List[Body] = []
+    bodies: Dict[str, Body] = {}
     for k, entry in enumerate(source.array(top["bodies"], "bodies")):
-        bodies.append(read_body(source, entry, f"bodies[{k}]", [body.name for body in bodies]))
+        body = read_body(source, entry, f"bodies[{k}]", bodies)
+        bodies[body.name] = body
     if not bodies:
         source.fail("bodies", "must not be empty")
-    links, size = [body.name for body in bodies if body.turn], source.dimension
-    turned = [read_over(source, joint["turns"], f"joints[{q}].turns", links) for q, joint in enumerate(joints)]
+    links, size = {name: body for name, body in bodies.items() if body.turn}, source.dimension
     first = size * (len(bodies) - len(links))  # coordinate of a joint
-    dimension = first + len(joints)
-    if dimension > MAX_DIMENSION:
-        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {MAX_DIMENSION}")
-    turns = {link: zeros(first) + tuple(joint.get(link, Fraction(0)) for joint in turned) for link in links}
-    motions, begin_ = {GROUND: (zeros(size),) * dimension}, 0
-    for k, (name, on, turn) in enumerate(bodies):
-        if turn is None:
-            motions[name] = tuple(unit(size, q - begin_) for q in range(dimension))
-            begin_ += size
+    dimension, most = first + len(joints), MAX_STATIC_DIMENSION if source.statics else MAX_DIMENSION
+    turned: Dict[str, Dict[int, Fraction]] = {link: {} for link in links}
+    for q, joint in enumerate(joints):
+        for link, c in read_over(source, joint["turns"], f"joints[{q}].turns", links).items():
+            turned[link][first + q] = c
+    if dimension > most:
+        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {most}")
+    begin_ = 0
+    for k, (name, body) in enumerate(bodies.items()):
+        if body.turn is None:
+            bodies[name], begin_ = body._replace(first=begin_), begin_ + size
             continue
-        if not any(turns[name]):
+        if not turned[name]:
             source.fail(f"bodies[{k}]", f"no joint turns the link '{show(name)}'; name it in 'turns' of one")
-        motions[name] = tuple(plus(column, c, turn) for column, c in zip(motions[on], turns[name]))
-    return Bodies(motions, turns, dimension)
+        bodies[name] = body._replace(joints=turned[name])
+    return Bodies(bodies, size, dimension)
 
 
-def element(place: str, row: Vector, stiffness: Bounds, preload: Bounds, spring: str = "") -> Contact:
+def element(place: str, stiffness: Bounds, preload: Bounds, spring: str = "") -> Contact:
     """What acts along a row: a ratchet or a spring."""
-    return Contact((), (Fraction(1),), Fraction(0), exactly(Fraction(0)), stiffness, preload, place,
-                   tuple((c,) for c in row), spring)
+    return Contact((), (Fraction(1),), Fraction(0), exactly(Fraction(0)), stiffness, preload, place, None, spring)
 
 
-def read_spring(source: Source, fields: Dict[str, Any], place: str, row: Vector, force: str) -> Contact:
+def read_spring(source: Source, fields: Dict[str, Any], place: str, force: str) -> Contact:
     stiffness, pull = (read_bounds(source, fields[key], f"{place}.{key}") if key in fields else
                        exactly(Fraction(0)) for key in ("stiffness", force))
     if stiffness.low < 0:
         source.fail(f"{place}.stiffness", f"{show(stiffness.low)} is out of range, must be >= 0")
-    return element(place, row, stiffness, pull, force)
+    return element(place, stiffness, pull, force)
 
 
 def read_several(source: Source) -> Grasp:
@@ -1310,42 +1418,52 @@ def read_several(source: Source) -> Grasp:
     joints = lists["joints"]
     bodies = read_bodies(source, top, joints)
 
-    def row_over(fields: Dict[str, Any], place: str) -> Vector:
-        row = zeros(bodies.dimension)
-        for name, r in read_over(source, fields["over"], f"{place}.over", list(bodies.turns)).items():
-            row = plus(row, r, bodies.turns[name])
-        if not any(row):
-            source.fail(f"{place}.over", "its numbers cancel, so that no joint moves it")
-        return row
+    links = {name: body for name, body in bodies.bodies.items() if body.turn}
+    motions = {} if source.statics else bodies.matrices()
+
+    def along(one: Contact, row: Dict[int, Fraction]) -> Contact:
+        """With its row as a matrix, but for statics."""
+        return one if source.statics else one._replace(
+            motion=tuple((row.get(q, Fraction(0)),) for q in range(bodies.dimension)))
+
+    def over(one: Contact, fields: Dict[str, Any]) -> Contact:
+        """With the links that it is over."""
+        place = f"{one.place}.over"
+        numbers = read_over(source, fields["over"], place, links)
+        row = bodies.row_over(numbers)
+        if not any(row.values()):
+            source.fail(place, "its numbers cancel, so that no joint moves it")
+        return along(one._replace(over=numbers), row)
 
     elements = []
     for i, entry in enumerate(top["contacts"]):
         place = f"contacts[{i}]"
         fields = source.members(entry, place, "of by? position normal friction? stiffness? preload? torsion?")
-        of = bodies.motion(source, fields["of"], f"{place}.of")
-        by = bodies.motion(source, fields.get("by", GROUND), f"{place}.by", True)
-        if fields["of"] == fields.get("by"):
+        of = bodies.known(source, fields["of"], f"{place}.of")
+        by = bodies.known(source, fields.get("by", GROUND), f"{place}.by", True)
+        if of == by:
             source.fail(f"{place}.by", f"must be another body than that of 'of', or '{GROUND}'")
-        motion = tuple(plus(a, Fraction(-1), b) for a, b in zip(of, by))
-        elements.append(read_contact(source, fields, place, defaults)._replace(motion=motion))
+        contact = read_contact(source, fields, place, defaults)._replace(of=of, by=by)
+        elements.append(contact if source.statics else contact._replace(
+            motion=tuple(plus(a, Fraction(-1), b) for a, b in zip(motions[of], motions[by]))))
     for k, fields in enumerate(lists["ratchets"]):
         place = f"ratchets[{k}]"
         stated = {"preload": exactly(Fraction(0)), **coefficients(source, fields, place)}
-        elements.append(element(place, row_over(fields, place), stated["stiffness"], stated["preload"]))
+        elements.append(over(element(place, stated["stiffness"], stated["preload"]), fields))
     for q, fields in enumerate(joints):
         if "stiffness" in fields or "torque" in fields:
-            row = unit(bodies.dimension, bodies.dimension - len(joints) + q)
-            elements.append(read_spring(source, fields, f"joints[{q}]", row, "torque"))
+            joint = bodies.dimension - len(joints) + q
+            spring = read_spring(source, fields, f"joints[{q}]", "torque")
+            elements.append(along(spring._replace(joint=joint), {joint: Fraction(1)}))
     for k, fields in enumerate(lists["tendons"]):
-        place = f"tendons[{k}]"
-        elements.append(read_spring(source, fields, place, row_over(fields, place), "tension"))
+        elements.append(over(read_spring(source, fields, f"tendons[{k}]", "tension"), fields))
     common = read_load(source, top, "", False, bodies)
-    cases = read_cases(source, top["cases"], common, bodies) if "cases" in top else {}
+    cases = read_cases(source, top["cases"], bodies) if "cases" in top else {}
     moves = ("x", "y", "z", "turn x", "turn y", "turn z") if source.space else ("x", "y", "turn")
-    names = [f"{body} {move}" for body in bodies.motions if body != GROUND and body not in bodies.turns for move in moves]
+    names = [f"{body} {move}" for body in bodies.bodies if body not in links for move in moves]
     names += [joint.get("name", f"joint {q}") for q, joint in enumerate(joints)]
-    return Grasp(elements, None if cases and not {"loads", "wrench"} & set(top) else common, cases, source.space, bodies.dimension,
-                 tuple(names), bodies.motions, len(joints), read_max_motion(source, top, bodies.dimension, len(joints)))
+    return Grasp(elements, common, cases, source.space, bodies, bool(cases) and not {"loads", "wrench"} & set(top),
+                 tuple(names), motions, len(joints), read_max_motion(source, top, bodies.dimension, len(joints)))
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -1443,6 +1561,14 @@ class RigidProof(NamedTuple):
     forces: List[RigidForce] = []
 
 
+class StaticProof(NamedTuple):
+    """§16: of one verdict forces or a twist, else load points with forces, and twists."""
+    forces: List[RigidForce] = []
+    twist: Vector = ()
+    stand: List[Tuple[Vector, List[RigidForce]]] = []
+    move: List[Vector] = []
+
+
 class Certificate(NamedTuple):
     question: Claim
     verdict: str                # "stable", "unstable", "margin" or "region"
@@ -1455,6 +1581,7 @@ class Certificate(NamedTuple):
     claims: Optional[List[RangeProof]] = None  # of "margin" by claims, and then nothing else
     pieces: Optional[List[List[Witness]]] = None  # of "region"
     rigid: Optional[RigidProof] = None  # of a class
+    statics: Optional[StaticProof] = None
 
     def proofs(self, kind: Type[Proof]) -> List[Proof]:
         """All parts that are not cut, of one kind."""
@@ -1475,9 +1602,10 @@ def read_certificate(name: str, question: Question) -> Certificate:
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    evidence = {"region": "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
-                "margin": "intervals" if question.claims else "resisted segments tree",
-                "must move": "twist", "must hold": "rest tree",
+    statics = states_statics(claimed.get("question"))
+    evidence = {"region": "stand move" if statics else "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
+                "margin": "stand move" if statics else "intervals" if question.claims else "resisted segments tree",
+                "must move": "twist", "may stand": "forces", "must hold": "rest tree",
                 "open": "rest acceleration forces"}.get(
                     claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
     top = source.members(source.root, "", "format producer? question bits? verdict " + evidence,
@@ -1486,15 +1614,17 @@ def read_certificate(name: str, question: Question) -> Certificate:
         source.fail("producer", "must be a string")
     claim = read_claim(source, top["question"])
     margin, plane = claim.asked.margin(), claim.asked.plane is not None
-    rigid = claim.asked.inertia is not None and not margin and not plane
+    rigid = claim.asked.inertia is not None and not margin and not plane and not statics
     bits = source.index(top["bits"], "bits") if "bits" in top else 128
-    if (margin and not question.claims or plane or rigid) and "bits" in top:
-        source.fail("bits", "not in a margin by segments, and not with a plane or an inertia")
+    if (margin and not question.claims or plane or rigid or statics) and "bits" in top:
+        source.fail("bits", "not in a margin by segments, and not with a plane, an inertia or statics")
     if not 64 <= bits <= 4096:
         source.fail("bits", "must be from 64 to 4096")
     verdict = source.choice(top["verdict"], "verdict",
                             ("region",) if plane else ("margin",) if margin else
-                            CLASSES if rigid else ("stable", "unstable"))
+                            STATICS if statics else CLASSES if rigid else ("stable", "unstable"))
+    if statics:
+        return Certificate(claim, verdict, statics=read_statics(source, top, 2 + plane))
     if rigid:
         return Certificate(claim, verdict, rigid=RigidProof(
             source.vector(top["twist"], "twist", dimension) if "twist" in top else (),
@@ -1551,9 +1681,29 @@ def read_across(source: Source, value: Any, place: str) -> Vector:
 
 def read_forces(source: Source, value: Any, place: str) -> List[RigidForce]:
     """FORCES of §13."""
-    entries = [source.array(entry, place, 3) for entry in source.array(value, place)]
-    return [(source.index(i, place), source.number(a, place), read_across(source, b, place))
-            for i, a, b in entries]
+    forces = []
+    for entry in source.array(value, place):
+        contact, a, friction = source.array(entry, place, 3)
+        i = source.index(contact, place)
+        forces.append((i, source.number(a, place), read_friction(source, friction, place, i)))
+    return forces
+
+
+def states_statics(question: Any) -> bool:
+    """Whether the member `question` of a certificate has one of that name."""
+    return type(question) is Members and "statics" in dict(question.pairs)
+
+
+def read_statics(source: Source, top: Dict[str, Any], numbers: int) -> StaticProof:
+    """§16; of load points with so many numbers."""
+    dimension, stand = source.dimension, []
+    for k, entry in enumerate(source.array(top.get("stand", []), "stand")):
+        point, forces = source.array(entry, f"stand[{k}]", 2)
+        stand.append((source.vector(point, f"stand[{k}][0]", numbers), read_forces(source, forces, f"stand[{k}][1]")))
+    return StaticProof(read_forces(source, top.get("forces", []), "forces"),
+                       source.vector(top["twist"], "twist", dimension) if "twist" in top else (), stand,
+                       [source.vector(y, f"move[{k}]", dimension)
+                        for k, y in enumerate(source.array(top.get("move", []), "move"))])
 
 
 def read_rigid_node(source: Source, value: Any, place: str) -> Node:
@@ -1573,10 +1723,11 @@ def read_rigid_node(source: Source, value: Any, place: str) -> Node:
 
 
 def read_claim(source: Source, value: Any) -> Claim:
+    has_statics = states_statics(value)
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
-                           + "plane? " * (not source.space and not source.several)
-                           + "inertia? " * (not source.several) + "uncertain? max_motion?", True)
+                           + "plane? " * (has_statics or (not source.space and not source.several))
+                           + "inertia? " * (not source.several) + "statics? uncertain? max_motion?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -1592,14 +1743,15 @@ def read_claim(source: Source, value: Any) -> Claim:
     plane = None
     if "plane" in fields:
         u, v = source.array(fields["plane"], "question.plane", 2)
-        plane = (source.vector(u, "question.plane[0]", PLANE),
-                 source.vector(v, "question.plane[1]", PLANE))
+        plane = (source.vector(u, "question.plane[0]", source.dimension),
+                 source.vector(v, "question.plane[1]", source.dimension))
     inertia = None
     if "inertia" in fields:
         inertia = source.vector(fields["inertia"], "question.inertia")
         if len(inertia) not in ((6, 9) if source.space else (3,)):
             source.fail("question.inertia", "must be as the option --inertia has it")
         inertia = in_full(inertia)
+    statics = source.number(fields["statics"], "question.statics") if has_statics else None
     bound = None
     if "max_motion" in fields:
         bound = source.vector(fields["max_motion"], "question.max_motion", source.dimension)
@@ -1608,7 +1760,7 @@ def read_claim(source: Source, value: Any) -> Claim:
     return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
                  Options(None, preload,
                          source.choice(fields["normal_law"], "question.normal_law", LAWS),
-                         direction, growth, None, uncertain, plane, inertia, bound))
+                         direction, growth, None, uncertain, plane, inertia, statics, bound))
 
 
 def read_load_entry(source: Source, value: Any, place: str) -> Bounds:
@@ -1835,6 +1987,7 @@ def check_question(question: Question, claim: Claim) -> None:
                                  asked.preload_direction),
                                 ("plane", said.plane, asked.plane),
                                 ("inertia", said.inertia, asked.inertia),
+                                ("statics", said.statics, asked.statics),
                                 ("uncertain", said.uncertain, asked.uncertain),
                                 ("max-motion", said.max_motion, asked.max_motion)):
         if found != wanted:
@@ -3448,6 +3601,201 @@ def check_class(question: Question, certificate: Certificate, proof: RigidProof)
         check_motion(question, proof)
 
 
+# ---- §16 Statics ------------------------------------------------------------------------------
+
+
+class StaticRow(NamedTuple):
+    """A contact by integers: positive multiples of p and n, φ² μ², and the torsion's e²."""
+    point: Integers
+    scale: int  # p is the point over that
+    normal: Integers
+    friction: Fraction
+    torsion: Fraction
+
+    def opposes(self, motion: Integers) -> bool:
+        """Whether some force in the cone does work below 0 on this motion of the body beside that which it touches: not if
+        N·y ≥ 0 and (N·y)² ≥ φ² μ² (L² |u|² − (n·u)² + e² (n·ω)²), where u and ω are by one factor as well."""
+        n, p, scale = self.normal, self.point, self.scale
+        if len(n) == 2:
+            u = (motion[0] * scale - motion[2] * p[1], motion[1] * scale + motion[2] * p[0])
+            work, slip = dot(n, u), n[0] * u[1] - n[1] * u[0]
+            return work < 0 or work * work * self.friction.denominator < slip * slip * self.friction.numerator
+        omega = motion[3:]
+        u = tuple(motion[j] * scale + omega[j - 2] * p[j - 1] - omega[j - 1] * p[j - 2] for j in range(3))
+        work, turn = dot(n, u), scale * dot(n, omega)
+        square, e = work * work, self.torsion
+        slip = e.denominator * (dot(n, n) * dot(u, u) - square) + e.numerator * turn * turn
+        return work < 0 or square * self.friction.denominator * e.denominator < slip * self.friction.numerator
+
+
+class Statics:
+    """The forces and twists of a question."""
+
+    def __init__(self, question: Question) -> None:
+        assert question.bodies and question.asked.statics is not None
+        self.contacts, self.bodies, self.factor = question.contacts, question.bodies, question.asked.statics
+        # Springs that are not locked pull, whatever moves: with their forces w is the load.
+        work: Dict[str, List[Fraction]] = {}
+        along: Dict[int, List[Fraction]] = {}
+        for contact in self.contacts:
+            if contact.spring and not contact.stiffness.low:
+                self.push_along(contact, contact.preload.low, work, along)
+        self.loads = (summed([question.w(), self.bodies.gathered({}, work, along)]), *question.growths)
+        self.rows: Dict[int, StaticRow] = {}  # of contacts, made where a twist asks for it
+
+    def push_along(self, contact: Contact, a: Fraction, work: Dict[str, List[Fraction]],
+                   along: Dict[int, List[Fraction]]) -> None:
+        """The force a of a ratchet or a spring."""
+        if contact.joint >= 0:
+            along.setdefault(contact.joint, []).append(a)
+        for name, r in contact.over.items():
+            count_words((a, r), 1)
+            work.setdefault(name, []).append(a * r)
+
+    def row(self, i: int) -> StaticRow:
+        if i not in self.rows:
+            contact = self.contacts[i]
+            Work.spend(10)
+            point, scale = integers(tuple(x.low for x in contact.position))
+            self.rows[i] = StaticRow(point, scale, integers(contact.normal)[0], (self.factor * contact.friction.low) ** 2,
+                                     contact.torsion ** 2)
+        return self.rows[i]
+
+    def check_move(self, y: Vector, place: str) -> None:
+        """`static-motion`."""
+        moved, turned = self.bodies.moved(y)
+        motions = {}
+        for name, motion in moved.items():
+            count_words(motion, len(motion))
+            motions[name] = integers(motion)
+        for i, contact in enumerate(self.contacts):
+            if not contact.is_contact():
+                if contact.spring and not contact.stiffness.low:
+                    continue
+                terms = [(y[contact.joint],)] if contact.joint >= 0 else []
+                for name, r in contact.over.items():
+                    count_words((turned[name], r), 1)
+                    terms.append((turned[name] * r,))
+                (way,) = summed(terms)
+                if way < 0 or (way and contact.spring):
+                    raise Rejected("static-motion", f"{contact.place} moves by {show(way)}, but "
+                                                    + ("is locked" if contact.spring else "is a ratchet"), place)
+                continue
+            (of, of_factor), (by, by_factor), row = motions[contact.of], motions[contact.by], self.row(i)
+            motion = tuple(by_factor * a - of_factor * b for a, b in zip(of, by))
+            Work.spend(10)
+            length = words(motion) + 2 * words((*row.point, row.scale, *row.normal)) + words(
+                (row.friction.numerator, row.friction.denominator, row.torsion.numerator, row.torsion.denominator))
+            Work.multiply(12 * len(motion), length, length)
+            if row.opposes(motion):
+                raise Rejected("static-motion", f"a force in the cone of contact {i} does work below 0", place)
+
+    def works(self, y: Vector) -> Vector:
+        """Of the loads on the twist: y·(w + Σ τ N), and y·u and y·v."""
+        found = []
+        for load in self.loads:
+            terms = [(a * b,) for a, b in zip(y, load) if a and b]
+            found += summed(terms or [(Fraction(0),)])[:1]
+        return tuple(found)
+
+    def check_forces(self, point: Vector, forces: Sequence[RigidForce], place: str) -> None:
+        """`static-point`, `static-force`, `static-balance`."""
+        if point[0] < 0:
+            raise Rejected("static-point", f"h is {show(point[0])}, which is below 0", place)
+        wrenches: Dict[str, List[Vector]] = {}
+        work: Dict[str, List[Fraction]] = {}
+        along: Dict[int, List[Fraction]] = {}
+        last = -1
+        for i, a, stated in forces:
+            if not last < i < len(self.contacts):
+                raise Rejected("static-force", f"contact {show(i)}, which is not there or not in order", place)
+            last, contact = i, self.contacts[i]
+            Work.spend(30)
+            point_ = tuple(x.low for x in contact.position)
+            count_words((a, *stated, *contact.normal, *point_, contact.friction.low, contact.torsion, self.factor), 30)
+            if not self.may_push(contact, a, stated):
+                raise Rejected("static-force", f"the force of contact {i} is not one that it may have", place)
+            if not contact.is_contact():
+                self.push_along(contact, a, work, along)
+                continue
+            n = contact.normal
+            friction = (-stated[0] * n[1], stated[0] * n[0]) if len(n) == 2 else stated[:3]
+            wrench = at(point_, plus(friction, a, n))
+            if len(stated) == 4:
+                wrench = plus(wrench, stated[3], zeros(3) + n)
+            wrenches.setdefault(contact.of, []).append(wrench)
+            if contact.by != GROUND:
+                wrenches.setdefault(contact.by, []).append(times(Fraction(-1), wrench))
+        terms = [self.bodies.gathered(wrenches, work, along)]
+        Work.spend(len(self.bodies.bodies) + len(terms[0]) * len(point))
+        for c, load in zip(point, self.loads):
+            count_words((c, *load), len(load))
+            terms.append(times(c, load))
+        total = summed(terms)
+        if any(total):
+            raise Rejected("static-balance", f"load and forces add up to {show(total)}, not to 0", place)
+
+    def may_push(self, contact: Contact, a: Fraction, stated: Vector) -> bool:
+        if not contact.is_contact():
+            return not any(stated) and (contact.stiffness.low > 0 if contact.spring else a >= 0)
+        if a < 0:
+            return False
+        most = self.factor * contact.friction.low * a
+        if len(stated) == 1:  # of t, which is as long as n
+            return abs(stated[0]) <= most
+        n = contact.normal
+        return not dot(n, stated[:3]) and force_square(stated, contact.gamma) <= most * most * dot(n, n)
+
+
+def check_statics_proof(question: Question, certificate: Certificate, proof: StaticProof) -> Statics:
+    statics = Statics(question)
+    if certificate.verdict == "may stand":
+        statics.check_forces((Fraction(1),), proof.forces, "forces")
+    if certificate.verdict == "must move":
+        statics.check_move(proof.twist, "twist")
+        (work,) = statics.works(proof.twist)[:1]
+        if work <= 0:
+            raise Rejected("static-motion", f"the load does the work {show(work)}, which is not above 0", "twist")
+    for k, (point, forces) in enumerate(proof.stand):
+        statics.check_forces(point, forces, f"stand {k}")
+    for k, y in enumerate(proof.move):
+        statics.check_move(y, f"move {k}")
+    return statics
+
+
+class Standing(NamedTuple):
+    """Which multiples may stand, and beyond which they must move; None is no limit."""
+    stand: Optional[Tuple[Optional[Fraction], Optional[Fraction]]]  # None: none are known
+    below: Optional[Fraction]
+    above: Optional[Fraction]
+    all_move: bool
+
+    def listed(self) -> Dict[str, Any]:
+        """For a report."""
+        ends = [[None if end is None else str(end) for end in pair] for pair in (self.stand or (), (self.below, self.above))]
+        return {"stand": ends[0] or None, "move": "all" if self.all_move else ends[1]}
+
+    def lines(self) -> List[str]:
+        low, high = self.stand or (None, None)
+        stand = f"{'(-oo' if low is None else f'[{low}'}, {'oo)' if high is None else f'{high}]'}"
+        move = ", ".join([f"below {self.below}"] * (self.below is not None) + [f"above {self.above}"] * (self.above is not None))
+        return [f"may stand   {stand if self.stand else 'none claimed'}",
+                f"must move   {'all' if self.all_move else move or 'none claimed'}",
+                "elsewhere   nothing is claimed"]
+
+
+def standing(statics: Statics, proof: StaticProof) -> Standing:
+    """Of a margin: the claim, as one interval, and what is outside of another."""
+    points = [point for point, _ in proof.stand]
+    multiples, ways = [point[1] / point[0] for point in points if point[0]], [point[1] for point in points if not point[0]]
+    stand = (None if min(ways, default=0) < 0 else min(multiples),
+             None if max(ways, default=0) > 0 else max(multiples)) if multiples else None
+    works = [statics.works(y) for y in proof.move]
+    below = max((-base / growth for base, growth in works if growth < 0), default=None)
+    above = min((-base / growth for base, growth in works if growth > 0), default=None)
+    return Standing(stand, below, above, any(base > 0 and not growth for base, growth in works))
+
+
 # ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
@@ -3471,6 +3819,9 @@ one of them may be - for standard input. Give the same options as to the program
   --inertia X,Y,G2         ask for the class of rigid contacts: must move, must hold or open; the
                            centre of mass, and the squared radius of gyration about it; in space
                            X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], the centre and the tensor of inertia about it
+  --statics FACTOR         ask whether the bodies may stand or must move, whatever stiffness and preloads
+                           are, with all friction multiplied by FACTOR; with --direction or --plane (of two
+                           wrenches that have a number for each coordinate) which of these loads may or must
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
@@ -3506,10 +3857,10 @@ def number_option(name: str, text: str) -> Fraction:
         raise UsageError(f"{name}: {error}") from None
 
 
-def wrench_option(name: str, text: str) -> Vector:
+def wrench_option(name: str, text: str, most: int) -> Vector:
     """So many numbers as a grasp can have coordinates; which it has is known later."""
-    if text.count(",") >= MAX_DIMENSION:
-        raise UsageError(f"{name}: '{show(text)}' has more than {MAX_DIMENSION} numbers")
+    if text.count(",") >= most:
+        raise UsageError(f"{name}: '{show(text)}' has more than {most} numbers")
     return list_option(name, text)
 
 
@@ -3557,6 +3908,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
     files: List[str] = []
     options, as_json, ended = Options(), False, False
     waiting = list(reversed(words))
+    # Options are in any order, and with one of them grasps may have more coordinates.
+    most = MAX_STATIC_DIMENSION if any(word.partition("=")[0] == "--statics" for word in words) else MAX_DIMENSION
     while waiting:
         word = waiting.pop()
         is_help = word in ("-h", "--help")
@@ -3570,27 +3923,27 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--torque", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction", "--plane", "--inertia", "--uncertain", "--max-motion"):
+                        "--preload-direction", "--plane", "--inertia", "--statics", "--uncertain", "--max-motion"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
                 raise UsageError(f"{name} needs a value")
             value = waiting.pop()
         if name == "--wrench":
-            options = options._replace(wrench=wrench_option(name, value))
+            options = options._replace(wrench=wrench_option(name, value, most))
         elif name == "--direction":
-            options = options._replace(direction=wrench_option(name, value))
+            options = options._replace(direction=wrench_option(name, value, most))
         elif name == "--plane":
             values = list_option(name, value)
-            if len(values) != 2 * PLANE:
-                raise UsageError(f"{name}: '{show(value)}' is not UX,UY,UT,VX,VY,VT, two wrenches")
-            options = options._replace(plane=(values[:PLANE], values[PLANE:]))
+            options = options._replace(plane=(values[:len(values) // 2], values[len(values) // 2:]))
         elif name == "--inertia":
             values = list_option(name, value)
             if len(values) not in (3, 6, 9):
                 raise UsageError(f"{name}: '{show(value)}' is not X,Y,G2, such as 0,0,1, or in space "
                                  "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]")
             options = options._replace(inertia=in_full(values))
+        elif name == "--statics":
+            options = options._replace(statics=number_option(name, value))
         elif name == "--torque":
             options = options._replace(wrench=(Fraction(0), Fraction(0), number_option(name, value)))
         elif name == "--case":
@@ -3603,11 +3956,14 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
         elif name == "--uncertain":
             options = options._replace(uncertain=tolerances_option(name, value))
         elif name == "--max-motion":
-            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value))
+            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value, most))
         elif value in LAWS:
             options = options._replace(law=value)
         else:
             raise UsageError(f"{name}: '{show(value)}' is not unilateral or bilateral")
+    u, v = options.plane or ((), ())
+    if len(u) != len(v) or (options.plane and options.statics is None and len(u) != PLANE):
+        raise UsageError(f"--plane: '{show(','.join(map(str, u + v)))}' is not UX,UY,UT,VX,VY,VT, two wrenches")
     if len(files) != 2:
         raise UsageError(f"expected two files, GRASP and CERTIFICATE, found {len(files)}")
     if files == ["-", "-"]:
@@ -3637,7 +3993,8 @@ def listed_tolerance(tolerance: Union[Tolerance, Ball]) -> Union[str, Dict[str, 
 
 
 def accepted_text(certificate: Certificate, question: Question, leaves: int, ranges: List[Range],
-                  resisted: Sequence[Interval]) -> str:
+                  resisted: Sequence[Interval], standing_: Optional[Standing]) -> str:
+    static = certificate.statics
     asked, margin = question.asked, certificate.verdict == "margin"
     growth = asked.preload_direction
     preload = "f times " * (growth == "scale")
@@ -3654,6 +4011,9 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     if certificate.claims is not None:
         lines += [f"resisted    {intervals or 'none claimed'}",
                   f"refuted     {gone or 'none claimed'}", "elsewhere   nothing is claimed"]
+    elif static and (margin or certificate.verdict == "region"):
+        lines += standing_.lines() if standing_ else [f"may stand   the sums of load points: {len(static.stand)}",
+                                                      f"must move   where a load does work on a twist: {len(static.move)}"]
     elif certificate.pieces is not None:
         count = len(certificate.pieces)
         lines += [f"resisted    of the plane exactly the pieces: {count}" if count else
@@ -3678,12 +4038,16 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
         lines.append(f"plane       wrench + s ({u}) + t ({v})")
     if asked.inertia is not None:
         lines.append(f"inertia     ({', '.join(map(str, asked.inertia))})")
+    if asked.statics is not None:
+        lines.append(f"statics     friction times {asked.statics}")
     lines += [f"preload     {preload}", f"normal law  {asked.law}"]
     if asked.uncertain:
         lines.append("uncertain   " + ", ".join(f"{kind} {size}" for kind, size in tolerances(asked).items()))
     if asked.max_motion:
         lines.append(f"max motion  ({', '.join(map(str, asked.max_motion))})")
     lines += ["proof       " + (
+        "forces" if certificate.verdict == "may stand" else
+        f"load points: {len(static.stand)}, twists: {len(static.move)}" if static and certificate.verdict != "must move" else
         f"intervals by degree: {proofs}" + f", at rest: {rests}" * (rests > 0)
         + f", sticking: {stickings}" * (stickings > 0)
         + f", refuted: {len(ranges)}; trees of {tree}"
@@ -3718,11 +4082,15 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         certificate = read_certificate(arguments.files[1], question)
         check_question(question, certificate.question)
         ranges = [VERDICT]
-        if certificate.verdict == "margin" and certificate.claims is None:
+        if certificate.verdict == "margin" and certificate.claims is None and certificate.statics is None:
             check_resisted(certificate.resisted)
             check_segments(certificate.segments, certificate.resisted, question)
             ranges = gaps(certificate.resisted)
-        if certificate.rigid is not None:
+        standing_ = None
+        if certificate.statics is not None:
+            statics = check_statics_proof(question, certificate, certificate.statics)
+            standing_ = standing(statics, certificate.statics) if certificate.verdict == "margin" else None
+        elif certificate.rigid is not None:
             check_class(question, certificate, certificate.rigid)
         elif certificate.pieces is not None:
             box = enlarged(question, certificate.bits)
@@ -3762,11 +4130,12 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         "preload_direction": growth if growth == "scale" else listed(growth),
         **({"plane": list(map(listed, asked.plane))} if asked.plane else {}),
         **({"inertia": listed(asked.inertia)} if asked.inertia else {}),
+        **({} if asked.statics is None else {"statics": str(asked.statics)}),
         "uncertain": {kind: listed_tolerance(size) for kind, size in tolerances(asked).items()} or None,
         **({"max_motion": listed(asked.max_motion)} if asked.max_motion else {})})
-    if not certificate.witness:
+    if not certificate.witness and certificate.statics is None:
         report.update(nodes=len(certificate.trees()), leaves=leaves)
-    if certificate.verdict == "margin":
+    if certificate.verdict == "margin" and certificate.statics is None:
         report["resisted"] = [[str(low), high if high is None else str(high)]
                               for low, high in resisted]
     if certificate.claims is not None:
@@ -3774,7 +4143,11 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
                              for low, high, held, _ in ranges]
     if certificate.pieces is not None:
         report["pieces"] = len(certificate.pieces)
-    return report, accepted_text(certificate, question, leaves, ranges, resisted), 0
+    if certificate.statics is not None and certificate.verdict in ("margin", "region"):
+        report.update(points=len(certificate.statics.stand), twists=len(certificate.statics.move))
+    if standing_:
+        report["standing"] = standing_.listed()
+    return report, accepted_text(certificate, question, leaves, ranges, resisted, standing_), 0
 
 
 def write(text: str, code: int) -> int:

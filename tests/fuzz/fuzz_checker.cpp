@@ -3,7 +3,8 @@
 // feed, a grasp file, a NUL byte and a certificate. The checker answers, whatever it is given;
 // a refusal says why; what it prints is plain; and what is accepted of one body is true: the
 // engines, which see no certificate, say the same; of a margin in space, about some of its
-// multiples. (What is true of several bodies tests/certificate/cpp and tests/rules know.)
+// multiples. (What is true of several bodies tests/certificate/cpp and tests/rules know, and of
+// statics tests/rules and tests/certificate/python.)
 //
 // With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
 // together with the answer that it must give (tests/support/batch.py).
@@ -160,6 +161,11 @@ void leave_for_python(const Input& input, const Answer& answer) {
   if (!good) broken("cannot write to the spool");
 }
 
+bool is_about_statics(const Input& input) {
+  return std::any_of(input.words.begin(), input.words.end(),
+                     [](const std::string& word) { return word.rfind("--statics", 0) == 0; });
+}
+
 void run(const Input& input) {
   std::vector<std::string> words = input.words;
   words.insert(words.end(), {"grasp", "certificate"});
@@ -176,9 +182,9 @@ void run(const Input& input) {
   expect_well_said(answer);
   if (!arguments.help && !arguments.json) leave_for_python(input, answer);
   const auto* accepted = std::get_if<Accepted>(&answer);
-  if (accepted == nullptr || accepted->question.contacts.size() > 6 ||
-      accepted->question.is_box || accepted->question.several ||
-      accepted->question.asked.max_motion) {
+  if (accepted == nullptr || is_about_statics(input) ||
+      accepted->question.contacts.size() > 6 || accepted->question.is_box ||
+      accepted->question.several || accepted->question.asked.max_motion) {
     return;
   }
   if (accepted->question.in_space) {
@@ -191,12 +197,14 @@ void run(const Input& input) {
   }
 }
 
-/// "0,1,0": the numbers of a member, if the text has it.
-std::string vector_in(const std::string& text, const std::string& name) {
-  const std::size_t at = text.find('"' + name + "\": [");
+/// "0,1,0": the numbers of a member, if the text has it, from these characters to those.
+std::string vector_in(const std::string& text, const std::string& name,
+                      const std::string& opening = "[", const std::string& closing = "]") {
+  const std::string before = '"' + name + "\": " + opening;
+  const std::size_t at = text.find(before);
   if (at == std::string::npos) return {};
-  const std::size_t begin = text.find('[', at) + 1;
-  std::string numbers = text.substr(begin, text.find(']', begin) - begin);
+  const std::size_t begin = at + before.size();
+  std::string numbers = text.substr(begin, text.find_first_of(closing, begin) - begin);
   const auto is_mark = [](char c) { return c == '"' || c == ' '; };
   numbers.erase(std::remove_if(numbers.begin(), numbers.end(), is_mark), numbers.end());
   return numbers;
@@ -239,6 +247,13 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
       if (question.find("\"scale\"") != std::string::npos) {
         words += " --preload-direction scale";
       }
+      const std::string first = vector_in(question, "plane", "[[");
+      if (!first.empty()) {
+        const std::string second = question.substr(question.find("], [") + 3);
+        words += " --plane " + first + ',' + vector_in("\"v\": " + second, "v");
+      }
+      const std::string statics = vector_in(question, "statics", "", ",}");
+      if (!statics.empty()) words += " --statics " + statics;
       result.push_back({stem, words + '\n' + grasp.bytes + '\0' + certificate.bytes});
     }
   }

@@ -22,28 +22,31 @@ sys.path.insert(0, os.path.join(ROOT, "tests", "support"))
 import batch  # noqa: E402
 
 STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
+CHECK_JS = [batch.NODE, os.path.join(ROOT, "certificate", "js", "check_node.js")]
 
 # Where each rule can fail first.
 ALL = set(corpus.KINDS)
-PLANE = {"plane", "plane_box", "plane_margin", "plane_claims", "plane_region", "plane_class"}
+PLANE = {"plane", "plane_box", "plane_margin", "plane_claims", "plane_region", "plane_class", "plane_statics"}
 BODIES = {"bodies", "bodies_margin", "bodies_space", "bodies_soft"}
 CLAIMS = {"plane_claims", "space_margin", "bodies_margin", "bodies_soft"}
 BOXES = {"plane_box", "space_box", "plane_claims", "space_margin"} | BODIES  # normals of irrational length make a margin a box
 WITNESSES = {"plane", "plane_margin", "plane_claims", "plane_region", "space", "space_margin"} | BODIES
 CLASSES = {"plane_class", "space_class"}
+STATICS = {"plane_statics", "space_statics", "bodies_statics"}
+TREES = ALL - STATICS
 CUT = {"plane", "plane_box", "space", "space_box", "bodies", "bodies_space", "bodies_soft"}
-BY_DEGREE = ALL - CLASSES - {"plane_region"}
+BY_DEGREE = TREES - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
     **dict.fromkeys(["question-contacts", "question-wrench", "question-preload", "question-law", "question-direction",
                      "question-preload-direction", "question-uncertain", "question-max-motion"], ALL),
-    "question-plane": PLANE - {"plane_margin", "plane_claims"},  # there question-direction fails before
+    "question-plane": (PLANE | STATICS) - {"plane_margin", "plane_claims"},  # there question-direction fails before
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
     "witness-bound": WITNESSES - {"plane_margin", "plane_region"},  # where no question has a bound
     "witness-root": {"space", "space_margin", "bodies_space", "bodies_soft"},
     "witness-box": BOXES,
-    **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], ALL),
-    "leaf-bound": ALL - CLASSES,
+    **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], TREES),
+    "leaf-bound": TREES - CLASSES,
     "node-certain": BOXES,
     **dict.fromkeys(["part-contact", "part-inside"], CUT),
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
@@ -53,18 +56,28 @@ WHERE = {
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
     "segment-mode": CLAIMS | {"plane_margin"},
     **dict.fromkeys(["interval-order", "interval-whole"], CLAIMS),
-    **dict.fromkeys(["question-inertia", "class-twist", "class-force", "class-balance", "class-motion", "class-leaf"],
-                    CLASSES),
+    "question-inertia": CLASSES | {"plane_statics", "space_statics"},
+    **dict.fromkeys(["class-twist", "class-force", "class-balance", "class-motion", "class-leaf"], CLASSES),
+    **dict.fromkeys(["question-statics", "static-point", "static-force", "static-balance", "static-motion"], STATICS),
     "class-slip": {"space_class"},
     **dict.fromkeys(["piece-mode", "held-piece", "held-inside"], {"plane_region"}),
 }
 
 
-def judged_by_all(entry):
-    """check.js judges nothing about planes of loads and rigid contacts, and does not know them."""
-    members = {"plane", "inertia"}
-    return not members & set(entry.certificate["question"]) and not any(
+def names(entry, members):
+    """Whether its question or its options have one of them."""
+    return bool(members & set(entry.certificate["question"])) or any(
         word.startswith(tuple("--" + member for member in members)) for word in entry.options)
+
+
+def judged_by_proved(entry):
+    """stickslip-proved judges nothing about statics, and does not know them."""
+    return not names(entry, {"statics"})
+
+
+def judged_by_js(entry):
+    """Nor does check.js, nor planes of loads and rigid contacts."""
+    return not names(entry, {"plane", "inertia", "statics"})
 
 
 def ball_of(content):
@@ -90,11 +103,12 @@ def as_several(entry):
     grasp = entry.grasp
     contacts, cases = grasp["contacts"], grasp.get("cases", [])
     margin = "resisted" in entry.certificate or any(word.startswith(("--direction", "--preload-direction")) for word in entry.options)
-    if not judged_by_all(entry) or {"outline", "body"} & set(grasp) or any("on" in contact for contact in contacts) or not contacts or (
+    statics = any(word.startswith("--statics") for word in entry.options)
+    if names(entry, {"inertia"}) or (names(entry, {"plane"}) and not statics) or {"outline", "body"} & set(grasp) or any("on" in contact for contact in contacts) or not contacts or (
             cases and "--case" not in " ".join(entry.options)):
         return None
     # A margin in the plane is by segments there alone, and so malformed in other places.
-    if margin and entry.kind.startswith("plane") and (entry.kind != "plane_claims" or entry.rule == "malformed"):
+    if margin and not statics and entry.kind.startswith("plane") and (entry.kind != "plane_claims" or entry.rule == "malformed"):
         return None
     several = {"bodies": [{"name": "it"}], **{key: grasp[key] for key in ("name", "units", "defaults", "max_motion") if key in grasp},
                "contacts": [{"of": "it", **contact} for contact in contacts]}
@@ -170,13 +184,13 @@ def in_batch(command, entries):
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
-def run(program, folder, entry):
+def run(command, folder, entry):
     """A checker's own command line."""
     paths = [os.path.join(folder, name) for name in ("grasp.json", "certificate.json")]
     for path, content in zip(paths, (entry.grasp, entry.certificate)):
         with open(path, "w", encoding="ascii") as file:
             json.dump(content, file)
-    return subprocess.run([program, *paths, *entry.options], capture_output=True, encoding="ascii", check=False)
+    return subprocess.run([*command, *paths, *entry.options], capture_output=True, encoding="ascii", check=False)
 
 
 class RulesTest(unittest.TestCase):
@@ -207,8 +221,21 @@ class RulesTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for entry in entries:
                 if entry.rule is None:
-                    done = run(command, folder, entry)
+                    done = run([command], folder, entry)
                     self.assertEqual((done.returncode, done.stdout), (0, self.check_py[entry[:2]][1]), entry.name)
+
+    def expect_ignorance_of_statics(self, command):
+        """Of a checker that does not judge them: the member is malformed to it, and the option is none of its own."""
+        entries = [entry for entry in self.entries if entry.kind in STATICS and "statics" in entry.certificate["question"]]
+        without = [entry._replace(options=[]) for entry in entries]
+        for entry, answer in zip(without, in_batch([*command, "--batch"], without)):
+            self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), (entry.name, answer))
+        # Each of these is a process, so there are three.
+        for entry in [next(entry for entry in entries if entry.kind == kind) for kind in sorted(STATICS)]:
+            with tempfile.TemporaryDirectory() as folder:
+                done = run(command, folder, entry)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), entry.name)
+            self.assertIn("--statics", done.stderr)
 
     def test_every_rule_is_broken(self):
         with open(os.path.join(ROOT, "certificate", "FORMAT.md"), encoding="utf-8") as file:
@@ -228,6 +255,8 @@ class RulesTest(unittest.TestCase):
                     "margin": "claims" if "intervals" in entry.certificate and not several and not in_space else "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
                         entry.certificate["verdict"])]
                 soft = '"torsion"' in json.dumps(entry.grasp)
+                if "statics" in entry.certificate["question"]:
+                    kind, soft = ["bodies" if several else kind[1], "statics"], False
                 self.assertEqual("bodies_soft" if soft else "_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
     def test_check_py(self):
@@ -241,14 +270,14 @@ class RulesTest(unittest.TestCase):
     def pairs(cls):
         """Entries, each with the same of several bodies."""
         pairs = [(entry, as_several(entry)) for entry in cls.entries
-                 if entry.kind in ("plane", "plane_box", "plane_claims", "space", "space_box", "space_margin")]
+                 if entry.kind in ("plane", "plane_box", "plane_claims", "space", "space_box", "space_margin", "plane_statics", "space_statics")]
         return [(entry, other) for entry, several in pairs if several is not None
                 for other in (several, on_joints(several)) if other is not None]
 
-    def same_of_several(self, answers_to, says=None, half=False):
+    def same_of_several(self, answers_to, says=None, half=False, judged=lambda entry: True):
         """What is true of one body is answered alike where it is one of several, and where links and joints move it. Half: either is
         asked of every other entry."""
-        pairs = self.pairs()
+        pairs = [pair for pair in self.pairs() if judged(pair[0])]
         self.assertGreater(len(pairs), 1000)
         if half:
             pairs = [pair for k, pair in enumerate(pairs) if k % 4 in (0, 3)]
@@ -268,7 +297,7 @@ class RulesTest(unittest.TestCase):
 
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js_on_several(self):
-        self.same_of_several(lambda entries: in_batch([batch.NODE, os.path.join(ROOT, "certificate", "js", "check_node.js"), "--batch"], entries))
+        self.same_of_several(lambda entries: in_batch([*CHECK_JS, "--batch"], entries), judged=judged_by_js)
 
     @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
     def test_stickslip_check_on_several(self):
@@ -281,18 +310,21 @@ class RulesTest(unittest.TestCase):
 
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js(self):
-        entries = list(filter(judged_by_all, self.entries))
-        self.expect(entries, in_batch([batch.NODE, os.path.join(ROOT, "certificate", "js", "check_node.js"), "--batch"], entries))
+        entries = list(filter(judged_by_js, self.entries))
+        self.expect(entries, in_batch([*CHECK_JS, "--batch"], entries))
+        self.expect_ignorance_of_statics(CHECK_JS)
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved(self):
         """It says nothing of paths."""
-        self.expect(self.entries, in_batch([batch.PROVED, "--batch"], self.entries), says=("result", "rule"))
-        self.expect_texts(batch.PROVED, self.entries)
+        entries = list(filter(judged_by_proved, self.entries))
+        self.expect(entries, in_batch([batch.PROVED, "--batch"], entries), says=("result", "rule"))
+        self.expect_texts(batch.PROVED, entries)
+        self.expect_ignorance_of_statics([batch.PROVED])
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved_on_several(self):
-        self.same_of_several(lambda entries: in_batch([batch.PROVED, "--batch"], entries), ("result", "rule"))
+        self.same_of_several(lambda entries: in_batch([batch.PROVED, "--batch"], entries), ("result", "rule"), judged=judged_by_proved)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ from test_space import Z3
 import sys
 
 ROOT = os.path.join(HERE, "..", "..", "..")
-CHECKERS = ([CHECK],)
+CHECKERS = ([CHECK], [sys.executable, "-B", CHECK_PY])
 
 
 def near(x):

@@ -30,13 +30,14 @@ Vector parse_list(const std::string& option, const std::string& text) {
 }
 
 /// Of the coordinates of a motion.
-Vector parse_wrench(const std::string& option, const std::string& text) {
+Vector parse_wrench(const std::string& option, const std::string& text, std::size_t most) {
   Vector values = parse_list(option, text);
-  if (values.size() > kMostOfStatics) {
+  if (values.size() > most) {
     throw UsageError{
         option + ": " + quote(text) +
         " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ, or of "
-        "several bodies a number for each coordinate"};
+        "several bodies at most " +
+        std::to_string(most) + " numbers"};
   }
   return values;
 }
@@ -143,6 +144,10 @@ std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
 Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   bool options_ended = false;
+  const bool statics = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word.rfind("--statics", 0) == 0;
+  });
+  const std::size_t most = statics ? kMostOfStatics : kMostCoordinates;
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string word = words[i];
     const bool help = (word == "--help" || word == "-h") && arguments.files.empty();
@@ -165,7 +170,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     };
     Options& options = arguments.options;
     if (word == "--wrench") {
-      options.wrench = parse_wrench(word, value());
+      options.wrench = parse_wrench(word, value(), most);
     } else if (word == "--torque") {
       options.wrench = Vector{0, 0, parse_number(word, value())};
     } else if (word == "--case") {
@@ -179,7 +184,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       }
       options.bilateral = law == "bilateral";
     } else if (word == "--direction") {
-      options.direction = parse_wrench(word, value());
+      options.direction = parse_wrench(word, value(), most);
     } else if (word == "--plane") {
       options.plane = parse_plane(word, value());
     } else if (word == "--inertia") {

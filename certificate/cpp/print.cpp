@@ -318,7 +318,7 @@ std::string as_json(const Answer& answer) {
          (margin && a->question.claims() ? json_ranges(a->refuted) : "null") +
          R"(, "question": )" + (a != nullptr ? json_question(a->question) : "null") +
          (region ? R"(, "pieces": )" + std::to_string(a->pieces) : "") +
-         (statics && (a->stands > 0 || a->moves > 0)
+         (statics && (a->verdict == "margin" || a->verdict == "region")
               ? R"(, "points": )" + std::to_string(a->stands) + R"(, "twists": )" +
                     std::to_string(a->moves)
               : "") +

@@ -5,6 +5,7 @@ Doubles only leave out what is too far away; all else is exact."""
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
@@ -41,6 +42,7 @@ class Patch(NamedTuple):
     normal: Point  # out of the block
     origin: Point
     triangles: List[Triangle]
+    unit: Tuple[float, ...]  # the normal, in doubles
 
 
 class Block:
@@ -76,6 +78,7 @@ class Block:
         except InputError as error:
             raise InputError(file, f"{place}.{error.place}", error.problem, error.remedy) from None
         self._place, self._file = place, file
+        self._patches: Dict[Fraction, List[Patch]] = {}
 
     def weighed(self) -> Tuple[Fraction, Point]:
         """Volume and centre, of a closed surface."""
@@ -83,15 +86,32 @@ class Block:
         if opening is not None:
             raise InputError(self._file, f"{self._place}.{opening.place}", opening.problem,
                              "close the mesh, as each edge of a body has two faces, or make it a support")
-        parts = [(dot(a, cross(b, c)), [sum(x) for x in zip(a, b, c)]) for a, b, c in self.mesh.triangles]
-        six = sum((part for part, _ in parts), Fraction(0))
-        return six / 6, tuple(sum((part * middle[j] for part, middle in parts), Fraction(0)) / (4 * six) for j in range(3))
+        scale, triangles = self._whole()
+        six, moment = 0, [0, 0, 0]
+        for a, b, c in triangles:
+            part = _dot(a, cross(b, c))
+            six += part
+            moment = [x + part * (a[j] + b[j] + c[j]) for j, x in enumerate(moment)]
+        return Fraction(six, 6 * scale**3), tuple(Fraction(x, 4 * six * scale) for x in moment)
+
+    def _whole(self) -> Tuple[int, List[Sequence[List[int]]]]:
+        """Triangles in whole numbers, and how many times larger they are."""
+        scale = math.lcm(*(x.denominator for three in self.mesh.triangles for p in three for x in p))
+        return scale, [[[x.numerator * (scale // x.denominator) for x in p] for p in three] for three in self.mesh.triangles]
 
     def patches(self, tolerance: Fraction) -> List[Patch]:
         """Largest triangles first; each takes neighbours whose vertices are no farther than the tolerance from its plane."""
-        triangles, faces = self.mesh.triangles, self.mesh.faces
-        normals = [cross(_minus(b, a), _minus(c, a)) for a, b, c in triangles]
-        squares = [dot(n, n) for n in normals]
+        if tolerance not in self._patches:
+            self._patches[tolerance] = self._merged(tolerance)
+        return self._patches[tolerance]
+
+    def _merged(self, tolerance: Fraction) -> List[Patch]:
+        faces = self.mesh.faces
+        scale, triangles = self._whole()
+        normals = [cross(_difference(b, a), _difference(c, a)) for a, b, c in triangles]
+        squares = [_dot(n, n) for n in normals]
+        units = [_unit(n) for n in normals]
+        within = tolerance * scale
         at: Dict[Tuple[int, int], List[int]] = {}
         for t, face in enumerate(faces):
             if squares[t] > 0:
@@ -102,26 +122,50 @@ class Block:
         for seed in sorted(range(len(faces)), key=lambda t: squares[t], reverse=True):
             if taken[seed]:
                 continue
-            n, origin, most = normals[seed], triangles[seed][0], tolerance * tolerance * squares[seed]
+            n, origin, most = normals[seed], triangles[seed][0], within * within * squares[seed]
             taken[seed] = True
             own, waiting = [], [seed]
             while waiting:
                 t = waiting.pop()
-                own.append(triangles[t])
+                own.append(self.mesh.triangles[t])
                 for i in range(3):
                     for other in at.get((faces[t][i], faces[t][i - 1]), ()):
-                        if not taken[other] and _parallel(n, normals[other], squares[seed], squares[other]) and all(
-                                dot(n, _minus(p, origin))**2 <= most for p in triangles[other]):
+                        if not taken[other] and _near(units[seed], units[other]) and _parallel(
+                                n, normals[other], squares[seed], squares[other]) and all(
+                                _dot(n, _difference(p, origin))**2 <= most for p in triangles[other]):
                             taken[other] = True
                             waiting.append(other)
-            result.append(Patch(tuple(n), origin, own))
+            result.append(Patch(tuple(map(Fraction, n)), self.mesh.triangles[seed][0], own, units[seed]))
         return result
 
 
-def _parallel(n: Sequence[Fraction], m: Sequence[Fraction], nn: Fraction, mm: Fraction) -> bool:
+def _dot(a: Sequence[int], b: Sequence[int]) -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _difference(a: Sequence[int], b: Sequence[int]) -> List[int]:
+    return [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+
+
+def _unit(n: Sequence[int]) -> Tuple[float, ...]:
+    """In doubles."""
+    most = max(abs(c) for c in n)
+    if most == 0:
+        return (0.0, 0.0, 0.0)
+    x = [c / most for c in n]
+    length = math.hypot(*x)
+    return tuple(c / length for c in x)
+
+
+def _near(n: Sequence[float], m: Sequence[float]) -> bool:
+    """Whether two units may point the same way within a degree; doubles are off by far less than what is added."""
+    return sum(x * y for x, y in zip(n, m)) > 0.999
+
+
+def _parallel(n: Sequence[Any], m: Sequence[Any], nn: Any, mm: Any) -> bool:
     """Whether they point the same way, within a degree."""
-    along = dot(n, m)
-    return along > 0 and along * along >= OPPOSED * nn * mm
+    along = sum(x * y for x, y in zip(n, m))
+    return bool(along > 0 and along * along >= OPPOSED * nn * mm)
 
 
 def _rounded(x: Fraction, grid: Optional[Fraction]) -> Fraction:
@@ -146,14 +190,16 @@ def _axes(n: Sequence[Fraction]) -> Tuple[int, int, int]:
 
 
 def triangulated(polygon: Sequence[Point]) -> Optional[List[Tuple[int, int, int]]]:
-    """By numbers of corners; none if no ear can be cut, as sides cross."""
-    if len(polygon) == 3:
-        return [(0, 1, 2)]
+    """By numbers of corners; none if sides cross."""
     n = _normal_of(polygon)
-    if not any(n):
-        return [(0, i, i + 1) for i in range(1, len(polygon) - 1)]  # without area
     _, u, v = _axes(n)
     flat = [(p[u], p[v]) for p in polygon]
+    fan = [(0, i, i + 1) for i in range(1, len(polygon) - 1)]
+    if len(polygon) == 3 or not any(n) or (all(_turn(*(flat[i] for i in three)) >= 0 for three in fan) and all(
+            _turn(flat[i - 2], flat[i - 1], p) >= 0 for i, p in enumerate(flat))):
+        return fan  # without area, or convex
+    if _cross(flat):
+        return None
     left, result = list(range(len(flat))), []
     while len(left) > 3:
         for k, b in enumerate(left):
@@ -163,13 +209,17 @@ def triangulated(polygon: Sequence[Point]) -> Optional[List[Tuple[int, int, int]
                     if flat[d] not in (flat[a], flat[b], flat[c])):
                 break
         else:
-            rest = [flat[i] for i in left]
-            if any(_turn(rest[0], p, q) for p, q in zip(rest[1:], rest[2:])):
-                return None
-            k = 1  # what is left is a line
+            k = 1  # no ear is left but on a line, or at a corner that touches a side
         result.append((left[k - 1], left[k], left[(k + 1) % len(left)]))
         del left[k]
     return result + [(left[0], left[1], left[2])]
+
+
+def _cross(ring: Sequence[Plane]) -> bool:
+    """Whether a side goes through another one."""
+    sides = [(ring[i - 1], p) for i, p in enumerate(ring)]
+    return any(_turn(a, b, c) * _turn(a, b, d) < 0 and _turn(c, d, a) * _turn(c, d, b) < 0
+               for i, (a, b) in enumerate(sides) for c, d in sides[:i])
 
 
 def _within(p: Plane, a: Plane, b: Plane, c: Plane) -> bool:
@@ -209,7 +259,10 @@ def _counterclockwise(triangle: Sequence[Plane]) -> List[Plane]:
 
 def common_part(p: Patch, q: Patch, tolerance: Fraction) -> List[Point]:
     """The corners, in the plane of the first, of the convex hull of what two patches have in common as seen
-    along a coordinate; none if they are not opposed, are apart, or have no more than a line in common."""
+    along a coordinate; none if they are not opposed, are apart, or have no more than a line in common. Corners
+    that are no farther than the tolerance from the hull of the others are left out."""
+    if not _near(p.unit, [-x for x in q.unit]):
+        return []
     n, m = p.normal, q.normal
     size = dot(n, n)
     if not _parallel(n, [-x for x in m], size, dot(m, m)):
@@ -242,7 +295,25 @@ def common_part(p: Patch, q: Patch, tolerance: Fraction) -> List[Point]:
             return []
     area = sum((_turn(corners[0], a, b) for a, b in zip(corners[1:], corners[2:])), Fraction(0)) / 2
     longest = max(dot(away, away) for i, a in enumerate(result) for away in (_minus(b, a) for b in result[:i]))
-    return result if area * area * size > tolerance * tolerance * longest * n[drop]**2 else []
+    if area * area * size <= tolerance * tolerance * longest * n[drop]**2:
+        return []
+    return thinned(result, tolerance * tolerance) if tolerance > 0 else result
+
+
+def thinned(ring: List[Point], most: Fraction) -> List[Point]:
+    """Without corners of a convex polygon the square of whose distance from what remains is no more than this."""
+    def between(run: List[Point]) -> List[Point]:
+        a, b = run[0], run[-1]
+        along = _minus(b, a)
+        squares = [dot(away, away) for away in (cross(along, _minus(p, a)) for p in run[1:-1])]
+        if not squares or max(squares) <= most * dot(along, along):
+            return [a]
+        far = squares.index(max(squares)) + 1
+        return between(run[:far + 1]) + between(run[far:])
+
+    i, j = max(((i, j) for j in range(len(ring)) for i in range(j)),
+               key=lambda pair: dot(away := _minus(ring[pair[1]], ring[pair[0]]), away))
+    return between(ring[i:j + 1]) + between(ring[j:] + ring[:i + 1])
 
 
 def _boxes(patches: Sequence[Patch], tolerance: Fraction) -> Tuple[Any, Any]:

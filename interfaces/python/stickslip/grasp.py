@@ -701,8 +701,8 @@ class Assembly(Grasp):
             source: the path of a file, or its content as ``json.load`` gives it.
             friction: of all contacts.
             stiffness: of all contacts; 1 if None. Statics needs none.
-            density: a number, or one for each block by its name, where the file says none. With the
-                default gravity it is a weight for each volume.
+            density: where the file says none; or of blocks by their names, whatever the file says, and of all
+                others that of the file, or 1. With the default gravity it is the weight of a unit of volume.
             gravity: the acceleration, along which blocks weigh volume times density times its length.
             supports: names of nodes that are the ground; if None those of which the file says is_support.
             tolerance: if the file has no interfaces, they are where faces lie on each other, as in ``from_meshes``.

@@ -46,16 +46,11 @@ def read_objects(path: Any, place: str) -> Dict[str, Shape]:
                          'give a mapping of names to meshes, or one OBJ file with an "o" line for each block')
     content, name = as_content(path, place, "name an OBJ file")
     file = os.fsdecode(name)
-    objects = _obj(content, file)
-    for own in objects.values():
-        if own[1] and "" in objects and objects[""][1]:
-            raise InputError(file, "", "there are faces before the first object",
-                             'write an "o" line with its name before each block')
-    objects.pop("", None)
-    if not objects:
-        raise InputError(file, "", "the file has no objects",
+    objects = {key: own for key, own in _obj(content, file).items() if own[1]}
+    if "" in objects:
+        raise InputError(file, "", "there are faces before the first object" if len(objects) > 1 else "the file has no objects",
                          'write an "o" line with its name before each block, or give a mapping of names to files')
-    return {key: own for key, own in objects.items() if own[1]}
+    return objects
 
 
 def _obj(content: bytes, file: str) -> Dict[str, Shape]:

@@ -22,7 +22,7 @@ GROUND = "ground"
 OPPOSED = Fraction(9997, 10000)
 """The square of the cosine of the angle, almost 1 degree, up to which two faces are parallel."""
 SNAPPED_WITHIN = "1e-12"
-"""How far the normal of a face or of a frame in doubles moves to become a rational unit vector."""
+"""How far a normal in doubles may move unasked, to be a rational unit vector."""
 
 Plane = Tuple[Fraction, ...]  # a point in the plane, two coordinates
 
@@ -56,7 +56,7 @@ class Block:
         self.floats = has_doubles(vertices)
         rows = as_list(vertices, f"{place}.vertices", (len(as_array(vertices, f"{place}.vertices")), 3),
                        "one row x, y, z for each vertex")
-        points = [tuple(_rounded(_core.exact(x, f"{place}.vertices[{i}, {j}]"), grid) for j, x in enumerate(row))
+        points = [tuple(rounded(_core.exact(x, f"{place}.vertices[{i}, {j}]"), grid) for j, x in enumerate(row))
                   for i, row in enumerate(rows)]
         triangles: List[Sequence[int]] = []
         numbers: List[int] = []
@@ -168,7 +168,7 @@ def _parallel(n: Sequence[Any], m: Sequence[Any], nn: Any, mm: Any) -> bool:
     return bool(along > 0 and along * along >= OPPOSED * nn * mm)
 
 
-def _rounded(x: Fraction, grid: Optional[Fraction]) -> Fraction:
+def rounded(x: Fraction, grid: Optional[Fraction]) -> Fraction:
     return x if grid is None else round(x / grid) * grid
 
 
@@ -355,9 +355,9 @@ def on_the_ground(blocks: Mapping[str, Block], height: Fraction, tolerance: Frac
             n = patch.normal
             if _parallel((Fraction(0), Fraction(0), Fraction(-1)), n, Fraction(1), dot(n, n)) and all(
                     abs(point[2] - height) <= tolerance for point in points):
-                corners = hull((point[0], point[1]) for point in points)
+                corners: List[Point] = [(x, y, height) for x, y in hull((point[0], point[1]) for point in points)]
                 result.append(Interface(name, GROUND, (Fraction(0), Fraction(0), Fraction(1)),
-                                        [(x, y, height) for x, y in corners]))
+                                        thinned(corners, tolerance * tolerance) if tolerance > 0 else corners))
     return result
 
 

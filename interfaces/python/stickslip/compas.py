@@ -11,7 +11,7 @@ from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tup
 
 from . import _core
 from .arguments import as_content, found
-from .blocks import GROUND, Block, Interface, _rounded
+from .blocks import GROUND, Block, Interface, rounded
 from .contacts import cross
 from .errors import InputError
 
@@ -48,7 +48,7 @@ class _File:
         if not isinstance(plain, (list, tuple)) or len(plain) != 3:
             raise self.error(place, f"this is {found(plain)}", "give three numbers x, y, z")
         try:
-            return tuple(_rounded(_core.exact(x, f"{place}[{i}]"), grid) for i, x in enumerate(plain))
+            return tuple(rounded(_core.exact(x, f"{place}[{i}]"), grid) for i, x in enumerate(plain))
         except InputError as error:
             raise self.error(error.place, error.problem, error.remedy) from None
 

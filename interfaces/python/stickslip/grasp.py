@@ -55,8 +55,7 @@ from .outline import has_doubles, place, polygons_of, unit_if_rational
 from .simulators import from_drake, from_mujoco, weight_of
 from .views import FloatArray, FloatView, Page, call_of, nearest_root, shown
 
-SNAPPED_WITHIN = "1e-12"
-"""How far a normal in doubles may move unasked."""
+SNAPPED_WITHIN = blocks.SNAPPED_WITHIN
 
 Rows = Union[ArrayLike, Sequence[Sequence[Any]]]
 Pair = Tuple[Fraction, Fraction]

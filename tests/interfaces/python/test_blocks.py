@@ -286,6 +286,13 @@ def test_compas_numbers():
     assert Assembly.from_compas(tenth, 1, grid="0.01").wrench[2] == -F("0.1")
 
 
+def test_a_frame_that_is_turned_round_is_taken_as_it_is():
+    turned = WALL_EDGES[:3] + [(2, 3, compas_interface([[2.25, 0, 1], [3, 0, 1], [3, 1, 1], [2.25, 1, 1]], [0, 1, 0], [1, 0, 0]))]
+    read = Assembly.from_compas(compas(WALL, turned, [0]), 1)
+    assert read.normals[-1] == (0, 0, 1) and read.contact_bodies[-1] == ("2", "3")
+    assert [w.trap for w in stickslip.decide(read, warnings=True, node_limit=1).warnings] == ["reversed-contact"]
+
+
 def test_faces_are_found_where_a_file_has_no_interfaces():
     bare = compas(WALL, [], [0])
     assert contacts(Assembly.from_compas(bare, 1, tolerance=0)) == contacts(Assembly.from_compas(compas(WALL, WALL_EDGES, [0]), 1))

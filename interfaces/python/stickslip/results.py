@@ -631,7 +631,7 @@ class Region(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.origin),
             self.preload, self.normal_law == "bilateral", None, None,
-            [list(self.u), list(self.v)], None, "", "", b"<grasp>", b"<certificate>"))
+            [list(self.u), list(self.v)], None, "", "", b"<grasp>", b"<certificate>", None))
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
@@ -691,7 +691,7 @@ class Margin(Answer):
             self.preload, self.normal_law == "bilateral",
             None if self.direction is None else list(self.direction),
             list(along) if isinstance(along, tuple) else along, None, None, "",
-            _as_option(self.max_motion), b"<grasp>", b"<certificate>"))
+            _as_option(self.max_motion), b"<grasp>", b"<certificate>", None))
 
     @property
     def least(self) -> Optional[Fraction]:

@@ -25,7 +25,7 @@ from typing import (
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core
+from . import _core, blocks, compas
 from .arguments import (
     AXES,
     WRENCHES,
@@ -55,8 +55,7 @@ from .outline import has_doubles, place, polygons_of, unit_if_rational
 from .simulators import from_drake, from_mujoco, weight_of
 from .views import FloatArray, FloatView, Page, call_of, nearest_root, shown
 
-SNAPPED_WITHIN = "1e-12"
-"""How far a normal in doubles may move unasked."""
+SNAPPED_WITHIN = blocks.SNAPPED_WITHIN
 
 Rows = Union[ArrayLike, Sequence[Sequence[Any]]]
 Pair = Tuple[Fraction, Fraction]
@@ -675,6 +674,129 @@ class Assembly(Grasp):
         read = Assembly.from_text(text)
         for name in Grasp.__slots__:
             object.__setattr__(self, name, getattr(read, name))
+
+    @classmethod
+    def from_compas(
+        cls,
+        source: Any,
+        friction: Any,
+        stiffness: Any = None,
+        *,
+        density: Any = 1,
+        gravity: Any = (0, 0, -1),
+        supports: Any = None,
+        tolerance: Any = None,
+        grid: Any = None,
+        name: Optional[str] = None,
+        units: Mapping[str, str] = MappingProxyType({}),
+    ) -> Assembly:
+        """Blocks and interfaces as compas_assembly and compas_cra write them (docs/bodies.md).
+
+        Every corner of an interface is a contact, along the third axis of its frame, which leads out of
+        the first block of the edge. All numbers are the doubles of the file, but that a normal of irrational length
+        moves by at most 1e-12 to a rational unit vector.
+
+        Args:
+            source: the path of a file, or its content as ``json.load`` gives it.
+            friction: of all contacts.
+            stiffness: of all contacts; 1 if None. Statics needs none.
+            density: where the file says none; or of blocks by their names, whatever the file says, and of all
+                others that of the file, or 1. With the default gravity it is the weight of a unit of volume.
+            gravity: the acceleration, along which blocks weigh volume times density times its length.
+            supports: names of nodes that are the ground; if None those of which the file says is_support.
+            tolerance: if the file has no interfaces, they are where faces lie on each other, as in ``from_meshes``.
+            grid: round vertices and corners to multiples of this length. If None they are taken as they are.
+            name, units: as of a Grasp; the name is that of the file if None.
+
+        Raises:
+            InputError: no such assembly; a block whose mesh is open and which is no support; no support.
+        """
+        step = None if grid is None else blocks.as_length(grid, "grid", "above 0")
+        read = compas.load(source, step)
+        names = list(read.blocks)
+        ground = read.supports if supports is None else blocks.as_supports(supports, names)
+        if supports is None and not ground:
+            raise InputError("", "supports", "no node of the file has is_support",
+                             "name the blocks that are the ground: " + blocks.listed(names))
+        interfaces: Sequence[blocks.Interface] = read.interfaces
+        if not interfaces:
+            if tolerance is None:
+                raise InputError("", "tolerance", "the file has no interfaces",
+                                 "give a tolerance within which faces of two blocks lie on each other, or find them there")
+            interfaces = blocks.touching(read.blocks, blocks.as_length(tolerance, "tolerance"))
+        elif tolerance is not None:
+            raise InputError("", "tolerance", "the file has interfaces, which are taken", "leave it out")
+        return cls(blocks.content_of(
+            read.blocks, interfaces, ground, friction, stiffness, blocks.density_of(density, names, read.densities),
+            gravity, read.name if name is None else as_text(name, "name"), units, True))
+
+    @classmethod
+    def from_meshes(
+        cls,
+        meshes: Any,
+        friction: Any,
+        stiffness: Any = None,
+        *,
+        tolerance: Any = 0,
+        ground: Any = None,
+        supports: Any = (),
+        density: Any = 1,
+        gravity: Any = (0, 0, -1),
+        grid: Any = None,
+        name: str = "",
+        units: Mapping[str, str] = MappingProxyType({}),
+    ) -> Assembly:
+        """Blocks by their surfaces, with contacts where their faces lie on each other (docs/bodies.md).
+
+        Triangles of a block that are in one plane are one face. Two faces of two blocks touch if they are
+        opposed, within 1 degree, and where they overlap no farther apart than the tolerance; the contacts are the corners of the
+        convex hull of what they have in common, on the face of the block that comes first. What is narrower than the tolerance
+        does not count.
+
+        Args:
+            meshes: by the names of the blocks, each a pair, vertices (n, 3) and faces of three or more vertices, an object
+                with ``vertices`` and ``faces``, or the path of an OBJ or STL file; or the path of one OBJ file, whose objects are
+                the blocks.
+            friction, stiffness: of all contacts.
+            tolerance: a length, as above; 0 is for exact numbers.
+            ground: the height z of a plane that is the ground, or None: faces that lie on it touch.
+            supports: names of blocks that are the ground. Their surfaces may be open.
+            density, gravity: as of ``from_compas``.
+            grid: round vertices to multiples of this length. If None they are taken as they are.
+            name, units: as of a Grasp.
+
+        Raises:
+            InputError: a file or a mesh that is wrong, with its place; a vertex that is under the ground; no faces that touch.
+
+        >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], [
+        ...     [0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+        >>> one = Assembly.from_meshes({"cube": cube}, "1/2", ground=0)
+        >>> one.wrench, len(one)
+        ((Fraction(0, 1), Fraction(0, 1), Fraction(-1, 1), Fraction(-1, 2), Fraction(1, 2), Fraction(0, 1)), 4)
+        """
+        within = blocks.as_length(tolerance, "tolerance")
+        step = None if grid is None else blocks.as_length(grid, "grid", "above 0")
+        read = blocks.read_blocks(meshes, step)
+        names = list(read)
+        fixed = blocks.as_supports(supports, names)
+        if ground is None and not fixed:
+            raise InputError("", "ground", "nothing is the ground",
+                             "give its height, as in ground=0, or name supports: " + blocks.listed(names))
+        interfaces = blocks.touching(read, within)
+        if ground is not None:
+            height = _core.exact(as_number(ground, "ground"), "ground")
+            free = {key: block for key, block in read.items() if key not in fixed}
+            sunk = blocks.below(free, height, within)
+            if sunk is not None:
+                raise InputError("", f"meshes[{sunk!r}]", f"a vertex is under the ground at {_core.readable(height)}",
+                                 "give the height of the ground, or a tolerance")
+            interfaces += blocks.on_the_ground(free, height, within)
+        if not interfaces:
+            raise InputError("", "tolerance", "no faces touch",
+                             "give a length within which faces lie on each other, in the units of the meshes")
+        return cls(blocks.content_of(
+            read, interfaces, fixed, friction, stiffness, blocks.density_of(density, names, {}), gravity,
+            as_text(name, "name"), units, any(block.floats for block in read.values())))
 
     @property
     def bodies(self) -> Tuple[str, ...]:

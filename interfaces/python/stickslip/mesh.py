@@ -36,10 +36,15 @@ class OnMesh(NamedTuple):
 class Mesh:
     """A closed surface, whose triangles run counterclockwise as seen from outside.
 
-    Vertices at the same place are one; triangles without area are left out.
+    Vertices at the same place are one; triangles without area are left out. Where triangles are parts of
+    faces, ``numbers`` has of each the number of its face, for messages. A surface that ``may_be_open`` has
+    in ``opening`` what is said of one that may not.
     """
 
-    def __init__(self, mesh: Any) -> None:
+    def __init__(self, mesh: Any, numbers: Optional[Sequence[int]] = None, may_be_open: bool = False) -> None:
+        self._numbers = numbers
+        self._may_be_open = may_be_open
+        self.opening: Optional[InputError] = None
         vertices, faces = _parts(mesh)
         merged: Dict[Point, int] = {}
         rows = as_list(vertices, "vertices", (len(as_array(vertices, "vertices")), 3), "one row x, y, z "
@@ -57,7 +62,8 @@ class Mesh:
         self.triangles: List[Triangle] = [(points[a], points[b], points[c]) for a, b, c in self.faces]
         whole = [f for f, face in enumerate(self.faces) if len(set(face)) == 3]
         self._check_edges(whole)
-        self._check_parts(whole, points)
+        if self.opening is None:
+            self._check_parts(whole, points)
         self._boxes = _Boxes(self.triangles)
 
     def body(self) -> Optional[Tuple[List[Point], List[List[int]]]]:
@@ -72,6 +78,9 @@ class Mesh:
         vertices = [points[v] for v in numbers]
         return None if 4 * (len(vertices) + len(faces)) > MOST_OF_BODY else (vertices, faces)
 
+    def _number(self, face: int) -> int:
+        return face if self._numbers is None else self._numbers[face]
+
     def _check_edges(self, faces: Sequence[int]) -> None:
         """That each edge is run along as often one way as the other."""
         runs: Dict[Tuple[int, int], List[int]] = {}
@@ -83,11 +92,14 @@ class Mesh:
                 continue
             named = f"the edge from vertex {a} to vertex {b}"
             if len(along) > 1:
-                raise InputError("", f"faces[{along[1]}]", f"{named} runs the same way in faces {along[0]} "
-                                 f"and {along[1]}", "turn one of the two around: seen from outside, all "
+                first, second = self._number(along[0]), self._number(along[1])
+                raise InputError("", f"faces[{second}]", f"{named} runs the same way in faces {first} "
+                                 f"and {second}", "turn one of the two around: seen from outside, all "
                                  "run counterclockwise")
-            raise InputError("", f"faces[{along[0]}]", f"{named} has no face on its other side",
-                             "close the mesh: each edge has two faces")
+            self.opening = InputError("", f"faces[{self._number(along[0])}]", f"{named} has no face on its other side",
+                                      "close the mesh: each edge has two faces")
+            if not self._may_be_open:
+                raise self.opening
 
     def _check_parts(self, faces: Sequence[int], points: Dict[int, Point]) -> None:
         """That what is inside out can only be a hole within another part."""
@@ -104,13 +116,13 @@ class Mesh:
             boxes.append((volume, [(min(axis), max(axis)) for axis in axes], own[0]))
         for volume, sides, f in boxes:
             if volume == 0:
-                raise InputError("", f"faces[{f}]", "the part of the mesh that it is of encloses no volume",
+                raise InputError("", f"faces[{self._number(f)}]", "the part of the mesh that it is of encloses no volume",
                                  "leave that part out")
             if volume < 0 and not any(larger > 0 and all(
                     low < own_low and own_high < high
                     for (low, high), (own_low, own_high) in zip(around, sides))
                     for larger, around, _ in boxes):
-                raise InputError("", f"faces[{f}]", "the part of the mesh that it is of is inside out",
+                raise InputError("", f"faces[{self._number(f)}]", "the part of the mesh that it is of is inside out",
                                  "turn its faces around, faces[:, ::-1]: seen from outside, all run "
                                  "counterclockwise")
 

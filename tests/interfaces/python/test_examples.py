@@ -50,8 +50,9 @@ def scenes():
     return locals()
 
 
-@pytest.mark.parametrize("name, examples", [("docs/python.md", 20), ("docs/contacts.md", 15), ("README.md", 2)])
-def test_documentation(name, examples):
+@pytest.mark.parametrize("name, examples", [("docs/python.md", 20), ("docs/contacts.md", 15), ("docs/bodies.md", 8), ("README.md", 2)])
+def test_documentation(name, examples, monkeypatch):
+    monkeypatch.chdir(ROOT)
     ran_before = scenes() if name == "docs/contacts.md" else {}
     result = doctest.testfile(str(ROOT / name), module_relative=False,
                               globs={"stickslip": stickslip, **ran_before})

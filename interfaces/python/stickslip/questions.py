@@ -538,8 +538,8 @@ def statics(
         forces=forces(answer.get("forces", ())), motion=answer.get("motion"),
         least_friction=None if least is None else (least["low"], least["high"]),
         multiples=None if multiples is None else StaticMultiples(
-            multiples["stand"] and tuple(multiples["stand"]), multiples["below"], multiples["above"],
-            multiples["always_moves"]),
+            None if multiples["stand"] is None else (multiples["stand"][0], multiples["stand"][1]),
+            multiples["below"], multiples["above"], multiples["always_moves"]),
         stand=tuple((tuple(row["point"]), forces(row["forces"])) for row in answer.get("stand", ())),
         move=tuple(answer.get("move", ())), exact=answer.get("exact"), complete=answer.get("complete"),
         certificates=answer.get("certificates", {}))

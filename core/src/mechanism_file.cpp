@@ -13,6 +13,8 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
+constexpr std::size_t kMostCoordinates = 65536;  // certificate/FORMAT.md, section 14
+
 const char* vector_form(bool in_space) {
   return in_space ? "an array of three numbers [x, y, z]" : "an array of two numbers [x, y]";
 }
@@ -178,6 +180,14 @@ Mechanism read_mechanism(const JsonNode& root, bool in_space) {
             "no joint turns the link " + quote(mechanism.bodies[b].name),
             "add {\"turns\": {" + quote(mechanism.bodies[b].name) +
                 ": 1}} to \"joints\"; one that is stiff has a large \"stiffness\"");
+  }
+  if (mechanism.coordinates() > kMostCoordinates) {
+    fail_at("bodies",
+            "bodies and joints have " + std::to_string(mechanism.coordinates()) +
+                " coordinates together",
+            "at most " + std::to_string(kMostCoordinates) +
+                " are read: " + (in_space ? "6" : "3") +
+                " for each body that is no link, and 1 for each joint");
   }
   return mechanism;
 }

@@ -472,7 +472,8 @@ def compare(
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
     Args:
-        grasp, wrench, preload, normal_law: as of ``decide``, for one question.
+        grasp, wrench, preload, normal_law: as of ``decide``, for one question. Of several bodies
+            the class alone is known, that of ``statics``, and there are no methods to choose.
         methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"). Two are
             about the plane alone: "three-state-compliance" and "grasp-wrench-space-Linf".
         length: characteristic of the object, by which grasp wrench spaces divide torques.
@@ -486,7 +487,13 @@ def compare(
         LimitReached: the class, of which a certificate is wanted, is not known.
     """
     about, snapped = _asked(grasp, preload)
-    about._one_body()
+    if isinstance(about, Assembly):
+        for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length != 1)):
+            if is_given:
+                raise InputError("", name, "the grasp is of several bodies",
+                                 "leave it out: of them the class alone is computed")
+        found = statics(about, wrench, certificate=certificate)
+        return Comparison((), found.load_class, about, snapped, found.certificates.get("statics"))
     answer = _ask(
         "compare", about, wrench, preload, normal_law, 0, max_motion, methods=list(methods),
         length=as_number(length, "length"), certificate=bool(certificate),

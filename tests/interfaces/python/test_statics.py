@@ -61,6 +61,12 @@ def test_lines_and_planes_of_loads():
     assert stickslip.statics(BLOCKS, WEIGHTS, place=(0, -5), body="up").multiples.stand == (Fraction(-12, 5), Fraction(12, 5))
 
 
+def test_compare_gives_the_class_of_several_bodies():
+    found = stickslip.compare(BLOCKS, WEIGHTS, certificate=True)
+    assert (found.load_class, found.methods) == ("may stand", ())
+    assert stickslip.check(BLOCKS, found.certificate, statics=1, wrench=WEIGHTS).accepted
+
+
 def test_what_cannot_be_asked():
     for options in ({"friction_factor": -1}, {"directions": [(1, 0)]}, {"place": (1,)}, {"body": "up", "place": (0, 1)}):
         with pytest.raises(stickslip.InputError):

@@ -27,7 +27,7 @@ struct Range {
   bool open_high = false;  ///< nor is high
 };
 
-/// Of a margin of statics: which multiples may stand, and which must move.
+/// The multiples of a margin of statics that may stand, and those that must move.
 struct Standing {
   bool any = false;  ///< whether multiples from low to high may stand
   Rational low;

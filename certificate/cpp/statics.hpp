@@ -32,7 +32,7 @@ class StaticsProof {
   /// `static-motion` of `twist`
   void check_twist(const Vector& twist) const;
 
-  /// Of a margin: the multiples that may stand, if there are any, and where they must move.
+  /// The multiples of a margin that may stand, if there are any, and those that must move.
   const Standing& standing() const { return standing_; }
 
  private:

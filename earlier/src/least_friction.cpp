@@ -58,10 +58,7 @@ class FrictionBracket {
     Rational most = 0;
     for (std::size_t i = 0; i < forces.size(); ++i) {
       const ForceCone& cone = plain_.cones()[i];
-      Rational square = 0;
-      for (std::size_t k = 0; k + 1 < forces[i].size(); ++k) {
-        square += forces[i][k + 1] * forces[i][k + 1] * cone.squares[k];
-      }
+      Rational square = cone.squared_friction(forces[i]);
       if (square.is_zero()) continue;
       square /= cone.squared_most * forces[i][0] * forces[i][0];
       if (square > most) most = square;
@@ -73,11 +70,7 @@ class FrictionBracket {
   std::optional<Rational> harmless(const RationalRow& y) const {
     std::optional<Rational> least;
     for (const ForceCone& cone : plain_.cones()) {
-      Rational square = 0;
-      for (std::size_t k = 0; k < cone.slips.size(); ++k) {
-        const Rational work = dot(cone.slips[k], y);
-        if (!work.is_zero()) square += work * work / cone.squares[k];
-      }
+      Rational square = cone.squared_slip(y);
       if (square.is_zero()) continue;
       const Rational press = dot(cone.normal, y);
       square = press * press / (cone.squared_most * square);

@@ -143,11 +143,10 @@ class LoadSearch {
     return l;
   }
 
-  /// Finds the border along a ray from the start. Returns how far it surely goes, or nothing if
-  /// it has no end.
-  std::optional<Rational> shoot(const Place& way) {
+  /// Finds the border along a ray from the start, unless it has no end.
+  void shoot(const Place& way) {
     if (edges_) return shoot_exactly(way);
-    if (ask(0, way) == true) return std::nullopt;
+    if (ask(0, way) == true) return;
     Rational stands = 0;
     std::optional<Rational> moves = border_along(way);
     Rational next = 1;
@@ -171,7 +170,6 @@ class LoadSearch {
       }
     }
     found_.is_exact = false;
-    return stands;
   }
 
   /// Returns the least t from which on a known motion excludes loads along the ray.
@@ -191,7 +189,7 @@ class LoadSearch {
     return least;
   }
 
-  std::optional<Rational> shoot_exactly(const Place& way) {
+  void shoot_exactly(const Place& way) {
     const RationalRow growth = load_at(0, way);
     LinearProgram program =
         edges_->balancing(load_at(1, start_), {growth}, VariableKind::kNonNegative);
@@ -203,13 +201,12 @@ class LoadSearch {
       Place far = way;
       for (Rational& entry : far) entry *= unbounded->ray.back();
       add_stand(0, far, edges_->forces_at(unbounded->ray));
-      return std::nullopt;
+      return;
     }
     const auto& optimal = std::get<Optimal>(result);
     const Rational t = -optimal.value;
     add_stand(1, at(way, t), edges_->forces_at(optimal.point));
     add_move(opposite(optimal.dual));
-    return t;
   }
 
   /// Shoots at the corners of the polygon that known motions leave, until all are reached.
@@ -328,12 +325,7 @@ StandingMultiples multiples_of(const GraspBox& grasp, const StandingLoads& loads
   }
   if (!has_low) result.low.reset();
   if (!has_high) result.high.reset();
-  RationalRow load = wrench_of_point(grasp);
-  for (const Spring& spring : grasp.springs) {
-    if (!spring.is_ratchet() && spring.stiffness.low.is_zero()) {
-      stickslip::add_multiple(load, spring.force.low, spring.row);
-    }
-  }
+  const RationalRow load = wrench_with_springs(grasp);
   for (const RationalRow& y : loads.move) {
     const Rational work = dot(y, load);
     const Rational growth = dot(y, direction);

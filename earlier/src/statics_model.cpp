@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stickslip/core/contact_row.hpp"
+#include "few_columns.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
@@ -33,19 +33,51 @@ SparseRow sparse(const RationalRow& row) {
   return result;
 }
 
-/// Returns p + s (-w p_y, w p_x), or p + s w x p in space, with the rotation w.
-void add_turned(RationalRow& translation, const RationalRow& rotation, const RationalRow& p,
-                int sign) {
+/// Subtracts from a translation how a rotation w about the origin moves the point p.
+void take_turn(RationalRow& translation, const RationalRow& rotation, const RationalRow& p) {
   if (p.size() == 2) {
-    translation[0] -= sign * rotation[0] * p[1];
-    translation[1] += sign * rotation[0] * p[0];
+    translation[0] += rotation[0] * p[1];
+    translation[1] -= rotation[0] * p[0];
     return;
   }
   const Vector3 moved = cross(vector3(rotation), vector3(p));
-  for (std::size_t j = 0; j < 3; ++j) translation[j] += sign * moved[j];
+  for (std::size_t j = 0; j < 3; ++j) translation[j] -= moved[j];
 }
 
 }  // namespace
+
+Rational ForceCone::squared_friction(const RationalRow& force) const {
+  Rational square = 0;
+  for (std::size_t k = 0; k + 1 < force.size(); ++k) {
+    square += force[k + 1] * force[k + 1] * squares[k];
+  }
+  return square;
+}
+
+Rational ForceCone::squared_slip(const RationalRow& y) const {
+  Rational square = 0;
+  for (std::size_t k = 0; k < slips.size(); ++k) {
+    const Rational work = dot(slips[k], y);
+    if (!work.is_zero()) square += work * work / squares[k];
+  }
+  return square;
+}
+
+RationalRow wrench_of_point(const GraspBox& grasp) {
+  RationalRow wrench;
+  for (const Interval& w : grasp.wrench) wrench.push_back(w.low);
+  return wrench;
+}
+
+RationalRow wrench_with_springs(const GraspBox& grasp) {
+  RationalRow wrench = wrench_of_point(grasp);
+  for (const Spring& spring : grasp.springs) {
+    if (!spring.is_ratchet() && spring.stiffness.low.is_zero()) {
+      stickslip::add_multiple(wrench, spring.force.low, spring.row);
+    }
+  }
+  return wrench;
+}
 
 StaticsModel::StaticsModel(const GraspBox& grasp, const Rational& friction_factor)
     : grasp_(grasp) {
@@ -57,19 +89,13 @@ StaticsModel::StaticsModel(const GraspBox& grasp, const Rational& friction_facto
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     add_contact(grasp.contacts[i], i, friction_factor);
   }
-  RationalRow wrench;
-  for (const Interval& w : grasp.wrench) wrench.push_back(w.low);
   for (std::size_t s = 0; s < grasp.springs.size(); ++s) {
-    const Spring& spring = grasp.springs[s];
-    if (spring.is_ratchet()) {
-      ForceCone& cone = cones_.emplace_back();
-      cone.element = grasp.contacts.size() + s;
-      cone.normal = held(sparse(spring.row));
-    } else if (spring.stiffness.low.is_zero()) {
-      stickslip::add_multiple(wrench, spring.force.low, sparse(spring.row));
-    }
+    if (!grasp.springs[s].is_ratchet()) continue;
+    ForceCone& cone = cones_.emplace_back();
+    cone.element = grasp.contacts.size() + s;
+    cone.normal = held(sparse(grasp.springs[s].row));
   }
-  load_ = load_of(wrench);
+  load_ = load_of(wrench_with_springs(grasp));
 }
 
 /// Puts the centre of each body amid its contacts, and finds how far they are from it.
@@ -191,9 +217,7 @@ SparseRow StaticsModel::row_of(const UncertainContact& c, const RationalRow& wre
   if (!grasp_.mechanism) return shifted(sparse(wrench));
   SparseRow row = grasp_.mechanism->load_on(c.of, wrench);
   if (c.by) {
-    RationalRow opposite = wrench;
-    for (Rational& entry : opposite) entry = -entry;
-    for (auto& [j, entry] : grasp_.mechanism->load_on(c.by, opposite)) {
+    for (auto& [j, entry] : grasp_.mechanism->load_on(c.by, opposite(wrench))) {
       const auto place =
           std::lower_bound(row.begin(), row.end(), j,
                            [](const auto& a, std::size_t index) { return a.first < index; });
@@ -267,7 +291,7 @@ RationalRow StaticsModel::motion_of(const RationalRow& y) const {
     RationalRow moved(from, from + static_cast<std::ptrdiff_t>(points));
     const RationalRow rotation(from + static_cast<std::ptrdiff_t>(points),
                                from + static_cast<std::ptrdiff_t>(twist_));
-    add_turned(moved, rotation, centres_[body], -1);
+    take_turn(moved, rotation, centres_[body]);
     std::copy(moved.begin(), moved.end(), from);
   }
   motion.resize(grasp_.wrench.size());
@@ -286,22 +310,12 @@ RationalRow StaticsModel::motion_of(const RationalRow& y) const {
 
 bool StaticsModel::is_unopposed(const ForceCone& cone, const RationalRow& y) {
   const Rational press = dot(cone.normal, y);
-  if (press.sign() < 0) return false;
-  Rational square = 0;
-  for (std::size_t k = 0; k < cone.slips.size(); ++k) {
-    const Rational work = dot(cone.slips[k], y);
-    if (!work.is_zero()) square += work * work / cone.squares[k];
-  }
-  return press * press >= cone.squared_most * square;
+  return press.sign() >= 0 && press * press >= cone.squared_most * cone.squared_slip(y);
 }
 
 bool StaticsModel::is_in(const ForceCone& cone, const ConeForce& force) {
-  if (force[0].sign() < 0) return false;
-  Rational square = 0;
-  for (std::size_t k = 0; k + 1 < force.size(); ++k) {
-    square += force[k + 1] * force[k + 1] * cone.squares[k];
-  }
-  return square <= cone.squared_most * force[0] * force[0];
+  return force[0].sign() >= 0 &&
+         cone.squared_friction(force) <= cone.squared_most * force[0] * force[0];
 }
 
 RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
@@ -321,8 +335,8 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
     }
   }
   if (!joints_) return result;
-  // What is left on joints that are held.
-  RationalRow left(wrench.size());
+  // Springs with stiffness take what is left on the joints that they hold.
+  RationalRow left = wrench;
   const auto add_wrench = [&](const RigidForce& force, const UncertainContact& c) {
     const RationalRow p = point_of(c);
     const auto add = [&](const RationalRow& on_body) {
@@ -343,7 +357,6 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
       add(spin);
     }
   };
-  left = wrench;
   for (std::size_t i = 0; i < grasp_.contacts.size(); ++i) {
     add_wrench(result[i], grasp_.contacts[i]);
   }
@@ -361,8 +374,7 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
       places.push_back(element);
     }
   }
-  for (Rational& entry : left) entry = -entry;
-  const auto torques = solve_exactly(matrix_of_columns(rows, left.size()), left);
+  const auto torques = solve_exactly(matrix_of_columns(rows, left.size()), opposite(left));
   require(torques.has_value(), "the springs do not balance what is left");
   for (std::size_t k = 0; k < places.size(); ++k) result[places[k]].normal = (*torques)[k];
   return result;

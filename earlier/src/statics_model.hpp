@@ -26,10 +26,20 @@ struct ForceCone {
   std::vector<RationalRow> directions{};  ///< an orthogonal basis of friction forces
   RationalRow squares{};                  ///< |d_k|^2 of each direction
   Rational squared_most{0};               ///< (mu L)^2
+
+  /// Returns |f|^2 of a force of the cone.
+  Rational squared_friction(const RationalRow& force) const;
+  /// Returns |S y|^2 of a motion.
+  Rational squared_slip(const RationalRow& y) const;
 };
 
 /// Forces of a cone: a and then c_k. Without an entry for friction there is none.
 using ConeForce = RationalRow;
+
+/// Returns the load of one grasp.
+RationalRow wrench_of_point(const GraspBox& grasp);
+/// Returns the same with what springs without stiffness exert.
+RationalRow wrench_with_springs(const GraspBox& grasp);
 
 /// The statics of one grasp, with all friction multiplied by a factor.
 class StaticsModel {

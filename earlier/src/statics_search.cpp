@@ -191,10 +191,4 @@ ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load, bool
   return StaticsSearch(model, load).run(needs_long);
 }
 
-RationalRow wrench_of_point(const GraspBox& grasp) {
-  RationalRow wrench;
-  for (const Interval& w : grasp.wrench) wrench.push_back(w.low);
-  return wrench;
-}
-
 }  // namespace stickslip::earlier_detail

@@ -44,7 +44,4 @@ ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load);
 /// not: as when loads or frictions that are asked about come near a border.
 ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load, bool& needs_long);
 
-/// Returns the wrench of one grasp.
-RationalRow wrench_of_point(const GraspBox& grasp);
-
 }  // namespace stickslip::earlier_detail

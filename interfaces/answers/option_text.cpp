@@ -19,6 +19,13 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
   return wrench_of(numbers);
 }
 
+Rational positive_option(const std::string& option, const std::string& value) {
+  Rational number = rational_at(option, value);
+  if (number.sign() > 0) return number;
+  throw InputError("", option, "the value is " + value,
+                   "give a number above 0, such as 1/1000");
+}
+
 Rational accuracy_option(const std::string& value) {
   const bool percent = !value.empty() && value.back() == '%';
   const std::string number = value.substr(0, value.size() - (percent ? 1 : 0));

@@ -190,6 +190,12 @@ std::pair<RationalRow, std::vector<RationalRow>> loads_of_places(const Question&
   return {load_of(at_origin), std::move(directions)};
 }
 
+void set_load(Question& question, const RationalRow& load) {
+  GraspBox box = box_of(question.grasp);
+  for (std::size_t j = 0; j < load.size(); ++j) box.wrench[j] = point_interval(load[j]);
+  question.grasp = std::move(box);
+}
+
 void add_load(Question& question, const RationalRow& load) {
   GraspBox box = box_of(question.grasp);
   for (std::size_t j = 0; j < load.size(); ++j) {

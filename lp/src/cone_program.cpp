@@ -175,12 +175,10 @@ class InteriorPoint final : public ConePath {
   }
 
   std::vector<std::vector<double>> changes(const std::vector<double>& load) const override {
-    Parts none;
-    for (const Part& s : s_) none.push_back(Part::Zero(s.size()));
     Vector x;
     Parts z;
-    solve(-Eigen::Map<const Eigen::VectorXd>(load.data(), rows_).template cast<Real>(), none, x,
-          z);
+    solve(-Eigen::Map<const Eigen::VectorXd>(load.data(), rows_).template cast<Real>(), zeros(),
+          x, z);
     std::vector<std::vector<double>> result;
     for (std::size_t i = 0; i < z.size(); ++i) {
       const Eigen::VectorXd change = (z[i] / blocks_[i].size).template cast<double>();
@@ -212,6 +210,11 @@ class InteriorPoint final : public ConePath {
     }
   }
 
+  Parts zeros() const {
+    Parts result;
+    for (const Part& s : s_) result.push_back(Part::Zero(s.size()));
+    return result;
+  }
   Real degree() const { return static_cast<Real>(blocks_.size() + 1); }
   Real mean_product() const {
     Real sum = tau_ * kappa_;
@@ -316,9 +319,7 @@ class InteriorPoint final : public ConePath {
   /// Returns the direction towards products of `centre` in all cones, with the share `keep` of
   /// what is off; products of an earlier direction are subtracted.
   Direction direction(Real centre, Real keep, const Direction* earlier) const {
-    // -A z - w tau... the embedding of: maximise w.x with A^T x in K; G = -A^T, c = -w, h = 0.
     Direction to;
-    const Vector right_x = keep * imbalance();  // -A dz - w dtau = -keep (...) times -1
     Parts right_z(blocks_.size());
     Parts goal(blocks_.size());
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -332,7 +333,7 @@ class InteriorPoint final : public ConePath {
     if (earlier) goal_tau -= earlier->tau * earlier->kappa;
     Vector x2;
     Parts z2;
-    solve(-right_x, right_z, x2, z2);
+    solve(-keep * imbalance(), right_z, x2, z2);
     const Real off = kappa_ - w_.dot(x_);
     to.tau = (-keep * off - goal_tau / tau_ + w_.dot(x2)) / (-kappa_ / tau_ - w_.dot(x1_));
     to.x = x2 + to.tau * x1_;
@@ -365,9 +366,7 @@ class InteriorPoint final : public ConePath {
       if (!scalings_.back().scaled.allFinite()) return false;
     }
     if (!factor()) return false;
-    Parts none;
-    for (const Part& s : s_) none.push_back(Part::Zero(s.size()));
-    solve(-w_, none, x1_, z1_);  // A z = -w
+    solve(-w_, zeros(), x1_, z1_);  // A z = -w
     const Real mean = mean_product();
     const Direction affine = direction(0, 1, nullptr);
     const Real reach = std::min<Real>(1, longest(affine));

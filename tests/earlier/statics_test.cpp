@@ -62,7 +62,7 @@ TEST(Statics, OnTheBorderOfFriction) {
   EXPECT_GT(enclosed, 5);
 }
 
-// What may stand of a line of loads, at its ends and beside them.
+// The ends of a line of loads may stand, and loads just beyond them must move.
 TEST(Statics, TheEndsOfALineAreExactInThePlane) {
   RandomSource random(93);
   int ends = 0;

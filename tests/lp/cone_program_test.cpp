@@ -70,7 +70,7 @@ TEST(ConeProgram, FindsForcesThatWerePlanted) {
         }
       }
       for (const double entry : sum) EXPECT_LT(std::fabs(entry), 1e-7 * largest) << round;
-      // What is off may be taken away.
+      // Changes take away what is off.
       const auto changes = search.changes(sum);
       for (std::size_t i = 0; i < pair.cones.size(); ++i) {
         for (std::size_t k = 0; k < pair.cones[i].size(); ++k) {

@@ -98,12 +98,7 @@ void print_least(const Margin& margin, NumberText& text) {
 }
 
 Rational accuracy_of(const MarginArguments& arguments) {
-  const Rational accuracy = rational_at("--accuracy", arguments.accuracy);
-  if (accuracy.sign() <= 0) {
-    throw InputError("", "--accuracy", "the value is " + arguments.accuracy,
-                     "give a number above 0, such as 1/1000");
-  }
-  return accuracy;
+  return positive_option("--accuracy", arguments.accuracy);
 }
 
 /// Requires one grasp whose lengths are rational, and no bound on motions: classes know no

@@ -216,13 +216,11 @@ int answer_statics_of_plane(const Question& question, const RegionArguments& arg
   asked.asked.directions = {row("--u", arguments.u, 0), row("--v", arguments.v, 1)};
   if (!arguments.origin.empty()) {
     const RationalRow origin = rationals_at("--origin", arguments.origin);
-    GraspBox box = box_of(question.grasp);
     if (origin.size() != size) {
       throw InputError("", "--origin", "it has " + std::to_string(origin.size()) + " numbers",
                        "give " + std::to_string(size));
     }
-    for (std::size_t j = 0; j < size; ++j) box.wrench[j] = point_interval(origin[j]);
-    asked.question.grasp = std::move(box);
+    set_load(asked.question, origin);
     asked.gives_wrench = true;
   }
   asked.accuracy = Rational(1, 1000);

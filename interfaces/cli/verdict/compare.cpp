@@ -96,7 +96,7 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
             << units_text(question) << text.note();
 }
 
-/// Of several bodies rigid contacts tell whether they may stand, and nothing more is computed.
+/// Answers whether several bodies may stand: nothing more is computed of their rigid contacts.
 int compare_bodies(const Question& question, const CompareArguments& arguments) {
   for (const auto& [is_given, option] :
        {std::pair(!arguments.methods.empty(), "--methods"),

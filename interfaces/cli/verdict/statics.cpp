@@ -186,18 +186,6 @@ void write_certificates(const StaticsAnswer& answer, const std::string& file,
   }
 }
 
-Rational positive(const char* option, const std::string& text) {
-  Rational value = rational_at(option, text);
-  if (value.sign() > 0) return value;
-  throw InputError("", option, "the value is " + text, "give a number above 0, such as 1/1000");
-}
-
-void set_load_zero(Question& question) {
-  GraspBox box = box_of(question.grasp);
-  for (Interval& w : box.wrench) w = point_interval(0);
-  question.grasp = std::move(box);
-}
-
 int statics(const StaticsArguments& arguments) {
   StaticsQuestion asked{arguments.question.any_question()};
   asked.asked.friction_factor = rational_at("--friction-factor", arguments.friction_factor);
@@ -210,16 +198,19 @@ int statics(const StaticsArguments& arguments) {
   }
   const bool is_loaded = arguments.question.chooses_load();
   asked.gives_wrench = !arguments.place.empty() || arguments.question.gives_wrench();
-  if (!directions.empty() && !is_loaded) set_load_zero(asked.question);
+  if (!directions.empty() && !is_loaded) {
+    set_load(asked.question, RationalRow(wrench_of(asked.question.grasp).size()));
+  }
   if (!arguments.place.empty()) {
     auto [load, ways] = loads_of_places(
         asked.question, rationals_at("--place", arguments.place), arguments.body);
     add_load(asked.question, load);
     directions = std::move(ways);
   }
-  asked.accuracy = !arguments.accuracy.empty() ? positive("--accuracy", arguments.accuracy)
-                   : asked.least_friction      ? Rational(1, 1000000)
-                                               : Rational(1, 1000);
+  asked.accuracy = !arguments.accuracy.empty()
+                       ? positive_option("--accuracy", arguments.accuracy)
+                   : asked.least_friction ? Rational(1, 1000000)
+                                          : Rational(1, 1000);
   return answer_statics(std::move(asked), arguments.certificate,
                         arguments.question.name_of_argument(), arguments.output);
 }

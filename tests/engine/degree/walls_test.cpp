@@ -262,7 +262,7 @@ TEST(NearForces, BalanceTheLoad) {
   EXPECT_GE(count, 20);
 }
 
-// Where nothing balances, friction is still against the slip, with all that it may have.
+// Friction is against the slip, with all that it may have, also where nothing balances.
 TEST(NearForces, OpposeTheSlip) {
   RandomSource random(324);
   for (int round = 0; round < 10; ++round) {

@@ -79,8 +79,8 @@ TEST(ForceSpan, OfALawSpansItsRowsAtAllCorners) {
   }
 }
 
-// What is taken from a load is across all that remain, where torques are divided by a length:
-// no load without work on free motions is nearer.
+// The part that is taken from a load is across all that remain, where torques are divided by a
+// length: no load without work on free motions is nearer.
 TEST(ForceSpan, TheOpposedPartIsTheNearestLoad) {
   RandomSource random(243);
   int moved = 0;

@@ -95,7 +95,7 @@ TEST(SpringLines, TwistsDoNotSeeWhatSpringsDoAlongLines) {
     const double work = wrench.dot(rounded);
     found.project(wrench);
     EXPECT_NEAR(wrench.dot(rounded), work, 1e-9);
-    // What is left of a wrench of springs is nothing.
+    // Nothing is left of a wrench of springs.
     for (const RationalRow& spring : hidden) {
       Reals left(4);
       for (std::size_t j = 0; j < 4; ++j) {

@@ -51,7 +51,7 @@ std::string region_certificate_text(const Question& question, const WrenchPlane&
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer);
 
-/// What is asked of statics (FORMAT.md, section 16).
+/// A question of statics beside its grasp and load (FORMAT.md, section 16).
 struct StaticsAsked {
   Rational friction_factor{1};            ///< the factor of all friction
   std::vector<RationalRow> directions{};  ///< one, of a margin, or two, of a region

@@ -14,6 +14,9 @@ namespace stickslip {
 /// Returns the wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
 Wrench wrench_option(const std::string& option, const std::string& value);
 
+/// Returns a number above 0. Throws InputError naming the option.
+Rational positive_option(const std::string& option, const std::string& value);
+
 /// Returns a part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
 Rational accuracy_option(const std::string& value);
 

@@ -51,8 +51,10 @@ std::pair<RationalRow, std::vector<RationalRow>> loads_of_places(const Question&
                                                                  const RationalRow& force,
                                                                  const std::string& body);
 
-/// Adds a load, with as many numbers, to that of a question.
+/// \{ Sets the load of a question, or adds one to it, with as many numbers as it has.
+void set_load(Question& question, const RationalRow& load);
 void add_load(Question& question, const RationalRow& load);
+/// \}
 
 /// Returns the answer as `stickslip statics --json` prints it, before finished().
 Json to_json(const StaticsAnswer& answer);

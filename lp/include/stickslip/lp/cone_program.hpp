@@ -38,7 +38,7 @@ struct ConePair {
   std::vector<std::vector<DoubleColumn>> cones;  ///< A_i, by its columns
 };
 
-/// What is proposed. One of the systems has a solution, and both are filled in.
+/// Proposals for both systems, of which one has a solution.
 struct ConeProposal {
   bool rests = false;                         ///< whether it is (1) that seems to have one
   std::vector<std::vector<double>> forces{};  ///< z of (1), by cone

@@ -53,15 +53,17 @@ void expect_nearest(RandomSource& random, std::size_t n, std::array<int, 2>& see
   NearestPointOf<Point> hull;
   std::vector<std::size_t> added;
   for (int step = 0; step < 200; ++step) {
-    std::size_t least = 0;
-    for (std::size_t k = 1; k < points.size(); ++k) {
-      if (dot(points[k], hull.nearest()) < dot(points[least], hull.nearest())) least = k;
-    }
-    if (hull.size() == 0) least = 0;
-    const double before = dot(hull.nearest(), hull.nearest());
-    if (hull.size() > 0 && dot(points[least], hull.nearest()) > before - 1e-9) break;
-    added.push_back(least);
     const bool first = hull.size() == 0;
+    std::size_t least = 0;
+    double before = 0;
+    if (!first) {
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        if (dot(points[k], hull.nearest()) < dot(points[least], hull.nearest())) least = k;
+      }
+      before = dot(hull.nearest(), hull.nearest());
+      if (dot(points[least], hull.nearest()) > before - 1e-9) break;
+    }
+    added.push_back(least);
     if (!hull.add(points[least])) break;
     EXPECT_TRUE(first || dot(hull.nearest(), hull.nearest()) < before);
   }

@@ -123,8 +123,7 @@ std::string head(const Question& question, const std::string& wrench, const std:
 }
 
 std::string head(const Question& question, const std::string& producer) {
-  return head(question,
-              wrench_text(question.wrench_as_asked.value_or(wrench_of(question.grasp))),
+  return head(question, wrench_text(question.wrench_as_asked.value_or(question.grasp.wrench())),
               question.direction ? ", \"direction\": [" + list(*question.direction) + "]" : "",
               producer);
 }
@@ -387,7 +386,7 @@ std::string class_certificate_text(const Question& question, const Inertia& iner
   require(question.box() == nullptr || (question.in_space() && question.box()->is_point()),
           "a class is of one grasp");
   require(!question.is_margin(), "a class is of one load");
-  return head(question, wrench_text(wrench_of(question.grasp)),
+  return head(question, wrench_text(question.grasp.wrench()),
               ", \"inertia\": [" + list(numbers_of(inertia)) + "]", producer) +
          kVerdict + "\"" + name_of(verdict) + "\",\n" + std::visit(RigidText{}, verdict) +
          "}\n";
@@ -397,7 +396,7 @@ namespace {
 
 std::string statics_head(const Question& question, const StaticsAsked& asked,
                          const std::string& producer) {
-  const GraspBox box = box_of(question.grasp);
+  const GraspBox box = question.grasp.as_box();
   require(box.is_point() && !question.is_margin(), "statics is of one grasp");
   std::string members;
   if (asked.directions.size() == 1) {

@@ -29,7 +29,7 @@ void require_verdict(bool stable, const std::string& found) {
 
 ProvedFiles proved_grasp(const GraspBox& point, NormalLaw law, bool stable,
                          const std::string& producer) {
-  if (!point.is_one_planar_body() || needs_enclosure(point) || point.is_bounded()) {
+  if (simplest(point).single() == nullptr) {
     const BoxDecision decision = decide_box(point, law);
     require_verdict(stable, name_of(decision.verdict));
     return proved_box(point, law, decision, producer);
@@ -42,8 +42,7 @@ ProvedFiles proved_grasp(const GraspBox& point, NormalLaw law, bool stable,
 
 ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& decision,
                        const std::string& producer) {
-  if (box.is_one_planar_body() && box.is_point() && !needs_enclosure(box) &&
-      !box.is_bounded()) {
+  if (simplest(box).single() != nullptr) {
     const bool stable = std::holds_alternative<Stable>(decision.verdict);
     return proved_grasp(box, law, stable, producer);
   }

@@ -475,6 +475,12 @@ Wrench planar_middle(const WrenchBox& wrench) {
   return {wrench[0].middle(), wrench[1].middle(), wrench[2].middle()};
 }
 
+RationalRow wrench_at(const RationalRow& p, const RationalRow& f) {
+  if (p.size() == 2) return {f[0], f[1], p[0] * f[1] - p[1] * f[0]};
+  const Vector3 torque = cross(vector3(p), vector3(f));
+  return {f[0], f[1], f[2], torque[0], torque[1], torque[2]};
+}
+
 RationalRow row_of(const Wrench& wrench) {
   return {wrench.x, wrench.y, wrench.torque};
 }
@@ -507,29 +513,54 @@ GraspBox box_of(const LoadedGrasp& loaded) {
   return box;
 }
 
-GraspBox box_of(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  return box != nullptr ? *box : box_of(std::get<LoadedGrasp>(grasp));
+const Mechanism* AnyGrasp::mechanism() const {
+  return box() != nullptr ? box()->mechanism.get() : nullptr;
 }
 
-bool in_space(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  return box != nullptr && box->in_space();
+bool AnyGrasp::has_certain_elements() const {
+  return box() == nullptr || GraspBox{box()->contacts, {}, {}, {}, box()->springs}.is_point();
 }
 
-const Mechanism* mechanism_of(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  return box != nullptr ? box->mechanism.get() : nullptr;
+const GraspDescription& AnyGrasp::description() const {
+  return box() != nullptr ? box()->description : single()->grasp.description();
 }
 
-WrenchBox wrench_of(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  return box != nullptr ? box->wrench : box_of(std::get<LoadedGrasp>(grasp).wrench);
+WrenchBox AnyGrasp::wrench() const {
+  return box() != nullptr ? box()->wrench : box_of(single()->wrench);
 }
 
-const GraspDescription& description_of(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  return box != nullptr ? box->description : std::get<LoadedGrasp>(grasp).grasp.description();
+std::size_t AnyGrasp::contacts() const {
+  return box() != nullptr ? box()->contacts.size() : single()->grasp.size();
+}
+
+UncertainContact AnyGrasp::contact(ContactId id) const {
+  return box() != nullptr ? box()->contacts.at(id.index()) : box_of(single()->grasp[id]);
+}
+
+std::size_t AnyGrasp::pushing_elements() const {
+  if (box() == nullptr) return contacts();
+  return contacts() + static_cast<std::size_t>(
+                          std::count_if(box()->springs.begin(), box()->springs.end(),
+                                        [](const Spring& s) { return s.is_ratchet(); }));
+}
+
+std::vector<Rational> AnyGrasp::preloads() const {
+  std::vector<Rational> preloads;
+  if (box() == nullptr) {
+    for (const Contact& c : single()->grasp.contacts()) preloads.push_back(c.preload);
+    return preloads;
+  }
+  for (const UncertainContact& c : box()->contacts) preloads.push_back(c.preload.low);
+  for (const Spring& spring : box()->springs) preloads.push_back(spring.force.low);
+  return preloads;
+}
+
+void AnyGrasp::set_preload(const Rational& preload) {
+  if (LoadedGrasp* one = single()) {
+    one->grasp = one->grasp.with_preload(preload);
+    return;
+  }
+  for (UncertainContact& c : box()->contacts) c.preload = point_interval(preload);
 }
 
 bool needs_enclosure(const GraspBox& box) {

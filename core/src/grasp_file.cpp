@@ -479,7 +479,7 @@ GraspFile StreamedGrasp::finish_any(const JsonNode& grasp, Intervals intervals) 
 }
 
 const LoadedGrasp& GraspFile::loaded() const {
-  const auto* one = std::get_if<LoadedGrasp>(&content);
+  const LoadedGrasp* one = content.single();
   require(one != nullptr, "one grasp in the plane");
   return *one;
 }
@@ -587,7 +587,8 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
   const Properties defaults = read_defaults(grasp, read, true);
   refuse_bodies(contacts_, defaults);
   GraspFile result;
-  auto& box = result.content.emplace<GraspBox>();
+  result.content = GraspBox();
+  GraspBox& box = *result.content.box();
   box.wrench = read_whole_load(
       grasp, true, read,
       "add \"wrench\": [force x, y, z, torque x, y, z] or \"loads\": [...]; no load is [0, 0, "
@@ -623,7 +624,8 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read, spatial);
   GraspFile result;
-  auto& box = result.content.emplace<GraspBox>();
+  result.content = GraspBox();
+  GraspBox& box = *result.content.box();
   const auto mechanism = std::make_shared<Mechanism>(read_mechanism(grasp, spatial));
   box.mechanism = mechanism;
   box.springs = read_springs(grasp, *mechanism, read);

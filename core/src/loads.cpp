@@ -51,13 +51,6 @@ RationalRow read_coordinates(const JsonNode& object, const std::string& path, co
   return read_vector(node, member_path(path, key), forms.coordinates, forms.point_in_words);
 }
 
-RationalRow force_at(RationalRow f, const RationalRow& p) {
-  if (f.size() == 2) return {f[0], f[1], p[0] * f[1] - p[1] * f[0]};
-  const Vector3 torque = cross(vector3(p), vector3(f));
-  f.insert(f.end(), torque.begin(), torque.end());
-  return f;
-}
-
 /// Returns the force of a weight. It pulls along the last axis, downwards, unless it has a
 /// direction of its own.
 RationalRow read_weight(const JsonNode& load, const std::string& path, const LoadForms& forms) {
@@ -99,12 +92,13 @@ RationalRow read_one_load(const JsonNode& load, const std::string& path, const L
   }
   if (load.find("weight") != nullptr) {
     allow({"weight", "at", "direction"});
-    return force_at(read_weight(load, path, forms), read_coordinates(load, path, "at", forms));
+    const RationalRow at = read_coordinates(load, path, "at", forms);
+    return wrench_at(at, read_weight(load, path, forms));
   }
   if (load.find("force") != nullptr) {
     allow({"force", "at"});
-    return force_at(read_coordinates(load, path, "force", forms),
-                    read_coordinates(load, path, "at", forms));
+    const RationalRow at = read_coordinates(load, path, "at", forms);
+    return wrench_at(at, read_coordinates(load, path, "force", forms));
   }
   allow({"force", "at", "torque", "weight", "direction"});
   fail_at(path, "found " + describe(load) + " that is no load",

@@ -180,7 +180,7 @@ std::string write_contact(const UncertainContact& c, std::size_t i,
 }
 
 bool has_intervals(const GraspFile& file) {
-  const auto* box = std::get_if<GraspBox>(&file.content);
+  const GraspBox* box = file.content.box();
   return (box != nullptr && (!box->is_point() || box->is_bounded())) ||
          std::any_of(file.cases.begin(), file.cases.end(),
                      [](const NamedLoad& load) { return is_uncertain(load.wrench); });
@@ -188,21 +188,15 @@ bool has_intervals(const GraspFile& file) {
 
 std::string write_contacts(const GraspFile& file) {
   std::string text;
-  if (const auto* one = std::get_if<LoadedGrasp>(&file.content)) {
-    for (std::size_t i = 0; i < one->grasp.size(); ++i) {
-      text += write_contact(box_of(one->grasp.contacts()[i]), i, file.assumed_stiffness);
+  const Mechanism* mechanism = file.content.mechanism();
+  for (std::size_t i = 0; i < file.content.contacts(); ++i) {
+    const UncertainContact c = file.content.contact(ContactId(i));
+    std::string bodies;
+    if (mechanism != nullptr) {
+      bodies = "\"of\": " + write_name(mechanism->name_of(c.of)) +
+               (c.by ? member("by", write_name(mechanism->name_of(c.by))) : "") + ", ";
     }
-  } else {
-    const auto& box = std::get<GraspBox>(file.content);
-    for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-      const UncertainContact& c = box.contacts[i];
-      std::string bodies;
-      if (box.mechanism) {
-        bodies = "\"of\": " + write_name(box.mechanism->name_of(c.of)) +
-                 (c.by ? member("by", write_name(box.mechanism->name_of(c.by))) : "") + ", ";
-      }
-      text += write_contact(c, i, file.assumed_stiffness, bodies);
-    }
+    text += write_contact(c, i, file.assumed_stiffness, bodies);
   }
   return text;
 }
@@ -232,9 +226,10 @@ std::string write_grasp(const AnyGrasp& content) {
 
 std::string write_grasp_file(const GraspFile& file) {
   const auto& [name, outline, units, body] = file.description();
-  const auto* box = std::get_if<GraspBox>(&file.content);
-  const bool has_bodies = box != nullptr && box->mechanism;
-  const bool version1 = !has_bodies && !in_space(file.content) && file.cases.empty() &&
+  const GraspBox* box = file.content.box();
+  const Mechanism* mechanism = file.content.mechanism();
+  const bool has_bodies = mechanism != nullptr;
+  const bool version1 = !has_bodies && !file.content.in_space() && file.cases.empty() &&
                         outline.empty() && !units && !has_intervals(file);
   std::string text = std::string("{\"format\": \"") +
                      (has_bodies ? kVersion3
@@ -255,7 +250,7 @@ std::string write_grasp_file(const GraspFile& file) {
     text += " \"max_motion\": " + write_list(box->max_motion, ", ", write_number) + ",\n";
   }
   return text + " \"contacts\": [" + write_contacts(file) +
-         write_loads(wrench_of(file.content), file.cases);
+         write_loads(file.content.wrench(), file.cases);
 }
 
 }  // namespace stickslip

@@ -11,13 +11,6 @@
 namespace stickslip::earlier_detail {
 namespace {
 
-/// Returns the wrench of a force at a point, in the plane or in space.
-RationalRow wrench_at(const RationalRow& p, const RationalRow& f) {
-  if (p.size() == 2) return {f[0], f[1], p[0] * f[1] - p[1] * f[0]};
-  const Vector3 moment = cross(vector3(p), vector3(f));
-  return {f[0], f[1], f[2], moment[0], moment[1], moment[2]};
-}
-
 RationalRow point_of(const UncertainContact& c) {
   RationalRow point;
   for (const Interval& coordinate : c.position) point.push_back(coordinate.low);

@@ -91,7 +91,7 @@ bool may_be_within(const Law& law, const NearEquilibrium& near) {
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
                               const SearchOptions& options) {
   const AnyGrasp grasp = simplest(point);
-  if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
+  if (const LoadedGrasp* one = grasp.single()) {
     return std::holds_alternative<Stable>(branch_and_bound(Problem(*one, law)));
   }
   return stickslip::is_stable(decide_box(point, law, options).verdict);

@@ -25,7 +25,7 @@ Answer first_answer(Question question, const SearchOptions& options,
   Problem problem = problem_of(question);
   if (options.engine == Engine::kAuto && has_long_equilibria(problem)) {
     if (auto by_degree = prove_stable_by_degree(problem)) {
-      question.grasp = box_of(question.grasp);
+      question.grasp = question.grasp.as_box();
       return about_box(std::move(question), std::move(*by_degree));
     }
   }
@@ -67,7 +67,7 @@ Answer decide(Question question, const SearchOptions& options) {
   // An equilibrium within a bound is one of all, and so is what proves it.
   if (std::holds_alternative<Undecided>(answer.verdict) && found.question.is_bounded() &&
       std::holds_alternative<Stable>(found.verdict)) {
-    GraspBox box = box_of(found.question.grasp);
+    GraspBox box = found.question.grasp.as_box();
     box.max_motion.clear();
     found.question.grasp = std::move(box);
     return found;

@@ -25,7 +25,7 @@ Question with_grasp(Question question, GraspBox box) {
 }
 
 std::optional<Question> bounded(const Question& question, const Verdict& verdict) {
-  GraspBox box = box_of(question.grasp);
+  GraspBox box = question.grasp.as_box();
   const auto bound = natural_bound(box, kFarMotion);
   if (!bound) return std::nullopt;
   bool is_far = true;
@@ -59,7 +59,7 @@ std::optional<RationalRow> without_rounding(const Law& law, const RationalRow& l
 }
 
 std::optional<Question> without_rounding(const Question& question) {
-  GraspBox box = box_of(question.grasp);
+  GraspBox box = question.grasp.as_box();
   if (box.ball) return std::nullopt;
   RationalRow load;
   for (const Interval& component : box.wrench) {
@@ -79,7 +79,7 @@ std::optional<Question> without_rounding(const Question& question) {
 std::optional<Question> second_question(const Question& question, const Verdict& verdict) {
   // A second answer about more contacts takes more memory than the first.
   constexpr std::size_t kMostContacts = 10000;
-  const auto* one = std::get_if<LoadedGrasp>(&question.grasp);
+  const LoadedGrasp* one = question.grasp.single();
   if (one != nullptr && one->grasp.size() > kMostContacts) return std::nullopt;
   if (std::holds_alternative<Fragile>(verdict)) return std::nullopt;
   if (std::holds_alternative<Unstable>(verdict)) return without_rounding(question);
@@ -96,13 +96,13 @@ std::optional<Question> second_question(const Question& question, const Verdict&
 
 std::optional<RationalRow> opposed_direction(const Question& question) {
   if (!question.direction) return std::nullopt;
-  return without_rounding(GraspLaw(box_of(question.grasp), question.law), *question.direction);
+  return without_rounding(GraspLaw(question.grasp.as_box(), question.law), *question.direction);
 }
 
 Rational squared_distance(const Question& a, const Question& b) {
-  const Law law = GraspLaw(box_of(a.grasp), a.law);
-  const WrenchBox one = wrench_of(a.grasp);
-  const WrenchBox other = wrench_of(b.grasp);
+  const Law law = GraspLaw(a.grasp.as_box(), a.law);
+  const WrenchBox one = a.grasp.wrench();
+  const WrenchBox other = b.grasp.wrench();
   RationalRow difference;
   for (std::size_t j = 0; j < one.size(); ++j) {
     difference.push_back(one[j].middle() - other[j].middle());

@@ -23,15 +23,15 @@ std::string names_of(const Mechanism& mechanism) {
 /// grasp.
 void check_size(const std::optional<RationalRow>& row, const char* place,
                 const AnyGrasp& grasp) {
-  const Mechanism* mechanism = mechanism_of(grasp);
-  const std::size_t size = wrench_of(grasp).size();
+  const Mechanism* mechanism = grasp.mechanism();
+  const std::size_t size = grasp.wrench().size();
   if (!row || row->size() == size) return;
   throw InputError(
       "", place, "it has " + std::to_string(row->size()) + " numbers",
       mechanism != nullptr ? "there are several bodies: give " + std::to_string(size) +
                                  ", a force or torque for each of " + names_of(*mechanism)
-      : in_space(grasp) ? "the grasp is in space: give force x, y, z and torque x, y, z"
-                        : "give force x, force y and torque, as 0,-11/10,0");
+      : grasp.in_space() ? "the grasp is in space: give force x, y, z and torque x, y, z"
+                         : "give force x, force y and torque, as 0,-11/10,0");
 }
 
 WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
@@ -50,7 +50,7 @@ WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   }
   if (!name && options.direction) return WrenchBox(options.direction->size());
   if (!name && file.cases.empty()) {
-    return wrench_of(file.content);
+    return file.content.wrench();
   }
   std::vector<std::string> names;
   for (const NamedLoad& load : file.cases) names.push_back(load.name);
@@ -67,11 +67,6 @@ bool is_certain(const WrenchBox& wrench) {
                      [](const Interval& w) { return w.is_point(); });
 }
 
-bool has_certain_contacts(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  return box == nullptr || GraspBox{box->contacts, {}, {}, {}, box->springs}.is_point();
-}
-
 /// Returns whether some contact that has a preload, or whose preload grows, has a normal of
 /// irrational length. `growth` is empty if no preload grows.
 bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& growth) {
@@ -84,46 +79,12 @@ bool has_irrational_preload(const Grasp& grasp, const std::vector<Rational>& gro
   return false;
 }
 
-/// Returns the preloads by element; of intervals the low ends.
-std::vector<Rational> preloads_of(const AnyGrasp& grasp) {
-  std::vector<Rational> preloads;
-  if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
-    for (const Contact& c : one->grasp.contacts()) preloads.push_back(c.preload);
-  } else {
-    const auto& box = std::get<GraspBox>(grasp);
-    for (const UncertainContact& c : box.contacts) preloads.push_back(c.preload.low);
-    for (const Spring& spring : box.springs) preloads.push_back(spring.force.low);
-  }
-  return preloads;
-}
-
-AnyGrasp with_preload(AnyGrasp grasp, const Rational& preload) {
-  if (auto* one = std::get_if<LoadedGrasp>(&grasp)) {
-    one->grasp = one->grasp.with_preload(preload);
-  } else {
-    for (UncertainContact& c : std::get<GraspBox>(grasp).contacts) {
-      c.preload = point_interval(preload);
-    }
-  }
-  return grasp;
-}
-
-/// Returns the grasp with preloads of contacts and forces of springs that are 0.
-AnyGrasp without_preload(AnyGrasp grasp) {
-  grasp = with_preload(std::move(grasp), 0);
-  if (auto* box = std::get_if<GraspBox>(&grasp)) {
+/// Sets the preloads of contacts and the forces of springs to 0.
+void remove_preloads(AnyGrasp& grasp) {
+  grasp.set_preload(0);
+  if (GraspBox* box = grasp.box()) {
     for (Spring& spring : box->springs) spring.force = {};
   }
-  return grasp;
-}
-
-/// Returns how many elements only push: contacts and ratchets, which stand first.
-std::size_t pushing_elements(const AnyGrasp& grasp) {
-  const auto* box = std::get_if<GraspBox>(&grasp);
-  if (box == nullptr) return std::get<LoadedGrasp>(grasp).grasp.size();
-  return box->contacts.size() + static_cast<std::size_t>(std::count_if(
-                                    box->springs.begin(), box->springs.end(),
-                                    [](const Spring& s) { return s.is_ratchet(); }));
 }
 
 /// Returns the grasp under this wrench, widened by the tolerances: a box, or one grasp in the
@@ -132,13 +93,13 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
                const Question& question) {
   const Tolerances& uncertain = options.uncertain;
   const std::optional<MotionBound>& bound = options.max_motion;
-  auto* one = std::get_if<LoadedGrasp>(&grasp);
+  LoadedGrasp* one = grasp.single();
   if (one != nullptr && is_certain(wrench) && !uncertain.any() && !bound &&
       !has_irrational_preload(one->grasp, question.preload_growth)) {
     one->wrench = planar_middle(wrench);
     return grasp;
   }
-  GraspBox box = one != nullptr ? box_of(*one) : std::get<GraspBox>(std::move(grasp));
+  GraspBox box = one != nullptr ? box_of(*one) : std::move(*grasp.box());
   box.wrench = wrench;
   box = box.widened(uncertain);
   if (bound) {
@@ -202,9 +163,8 @@ AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
 }
 
 const LoadedGrasp& Question::loaded() const {
-  const auto* one = std::get_if<LoadedGrasp>(&grasp);
-  require(one != nullptr, "one grasp in the plane");
-  return *one;
+  require(grasp.single() != nullptr, "one grasp in the plane");
+  return *grasp.single();
 }
 
 Question ask(GraspFile file, const QuestionOptions& options) {
@@ -223,17 +183,17 @@ Question ask(GraspFile file, const QuestionOptions& options) {
       throw InputError("", "preload", "the value is " + to_string(*options.preload),
                        "a preload is a normal force and must be 0 or more");
     }
-    grasp = with_preload(std::move(grasp), *options.preload);
+    grasp.set_preload(*options.preload);
   }
   if (options.preload_direction) {
     question.preload_growth =
-        preload_growth(preloads_of(grasp), *options.preload_direction, pushing_elements(grasp));
-    if (options.preload_direction->scale) grasp = without_preload(std::move(grasp));
+        preload_growth(grasp.preloads(), *options.preload_direction, grasp.pushing_elements());
+    if (options.preload_direction->scale) remove_preloads(grasp);
   }
   if (question.is_margin()) {
     require_growth(options.direction && !all_zero(*options.direction), question.preload_growth,
                    options.preload_direction);
-    if (!is_certain(wrench) || question.uncertain.any() || !has_certain_contacts(grasp)) {
+    if (!is_certain(wrench) || question.uncertain.any() || !grasp.has_certain_elements()) {
       throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
                        "give one number for each, or ask only whether the load is held");
     }
@@ -245,7 +205,7 @@ Question ask(GraspFile file, const QuestionOptions& options) {
 
 Question without_bound(Question question) {
   if (!question.is_bounded()) return question;
-  GraspBox box = std::get<GraspBox>(std::move(question.grasp));
+  GraspBox box = std::move(*question.grasp.box());
   box.max_motion.clear();
   question.grasp = simplest(std::move(box), question.preload_growth);
   return question;
@@ -275,7 +235,7 @@ Question as_one_body(Question question) {
 }
 
 void require_one_body(const AnyGrasp& grasp, const std::string& what) {
-  if (mechanism_of(grasp) == nullptr) return;
+  if (grasp.mechanism() == nullptr) return;
   throw InputError("", "", "the grasp has several bodies", what + " is for one body only");
 }
 
@@ -289,7 +249,7 @@ Problem problem_of(const Question& question) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }
   require_certain(question);
-  const LoadedGrasp* one = std::get_if<LoadedGrasp>(&question.grasp);
+  const LoadedGrasp* one = question.grasp.single();
   // A box that is certain has irrational lengths, at which Problem or contact_rows() throws.
   const LoadedGrasp point = one != nullptr ? *one : question.box()->planar_middle();
   Problem base(point, question.law);

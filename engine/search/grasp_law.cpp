@@ -31,23 +31,17 @@ CornerRow planar_row(const RationalRow& p, const RationalRow& n,
   return row;
 }
 
-/// Returns the wrench of a force at a point.
-RationalRow wrench_at(const Vector3& p, const Vector3& f) {
-  const Vector3 moment = cross(p, f);
-  return {f[0], f[1], f[2], moment[0], moment[1], moment[2]};
-}
-
 /// Returns the row of a contact in space. Its slip is L^2 S, by rows: L^2 u - (n0.u) n with u =
 /// (d1, d2, d3) + omega x p, and with torsion also L^2 n.omega.
-CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0, bool has_torsion,
-                      const std::vector<RationalRow>& motion) {
+CornerRow spatial_row(const RationalRow& p, const RationalRow& n, const RationalRow& n0,
+                      bool has_torsion, const std::vector<RationalRow>& motion) {
   CornerRow row{};
   row.normal = moved_by(wrench_at(p, n), motion);
   const RationalRow along = wrench_at(p, n0);
   const Rational square = dot(n0, n0);
   std::vector<RationalRow> slip;
   for (std::size_t k = 0; k < 3; ++k) {
-    Vector3 axis{};
+    RationalRow axis(3);
     axis[k] = 1;
     slip.push_back(wrench_at(p, axis));
     for (std::size_t j = 0; j < 6; ++j) slip[k][j] = square * slip[k][j] - n[k] * along[j];
@@ -191,9 +185,9 @@ void GraspLaw::add_corners(LawContact& contact) const {
     return turned(place.normal, place.turns, {at.begin() + position, at.end()});
   };
   const auto row_at = [&](const RationalRow& at, const RationalRow& n) {
-    return in_space_ ? spatial_row(vector3(at), vector3(n), vector3(place.normal),
-                                   !contact.spin_weight.is_zero(), place.motion)
-                     : planar_row(at, n, place.motion);
+    return in_space_
+               ? spatial_row(at, n, place.normal, !contact.spin_weight.is_zero(), place.motion)
+               : planar_row(at, n, place.motion);
   };
   std::vector<RationalRow> corners{{}};
   RationalRow middle;

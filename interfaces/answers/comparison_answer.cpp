@@ -34,7 +34,7 @@ Json ranges_json(const Question& question, const Inertia& inertia,
 Json comparison_json(const Question& question, const Rational& length, const Inertia& inertia,
                      const Comparison& comparison) {
   Json wrench = Json::array();
-  for (const Interval& w : wrench_of(question.grasp)) wrench.push_back(number_json(w.low));
+  for (const Interval& w : question.grasp.wrench()) wrench.push_back(number_json(w.low));
   Json json{{"name", question.description().name},
             {"normal_law", to_string(question.law)},
             {"wrench", std::move(wrench)},

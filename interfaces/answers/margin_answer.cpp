@@ -26,7 +26,7 @@ Json head_json(const Question& question) {
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, about.units);
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(wrench_of(question.grasp));
+  json["wrench"] = wrench_json(question.grasp.wrench());
   if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
   if (question.direction) json["direction"] = number_json(*question.direction);
   if (question.preload_direction) {
@@ -54,7 +54,7 @@ std::optional<SecondMargin> margin_within(
   if (!opposed && (!margin.ended_far || question.is_bounded())) return std::nullopt;
   if (opposed) within.question.direction = std::move(opposed);
   if (!question.is_bounded()) {
-    GraspBox box = box_of(question.grasp);
+    GraspBox box = question.grasp.as_box();
     const auto bound = natural_bound(
         grown(box, question.direction.value_or(RationalRow{}), question.preload_growth),
         kFarMotion);

@@ -36,7 +36,7 @@ void add_range(NamedFiles& files, NormalLaw law, const PreloadRange& range) {
     files.emplace_back(
         "range" + std::to_string(k),
         ProvedFiles{
-            write_grasp(box_of(question.grasp)), certificate, {}, question.preload_direction});
+            write_grasp(question.grasp.as_box()), certificate, {}, question.preload_direction});
   }
   add_boxes(files, "range", law, range.boxes);
 }
@@ -79,7 +79,7 @@ std::vector<GraspBox> loads_of(const std::vector<Question>& questions,
                                const std::string& file) {
   std::vector<GraspBox> loads;
   for (const Question& question : questions) {
-    loads.push_back(box_of(question.grasp));
+    loads.push_back(question.grasp.as_box());
     GraspBox centre = loads.back();
     centre.ball.reset();
     if (!centre.is_point()) {
@@ -111,7 +111,7 @@ Json preload_json(const std::vector<Question>& questions, const LeastPreload& le
   const NormalLaw law = questions.front().law;
   Json& loads = json["loads"] = Json::array();
   for (const Question& question : questions) {
-    const GraspBox load = box_of(question.grasp);
+    const GraspBox load = question.grasp.as_box();
     Json& entry = loads.emplace_back(Json::object());
     if (!question.case_name.empty()) entry["case"] = question.case_name;
     entry["wrench"] = wrench_json(load.wrench);

@@ -39,7 +39,7 @@ QualityAsked quality_asked(const QualityText& text) {
 
 GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
                         const std::string& file) {
-  GraspBox grasp = box_of(question.grasp);
+  GraspBox grasp = question.grasp.as_box();
   if (!grasp.is_point()) {
     throw InputError(file, "", "some numbers are uncertain",
                      "a quality is that of one grasp: give one number for each, or ask "

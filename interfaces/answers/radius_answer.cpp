@@ -8,7 +8,7 @@
 namespace stickslip {
 
 Json radius_json(const Question& question, const Radius& radius) {
-  const GraspBox box = box_of(question.grasp);
+  const GraspBox box = question.grasp.as_box();
   Json json;
   json["verdict"] = verdict_name(radius.stable);
   json["name"] = box.description.name;

@@ -74,7 +74,7 @@ struct FoundJson {
     const std::vector<RationalRow>& directions = answer.asked.asked.directions;
     if (directions.size() == 1) {
       json["multiples"] = multiples_json(
-          multiples_of(box_of(answer.asked.question.grasp), found, directions[0]));
+          multiples_of(answer.asked.question.grasp.as_box(), found, directions[0]));
     }
     json["exact"] = found.is_exact;
     json["complete"] = found.is_complete;
@@ -98,7 +98,7 @@ std::string options_of(const StaticsQuestion& asked) {
   std::string options;
   const std::vector<RationalRow>& directions = asked.asked.directions;
   RationalRow wrench;
-  for (const Interval& w : wrench_of(asked.question.grasp)) wrench.push_back(w.low);
+  for (const Interval& w : asked.question.grasp.wrench()) wrench.push_back(w.low);
   if (asked.gives_wrench) {
     options += " --wrench " + row_text(wrench);
   } else if (!asked.question.case_name.empty()) {
@@ -126,7 +126,7 @@ std::optional<Undecided> StaticsAnswer::undecided() const {
 }
 
 StaticsAnswer statics(StaticsQuestion asked) {
-  GraspBox box = box_of(asked.question.grasp);
+  GraspBox box = asked.question.grasp.as_box();
   if (!box.is_point()) {
     throw InputError("", "uncertain", "some numbers are uncertain, and statics needs one grasp",
                      "give one number for each");
@@ -173,7 +173,7 @@ std::pair<RationalRow, std::vector<RationalRow>> loads_of_places(const Question&
   if (mechanism == nullptr && !body.empty()) {
     throw InputError("", "body", "the grasp has one body", "leave it out");
   }
-  const std::size_t components = wrench_of(question.grasp).size();
+  const std::size_t components = question.grasp.wrench().size();
   const auto load_of = [&](const RationalRow& wrench) {
     if (mechanism == nullptr) return wrench;
     RationalRow load(components);
@@ -191,13 +191,13 @@ std::pair<RationalRow, std::vector<RationalRow>> loads_of_places(const Question&
 }
 
 void set_load(Question& question, const RationalRow& load) {
-  GraspBox box = box_of(question.grasp);
+  GraspBox box = question.grasp.as_box();
   for (std::size_t j = 0; j < load.size(); ++j) box.wrench[j] = point_interval(load[j]);
   question.grasp = std::move(box);
 }
 
 void add_load(Question& question, const RationalRow& load) {
-  GraspBox box = box_of(question.grasp);
+  GraspBox box = question.grasp.as_box();
   for (std::size_t j = 0; j < load.size(); ++j) {
     box.wrench[j].low += load[j];
     box.wrench[j].high += load[j];
@@ -210,7 +210,7 @@ Json to_json(const StaticsAnswer& answer) {
   Json json{{"name", question.description().name}};
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.description().units);
-  json["wrench"] = wrench_json(wrench_of(question.grasp));
+  json["wrench"] = wrench_json(question.grasp.wrench());
   if (!answer.asked.least_friction) {
     json["friction_factor"] = number_json(answer.asked.asked.friction_factor);
   }

@@ -140,7 +140,7 @@ Json within_json(const Answer& within) {
   if (within.question.is_bounded()) {
     json["max_motion"] = number_json(within.question.box()->max_motion);
   } else {
-    json["wrench"] = wrench_json(wrench_of(within.question.grasp));
+    json["wrench"] = wrench_json(within.question.grasp.wrench());
   }
   return json;
 }
@@ -160,7 +160,7 @@ Json to_json(const Answer& answer, const Warnings& warnings) {
   }
   json["engine"] = answer.engine();
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(wrench_of(question.grasp));
+  json["wrench"] = wrench_json(question.grasp.wrench());
   if (box != nullptr) {
     json["uncertain"] = uncertain_json(uncertain_numbers(*box));
     if (box->ball) json["ball"] = ball_json(*box->ball);

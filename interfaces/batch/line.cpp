@@ -104,7 +104,7 @@ LineResult LineDecider::failed(const BatchLine& line, const InputError& error) c
 std::string LineDecider::add_quality(Json& result, const Question& question,
                                      const std::string& line) const {
   const auto& [shape, options] = *options_.quality;
-  const Quality quality = find_quality(box_of(question.grasp), question.law, shape, options);
+  const Quality quality = find_quality(question.grasp.as_box(), question.law, shape, options);
   const Json found = finished(quality_json(question, quality), false);
   for (const char* field : {"proved", "refuted", "scales", "not_resisted"}) {
     if (found.contains(field)) result[field] = found[field];
@@ -159,7 +159,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
       }
     } else if (question.mechanism() != nullptr) {
       // Rigid contacts of several bodies tell whether they may stand.
-      const LoadClass found = statics(box_of(question.grasp));
+      const LoadClass found = statics(question.grasp.as_box());
       answer("class", found);
       if (wants_certificate()) {
         certificate = statics_certificate_text(question, {}, found, kProducer);

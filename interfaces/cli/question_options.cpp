@@ -248,7 +248,7 @@ std::vector<Question> QuestionArguments::any_questions() const {
 Question QuestionArguments::any_question() const {
   GraspFile file = read_any_grasp_file(file_, intervals());
   QuestionOptions asked = options();
-  if (has_no_wrench_ && asked.wrench) asked.wrench->resize(wrench_of(file.content).size());
+  if (has_no_wrench_ && asked.wrench) asked.wrench->resize(file.content.wrench().size());
   return ask_about(std::move(file), asked);
 }
 

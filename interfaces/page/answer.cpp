@@ -59,7 +59,7 @@ std::string text_of(const GraspFile& file) {
 /// Returns the file without its body: a page has its bodies once, and not with each example of
 /// a box.
 GraspFile without_body(GraspFile file) {
-  auto* box = std::get_if<GraspBox>(&file.content);
+  GraspBox* box = file.content.box();
   if (box == nullptr) return file;
   box->description.body.reset();
   if (box->mechanism) {
@@ -287,7 +287,7 @@ class PageAnswer {
               {"grasp", text_},
               {"question", question_json(asked_)},
               {"cases", case_names(file_)}};
-    const GraspBox grasp = box_of(question_.grasp);
+    const GraspBox grasp = question_.grasp.as_box();
     json["contacts"] = contacts_json(grasp);
     json["wrench"] = middles_json(grasp.wrench);
     json["outline"] = outline_json(grasp.description.outline);
@@ -443,7 +443,7 @@ class PageAnswer {
 
   RationalRow one_load() const {
     RationalRow load;
-    for (const Interval& w : wrench_of(question_.grasp)) {
+    for (const Interval& w : question_.grasp.wrench()) {
       if (!w.is_point()) refuse_box();
       load.push_back(w.low);
     }
@@ -512,7 +512,7 @@ class PageAnswer {
   void quality(Json& json) {
     std::optional<Quality> quality;
     part(json, "quality", [&](Json& found) {
-      const GraspBox grasp = box_of(centre().grasp);
+      const GraspBox grasp = centre().grasp.as_box();
       if (!grasp.is_point()) refuse_box();
       const LoadBall shape = question_.uncertain.ball.value_or(LoadBall{1});
       if (grasp.mechanism && shape.body.empty()) {

@@ -60,7 +60,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   search.node_limit = options.node_limit;
   search.second = false;
   report.answer = decide(question, search);
-  const GraspBox grasp = box_of(question.grasp);
+  const GraspBox grasp = question.grasp.as_box();
   report.residuals = residuals_of(grasp, question.law, claim);
   report.scale = residual_scale(grasp, claim);
   if (claim.twist) report.claimed_slip = slip_of(grasp, *claim.twist);

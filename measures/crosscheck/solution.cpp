@@ -44,14 +44,7 @@ ContactGeometry::ContactGeometry(const UncertainContact& contact)
 }
 
 RationalRow ContactGeometry::wrench_of(const RationalRow& force) const {
-  RationalRow wrench = force;
-  if (force.size() == 2) {
-    wrench.push_back(point_[0] * force[1] - point_[1] * force[0]);
-  } else {
-    const Vector3 torque = cross(vector3(point_), vector3(force));
-    wrench.insert(wrench.end(), torque.begin(), torque.end());
-  }
-  return wrench;
+  return wrench_at(point_, force);
 }
 
 RationalRow ContactGeometry::displacement(const RationalRow& d) const {

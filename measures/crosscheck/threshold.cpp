@@ -49,7 +49,7 @@ std::optional<DistanceBounds> bounds_along_load(const Question& question, bool s
   const RationalRow load = components(question.box()->wrench);
   if (largest(load).is_zero()) return std::nullopt;
   Question family{question.grasp, question.law};
-  auto& base = std::get<GraspBox>(family.grasp);
+  GraspBox& base = *family.grasp.box();
   base.wrench = WrenchBox(load.size());
   family.direction = load;
   SpatialMarginOptions options;

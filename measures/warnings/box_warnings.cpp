@@ -155,7 +155,7 @@ std::optional<std::string> assumed_stiffness_of(const Answer& answer, bool stabl
     if (!stable) return true;  // doubles miss equilibria
     Question varied = question;
     varied.grasp = with_stiffness(grasp, contact, stiffness);
-    for (UncertainContact& c : std::get<GraspBox>(varied.grasp).contacts) {
+    for (UncertainContact& c : varied.grasp.box()->contacts) {
       c.friction = point_interval(friction_to_tell_by(stable) * c.friction.low);
     }
     const RoundedGrasp rounded = rounded_middle(law_of(varied, answer.bits));

@@ -72,9 +72,9 @@ std::optional<RationalRow> least_opposed(const std::vector<RationalRow>& wrenche
 
 std::optional<std::string> balance_on_an_edge(const AnyGrasp& any) {
   // A crowd of contacts in the plane would take much memory as a box.
-  const auto* crowd = std::get_if<LoadedGrasp>(&any);
+  const LoadedGrasp* crowd = any.single();
   if (crowd != nullptr && crowd->grasp.size() > kMostContactsInBalance) return {};
-  const GraspBox grasp = box_of(any);
+  const GraspBox grasp = any.as_box();
   if (!grasp.springs.empty() || grasp.contacts.size() > kMostContactsInBalance) return {};
   const GraspLaw law(grasp, NormalLaw::kUnilateral);
   RationalRow load;

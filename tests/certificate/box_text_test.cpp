@@ -125,7 +125,7 @@ TEST(BoxCertificate, BitsWhereALengthIsIrrational) {
 
 TEST(BoxCertificate, UncertainComponentsOfTheWrenchAreTwoNumbers) {
   GraspFile file = file_of({0, 1}, 1);
-  GraspBox box = box_of(file.content);
+  GraspBox box = file.content.as_box();
   box.wrench[1] = {-1, Rational(-1, 2)};
   file.content = std::move(box);
   EXPECT_THAT(certificate_text(question_of(file, "wrench=100%"), Unstable{every_node()}, "us"),

@@ -38,7 +38,7 @@ const std::string kRest = R"("position": [0, 0], "normal": [1, 0], )";
 
 TEST(Intervals, AreRead) {
   const GraspFile file = read_uncertain("all.json");
-  const auto* box = std::get_if<GraspBox>(&file.content);
+  const GraspBox* box = file.content.box();
   ASSERT_NE(box, nullptr);
   const std::vector<UncertainContact>& c = box->contacts;
   ASSERT_EQ(c.size(), 3U);
@@ -80,7 +80,7 @@ TEST(Intervals, AreRead) {
 
 TEST(Intervals, OfOneCaseLeaveTheOthersCertain) {
   const GraspFile file = read_uncertain("one_case.json");
-  EXPECT_TRUE(std::holds_alternative<LoadedGrasp>(file.content));
+  EXPECT_TRUE(file.content.single() != nullptr);
   for (const Interval& w : file.cases[0].wrench) EXPECT_TRUE(w.is_point());
   EXPECT_EQ(file.cases[1].wrench, (WrenchBox{Interval{}, Interval{-2, -1}, Interval{}}));
   EXPECT_EQ(file.assumed_stiffness, (std::vector<ContactId>{ContactId(0)}));
@@ -91,7 +91,7 @@ TEST(Intervals, OfOneNumberAreThatNumber) {
       file_with(R"("position": [{"min": 1, "max": 1.0}, 0], "friction": {"max": 1, "min": 1},
                    "normal": {"direction": [3, 4], "slope": 0})"),
       "f", Intervals::kAllowed);
-  ASSERT_TRUE(std::holds_alternative<LoadedGrasp>(file.content));
+  ASSERT_TRUE(file.content.single() != nullptr);
   EXPECT_EQ(file.loaded().grasp.contacts()[1].position, (Vector2{1, 0}));
   EXPECT_EQ(file.loaded().grasp.contacts()[1].normal, (Vector2{3, 4}));
 }
@@ -148,7 +148,7 @@ TEST(Intervals, RandomOnesComeBack) {
     const GraspFile file{box};
     const std::string text = write_grasp_file(file);
     const GraspFile again = parse_grasp(text, "again", Intervals::kAllowed);
-    const auto* read = std::get_if<GraspBox>(&again.content);
+    const GraspBox* read = again.content.box();
     ASSERT_EQ(read == nullptr, box.is_point());
     EXPECT_EQ(write_grasp_file(again), text);
     if (read == nullptr) continue;

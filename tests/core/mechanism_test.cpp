@@ -24,7 +24,7 @@ const char kJoints[] =
 const char kFoot[] = R"({"of": "box", "position": [0, 0], "normal": [0, 1], "friction": 1})";
 
 GraspBox box_in(const std::string& text) {
-  return std::get<GraspBox>(parse_any_grasp(text, "f").content);
+  return *parse_any_grasp(text, "f").content.box();
 }
 
 TEST(Mechanism, LinksMoveAsWhatTheyAreOnAndAsTheirJointsTurn) {
@@ -79,8 +79,8 @@ TEST(Mechanism, WhatIsWrittenIsReadAgain) {
   const std::string written = write_grasp_file(once);
   const GraspFile again = parse_any_grasp(written, "written");
   EXPECT_EQ(write_grasp_file(again), written);
-  const auto& a = std::get<GraspBox>(once.content);
-  const auto& b = std::get<GraspBox>(again.content);
+  const auto& a = *once.content.box();
+  const auto& b = *again.content.box();
   EXPECT_EQ(a.wrench, b.wrench);
   EXPECT_EQ(once.cases.front().wrench, again.cases.front().wrench);
   ASSERT_EQ(a.springs.size(), 3U);

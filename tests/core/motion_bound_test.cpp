@@ -95,9 +95,8 @@ TEST(MotionBound, StandsInFilesAndIsWrittenAgain) {
   const auto bound_in = [&](const std::string& written) {
     const GraspFile file = parse_any_grasp(head + written + rest, "f");
     const GraspFile again = parse_any_grasp(write_grasp_file(file), "again");
-    EXPECT_EQ(std::get<GraspBox>(again.content).max_motion,
-              std::get<GraspBox>(file.content).max_motion);
-    return std::get<GraspBox>(file.content).max_motion;
+    EXPECT_EQ(again.content.box()->max_motion, file.content.box()->max_motion);
+    return file.content.box()->max_motion;
   };
   EXPECT_EQ(bound_in(R"({"length": "1/2", "angle": 3})"),
             (RationalRow{Rational(1, 2), Rational(1, 2), 3}));

@@ -106,8 +106,8 @@ std::string truth_in_space(const Input& input, const Question& question,
     const stickslip::Rational sum = core_number(base.low + multiple * growth);
     return stickslip::Interval{sum, sum};
   };
-  auto grasp =
-      std::get<stickslip::GraspBox>(stickslip::parse_any_grasp(input.grasp, "grasp").content);
+  stickslip::GraspBox grasp =
+      stickslip::parse_any_grasp(input.grasp, "grasp").content.as_box();
   for (std::size_t j = 0; j < grasp.wrench.size(); ++j) {
     grasp.wrench[j] = at_multiple(question.wrench[j], question.growth[j]);
   }

@@ -49,7 +49,7 @@ void read_line(const std::string& text) {
     stickslip::fuzz::expect_useful(error, text);
     return;
   }
-  residuals_of(box_of(line.question.grasp), line.question.law, line.claim);
+  residuals_of(line.question.grasp.as_box(), line.question.law, line.claim);
   std::string again;
   try {
     again = written(line);

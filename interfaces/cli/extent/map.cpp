@@ -55,7 +55,7 @@ int map(const MapArguments& arguments) {
     throw InputError("", "GRASP", "some of its numbers are uncertain already",
                      "a map is about one grasp, whose numbers its axes vary: give numbers");
   }
-  const GraspBox grasp = box_of(question.grasp);
+  const GraspBox grasp = question.grasp.as_box();
   const MapAxis x = parse_axis(grasp, arguments.x, "--x");
   const MapAxis y = parse_axis(grasp, arguments.y, "--y");
   const std::vector<MapCell> cells = proved_cells(grasp, question.law, x, y, asked);

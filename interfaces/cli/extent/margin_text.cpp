@@ -32,7 +32,7 @@ std::string family_text(const Question& question) {
 std::vector<Rational> preloads_of(const Question& question) {
   if (question.preload_direction->scale) return question.preload_growth;
   std::vector<Rational> preloads;
-  for (const UncertainContact& c : box_of(question.grasp).contacts) {
+  for (const UncertainContact& c : question.grasp.as_box().contacts) {
     preloads.push_back(c.preload.low);
   }
   return preloads;
@@ -42,7 +42,7 @@ std::vector<Rational> preloads_of(const Question& question) {
 
 std::string head_text(const Question& question, NumberText& text) {
   std::string head = heading(question) + family_text(question) + "\n\n" + "  wrench w     " +
-                     load_text(wrench_of(question.grasp), text) + '\n';
+                     load_text(question.grasp.wrench(), text) + '\n';
   if (question.direction) head += "  direction u  " + text(*question.direction) + '\n';
   if (const auto& direction = question.preload_direction) {
     head += "  preloads P   " + preloads_text(preloads_of(question), text) + '\n';

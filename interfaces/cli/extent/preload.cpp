@@ -134,7 +134,7 @@ class LeastText {
   std::string loads() {
     std::string lines;
     for (const Question& question : questions_) {
-      lines += "  load w     " + load_text(wrench_of(question.grasp), text_) +
+      lines += "  load w     " + load_text(question.grasp.wrench(), text_) +
                (question.case_name.empty() ? "" : "  " + question.case_name) + '\n';
     }
     if (const auto& ball = questions_.front().uncertain.ball) {

@@ -147,10 +147,10 @@ Question question_to_draw(const QualityFound& found) {
   Question question = found.question;
   const auto& [stable, example] = std::pair(found.quality.stable, found.quality.radii.example);
   if (stable != true || !example) return question;
-  if (auto* one = std::get_if<LoadedGrasp>(&question.grasp)) {
+  if (LoadedGrasp* one = question.grasp.single()) {
     one->wrench = planar_middle(example->wrench);
   } else {
-    std::get<GraspBox>(question.grasp).wrench = example->wrench;
+    question.grasp.box()->wrench = example->wrench;
   }
   return question;
 }

@@ -135,7 +135,7 @@ int radius(const RadiusArguments& arguments) {
   options.accuracy = accuracy_option(arguments.accuracy);
   options.box.node_limit = arguments.node_limit;
   RadiusQuestion asked{arguments.question.any_question(), {}, {}};
-  asked.box = box_of(asked.question.grasp);
+  asked.box = asked.question.grasp.as_box();
   asked.centre = asked.box.middle();
   if (asked.box.is_point()) {
     throw InputError("", "--uncertain", "nothing is uncertain",

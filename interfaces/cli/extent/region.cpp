@@ -206,7 +206,7 @@ int answer_statics_of_plane(const Question& question, const RegionArguments& arg
                      "give --origin");
   }
   StaticsQuestion asked{question};
-  const std::size_t size = wrench_of(question.grasp).size();
+  const std::size_t size = question.grasp.wrench().size();
   const auto row = [&](const char* option, const std::string& given, std::size_t unit) {
     if (!given.empty()) return rationals_at(option, given);
     RationalRow result(size);

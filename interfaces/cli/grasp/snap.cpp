@@ -56,11 +56,11 @@ std::string snap(AnyGrasp& content, const SnapArguments& arguments) {
     if (!arguments.numbers.json) {
       return report_text(result.snapped, NumberText(arguments.numbers));
     }
-    const Json report = report_json(description_of(content).name, result.snapped);
+    const Json report = report_json(content.description().name, result.snapped);
     return finished(report, arguments.numbers.floats).dump(1) + "\n";
   };
-  auto* one = std::get_if<LoadedGrasp>(&content);
-  return one != nullptr ? snapped_in(one->grasp) : snapped_in(std::get<GraspBox>(content));
+  LoadedGrasp* one = content.single();
+  return one != nullptr ? snapped_in(one->grasp) : snapped_in(*content.box());
 }
 
 void snap(const SnapArguments& arguments) {

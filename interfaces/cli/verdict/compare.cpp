@@ -69,7 +69,7 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
   const std::string& name = question.description().name;
   if (!name.empty()) std::cout << name << '\n';
   RationalRow load;
-  for (const Interval& w : wrench_of(question.grasp)) load.push_back(w.low);
+  for (const Interval& w : question.grasp.wrench()) load.push_back(w.low);
   std::cout << "  load w    " << text(load) << '\n'
             << "  length L  " << text(answer.length)
             << ", by which torques are divided (--length)\n"

@@ -47,7 +47,7 @@ void print_cases_text(const std::vector<WarnedAnswer>& answers, const NumberOpti
   for (const auto& [answer, found] : answers) {
     const std::string& name = answer.question.case_name;
     rows.push_back(
-        {name, name_of(answer.verdict), load_text(wrench_of(answer.question.grasp), text)});
+        {name, name_of(answer.verdict), load_text(answer.question.grasp.wrench(), text)});
     if (has_second) {
       rows.back().insert(rows.back().begin() + 2,
                          answer.within ? name_of(answer.within->verdict) : "");

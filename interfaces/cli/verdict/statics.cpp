@@ -31,7 +31,7 @@ struct StaticsArguments {
 /// Returns "wall: 6 bodies, 16 contacts" and the load, if that is short.
 std::string head(const StaticsQuestion& asked, NumberText& text) {
   const Question& question = asked.question;
-  const GraspBox box = box_of(question.grasp);
+  const GraspBox box = question.grasp.as_box();
   std::string line = heading(question);
   line += "statics of ";
   if (box.mechanism) line += std::to_string(box.mechanism->bodies.size()) + " bodies, ";
@@ -91,7 +91,7 @@ struct FoundText {
                                      : "Every load of the plane may stand.\n";
     } else if (directions.size() == 1) {
       lines =
-          multiples(multiples_of(box_of(answer.asked.question.grasp), found, directions[0]));
+          multiples(multiples_of(answer.asked.question.grasp.as_box(), found, directions[0]));
     } else if (found.stand.empty()) {
       lines = found.is_complete ? "No load of the plane may stand.\n"
                                 : "No load of the plane is known that may stand.\n";
@@ -132,7 +132,7 @@ struct FoundText {
 
   /// Returns a line with the least coefficient, if all contacts have the same.
   std::string coefficients(const LeastFriction& found) const {
-    const GraspBox box = box_of(answer.asked.question.grasp);
+    const GraspBox box = answer.asked.question.grasp.as_box();
     for (const UncertainContact& c : box.contacts) {
       if (c.friction.low != box.contacts.front().friction.low) return "";
     }
@@ -199,7 +199,7 @@ int statics(const StaticsArguments& arguments) {
   const bool is_loaded = arguments.question.chooses_load();
   asked.gives_wrench = !arguments.place.empty() || arguments.question.gives_wrench();
   if (!directions.empty() && !is_loaded) {
-    set_load(asked.question, RationalRow(wrench_of(asked.question.grasp).size()));
+    set_load(asked.question, RationalRow(asked.question.grasp.wrench().size()));
   }
   if (!arguments.place.empty()) {
     auto [load, ways] = loads_of_places(

@@ -96,7 +96,7 @@ struct EquilibriumText {
 /// Returns the load and the state of several bodies, coordinate by coordinate, without those
 /// that are 0 throughout.
 std::string states_text(const Answer& answer, const Mechanism& mechanism, NumberText& text) {
-  const WrenchBox load = wrench_of(answer.question.grasp);
+  const WrenchBox load = answer.question.grasp.wrench();
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   const bool has_motion = stable != nullptr && !stable->motion.empty();
   const bool is_exact = has_motion && std::holds_alternative<ShareWitness>(stable->proof);
@@ -294,7 +294,7 @@ void print_text(const Answer& answer, const Warnings& warnings, const NumberOpti
   std::cout << heading(question) << name_of(answer.verdict) << second_heading(answer) << "\n\n"
             << (question.mechanism() != nullptr
                     ? states_text(answer, *question.mechanism(), text)
-                    : "  load w    " + load_text(wrench_of(question.grasp), text) + "\n")
+                    : "  load w    " + load_text(question.grasp.wrench(), text) + "\n")
             << (stable == nullptr
                     ? "\n"
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))

@@ -106,7 +106,7 @@ Work decide_asked(const Given& given) {
 /// Decides a box. Irrational lengths or a bound on motions are enough to make one.
 Work box_asked(const Given& given) {
   const Question asked = given.in_box();
-  const GraspBox box = box_of(asked.grasp);
+  const GraspBox box = asked.grasp.as_box();
   if (box.is_point() && !box.is_bounded() && !needs_enclosure(box)) refuse_certain();
   return [asked, box, options = given.search()] {
     const BoxDecision found = decide_box(box, asked.law, options);
@@ -135,9 +135,9 @@ Work radius_asked(const Given& given) {
   options.box = given.search();
   options.accuracy = given.positive("accuracy", kPartOfRadius, true);
   const Question asked = given.in_box();
-  if (box_of(asked.grasp).is_point()) refuse_certain();
+  if (asked.grasp.as_box().is_point()) refuse_certain();
   return [asked, options] {
-    const GraspBox box = box_of(asked.grasp);
+    const GraspBox box = asked.grasp.as_box();
     const Radius found = find_radius(box.middle(), box, asked.law, options);
     Json json = radius_json(asked, found);
     json.erase("counterexample");
@@ -159,7 +159,7 @@ Work quality_asked_of(const Given& given) {
   }
   return [asked = given.about(),
           shape = given.ball(given.positive("length", "give a number above 0")), options] {
-    const Quality found = find_quality(box_of(asked.grasp), asked.law, shape, options);
+    const Quality found = find_quality(asked.grasp.as_box(), asked.law, shape, options);
     Json json = quality_json(asked, found);
     if (found.stable) set_proofs(json["proofs"], proved_quality(asked, found));
     return json;
@@ -214,7 +214,7 @@ Work map_asked(const Given& given) {
   certain.uncertain = {};
   // A map of a grasp in the plane needs rational lengths.
   const Question asked = question_about(given.grasp, certain);
-  const GraspBox centre = box_of(asked.grasp);
+  const GraspBox centre = asked.grasp.as_box();
   const MapAxis x = parse_axis(centre, given.as<std::string>("x"), "x");
   const MapAxis y = parse_axis(centre, given.as<std::string>("y"), "y");
   return [=, with_proofs = given.as<bool>("proofs")] {
@@ -323,7 +323,7 @@ Work region_asked(const Given& given) {
 }
 
 Work compare_asked(const Given& given) {
-  const bool space = in_space(given.grasp.content);
+  const bool space = given.grasp.content.in_space();
   CompareOptions options;
   options.methods = given.as<std::vector<std::string>>("methods");
   options.length = given.positive("length", "a characteristic length must be above 0");

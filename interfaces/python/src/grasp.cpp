@@ -144,7 +144,7 @@ py::dict units_of(const std::optional<Units>& units) {
 
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction) {
   GraspFile result = file;
-  if (auto* box = std::get_if<GraspBox>(&result.content)) {
+  if (GraspBox* box = result.content.box()) {
     for (std::size_t i = 0; i < friction.size(); ++i) {
       box->contacts[i].friction = point_interval(friction[i]);
     }
@@ -159,10 +159,10 @@ GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& fric
 }
 
 py::object in_its_class(GraspFile grasp) {
-  if (mechanism_of(grasp.content) != nullptr) {
+  if (grasp.content.mechanism() != nullptr) {
     return py::cast(BodiesFile{{std::move(grasp)}});
   }
-  if (in_space(grasp.content)) return py::cast(SpatialGraspFile{std::move(grasp)});
+  if (grasp.content.in_space()) return py::cast(SpatialGraspFile{std::move(grasp)});
   return py::cast(std::move(grasp));
 }
 

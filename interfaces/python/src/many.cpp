@@ -72,7 +72,7 @@ Decisions decide_many(std::size_t count, const py::list& grasps, const py::list&
     return list.empty() ? py::object(py::none()) : entry(list, i);
   };
   const std::size_t coordinates =
-      grasps.empty() ? 3 : wrench_of(grasps[0].cast<const GraspFile&>().content).size();
+      grasps.empty() ? 3 : grasps[0].cast<const GraspFile&>().content.wrench().size();
   std::vector<std::vector<Rational>> friction;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     friction.push_back(numbers(frictions[i],

@@ -51,8 +51,8 @@ struct AddDoubles {
 }  // namespace
 
 Engine engine_for(const GraspFile& grasp, const std::string& name) {
-  const bool several = mechanism_of(grasp.content) != nullptr;
-  if ((several || in_space(grasp.content)) && name != "auto") {
+  const bool several = grasp.content.mechanism() != nullptr;
+  if ((several || grasp.content.in_space()) && name != "auto") {
     throw InputError(
         "", "engine",
         std::string(several ? "there are several bodies" : "the grasp is in space") +
@@ -89,7 +89,7 @@ Json decision_json(const Answer& answer, const Warnings& warnings) {
   if (answer.within) {
     if (const auto certificate = certificate_of(*answer.within)) {
       json["within"]["proof"] =
-          files_json({write_grasp(box_of(answer.within->question.grasp)), *certificate});
+          files_json({write_grasp(answer.within->question.grasp.as_box()), *certificate});
     }
   }
   const auto* stable = std::get_if<Stable>(&answer.verdict);
@@ -123,7 +123,7 @@ std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMan
     ManyAnswer answer;
     answer.verdict = name_of(found->verdict);
     answer.engine = found->engine();
-    for (const Interval& w : wrench_of(found->question.grasp)) {
+    for (const Interval& w : found->question.grasp.wrench()) {
       answer.wrench.push_back(to_double(w.low));
     }
     if (const auto* stable = std::get_if<Stable>(&found->verdict)) {
@@ -193,7 +193,7 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
 }
 
 Question question_about(const GraspFile& grasp, const QuestionOptions& options) {
-  return in_space(grasp.content) || mechanism_of(grasp.content) != nullptr
+  return grasp.content.in_space() || grasp.content.mechanism() != nullptr
              ? question_in_box(grasp, options)
              : question_of(grasp, options);
 }

@@ -64,7 +64,8 @@ SpatialGraspFile make_spatial_grasp(const py::list& positions, const py::list& n
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
   const std::vector<Rational> preloads = numbers(preload, m, "preload");
   SpatialGraspFile grasp;
-  auto& box = grasp.content.emplace<GraspBox>();
+  grasp.content = GraspBox();
+  GraspBox& box = *grasp.content.box();
   for (std::size_t i = 0; i < m; ++i) {
     const Vector3 p = row_of(positions, i, "positions");
     const Vector3 n = row_of(normals, i, "normals");
@@ -97,7 +98,7 @@ std::string spatial_text(SpatialGraspFile grasp) {
 }
 
 const GraspBox& box_in(const GraspFile& grasp) {
-  return std::get<GraspBox>(grasp.content);
+  return *grasp.content.box();
 }
 
 /// Returns the numbers of a grasp without intervals.

@@ -18,7 +18,7 @@ struct BoxCase {
 
   Question question() const;
   /// Requires that it is a box.
-  GraspBox box() const { return box_of(question().grasp); }
+  GraspBox box() const { return question().grasp.as_box(); }
   BoxDecision decide() const { return decide_box(box(), options.law); }
 };
 

@@ -141,7 +141,7 @@ void expect_alike(RandomSource& random, const Kind& kind, Counts& counts) {
   QuestionOptions options;
   if (random.between(0, 3) == 0) options.law = NormalLaw::kBilateral;
   const Question question = ask(parse_any_grasp(file, kind.name), options);
-  const GraspLaw law(box_of(question.grasp), question.law, kDefaultBits);
+  const GraspLaw law(question.grasp.as_box(), question.law, kDefaultBits);
   Trees tree;
   const MotionRegion region = descended(random, kind, law, tree);
   if (region.is_barred()) return;

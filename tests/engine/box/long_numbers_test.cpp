@@ -199,7 +199,7 @@ TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
           EXPECT_EQ(by_degree.has_value(), is_stable && !is_idle && !is_listed);
           if (!by_degree) continue;
           Question boxed = question;
-          boxed.grasp = box_of(question.grasp);
+          boxed.grasp = question.grasp.as_box();
           test::CheckerInput input{write_grasp(question.loaded()),
                                    certificate_text(boxed, by_degree->verdict, "tests"),
                                    {}};

@@ -20,7 +20,7 @@ GraspFile certain() {
 
 /// The same, with the friction of contact 0 in [1/4, 3/4].
 GraspFile uncertain() {
-  GraspBox box = box_of(certain().content);
+  GraspBox box = certain().content.as_box();
   box.contacts[0].friction = {Rational(1, 4), Rational(3, 4)};
   return {box};
 }
@@ -32,7 +32,7 @@ QuestionOptions widened_by(const char* tolerances) {
 }
 
 TEST(BoxQuestion, WhatIsReplacedMayLeaveOneGrasp) {
-  GraspBox box = box_of(certain().content);
+  GraspBox box = certain().content.as_box();
   box.contacts[0].preload = {1, 3};
   box.wrench[1] = {-5, -3};
   const GraspFile file{box};
@@ -88,7 +88,7 @@ TEST(BoxQuestion, PreloadsAlongIrrationalNormals) {
               grows ? "contacts[1].normal" : "");
   }
   // A preload that may be above 0 is enough.
-  GraspBox box = box_of(file.content);
+  GraspBox box = file.content.as_box();
   box.contacts[1].preload = {0, 0};
   EXPECT_EQ(ask({box}, {}).box(), nullptr);
   box.contacts[1].preload = {0, Rational(1, 1000)};

@@ -531,7 +531,7 @@ TEST(SpaceClaims, RefusesWhatDoesNotFit) {
   EXPECT_THROW(judge_claim(cup(2), solution(RationalRow(6), {{1, 0, 0}})), InputError);
   EXPECT_THROW(judge_claim(cup(2), solution(RationalRow(3), {})), ContractError);
   Question uncertain = cup(2);
-  std::get<GraspBox>(uncertain.grasp).contacts[0].friction = {number("0.4"), kHalf};
+  uncertain.grasp.box()->contacts[0].friction = {number("0.4"), kHalf};
   EXPECT_THROW(judge_claim(uncertain, verdict(true)), InputError);
 }
 

@@ -217,6 +217,9 @@ void for_each_number(Box& box, Function f) {
 /// Returns the wrench in the middle of every interval, in the plane.
 Wrench planar_middle(const WrenchBox& wrench);
 
+/// Returns the wrench of the force f at the point p, in the plane or in space: the force and
+/// its torque about the origin. It is also the row of how far the point moves along f.
+RationalRow wrench_at(const RationalRow& p, const RationalRow& f);
 /// \{ Converts a wrench in the plane to a row, and back.
 RationalRow row_of(const Wrench& wrench);
 Wrench wrench_of(const RationalRow& row);
@@ -231,25 +234,65 @@ inline Vector3 vector3(const RationalRow& row) {
   return {row.at(0), row.at(1), row.at(2)};
 }
 
-/// A grasp with its load as files have it: one grasp in the plane, in little memory; or any
-/// grasp as a box, in the plane or in space, which may be one point.
-using AnyGrasp = std::variant<LoadedGrasp, GraspBox>;
-
-/// Returns whether the grasp is in space, whose points have three coordinates.
-bool in_space(const AnyGrasp& grasp);
-/// Returns the mechanism of several bodies; null if there is one body.
-const Mechanism* mechanism_of(const AnyGrasp& grasp);
-/// Returns the description of the grasp for people.
-const GraspDescription& description_of(const AnyGrasp& grasp);
-/// Returns the load of the grasp.
-WrenchBox wrench_of(const AnyGrasp& grasp);
-
-/// \{ Returns the box of one grasp, contact or wrench in the plane; a box is returned as it is.
-GraspBox box_of(const AnyGrasp& grasp);
+/// \{ Returns the box of one grasp, contact or wrench in the plane.
 GraspBox box_of(const LoadedGrasp& loaded);
 UncertainContact box_of(const Contact& contact);
 WrenchBox box_of(const Wrench& wrench);
 /// \}
+
+/// A grasp of any kind with its load, in the plane or in space, of one body or several, as a
+/// file or a question has it. It is a box, which may be one point. A single grasp in the plane
+/// may be kept as a LoadedGrasp, since a million contacts then take little memory; only what
+/// works in the plane alone, and is made for so many, needs to know.
+class AnyGrasp {
+ public:
+  /// Makes a grasp in the plane without contacts.
+  AnyGrasp() = default;
+  /// \{ Makes the grasp, and keeps it as it is given.
+  AnyGrasp(LoadedGrasp single) : kept_(std::move(single)) {}  // NOLINT(*-explicit-*)
+  AnyGrasp(GraspBox box) : kept_(std::move(box)) {}           // NOLINT(*-explicit-*)
+  /// \}
+
+  /// \{ Returns the single grasp in the plane if it is kept as one, or null.
+  const LoadedGrasp* single() const { return std::get_if<LoadedGrasp>(&kept_); }
+  LoadedGrasp* single() { return std::get_if<LoadedGrasp>(&kept_); }
+  /// \}
+  /// \{ Returns the box, or null if the grasp is kept as a LoadedGrasp.
+  const GraspBox* box() const { return std::get_if<GraspBox>(&kept_); }
+  GraspBox* box() { return std::get_if<GraspBox>(&kept_); }
+  /// \}
+  /// Returns the grasp as a box, however it is kept. O(m).
+  GraspBox as_box() const { return box() != nullptr ? *box() : box_of(*single()); }
+
+  /// Returns whether it is in space, whose points have three coordinates.
+  bool in_space() const { return box() != nullptr && box()->in_space(); }
+  /// Returns the mechanism of several bodies; null if there is one body.
+  const Mechanism* mechanism() const;
+  /// Returns whether it is one body in the plane.
+  bool is_one_planar_body() const { return box() == nullptr || box()->is_one_planar_body(); }
+  /// Returns whether motions are bounded.
+  bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
+  /// Returns whether contacts and springs are certain, whatever the load is.
+  bool has_certain_elements() const;
+  /// Returns the description of the grasp for people.
+  const GraspDescription& description() const;
+  /// Returns the load.
+  WrenchBox wrench() const;
+  /// Returns the number of contacts.
+  std::size_t contacts() const;
+  /// Returns a contact. Requires that it is there.
+  UncertainContact contact(ContactId id) const;
+  /// Returns how many elements only push: the contacts, and the ratchets, which are the first
+  /// springs.
+  std::size_t pushing_elements() const;
+  /// Returns the preloads by element; of intervals the low ends.
+  std::vector<Rational> preloads() const;
+  /// Gives each contact this preload. Throws InputError if it is negative.
+  void set_preload(const Rational& preload);
+
+ private:
+  std::variant<LoadedGrasp, GraspBox> kept_;
+};
 
 /// Returns whether 1/|n| of some contact that may have a preload is irrational. Preloads are
 /// divided by |n|, so that even one grasp is then known only as a box around such numbers.

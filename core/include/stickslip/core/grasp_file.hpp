@@ -42,7 +42,7 @@ struct GraspFile {
   /// Returns the one grasp in the plane. Throws ContractError if `content` is a box.
   const LoadedGrasp& loaded() const;
   /// Returns the description of the grasp for people.
-  const GraspDescription& description() const { return description_of(content); }
+  const GraspDescription& description() const { return content.description(); }
 };
 
 /// The intervals that a reader takes. Code that does not answer for all grasps in a box must

@@ -63,25 +63,25 @@ struct Question {
   /// Returns whether the question is about a margin.
   bool is_margin() const { return direction || preload_direction; }
   /// Returns whether the grasp is in space, whose points have three coordinates.
-  bool in_space() const { return stickslip::in_space(grasp); }
+  bool in_space() const { return grasp.in_space(); }
   /// Returns the mechanism of several bodies; null if there is one body.
-  const Mechanism* mechanism() const { return mechanism_of(grasp); }
+  const Mechanism* mechanism() const { return grasp.mechanism(); }
   /// Returns whether motions are bounded, which GraspBox::max_motion says.
-  bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
+  bool is_bounded() const { return grasp.is_bounded(); }
   /// Returns whether this is a margin whose answer is a list of ranges of multiples, each
   /// proved stable or unstable, which may leave some unsettled (certificate/FORMAT.md, section
   /// 5). If the grasp is no box, the multiples that are resisted are known exactly instead.
   bool has_claims() const { return is_margin() && box() != nullptr; }
   /// Returns whether there is one body, in the plane. Some functions, such as problem_of(),
   /// accept no other.
-  bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
+  bool is_one_planar_body() const { return grasp.is_one_planar_body(); }
   /// Returns the name, outline and units of the grasp.
-  const GraspDescription& description() const { return description_of(grasp); }
+  const GraspDescription& description() const { return grasp.description(); }
   /// Returns the grasp of a question about one grasp in the plane. Throws ContractError for any
   /// other.
   const LoadedGrasp& loaded() const;
   /// Returns the box, or nullptr if the grasp is a LoadedGrasp, a single one in the plane.
-  const GraspBox* box() const { return std::get_if<GraspBox>(&grasp); }
+  const GraspBox* box() const { return grasp.box(); }
 };
 
 /// Returns the box, or one grasp in the plane if that is all it is: one body, certain numbers,

@@ -35,11 +35,13 @@ struct Witness {
   std::vector<ContactForce> forces;  ///< the force of each contact, by ContactId
 };
 
-/// The part of an equilibrium from which all else follows (certificate/FORMAT.md, section 3).
+/// The part of an equilibrium of one body in the plane from which all its forces follow
+/// (certificate/FORMAT.md, section 3).
 struct ShortWitness {
   Twist twist;  ///< the motion d
-  /// The shares b / (mu a) of contacts with friction that stick under load, by increasing
-  /// ContactId. Shares of 0 are left out.
+  /// The shares b / (mu a), in [-1, 1], of contacts that stick under load: the part that each
+  /// uses of the largest friction it may have. They are in the order of ContactId; shares of 0
+  /// are left out.
   std::vector<std::pair<ContactId, Rational>> shares;
 
   /// Compares exactly.
@@ -51,30 +53,31 @@ struct ShortWitness {
 /// The part of an equilibrium in space, or of several bodies, from which all forces follow.
 struct ShareWitness {
   RationalRow twist;  ///< the motion d; the state z of several bodies
-  /// The shares sigma of contacts that stick, whose friction is mu a sigma, by increasing
-  /// ContactId. Each has 1 number in the plane, 3 in space, 4 with torsion. Shares of 0 are
-  /// left out.
+  /// The shares sigma of contacts that stick, whose friction force is f = mu a sigma. Each has
+  /// 1 number in the plane, 3 in space, 4 with torsion. They are in the order of ContactId;
+  /// shares of 0 are left out.
   std::vector<std::pair<ContactId, RationalRow>> shares;
 };
 
-/// \{ Returns the short form of an equilibrium, from contacts or their rows. The result does
-/// not depend on preloads. Requires an equilibrium.
+/// \{ Returns the short form of an equilibrium. Only the tangents and friction coefficients of
+/// the contacts, or of their rows, are read. Requires an equilibrium.
 ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness);
 ShortWitness in_short(const Grasp& grasp, const Witness& witness);
 /// \}
 
-/// Returns a text for people: which condition of problem.hpp fails first, and at which contact;
-/// nothing for an equilibrium. Requires that the problem is no margin's. Takes O(m) rational
-/// operations for m contacts.
+/// Checks by substitution that the witness is an equilibrium of the problem. Returns nothing if
+/// it is; else a text for people, which condition of problem.hpp fails first, and at which
+/// contact. Throws ContractError if the problem is a family. Takes O(m) rational operations for
+/// m contacts.
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness);
 
 /// An equilibrium exists. If the question was about a box, every grasp in it has one.
 struct Stable {
   /// An equilibrium of one grasp, or a proof that one exists.
   std::variant<Witness, ShareWitness, StabilityProof> proof;
-  /// The motion of an equilibrium, for people. A StabilityProof cuts the box into parts: it is
-  /// near an equilibrium of the grasp in the middle of the first part. With a ShareWitness it
-  /// is that of the witness; with a Witness it is empty.
+  /// The motion of an equilibrium, for people. With a StabilityProof, which may cut the box
+  /// into parts, it is near the motion of an equilibrium of the grasp in the middle of the
+  /// first part. With a ShareWitness it is that of the witness; with a Witness it is empty.
   RationalRow motion{};
 
   /// Returns the witness. Requires that the proof is one, as it is for one exact grasp in the
@@ -85,16 +88,16 @@ struct Stable {
 struct Unstable {
   Trees tree;  ///< the proof
 };
-/// Two grasps of the box have opposite verdicts. Their certificates are had by deciding each.
+/// Two grasps of the box have opposite verdicts. For their certificates decide each of the two.
 struct Fragile {
   GraspBox stable;    ///< a grasp of the box that is stable
   GraspBox unstable;  ///< a grasp of the box that is not
 };
 /// Neither stability nor instability was proved.
 struct Undecided {
-  std::string limit;             ///< the cause, a sentence without its full stop, for people
+  std::string limit;             ///< the cause, for people: a sentence without its full stop
   std::string reason = "limit";  ///< the same in one word, for programs (docs/space.md)
-  std::string remedy{};          ///< the remedy in words; may be empty
+  std::string remedy{};          ///< what may help, for people; may be empty
   /// A motion, from doubles, at which the laws seem to hold, though that was not proved; may be
   /// empty.
   std::vector<Rational> near{};
@@ -105,11 +108,11 @@ using Verdict = std::variant<Stable, Unstable, Fragile, Undecided>;
 
 /// Returns "stable", "unstable", "fragile" or "undecided".
 const char* name_of(const Verdict& verdict);
-/// Returns the word for what is_stable() says: "stable", "unstable", or "undecided" for
-/// nothing.
+/// Returns the word for a result of is_stable(): "stable" for true, "unstable" for false, and
+/// "undecided" for nothing.
 const char* verdict_name(std::optional<bool> stable);
-/// Returns true if all that was asked about is stable, false if all is unstable, and nothing if
-/// neither is proved.
+/// Returns true if all that was asked about is stable, false if all is unstable, and nothing
+/// for Fragile and Undecided.
 std::optional<bool> is_stable(const Verdict& verdict);
 
 /// Returns "<limit>; <remedy>", for people.

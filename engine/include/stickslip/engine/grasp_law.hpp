@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The law of a box of grasps, in the plane or in space: the enlarged box of
-/// certificate/FORMAT.md, section 6, with its *parameters*, intervals in which N, S, v and
-/// the work of a force are multilinear.
+/// The law of a box of grasps, in the plane or in space, in *parameters*: numbers, each in an
+/// interval of its own, in which N, S, v and the work of a force are multilinear. They are the
+/// point and the turns of the normal of each contact, mu, P' = P / |n|, k' = k / |n|^2, and the
+/// load. As P' and k' are taken to be independent of the turn, the box of parameters contains a
+/// little more than the grasps that are asked about (certificate/FORMAT.md, section 6).
 #pragma once
 
 #include <array>
@@ -20,19 +22,24 @@ namespace stickslip {
 
 /// The growth of load and preloads per unit of a margin's multiple.
 struct GrowthRates {
-  RationalRow load{};                ///< u; empty: 0
-  std::vector<Rational> preloads{};  ///< P^u by element, contacts first; empty: none grows
+  RationalRow load{};  ///< u; empty: 0
+  /// P^u, the growth of the preload P of each contact, and then of the force of each spring;
+  /// empty: none grows.
+  std::vector<Rational> preloads{};
 };
 
-/// Returns all parameters of such grasps: those of each contact, then those of each spring, and
-/// then those of the wrench, or of the ball of loads if there is one.
+/// Returns the parameters of the grasps in a box: those of each contact, then those of each
+/// spring, and then the components of the wrench, or of a load in the ball if there is one.
+/// Those whose interval is one number are among them.
 std::vector<ParameterId> parameters_of(const GraspBox& box);
 
 /// The law of every grasp in a box, or in a part of it.
 class GraspLaw : public Law {
  public:
   /// Makes the law of a box. Where 1/|n| is irrational and the preload may be above 0, or
-  /// grows, it is enclosed in `bits` bits. A `margin` requires that the box is one grasp.
+  /// grows, 1/|n| is enclosed between two neighbouring numbers of `bits` bits. A `margin`
+  /// requires that the box is one grasp. Throws InputError if motions have more than 30
+  /// coordinates.
   GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits,
            const std::optional<GrowthRates>& margin = {});
 
@@ -40,15 +47,17 @@ class GraspLaw : public Law {
   const Interval& interval(const ParameterId& id) const;
   /// Returns all parameters, in the order of parameters_of().
   const std::vector<ParameterId>& parameters() const { return parameters_; }
-  /// Returns whether there is one body, in the plane, so that a Problem can be made of its
-  /// grasps.
+  /// Returns whether there is one body, and it is in the plane, so that a Problem can be made
+  /// of each grasp.
   bool is_one_planar_body() const { return one_body_ && !in_space_; }
-  /// Returns the halves of the box below and above a cut. Requires that this is no margin, and
-  /// that low < value < high.
+  /// Returns the laws of the two parts of the box, below and above a cut. Requires that this is
+  /// no margin. Throws ContractError unless low < split.value < high for the parameter's
+  /// interval [low, high].
   std::pair<GraspLaw, GraspLaw> halves(const PartSplit& split) const;
-  /// Returns the law of the one grasp with every parameter in the middle of its interval. In
-  /// place of a ball of loads it has the load that is nearest to the ball's middle, and in
-  /// place of a margin the member with this multiple.
+  /// Returns the law of the one grasp with every parameter in the middle of its interval. A
+  /// ball of loads is replaced by the load of this part of it that is nearest to the ball's
+  /// centre. A margin is replaced by its member with this multiple; without a margin the
+  /// multiple plays no part.
   GraspLaw middle(const Rational& multiple = 0) const;
   /// Returns the same margin with another range of multiples.
   GraspLaw within(const MultipleRange& range) const;
@@ -66,8 +75,9 @@ class GraspLaw : public Law {
   std::vector<ParameterId> parameters_;
 };
 
-/// Returns the law of a question that is a box, with irrational lengths enclosed to `bits`
-/// bits. If it asks about a margin, the law has the margin's growth.
+/// Returns the law of a question, with irrational lengths enclosed to `bits` bits. If it asks
+/// about a margin, the law has the margin's growth. Requires that the question's grasp is kept
+/// as a GraspBox (Question::box()).
 GraspLaw law_of(const Question& question, unsigned bits);
 
 }  // namespace stickslip

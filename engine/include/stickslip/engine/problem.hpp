@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The question: is this grasp stable under this wrench and this normal law?
+/// The problem of one grasp in the plane: is it stable under this wrench and this normal law?
 ///
-/// An equilibrium is a motion d and force coefficients (a_i, b_i), standing for the contact
-/// wrenches a_i N_i + b_i T_i, with (Haas-Heger et al., RSS 2018, Eqs. 1-7, preload in Eq. 4)
+/// Contact i has the rows N_i and T_i, the wrenches of a force along its normal and along its
+/// tangent, and friction mu_i, stiffness k_i and preload P_i (ContactRow). An equilibrium is a
+/// motion d and force coefficients (a_i, b_i), with which contact i exerts the wrench a_i N_i +
+/// b_i T_i, such that (Haas-Heger et al., RSS 2018, Eqs. 1-7, preload in Eq. 4)
 ///
 /// - balance: w + sum (a_i N_i + b_i T_i) = 0;
-/// - normal law, with v_i = P_i - k_i N_i.d: a_i = max(0, v_i) unilateral, a_i = v_i >= 0
-/// bilateral;
+/// - normal law, with the separation v_i = P_i - k_i N_i.d: a_i = max(0, v_i) if unilateral,
+///   a_i = v_i >= 0 if bilateral;
 /// - cone: |b_i| <= mu_i a_i;
 /// - dissipation: T_i.d > 0 implies b_i = -mu_i a_i, and T_i.d < 0 implies b_i = mu_i a_i.
 ///
@@ -16,9 +18,9 @@
 /// A problem may ask about a *family*: for which multiples l, in a range, is the grasp stable
 /// under the wrench w + l u and the preloads P + l P^u?
 ///
-/// Motions and multiples are homogenised: x = (d, h, l) in Q^5 with h >= 0, so that v_i, the
-/// slip tau_i = T_i.d and the load w h + u l are linear in x; where h > 0, d/h is the motion
-/// and l/h the multiple. Without a family l = 0.
+/// Motions and multiples are homogenised to points x = (d, h, l) in Q^5 with h >= 0. Where h >
+/// 0, d/h is the motion and l/h the multiple; without a family l = 0. So the separation v_i =
+/// P_i h + P^u_i l - k_i N_i.d, the slip tau_i = T_i.d and the load w h + u l are linear in x.
 #pragma once
 
 #include <optional>
@@ -41,7 +43,8 @@ struct MultipleRange {
 /// The growth of a family: the load and preloads that it adds for each unit of the multiple.
 struct Growth {
   Wrench load;  ///< u
-  /// The growth of ContactRow::preload, by contact, each >= 0; empty if preloads do not grow.
+  /// P^u, the growth of ContactRow::preload, by contact, each >= 0; empty if preloads do not
+  /// grow.
   std::vector<Rational> preloads = {};
 };
 
@@ -50,7 +53,8 @@ class Problem {
  public:
   /// Makes a problem with no contacts and no load, under the unilateral law.
   Problem() = default;
-  /// Throws InputError when a preloaded contact has a normal of irrational length.
+  /// Makes the problem of a grasp under its load. Throws InputError if a preloaded contact has
+  /// a normal of irrational length.
   Problem(const LoadedGrasp& loaded, NormalLaw law);
   /// Makes a problem of rows that may belong to no grasp file.
   Problem(std::vector<ContactRow> rows, const Wrench& wrench, NormalLaw law);
@@ -63,13 +67,14 @@ class Problem {
   const Wrench& wrench() const { return wrench_; }  ///< w; for a family, that of the multiple 0
   NormalLaw law() const { return law_; }            ///< the law of every contact
 
-  /// Returns a primitive positive multiple of tau_i, for signs and for cutting.
+  /// Returns a positive multiple of tau_i, as a function of points, in coprime integers. It has
+  /// the signs of tau_i.
   const IntegerVector5& slip_plane(ContactId contact) const {
     return slip_planes_[contact.index()];
   }
-  /// Returns v_i itself.
+  /// Returns v_i as a function of points.
   const Vector5& separation(ContactId contact) const { return separations_[contact.index()]; }
-  /// Returns a primitive positive multiple of v_i.
+  /// Returns a positive multiple of v_i, as a function of points, in coprime integers.
   const IntegerVector5& separation_plane(ContactId contact) const {
     return separation_planes_[contact.index()];
   }
@@ -79,18 +84,21 @@ class Problem {
   bool is_family() const;                                        ///< whether something grows
   const MultipleRange& multiples() const { return multiples_; }  ///< the family's range
 
-  /// Returns the problem of the same grasp and law under another wrench. O(m).
+  /// Returns the problem of the same grasp and law under another wrench. Throws ContractError
+  /// if this problem is a family. O(m).
   Problem with_wrench(const Wrench& wrench) const;
   /// Returns the family that begins with this problem, for all l >= 0. Throws ContractError if
-  /// this problem is a family, if nothing grows, or if a preload would fall. O(m).
+  /// this problem is a family, if nothing grows, if a preload would fall, or if preloads grow
+  /// and are not as many as the contacts. O(m).
   Problem along(const Growth& growth) const;
-  /// Returns the same family for other multiples. O(m).
+  /// Returns the same family for other multiples. Throws ContractError if this problem is no
+  /// family, or if the range is empty inside. O(m).
   Problem within(MultipleRange multiples) const;
   /// Returns the family's member with this multiple, which is no family. O(m).
   Problem at(const Rational& multiple) const;
 
-  /// Returns N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient
-  /// with friction on that edge of the cone.
+  /// Returns N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a contact with a = 1 whose
+  /// friction is the largest against the tangent, none, or the largest along it.
   Wrench edge_wrench(ContactId contact, int sigma) const;
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Boxes of grasps, in the plane or in space: some numbers are known only as intervals, and a
-/// box is all grasps with numbers in these at once. A number that is known exactly is an
-/// interval of one number.
+/// Boxes of grasps, in the plane or in space. Some numbers of a grasp are known only as
+/// intervals; the box is the set of all grasps whose numbers are in these intervals. A number
+/// that is known exactly has an interval of one number.
 ///
 /// Frame in space: the object frame, right-handed. A twist d = (u, omega) moves the point p to
 /// p + u + omega x p; a wrench is a force and its torque about the origin. Friction is
@@ -25,8 +25,8 @@
 namespace stickslip {
 
 /// A contact whose numbers may all be intervals. Vectors have two coordinates in the plane and
-/// three in space. The normal has any direction whose angle to n has a tangent of at most the
-/// slope.
+/// three in space. The normal is uncertain in direction: any whose angle to n has a tangent of
+/// at most the slope.
 struct UncertainContact {
   std::vector<Interval> position;  ///< the point of contact, in the object frame
   RationalRow normal;              ///< n, nonzero and of any length, points into the object
@@ -35,44 +35,48 @@ struct UncertainContact {
   Interval preload{};        ///< P >= 0, force
   Rational slope{0};         ///< the slope of the normal, 0 <= slope < 1
 
-  /// The torsion e >= 0 of a contact in space, a length. The friction of a soft pad has a
-  /// moment about the normal, at most e times as large as a force across it
-  /// (certificate/FORMAT.md, section 15). If e is not 0, the normal is certain.
+  /// The torsion e >= 0 of a contact in space, a length: with it friction is a tangential force
+  /// f and a moment m about the normal, |f|^2 + m^2 / e^2 <= (mu c)^2 for the normal force c,
+  /// as of a soft finger (certificate/FORMAT.md, section 15). If e is not 0, the normal is
+  /// certain.
   Rational torsion{0};
 
-  /// \{ The two of several bodies: `of` is pressed, and the normal points into it; `by` is the
-  /// other one.
+  /// \{ The two bodies in contact, if there are several: the normal points into the body `of`,
+  /// which is pressed by the body `by`.
   BodyIndex of{};
   BodyIndex by{};
   /// \}
 };
 
-/// A way in which a normal may turn: n + e direction for some |e| <= most.
+/// A way in which a normal may turn: n becomes n + e direction, with any |e| <= most.
 struct Turn {
   RationalRow direction;  ///< perpendicular to n
   Rational most;          ///< >= 0
 };
 
 /// Returns the turns of a contact; its normal may turn by all of them together. In the plane
-/// there is one, by (-n_y, n_x) and the slope. In space there are two, by perpendicular vectors
-/// u and v (certificate/FORMAT.md, section 6). Every normal of the contact is among n + e_u u +
-/// e_v v, and so are some others, whose tangent is up to 1.42 times the slope.
+/// there is one, with the direction (-n_y, n_x) and the slope as `most`. In space there are
+/// two, with directions u and v that are perpendicular to n and to each other
+/// (certificate/FORMAT.md, section 6). The normals n + e_u u + e_v v are all that the contact
+/// may have, and some more, as they fill a square around a disc: the tangents of their angles
+/// to n are up to 1.42 times the slope.
 std::vector<Turn> turns_of(const UncertainContact& contact);
 /// Returns n + the sum of e_j direction_j.
 RationalRow turned(RationalRow normal, const std::vector<Turn>& turns, const RationalRow& e);
 
-/// The components of a wrench: (x, y, torque) in the plane, force x, y, z and torque x, y, z in
-/// space, and for several bodies one for each coordinate of a state.
+/// The components of a wrench: (x, y, torque) in the plane; force x, y, z and torque x, y, z in
+/// space; the generalised force of several bodies, a component for each coordinate of a state
+/// (mechanism.hpp).
 using WrenchBox = std::vector<Interval>;
 
-/// A tolerance, how far numbers of a kind may be off: by t, or by t times their size.
+/// A tolerance: each number of a kind may be off by t, or by t times its magnitude.
 struct Tolerance {
   Rational amount{0};     ///< t >= 0
   bool relative = false;  ///< whether t is a factor: 1/10 for 10 %
 
   /// Returns the interval widened at both ends: [A - t, B + t] or [A - t|A|, B + t|B|].
   Interval widen(const Interval& interval) const;
-  /// Returns the number that spells it: 10 for 10 %.
+  /// Returns the number that a user writes for it: t, or 10 for 10 %.
   Rational spelled() const { return relative ? Rational(100 * amount) : amount; }
   /// Compares both members.
   friend bool operator==(const Tolerance& a, const Tolerance& b) {
@@ -89,7 +93,7 @@ struct LoadBall {
   RationalRow about{};  ///< the point; empty: the origin
   std::string body{};   ///< the loaded one of several bodies; else empty
 
-  /// Sets the point. Two or three coordinates that are all 0 are stored as the origin.
+  /// Sets the point. If all of its two or three coordinates are 0, `about` becomes empty.
   void set_about(RationalRow point);
   /// Returns |f|^2 + |tau|^2 / length^2 of z = (f, tau), three numbers in the plane and six in
   /// space.
@@ -134,21 +138,22 @@ struct NamedTolerance {
 /// ball.
 std::vector<NamedTolerance> given(const Tolerances& tolerances);
 
-/// Reads "friction=10%,normal=0.0175": decimals or fractions, each kind at most once. That of
-/// `wrench` may be a ball, "wrench=ball:1/2:length=2:about=3:0:body=cup", of which all but the
-/// radius may be left out. Throws InputError with the place "uncertain".
+/// Reads tolerances from words such as "friction=10%,normal=0.0175": decimals or fractions,
+/// each kind at most once. That of `wrench` may be a ball,
+/// "wrench=ball:1/2:length=2:about=3:0:body=cup", of which all but the radius, here 1/2, may be
+/// left out. Throws InputError with the place "uncertain" for anything else.
 Tolerances parse_tolerances(std::string_view text);
 
 /// Returns a ball as parse_tolerances() reads it, without "wrench=".
 std::string to_string(const LoadBall& ball);
 
-/// A box of grasps: contacts and a wrench with numbers in intervals, all in the plane or all in
-/// space. Its *elements* are its contacts and then its springs, and a ContactId may be that of
-/// either.
+/// A box of grasps: contacts, springs and a wrench whose numbers are intervals, all in the
+/// plane or all in space. Its *elements* are its contacts and then its springs, counted
+/// together: a ContactId may be that of either.
 struct GraspBox {
   std::vector<UncertainContact> contacts;  ///< the contacts, by ContactId
   WrenchBox wrench;                        ///< w, applied to the object
-  GraspDescription description{};          ///< an outline in the plane, a surface in space
+  GraspDescription description{};          ///< name, units, outline or surface, for people
   /// The mechanism of several bodies; null if there is one body.
   std::shared_ptr<const Mechanism> mechanism{};
   std::vector<Spring> springs{};   ///< the springs of several bodies, ratchets first
@@ -167,28 +172,38 @@ struct GraspBox {
   bool is_one_planar_body() const { return !mechanism && !in_space(); }
   /// Returns the number of contacts and springs.
   std::size_t elements() const { return contacts.size() + springs.size(); }
-  /// Returns how the point of the ball moves with its body, and how that turns: a row for each
-  /// component of a force and a torque at the point, as a linear function of motions. Requires
-  /// that there is a ball.
+  /// Returns how the loaded body moves at the point of the ball: the translation of that point
+  /// and the rotation of the body, each component a row, a linear function of motions. Throws
+  /// ContractError if there is no ball, and InputError if its body is not there.
   std::vector<RationalRow> ball_motion() const;
-  /// Returns how far each component of a load in the ball may be from 0. Requires that there is
-  /// a ball.
+  /// Returns the largest magnitude of each component of a load in the ball, a force and a
+  /// torque at its point: the radius, and radius times length. Throws ContractError if there is
+  /// no ball.
   RationalRow ball_reach() const;
-  /// Returns whether every interval is one number and every slope 0, and there is no ball.
+  /// Returns whether the box is one grasp: every interval is one number, every slope is 0, and
+  /// there is no ball.
   bool is_point() const;
-  /// Checks the numbers. Throws InputError naming "contacts[i].<member>", "wrench[j]" or the
-  /// member of a spring in three cases: an interval has its ends exchanged; a normal is 0 or
-  /// has a slope of 1 or more or below 0; or a number may be outside of its range. Friction
-  /// coefficients, preloads, torsions and stiffnesses of springs are 0 or more; stiffnesses of
-  /// contacts and ratchets are above 0; a normal with torsion has no slope. Throws InputError
-  /// naming "uncertain" for a ball whose radius or length is not above 0, beside an uncertain
-  /// wrench, on a body that is not there, or about a point of another dimension.
+  /// Checks that all numbers are in their ranges. These are required:
+  ///
+  /// - the low end of an interval is at most the high end;
+  /// - normals are not 0, and 0 <= slope < 1; a contact with torsion has the slope 0;
+  /// - friction coefficients, preloads, torsions and stiffnesses of springs are 0 or more, and
+  ///   stiffnesses of contacts and ratchets are above 0, in all of their intervals;
+  /// - a ball has a radius and a length above 0, the right dimension of its point, a certain
+  ///   wrench beside it, and of several bodies the name of one.
+  ///
+  /// Throws InputError naming "contacts[i].<member>", "wrench[j]", the member of a spring, or,
+  /// for a ball, "uncertain".
   void check() const;
-  /// Returns the box widened by the tolerances, and checked. Throws InputError as check() does.
+  /// Returns the box widened by the tolerances, and checked before and after. A ball replaces
+  /// that of the box. Throws InputError as check() does, and ContractError for a tolerance of
+  /// normals that is relative.
   GraspBox widened(const Tolerances& tolerances) const;
-  /// Returns the box with each interval shrunk or grown about the value in `centre`, one grasp
-  /// inside it: its ends are centre + factor (end - centre). Slopes and the radius of the ball
-  /// are multiplied by the factor. Requires factor >= 0. Throws as check() does.
+  /// Returns the box with each interval shrunk or grown about its number in `centre`, one grasp
+  /// inside the box: its ends are centre + factor (end - centre). Slopes and the radius of the
+  /// ball are multiplied by the factor; with the factor 0 there is no ball. Throws
+  /// ContractError if factor < 0 or `centre` is not one grasp inside, and InputError as check()
+  /// does.
   GraspBox scaled(const GraspBox& centre, const Rational& factor) const;
   /// Returns the one grasp in the middle of every interval, with the normals n and without a
   /// ball.
@@ -197,8 +212,8 @@ struct GraspBox {
   LoadedGrasp planar_middle() const;
 };
 
-/// Calls f for every number that may be an interval, in the order of a file. The slope of a
-/// normal and a ball are no such numbers.
+/// Calls f with every Interval of a box: those of contacts, then of springs, then of the
+/// wrench. The slope of a normal and a ball are not among them.
 template <class Box, class Function>
 void for_each_number(Box& box, Function f) {
   for (auto& c : box.contacts) {
@@ -214,19 +229,20 @@ void for_each_number(Box& box, Function f) {
   for (auto& component : box.wrench) f(component);
 }
 
-/// Returns the wrench in the middle of every interval, in the plane.
+/// Returns the wrench in the middle of the intervals. Requires a wrench in the plane.
 Wrench planar_middle(const WrenchBox& wrench);
 
 /// Returns the wrench of the force f at the point p, in the plane or in space: the force and
-/// its torque about the origin. It is also the row of how far the point moves along f.
+/// its torque about the origin. As a row its product with a twist is f.u, where the twist moves
+/// p by u.
 RationalRow wrench_at(const RationalRow& p, const RationalRow& f);
 /// \{ Converts a wrench in the plane to a row, and back.
 RationalRow row_of(const Wrench& wrench);
 Wrench wrench_of(const RationalRow& row);
 /// \}
 
-/// A twist or a wrench in space: translation x, y, z and rotation x, y, z in radians; or force
-/// x, y, z and torque x, y, z.
+/// A twist in space, translation x, y, z and rotation x, y, z in radians; or a wrench in space,
+/// force x, y, z and torque x, y, z.
 using Vector6 = std::array<Rational, 6>;
 
 /// Returns the vector in space with these three coordinates.
@@ -241,9 +257,10 @@ WrenchBox box_of(const Wrench& wrench);
 /// \}
 
 /// A grasp of any kind with its load, in the plane or in space, of one body or several, as a
-/// file or a question has it. It is a box, which may be one point. A single grasp in the plane
-/// may be kept as a LoadedGrasp, since a million contacts then take little memory; only what
-/// works in the plane alone, and is made for so many, needs to know.
+/// file or a question has it. It is a GraspBox, which may be one grasp. One grasp in the plane
+/// may be kept as a LoadedGrasp instead, in which a million contacts take little memory. Only
+/// code for such grasps asks for single(); all other code asks for as_box(), or for what both
+/// have.
 class AnyGrasp {
  public:
   /// Makes a grasp in the plane without contacts.
@@ -272,7 +289,8 @@ class AnyGrasp {
   bool is_one_planar_body() const { return box() == nullptr || box()->is_one_planar_body(); }
   /// Returns whether motions are bounded.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
-  /// Returns whether contacts and springs are certain, whatever the load is.
+  /// Returns whether all numbers of contacts and springs are certain; the load may be
+  /// uncertain.
   bool has_certain_elements() const;
   /// Returns the description of the grasp for people.
   const GraspDescription& description() const;
@@ -282,20 +300,24 @@ class AnyGrasp {
   std::size_t contacts() const;
   /// Returns a contact. Requires that it is there.
   UncertainContact contact(ContactId id) const;
-  /// Returns how many elements only push: the contacts, and the ratchets, which are the first
-  /// springs.
+  /// Returns the number of elements that push and never pull: the contacts, and the ratchets,
+  /// which are the first springs.
   std::size_t pushing_elements() const;
-  /// Returns the preloads by element; of intervals the low ends.
+  /// Returns the preload of each contact, and then the force of each spring; of an interval the
+  /// low end.
   std::vector<Rational> preloads() const;
-  /// Gives each contact this preload. Throws InputError if it is negative.
+  /// Gives each contact this preload, and leaves springs as they are. Requires preload >= 0: a
+  /// grasp that is kept as a LoadedGrasp throws InputError if it is negative, and for a
+  /// GraspBox GraspBox::check() does later.
   void set_preload(const Rational& preload);
 
  private:
   std::variant<LoadedGrasp, GraspBox> kept_;
 };
 
-/// Returns whether 1/|n| of some contact that may have a preload is irrational. Preloads are
-/// divided by |n|, so that even one grasp is then known only as a box around such numbers.
+/// Returns whether some contact that may have a preload has a normal n of irrational length.
+/// The preload enters as P' = P / |n|, so that even one grasp is then decided as a box, in
+/// which P' is an interval.
 bool needs_enclosure(const GraspBox& box);
 
 }  // namespace stickslip

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A mechanism of several bodies: bodies that move freely, links on hinges and slides, the
-/// joints that turn them, and springs (certificate/FORMAT.md, section 14).
+/// A mechanism of several bodies (certificate/FORMAT.md, section 14): bodies that move freely;
+/// *links*, which are bodies held by a hinge or a slide on another body or the ground;
+/// *joints*, the coordinates by which links turn or slide there; and springs.
 ///
-/// All are in one frame. A *state* z has the motion of each body that is no link, a twist about
-/// the origin, in the order of bodies, and then one coordinate for each joint. A link moves as
-/// the body that it is on, and besides as its joints turn it.
+/// Points and vectors of all bodies are given in one frame. A *state* z is a motion of the
+/// whole mechanism: first the twist, about the origin of the frame, of each body that is no
+/// link, in the order of bodies, and then one coordinate for each joint. Rotations are in
+/// radians. A link has the twist of the body that holds it, plus the twists by which its joints
+/// move it.
 #pragma once
 
 #include <cstddef>
@@ -45,60 +48,67 @@ inline Interval point_interval(const Rational& x) {
 /// The index of a body in Mechanism::bodies. Without a value it means the ground.
 using BodyIndex = std::optional<std::size_t>;
 
-/// A hinge or slide by which the body that it is on holds another one.
+/// A hinge or a slide that holds a body on another one, or on the ground.
 struct Link {
-  bool slides = false;  ///< whether the body slides along `axis`; else it turns
-  RationalRow at{};     ///< a point of the axis of a hinge
+  bool slides = false;  ///< whether the body slides along `axis`; else it turns about a hinge
+  RationalRow at{};     ///< a point on the axis of a hinge
   /// The axis of a slide, or of a hinge in space; not 0. A unit of a joint moves the link by
   /// this vector, or turns it by the vector's length in radians, right-handed. It is empty for
   /// a hinge in the plane, about which a unit turns by a radian, counter-clockwise.
   RationalRow axis{};
-  BodyIndex on{};  ///< the body that holds it, which stands before it
+  BodyIndex on{};  ///< the body that holds the link; it stands before the link in `bodies`
 };
 
 /// One of several bodies.
 struct Body {
   std::string name;                    ///< unique, not empty, and not "ground"
-  std::optional<Link> link{};          ///< nothing: it moves freely
+  std::optional<Link> link{};          ///< its hinge or slide; nothing: it moves freely
   std::vector<Polygon> outline{};      ///< the outline of a body in the plane; may be empty
   std::shared_ptr<const Mesh> mesh{};  ///< the surface of a body in space; may be null
-  std::vector<RationalRow> weights{};  ///< the points where the file's weights pull at it
+  std::vector<RationalRow> weights{};  ///< the points at which the file's weights act on it
 };
 
-/// The rates of links: pairs of a link's index in Mechanism::bodies and how fast it turns or
-/// slides, a number that is not 0.
+/// The rates of links: pairs of a link's index in Mechanism::bodies and a number that is not 0.
+/// For a joint the number is how far the link turns or slides, in units of Link::axis, per unit
+/// of the joint; for a spring it is the lever arm of the spring's force on the link.
 using LinkRates = std::vector<std::pair<std::size_t, Rational>>;
 
-/// A joint: one coordinate by which links turn.
+/// A joint: one coordinate by which one link, or several together, turn or slide.
 struct Joint {
-  std::string name;  ///< may be empty
-  LinkRates turns;   ///< how fast it turns links, per unit
+  std::string name;  ///< the name; may be empty
+  LinkRates turns;   ///< the links that it moves, with their rates
 };
 
-/// Bodies and joints. Functions take O(D) for each link that they follow.
+/// Bodies and joints. Functions of one body follow its links down to a free body or the ground,
+/// and take O(D) for each of these.
 struct Mechanism {
   bool in_space = false;        ///< whether points have three coordinates
   std::vector<Body> bodies{};   ///< the bodies, links after those that they are on
-  std::vector<Joint> joints{};  ///< the joints; each turns a link, and each link is turned
+  std::vector<Joint> joints{};  ///< the joints; each moves a link, and each link is moved
 
   /// Returns D, the number of coordinates of states.
   std::size_t coordinates() const;
-  /// Returns the first coordinate of a body that is no link.
+  /// Returns the index in a state at which the twist of a body begins. Requires that the body
+  /// is no link.
   std::size_t first_coordinate(std::size_t body) const;
-  /// Returns the coordinate of a joint.
+  /// Returns the index in a state of a joint's coordinate.
   std::size_t joint_coordinate(std::size_t joint) const;
-  /// Returns J of a body, its twist as functions of states: 3 rows in the plane, 6 in space.
+  /// Returns the Jacobian J of a body: its twist is J z, with 3 rows in the plane and 6 in
+  /// space. That of the ground is 0.
   std::vector<RationalRow> motion_of(BodyIndex body) const;
-  /// Returns J^T of a body times a wrench on it: the generalised force, 0 where it is not
-  /// listed.
+  /// Returns J^T times a wrench on a body: the generalised force, a number for each coordinate
+  /// of states. Coordinates that are not listed have 0.
   SparseRow load_on(BodyIndex body, const RationalRow& wrench) const;
-  /// Returns J_of - J_by, the motion of one body relative to another.
+  /// Returns J_of - J_by, so that its product with z is the twist of `of` relative to `by`.
   std::vector<RationalRow> motion_between(BodyIndex of, BodyIndex by) const;
-  /// Returns the sum of r_b times how each link b turns, as a function of states.
+  /// Returns, as a function of states, the sum over links b of the number in `over` times how
+  /// far b turns or slides on the body that holds it.
   RationalRow row_of(const LinkRates& over) const;
-  /// Returns "box.x", "box.turn" or the like, or for a joint its name or "joint 0".
+  /// Returns the name of a coordinate of states: "box.x", "box.turn" or the like for a body
+  /// "box"; for a joint its name, or "joint 0" if it has none.
   std::string coordinate_name(std::size_t coordinate) const;
-  /// Returns whether the coordinate is an angle and not a length.
+  /// Returns whether a coordinate of states is an angle and not a length. That of a joint is an
+  /// angle if it turns any link, even where it also slides others.
   bool is_rotation(std::size_t coordinate) const;
   /// Returns the body's name, or "ground".
   std::string name_of(BodyIndex body) const;
@@ -109,18 +119,19 @@ struct Mechanism {
 /// Returns the names of all coordinates.
 std::vector<std::string> coordinate_names(const Mechanism& mechanism);
 
-/// A force that does work along a linear function of states, `row`, without friction. That of a
-/// ratchet is max(0, P - k row.z), and that of a spring is P - k row.z, of either sign.
+/// A spring or a ratchet: a force F without friction that acts on the length or angle row.z, so
+/// that its generalised force is F row. F is P - k row.z, of either sign; that of a ratchet
+/// only pushes, and is max(0, P - k row.z).
 struct Spring {
-  /// The list of the file that it stands in.
+  /// The list of the file in which it stands: "ratchets", "joints" or "tendons".
   enum class Kind { kRatchet, kJoint, kTendon };
 
-  Kind kind = Kind::kTendon;  ///< its list
-  std::string place{};        ///< its path in the file, "joints[1]"
-  std::string name{};         ///< may be empty
-  std::size_t joint = 0;      ///< the index of the joint, if it stands in "joints"
-  LinkRates over{};           ///< the links that it acts on, if it stands elsewhere
-  RationalRow row{};          ///< the function, which follows from `joint` or `over`; not 0
+  Kind kind = Kind::kTendon;  ///< the list in which it stands
+  std::string place{};        ///< its path in the file, such as "joints[1]"
+  std::string name{};         ///< the name; may be empty
+  std::size_t joint = 0;      ///< the index of the joint that it acts on, if it is in "joints"
+  LinkRates over{};           ///< the links that it acts on, if it is in another list
+  RationalRow row{};          ///< the row, which follows from `joint` or `over`; not 0
   Interval stiffness{};       ///< k >= 0, above 0 for a ratchet
   Interval force{};           ///< P: a torque or tension, or the preload >= 0 of a ratchet
 
@@ -128,7 +139,8 @@ struct Spring {
   bool is_ratchet() const { return kind == Kind::kRatchet; }
 };
 
-/// Returns "preload", "torque" or "tension", the member of a file that has its force.
+/// Returns the name of the member of a file that has a spring's force: "preload" for a ratchet,
+/// "torque" for a joint, "tension" for a tendon.
 const char* force_name(const Spring& spring);
 
 }  // namespace stickslip

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Statics of any number of bodies: may they stand at all, with any stiffness and preloads?
+/// Statics of any number of bodies: do any forces at the contacts balance the load, whatever
+/// stiffness and preloads would make of it?
 ///
 /// - They *must move* if a motion y exists on which the load does positive work, and no force
 ///   that the contacts can exert does negative work. Then no forces balance the load.
 /// - They *may stand* if some forces in Coulomb's cones balance the load: it is weakly stable
 ///   (load_classes.hpp).
 ///
-/// A contact presses and rubs, a N + S^T f with |f| <= mu L a, in the plane, in space, or with
-/// torsion; a ratchet presses. A spring with stiffness holds with any force, as a joint that is
-/// locked; one without exerts its torque or tension.
+/// A contact exerts a N + S^T f with a >= 0 and |f| <= mu L a (letters as in law.hpp), in the
+/// plane, in space, or with torsion. A ratchet exerts a N with a >= 0. A spring with stiffness
+/// exerts any force, as a joint that is locked; one without stiffness exerts its torque or
+/// tension.
 ///
 /// **Method.** Doubles propose forces deep in all cones, or a motion that opens all contacts
-/// that it may (cone_program.hpp). A motion is rounded and judged. What rounded forces leave of
-/// the load is pushed from body to body along a tree of contacts to the ground, exactly. Both
-/// take time and memory linear in the number of contacts, but for the length of numbers. In the
-/// plane an exact linear program decides where doubles do not.
+/// that can open (cone_program.hpp). A motion is rounded, and then judged exactly. Forces are
+/// rounded, too; they leave a small part of the load unbalanced, which is passed exactly from
+/// body to body along a tree of contacts to the ground. Both take time and memory linear in the
+/// number of contacts, but for the length of numbers. In the plane, with up to 60 coordinates
+/// of motions (twenty bodies), an exact linear program decides where doubles do not.
 ///
 /// Sources: Livesley, "Limit analysis of structures formed from rigid blocks", Int. J. Numer.
 /// Methods Eng. 12, 1978; Whiting, Ochsendorf, Durand, "Procedural modeling of
@@ -33,63 +36,72 @@
 namespace stickslip {
 
 /// Decides whether the bodies of one grasp may stand, with all friction multiplied by a factor
-/// >= 0. Forces are by element: of a spring the normal is its force, of either sign. Requires
-/// that no number is uncertain. Evidence is checked by substitution.
+/// >= 0. The forces are those of contacts and then of springs; RigidForce::normal of a spring
+/// is its force, of either sign, and is left 0 for a spring without stiffness. The evidence has
+/// been checked by substitution. Throws ContractError if a number is uncertain.
 LoadClass statics(const GraspBox& grasp, const Rational& friction_factor = 1);
 
 /// Returns "may stand", "must move" or "undecided".
 std::string name_of(const LoadClass& found);
 
-/// The least factor of all friction with which bodies may stand is in [low, high].
+/// Bounds of the least factor by which all friction may be multiplied so that the bodies may
+/// stand: it is in [low, high].
 struct LeastFriction {
-  Rational low{0};           ///< they must move with this factor, unless it is 0
-  UnopposedMotion motion{};  ///< the evidence for `low`; empty if it is 0 and they may stand
+  Rational low{0};           ///< they must move with this factor, unless `motion` is empty
+  UnopposedMotion motion{};  ///< the evidence for `low`; empty if there is none, and low is 0
   Rational high{0};          ///< they may stand with this factor
   RigidForces forces{};      ///< the evidence for `high`
 };
 
-/// Encloses the least factor of friction: high - low is at most `accuracy` times high, unless
-/// programs between them stay undecided. Returns the motion if they must move with any
-/// friction, or with all of it times a million, and Undecided if that is not known.
+/// Encloses the least factor of friction. The difference high - low is at most `accuracy` times
+/// high, or times `accuracy` if that is larger, unless factors between the two stay undecided.
+/// Returns the motion instead if they must move with any friction, or with friction times a
+/// million; Undecided if neither that nor a factor with which they may stand is found.
 std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const GraspBox& grasp, const Rational& accuracy = Rational(1, 1000000));
 
-/// Forces that balance the load h w + sum l_k u_k of a plane or line of loads. If h is 0, so do
-/// they together with any others.
+/// Evidence about a line or plane of loads: forces that balance the load h w + sum l_k u_k. If
+/// h = 1, the load at l may stand. If h = 0, l is a way in which the loads that may stand have
+/// no end: these forces may be added to those of any other load.
 struct StandPoint {
-  RationalRow point;   ///< h >= 0, and l_k for each direction
-  RigidForces forces;  ///< forces by element
+  RationalRow point;   ///< h >= 0, and l_k for each direction u_k
+  RigidForces forces;  ///< the forces of contacts and then of springs
 };
 
-/// The loads w + sum l_k u_k of one or two directions: which may stand, and which must move.
+/// The loads w + sum l_k u_k of one or two directions u_k: which may stand, and which must
+/// move.
 struct StandingLoads {
-  /// The l for which (1, l) is a sum of multiples >= 0 of these points may stand.
+  /// The load at l may stand if (1, l) is a sum of multiples >= 0 of these points: the convex
+  /// hull of those with h = 1, and all that lies from it in the ways of those with h = 0.
   std::vector<StandPoint> stand{};
-  /// The l for which the load does positive work on one of these must move. They are integers.
+  /// Motions, coprime integers, that no contact opposes. The load at l must move if it does
+  /// positive work on one of these.
   std::vector<RationalRow> move{};
-  bool is_exact = true;     ///< whether no load is left between the two, but their border
-  bool is_complete = true;  ///< whether what is left is no more than was asked for
+  bool is_exact = true;  ///< whether each load is in one of the two sets
+  /// Whether the loads in neither set are all as near to the border as the accuracy asks for.
+  bool is_complete = true;
 };
 
-/// Returns the loads of one direction or two that may stand; in the plane exactly, if there are
-/// not too many bodies. Else what is left undecided is, along rays from a load that may stand,
-/// at most a part `accuracy` of the distance to the border. Throws InputError ("plane") if two
-/// directions are linearly dependent, and ("direction") if one is 0.
+/// Returns the loads of one direction or two that may stand: exactly in the plane, if there are
+/// at most 60 coordinates of motions (twenty bodies). Else some loads stay undecided near the
+/// border: along rays from a load that may stand, at most a part `accuracy` of the distance to
+/// the border. Throws InputError at "direction" if the one direction is 0, and at "plane" if
+/// the two are linearly dependent; ContractError if there are not one or two.
 StandingLoads standing_loads(const GraspBox& grasp, const std::vector<RationalRow>& directions,
                              const Rational& friction_factor = 1,
                              const Rational& accuracy = Rational(1, 1000));
 
-/// The multiples l of one direction: [low, high] may stand, where an end that is missing is
-/// none, and below and above borders they must move.
+/// The multiples l of one direction: those in [low, high] may stand, those below `below` and
+/// those above `above` must move, and between these nothing is known.
 struct StandingMultiples {
-  bool any = false;                 ///< whether some may stand
-  std::optional<Rational> low{};    ///< the least that may stand
-  std::optional<Rational> high{};   ///< the greatest
-  std::optional<Rational> below{};  ///< those below it must move
-  std::optional<Rational> above{};  ///< those above it must move
+  bool any = false;                 ///< whether some multiple is known that may stand
+  std::optional<Rational> low{};    ///< the least that may stand; nothing: no end, if `any`
+  std::optional<Rational> high{};   ///< the greatest that may stand; nothing: no end, if `any`
+  std::optional<Rational> below{};  ///< multiples below it must move; nothing: none is known
+  std::optional<Rational> above{};  ///< multiples above it must move; nothing: none is known
   bool always_moves = false;        ///< whether all must move
 };
-/// Returns what loads of one direction say of its multiples.
+/// Returns the multiples of one direction, from what standing_loads() returned for it.
 StandingMultiples multiples_of(const GraspBox& grasp, const StandingLoads& loads,
                                const RationalRow& direction);
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Two systems over cones of which one has a solution, in doubles and with few columns a cone:
+/// Two systems over cones, in doubles. By Farkas' lemma for cones exactly one of them has a
+/// solution, except perhaps for a load w on the border between the two:
 ///
 ///     w + sum A_i z_i = 0,   z_i in K_i    (forces z),                                   (1)
 ///     w.x > 0,   A_i^T x in K_i            (a motion x),                                 (2)
 ///
 /// where K_i are the z with z_0 >= |(z_1, ..., z_k)|: a half line, or a cone of second order.
-/// Either answer is a proposal, which exact arithmetic has to judge.
+/// Each A_i has few columns. Either answer is a proposal, which exact arithmetic has to judge.
 ///
 /// **Method.** An interior-point method follows the central path of the homogeneous self-dual
-/// embedding of both systems, with Nesterov and Todd's scaling. Its limit is deep within the
-/// cones, as far as they leave room, so that rounded numbers stay in them. A step factors one
-/// sparse matrix, of as many rows as x has entries, by Eigen.
+/// embedding of both systems, with Nesterov and Todd's scaling. The limit of the path is as far
+/// inside the cones as the equations allow, so that it stays in them when it is rounded. A step
+/// factors one sparse matrix, of as many rows as x has entries, by Eigen.
 ///
 /// Sources: Andersen, Roos, Terlaky, "On implementing a primal-dual interior-point method for
 /// conic quadratic optimization", Math. Program. 95, 2003; Vandenberghe, "The CVXOPT linear and
@@ -32,35 +33,38 @@ class ConePath;
 /// A column of few entries: pairs of a row and a number, each row at most once.
 using DoubleColumn = std::vector<std::pair<std::size_t, double>>;
 
-/// The two systems, which have the same numbers.
+/// The numbers of the two systems.
 struct ConePair {
   std::vector<double> load;                      ///< w
   std::vector<std::vector<DoubleColumn>> cones;  ///< A_i, by its columns
 };
 
-/// Proposals for both systems, of which one has a solution.
+/// A proposal for each of the two systems. At most one can be a solution.
 struct ConeProposal {
-  bool rests = false;                         ///< whether it is (1) that seems to have one
+  bool rests = false;  ///< whether (1) seems to have a solution, and not (2)
   std::vector<std::vector<double>> forces{};  ///< z of (1), by cone
-  std::vector<double> motion{};               ///< x of (2), with entries of at most 1
-  std::vector<double> gaps{};  ///< (A_i^T x)_0 - |(A_i^T x)_1..| over the size of A_i, by cone
-  int steps = 0;               ///< how often the matrix was factored
+  std::vector<double> motion{};               ///< x of (2), with entries of magnitude up to 1
+  /// How deep A_i^T x is in K_i, by cone: y_0 - |(y_1, ..., y_k)| for the y that the path has
+  /// in place of A_i^T x, over the largest entry of A_i.
+  std::vector<double> gaps{};
+  int steps = 0;  ///< the number of steps
 };
 
-/// Follows the path to its end and keeps what was factored there.
+/// Follows the path of a pair of systems to its end, and keeps the matrix that was factored
+/// there.
 class ConeSearch {
  public:
-  /// Follows it in doubles, or in long doubles, which take about ten times as long.
+  /// Follows the path in doubles, or in long doubles, which take about ten times as long.
   explicit ConeSearch(const ConePair& pair, bool is_long = false);
   ConeSearch(const ConeSearch&) = delete;
   ConeSearch& operator=(const ConeSearch&) = delete;
   ~ConeSearch();
 
-  /// Returns what is proposed. Near the border of both systems that may be not even nearly a
-  /// solution of one.
+  /// Returns the proposal. Near the border between the two systems neither part of it needs to
+  /// be even nearly a solution.
   const ConeProposal& proposal() const;
-  /// Returns changes z, by cone, with load + sum A_i z_i = 0 but for rounding: large ones of
-  /// forces that are deep in their cones, and small ones of others.
+  /// Returns changes z of the forces, by cone, that balance one more load: load + sum A_i z_i =
+  /// 0 but for rounding. Forces deep in their cones change much, others little.
   std::vector<std::vector<double>> changes(const std::vector<double>& load) const;
 
  private:

@@ -29,7 +29,9 @@ struct Radius {
   std::optional<BoxDecision> proof{};  ///< the proof for `proved`, unless that is 0
   std::optional<Rational> refuted{};   ///< the smallest factor with a counterexample
   std::optional<GraspBox> example{};   ///< the counterexample
-  Rational limit{0};                   ///< no larger factor leaves a box that is valid
+  /// The largest factor that was allowed: RadiusOptions::most, or less where a larger factor
+  /// would make the box invalid (GraspBox::check()).
+  Rational limit{0};
 
   /// Returns whether counterexamples are as near as any that are sought.
   bool is_on_threshold() const { return refuted && *refuted <= 2 * kLeastFactor; }

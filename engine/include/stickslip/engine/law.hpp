@@ -143,7 +143,7 @@ struct LawContact {
   std::array<double, 2> slopes{};
   double size = 1;
   /// 3/2 delta. Where a normal in space may turn, friction against a slip of the direction
-  /// sigma does at most the work mu L a (-<sigma, S y> + 3/2 delta |S y|) on a virtual twist y
+  /// sigma does at most the work mu L a (-sigma.(S y) + 3/2 delta |S y|) on a virtual twist y
   /// (certificate/FORMAT.md, section 7).
   double tilted = 0;
   std::array<double, 2> preloads{};

@@ -233,8 +233,8 @@ void for_each_number(Box& box, Function f) {
 Wrench planar_middle(const WrenchBox& wrench);
 
 /// Returns the wrench of the force f at the point p, in the plane or in space: the force and
-/// its torque about the origin. As a row its product with a twist is f.u, where the twist moves
-/// p by u.
+/// its torque about the origin. The product of this row with a twist is f.u, where the twist
+/// moves p by u.
 RationalRow wrench_at(const RationalRow& p, const RationalRow& f);
 /// \{ Converts a wrench in the plane to a row, and back.
 RationalRow row_of(const Wrench& wrench);

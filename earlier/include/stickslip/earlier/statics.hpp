@@ -60,9 +60,9 @@ struct LeastFriction {
 std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const GraspBox& grasp, const Rational& accuracy = Rational(1, 1000000));
 
-/// Evidence about a line or plane of loads: forces that balance the load h w + sum l_k u_k. If
-/// h = 1, the load at l may stand. If h = 0, l is a way in which the loads that may stand have
-/// no end: these forces may be added to those of any other load.
+/// Evidence about a line or plane of loads: forces that balance the load h w + sum l_k u_k. The
+/// load at l may stand if h = 1. A point with h = 0 is a direction l in which the loads that
+/// may stand have no end: these forces may be added to those of any other load.
 struct StandPoint {
   RationalRow point;   ///< h >= 0, and l_k for each direction u_k
   RigidForces forces;  ///< the forces of contacts and then of springs
@@ -72,7 +72,7 @@ struct StandPoint {
 /// move.
 struct StandingLoads {
   /// The load at l may stand if (1, l) is a sum of multiples >= 0 of these points: the convex
-  /// hull of those with h = 1, and all that lies from it in the ways of those with h = 0.
+  /// hull of those with h = 1, and all that lies from it in the directions of those with h = 0.
   std::vector<StandPoint> stand{};
   /// Motions, coprime integers, that no contact opposes. The load at l must move if it does
   /// positive work on one of these.

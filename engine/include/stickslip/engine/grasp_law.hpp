@@ -3,8 +3,8 @@
 /// The law of a box of grasps, in the plane or in space, in *parameters*: numbers, each in an
 /// interval of its own, in which N, S, v and the work of a force are multilinear. They are the
 /// point and the turns of the normal of each contact, mu, P' = P / |n|, k' = k / |n|^2, and the
-/// load. As P' and k' are taken to be independent of the turn, the box of parameters contains a
-/// little more than the grasps that are asked about (certificate/FORMAT.md, section 6).
+/// load. The box of parameters contains a little more than the grasps that are asked about,
+/// since P' and k' are taken to be independent of the turn (certificate/FORMAT.md, section 6).
 #pragma once
 
 #include <array>

@@ -5,18 +5,19 @@
 /// numbers of a contact's geometry, its point and normal, lie in a box. A contact has its rows
 /// N and S at each *corner* of that box, exactly and in doubles.
 ///
-/// **Letters.** d is a motion, and moves the contact's point by u. mu is friction, P the
-/// preload, k the stiffness. n is the normal, of any length, and n0 the normal before it is
-/// turned, if it is uncertain. w is the load, and l u the load that a margin adds at its
-/// multiple l. A contact has
+/// **Letters.** d is a motion, and p its displacement of the contact's point; of two bodies,
+/// that of the pressed one relative to the other. mu is friction, P the preload, k the
+/// stiffness. n is the normal, of any length, and n0 the normal before it is turned, if it is
+/// uncertain. w is the load, and l u the load that a margin adds at its multiple l. A contact
+/// has
 ///
-/// - the row N, with N.d = n.u;
-/// - the rows S, whose S d is the slip s: in the plane the one number t.u, with t = n turned by
-///   +90 degrees (S is the row T); in space u - (n0.u / L^2) n with L = |n0|, the part of u
-///   that is left in the plane across n0 when its part along n is taken away;
+/// - the row N, with N.d = n.p;
+/// - the rows S, whose S d is the slip s: in the plane the one number t.p, with t = n turned by
+///   +90 degrees (S is the row T); in space p - (n0.p / L^2) n with L = |n0|, what is left of p
+///   in the plane across n0 when a multiple of n is taken away;
 /// - P' = P / |n|, k' = k / |n|^2, and the *separation* v = P' - k' N.d;
-/// - the force a n + f, with a = max(0, v) and the friction f, |f| <= mu L a. In the plane f is
-///   the coefficient of t, and L = 1.
+/// - the force a n + f in space, with a = max(0, v) and the friction f, |f| <= mu L a; in the
+///   plane the force a n + f t, with the number f and L = 1.
 ///
 /// **Points.** A point is (d, h, l) with D + 2 coordinates, up to a positive factor: the motion
 /// d / h and, in a margin, the multiple l / h. So v = P' h - k' N.d, plus P^u' l in a margin,
@@ -142,8 +143,8 @@ struct LawContact {
   /// end of an interval. Slopes are mu L. `size` is Law::force_size().
   std::array<double, 2> slopes{};
   double size = 1;
-  /// 3/2 delta. Where a normal in space may turn, friction against a slip of the direction
-  /// sigma does at most the work mu L a (-sigma.(S y) + 3/2 delta |S y|) on a virtual twist y
+  /// 3/2 delta. Friction against a slip of the direction sigma does at most the work mu L a
+  /// (-sigma.(S y) + 3/2 delta |S y|) on a virtual twist y, however the normal turns in space
   /// (certificate/FORMAT.md, section 7).
   double tilted = 0;
   std::array<double, 2> preloads{};

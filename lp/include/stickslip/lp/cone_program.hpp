@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Two systems over cones, in doubles. By Farkas' lemma for cones exactly one of them has a
-/// solution, except perhaps for a load w on the border between the two:
+/// Two systems over cones, in doubles. Exactly one of them has a solution, by Farkas' lemma
+/// for cones, except perhaps for a load w on the border between the two:
 ///
 ///     w + sum A_i z_i = 0,   z_i in K_i    (forces z),                                   (1)
 ///     w.x > 0,   A_i^T x in K_i            (a motion x),                                 (2)

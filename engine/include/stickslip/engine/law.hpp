@@ -5,15 +5,15 @@
 /// numbers of a contact's geometry, its point and normal, lie in a box. A contact has its rows
 /// N and S at each *corner* of that box, exactly and in doubles.
 ///
-/// **Letters.** d is a motion, and p its displacement of the contact's point; of two bodies,
+/// **Letters.** d is a motion, and r its displacement of the contact's point; of two bodies,
 /// that of the pressed one relative to the other. mu is friction, P the preload, k the
 /// stiffness. n is the normal, of any length, and n0 the normal before it is turned, if it is
 /// uncertain. w is the load, and l u the load that a margin adds at its multiple l. A contact
 /// has
 ///
-/// - the row N, with N.d = n.p;
-/// - the rows S, whose S d is the slip s: in the plane the one number t.p, with t = n turned by
-///   +90 degrees (S is the row T); in space p - (n0.p / L^2) n with L = |n0|, what is left of p
+/// - the row N, with N.d = n.r;
+/// - the rows S, whose S d is the slip s: in the plane the one number t.r, with t = n turned by
+///   +90 degrees (S is the row T); in space r - (n0.r / L^2) n with L = |n0|, what is left of r
 ///   in the plane across n0 when a multiple of n is taken away;
 /// - P' = P / |n|, k' = k / |n|^2, and the *separation* v = P' - k' N.d;
 /// - the force a n + f in space, with a = max(0, v) and the friction f, |f| <= mu L a; in the

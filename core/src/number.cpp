@@ -74,8 +74,9 @@ Rational shifted(const Rational& value, long exponent) {
   return exponent < 0 ? value / power : value * power;
 }
 
-/// Spells digits * 10^unit > 0, with an exponent if it is below 1e-4 or from 1e6 on.
+/// Spells digits * 10^unit >= 0, with an exponent if it is below 1e-4 or from 1e6 on.
 std::string spell_decimal(Integer digits, long unit) {
+  if (digits.is_zero()) return "0";
   while (digits % 10 == 0) {
     digits /= 10;
     ++unit;
@@ -271,6 +272,19 @@ DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, 
       is_root(units, unit, square) ? below : spell_decimal(units + 1, unit);
   if (factor.sign() < 0) return {"-" + above, "-" + below};
   return {below, above};
+}
+
+DecimalEnclosure enclose(const Rational& low, const Rational& high) {
+  require(low.sign() >= 0 && low < high, "an interval of numbers that are not below 0");
+  int places = 0;
+  while (Rational(1, power_of_ten(places)) > high - low) ++places;
+  const Integer scale = power_of_ten(places);
+  const auto below = [&](const Rational& value) {
+    return Integer(numerator(value) / denominator(value));
+  };
+  const Integer above = below(high * scale);
+  const Integer upper = above == high * scale ? above : Integer(above + 1);
+  return {spell_decimal(below(low * scale), -places), spell_decimal(upper, -places)};
 }
 
 std::string to_readable_string(const Rational& value) {

@@ -284,6 +284,25 @@ TEST(EncloseSqrt, ContainsTheValueAndIsTight) {
   EXPECT_THROW(enclose_sqrt(1, -1), ContractError);
 }
 
+TEST(Enclose, DecimalsAreAroundTheNumbersAndNear) {
+  Random random(71);
+  for (int round = 0; round < 2000; ++round) {
+    const Rational low(random.integer(0, 1000), random.integer(1, 1000));
+    const Rational width(random.integer(1, 50), Integer(1) << random.integer(0, 60));
+    const Rational high = low + width;
+    const DecimalEnclosure e = enclose(low, high);
+    const Rational lower = parse_rational(e.lower);
+    const Rational upper = parse_rational(e.upper);
+    EXPECT_TRUE(low - width < lower && lower <= low) << e.lower << ' ' << low;
+    EXPECT_TRUE(high <= upper && upper < high + width) << e.upper << ' ' << high;
+  }
+  const DecimalEnclosure exact = enclose(0, Rational(1, 4));
+  EXPECT_EQ(exact.lower, "0");
+  EXPECT_EQ(exact.upper, "0.3");
+  EXPECT_THROW(enclose(1, 1), ContractError);
+  EXPECT_THROW(enclose(-1, 1), ContractError);
+}
+
 TEST(EncloseSqrt, OfARationalRootIsThatRoot) {
   const DecimalEnclosure e = enclose_sqrt(Rational(1, 2), Rational(9, 4), 5);
   EXPECT_EQ(e.lower, "0.75");

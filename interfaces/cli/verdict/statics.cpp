@@ -74,8 +74,13 @@ struct FoundText {
   std::string operator()(const LoadClass& found) const { return std::visit(*this, found); }
   std::string operator()(const LeastFriction& found) const {
     if (found.high.is_zero()) return "May stand without friction.\n";
-    return "Must move with all friction times " + text(found.low) +
-           ", and may stand with it times " + text(found.high) + ".\n" + coefficients(found);
+    if (found.motion.twist.empty()) {
+      return "May stand with all friction times " + text(found.high) +
+             "; with less it is undecided.\n";
+    }
+    const auto [low, high] = text.around(found.low, found.high);
+    return "Must move with all friction times " + low + ", and may stand with it times " +
+           high + ".\n" + coefficients(found);
   }
   std::string operator()(const LeastFrictionAnswer& found) const {
     if (std::holds_alternative<UnopposedMotion>(found)) {
@@ -137,8 +142,9 @@ struct FoundText {
       if (c.friction.low != box.contacts.front().friction.low) return "";
     }
     const Rational& mu = box.contacts.front().friction.low;
-    return "So the least coefficient of friction is between " + text(Rational(mu * found.low)) +
-           " and " + text(Rational(mu * found.high)) + ".\n";
+    if (mu.is_zero()) return "";
+    const auto [low, high] = text.around(mu * found.low, mu * found.high);
+    return "So the least coefficient of friction is between " + low + " and " + high + ".\n";
   }
 
   /// Returns the names of the bodies that move most.

@@ -508,6 +508,10 @@ struct DecimalEnclosure {
 DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand,
                               int digits = 17);
 
+/// Returns decimals around the numbers from low to high, rounded outward: each is less than
+/// high - low from its end. Requires 0 <= low < high.
+DecimalEnclosure enclose(const Rational& low, const Rational& high);
+
 /// The mark before a number that is rounded, not exact, in text for people.
 inline constexpr char kRounded = '~';
 

@@ -33,6 +33,11 @@ class NumberText {
   }
   std::string operator()(const RootSum& value);
   /// \}
+  /// Returns two numbers as decimals that are rounded outward and differ, as enclose() gives
+  /// them, or with all digits. Requires 0 <= low < high.
+  DecimalEnclosure around(const Rational& low, const Rational& high) const {
+    return exact_ ? DecimalEnclosure{to_string(low), to_string(high)} : enclose(low, high);
+  }
   /// \{ Returns "(1, -1/2)" or the like.
   std::string operator()(const Vector2& v) { return tuple({v.x, v.y}); }
   std::string operator()(const Twist& d) { return (*this)(coordinates(d)); }

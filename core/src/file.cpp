@@ -17,7 +17,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <regex>
 #include <string>
 #include <utility>
 
@@ -127,6 +126,21 @@ bool set_permissions(int descriptor, const struct stat& replaced) {
   return ::fchmod(descriptor, replaced.st_mode & mode) == 0;
 }
 
+/// Removes what a text ends with; returns false if it does not.
+bool remove_end(std::string_view& text, std::string_view end) {
+  if (text.size() < end.size() || text.substr(text.size() - end.size()) != end) return false;
+  text.remove_suffix(end.size());
+  return true;
+}
+
+/// Removes the decimal digits that a text ends with; returns false if there is none.
+bool remove_digits(std::string_view& text) {
+  const std::size_t left = text.find_last_not_of("0123456789") + 1;  // 0 if all are digits
+  if (left == text.size()) return false;
+  text = text.substr(0, left);
+  return true;
+}
+
 /// The number of threads that are writing, and whether others may begin.
 struct Writes {
   std::mutex mutex;
@@ -228,10 +242,14 @@ void make_folder(const std::string& option, const std::string& folder) {
   }
 }
 
-std::string target_of_temporary(const std::string& name) {
-  static const std::regex kForm(R"((.+)\.[0-9]+-[0-9]+\.tmp)");
-  std::smatch found;
-  return std::regex_match(name, found, kForm) ? found[1].str() : std::string();
+std::string target_of_temporary(std::string_view name) {
+  const bool is_one = remove_end(name, ".tmp") && remove_digits(name) && remove_end(name, "-") &&
+                      remove_digits(name) && remove_end(name, ".");
+  return is_one ? std::string(name) : std::string();
+}
+
+bool is_numbered(std::string_view name, std::string_view before, std::string_view after) {
+  return remove_end(name, after) && remove_digits(name) && name == before;
 }
 
 void write_whole_file(const std::string& path, std::string_view content) {

@@ -2,7 +2,6 @@
 #include "stickslip/interfaces/line.hpp"
 
 #include <filesystem>
-#include <regex>
 #include <system_error>
 #include <utility>
 
@@ -190,11 +189,10 @@ LineResult LineDecider::decide(const BatchLine& line) const {
 void open_certificate_folder(const std::string& folder, bool resume) {
   make_folder("--certificates", folder);
   if (!resume) return;
-  static const std::regex kCertificate("line-[0-9]+\\.json");
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string target = target_of_temporary(entry.path().filename().string());
-    if (entry.is_regular_file(ignored) && std::regex_match(target, kCertificate)) {
+    if (entry.is_regular_file(ignored) && is_numbered(target, "line-", ".json")) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }

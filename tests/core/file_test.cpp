@@ -164,8 +164,17 @@ TEST_F(WriteWholeFile, InputsAreProtectedOnRequest) {
 TEST(Temporaries, AreRecognisedByTheirNames) {
   EXPECT_EQ(target_of_temporary("line-3.json.123-0.tmp"), "line-3.json");
   for (const char* name : {"line-3.json", "line-3.json.tmp", ".1-2.tmp", "a.1-.tmp",
-                           "a.1-2.tmp~", "a.-1-2.tmp", "a.1-2tmp"}) {
+                           "a.1-2.tmp~", "a.-1-2.tmp", "a.1-2tmp", "a1-2.tmp", "tmp", ""}) {
     EXPECT_EQ(target_of_temporary(name), "") << name;
+  }
+}
+
+TEST(NumberedNames, HaveDigitsBetweenTwoTexts) {
+  EXPECT_TRUE(is_numbered("line-3.json", "line-", ".json"));
+  EXPECT_TRUE(is_numbered("line-0123456789.json", "line-", ".json"));
+  for (const char* name : {"line-.json", "line-3.jso", "line-3.json~", "xline-3.json", "ine-3.json",
+                           "line-3a.json", "line-a3.json", "line--3.json", "3.json", ".json", "3", ""}) {
+    EXPECT_FALSE(is_numbered(name, "line-", ".json")) << name;
   }
 }
 

@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <regex>
 
 #include "commands.hpp"
 #include "crosscheck_report.hpp"
@@ -59,9 +58,12 @@ std::vector<std::string> save(const std::string& folder, std::size_t number, Ans
 /// read yet may be about one of these grasps, and nobody could tell them apart in the folder.
 void make_save_folder(const std::string& folder) {
   make_folder("--save", folder);
-  static const std::regex kSaved(R"(line-[0-9]+\.(grasp|certificate)\.json)");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!std::regex_match(entry.path().filename().string(), kSaved)) continue;
+    const std::string name = entry.path().filename().string();
+    if (!is_numbered(name, "line-", ".grasp.json") &&
+        !is_numbered(name, "line-", ".certificate.json")) {
+      continue;
+    }
     throw InputError(entry.path().string(), "--save", "an earlier run saved this",
                      "name another folder, or remove what is saved in this one");
   }

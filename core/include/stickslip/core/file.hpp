@@ -60,7 +60,11 @@ void write_whole_file(const std::string& path, std::string_view content);
 
 /// Returns the name of the file that a temporary file of write_whole_file was to become, given
 /// the temporary name; an empty string for any other name.
-std::string target_of_temporary(const std::string& name);
+std::string target_of_temporary(std::string_view name);
+
+/// Returns whether a name is `before`, which does not end with a digit, decimal digits, at least
+/// one, and `after`: "line-3.json" is between "line-" and ".json".
+bool is_numbered(std::string_view name, std::string_view before, std::string_view after);
 
 /// A file, or several that belong together, are being written while one of these lives. They
 /// may nest within a thread. Once writes are stopped, the constructor does not return.

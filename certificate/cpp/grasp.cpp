@@ -60,12 +60,53 @@ struct Place {
   Rational share;
 };
 
+/// A friction by its name.
+struct Named {
+  std::size_t line;
+  std::string text;
+};
+
 /// "of" and "by" of a contact.
 struct Pair {
   std::size_t line;
   std::optional<std::string> of;
   std::string by = kGround;
 };
+
+Integer floor_of(const Rational& x) {
+  Integer result;
+  mpz_fdiv_q(result.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
+  return result;
+}
+
+/// FORMAT.md §1, *angles*: the vector that stands for this direction.
+Vector direction_at(const Rational& degrees) {
+  const Integer quarter = floor_of((degrees + 45) / 90);
+  const Rational rest = degrees - 90 * Rational(quarter);
+  Vector direction{1, 0};
+  if (rest == -45) {
+    direction[1] = -1;
+  } else if (rest != 0) {
+    static const Rational kPi = *parse_decimal("3.14159265358979323846264338328");
+    const Rational x = Rational(floor_of(Rational(rest * kPi / 360) << 64)) >> 64;
+    const Rational y = x * x;
+    Rational cosine = 1;
+    Rational sine = 1;  // over x
+    for (int k = 4; k >= 0; --k) {
+      cosine = 1 - y * cosine / ((2 * k + 1) * (2 * k + 2));
+      sine = 1 - y * sine / ((2 * k + 2) * (2 * k + 3));
+    }
+    const Rational tangent = x * sine / cosine;
+    const Rational t = Rational(floor_of((tangent << 32) + Rational(1, 2))) >> 32;
+    const Rational over = 1 + t * t;
+    direction = {Rational((1 - t * t) / over), Rational(2 * t / over)};
+  }
+  const unsigned long turns = mpz_fdiv_ui(quarter.get_mpz_t(), 4);
+  for (unsigned long k = 0; k < turns; ++k) {
+    direction = {Rational(-direction[1]), direction[0]};
+  }
+  return direction;
+}
 
 /// Of arrays, first elements within first elements.
 std::size_t depth_of(const Value& value) {
@@ -103,7 +144,8 @@ class GraspReader {
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
             {"format", "name", "units", "outline", "body", "defaults", "contacts", "wrench",
-             "loads", "cases", "bodies", "joints", "tendons", "ratchets", "max_motion"},
+             "loads", "cases", "bodies", "joints", "tendons", "ratchets", "max_motion",
+             "gravity", "friction"},
             "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
@@ -134,12 +176,20 @@ class GraspReader {
       }
     };
     deny(version_ < 3, {"bodies", "joints", "tendons", "ratchets"}, kNeeds3);
-    deny(version_ < 2, {"units", "outline", "body", "loads", "cases", "max_motion"}, kNeeds2);
+    deny(version_ < 2,
+         {"units", "outline", "body", "loads", "cases", "max_motion", "gravity", "friction"},
+         kNeeds2);
     deny(version_ == 3, {"outline"}, "of several bodies each of \"bodies\" may have one");
     deny(version_ == 3, {"body"}, "of several bodies each of \"bodies\" may have a \"mesh\"");
     if (version_ == 3) check(has("bodies"), "the member \"bodies\" is missing");
     grasp_.wrench = Wrench(dimension_);
     if (version_ == 3) read_mechanism(members);
+    for (const char* key : {"gravity", "friction"}) {  // before what they are for
+      if (const auto found = members.find(key); found != members.end()) {
+        read_member(key, std::move(found->second));
+        members.erase(found);
+      }
+    }
     for (auto& [key, value] : members) read_member(key, std::move(value));
     const bool loaded = has("wrench") || has("loads") || has("cases");
     check(loaded || version_ == 3, "the member \"wrench\" is missing");
@@ -185,6 +235,10 @@ class GraspReader {
       grasp_.wrench = sum_of_loads(value, key.c_str());
     } else if (key == "cases") {
       read_cases(value);
+    } else if (key == "gravity") {
+      gravity_ = vector(value, key.c_str(), coordinates());
+    } else if (key == "friction") {
+      read_frictions(value, key.c_str());
     } else if (key == "outline") {
       expect(dimension_ == kPlanar, value, key.c_str(), "none, as the grasp is in space");
       read_outline(std::move(value), key.c_str());
@@ -197,7 +251,9 @@ class GraspReader {
       grasp_.max_motion = read_max_motion(value, key.c_str());
     } else if (key == "defaults") {
       expect_object(value, key.c_str(), {"friction", "stiffness", "preload", "torsion"});
-      defaults_ = properties(value, key.c_str());
+      std::optional<Named> name;
+      defaults_ = properties(value, key.c_str(), name);
+      if (name) defaults_[0] = friction_named(*name, "defaults");
       default_torsion_ = read_torsion(value, key.c_str());
     }
   }
@@ -206,6 +262,33 @@ class GraspReader {
   void put_in_space(const Value& value, const Where& place) {
     found_newer(value, place);
     dimension_ = kSpatial;
+  }
+
+  /// FORMAT.md §1, *friction by name*.
+  void read_frictions(const Value& value, const Where& place) {
+    expect(value.kind == Value::Kind::kObject, value, place, "an object {...}");
+    for (std::size_t k = 0; k < value.keys.size(); ++k) {
+      const std::string& name = value.keys[k];
+      const Where member = place + ".";
+      const Where where = member + name.c_str();
+      expect(!begins_as_number(name), value.items[k], where,
+             "a name that begins neither with a digit nor with +, - or .");
+      frictions_.emplace(name, at_least(value.items[k], where, Least::kZero));
+    }
+  }
+
+  static bool begins_as_number(const std::string& text) {
+    return text.empty() || std::string("+-.0123456789").find(text[0]) != std::string::npos;
+  }
+
+  /// The friction that `name` stands for in the object at `place`.
+  Bounds friction_named(const Named& name, const std::string& place) const {
+    const auto found = frictions_.find(name.text);
+    if (found == frictions_.end()) {
+      json_.fail(name.line, place + ".friction",
+                 "found " + quote(name.text) + R"(, expected a number, or a name in "friction")");
+    }
+    return found->second;
   }
 
   /// They have no meaning here.
@@ -680,6 +763,12 @@ class GraspReader {
     if (const Value* weight = value.find("weight")) {
       expect_object(value, place, {"weight", "at", "direction"});
       force = pull(value, *weight, place);
+    } else if (const Value* mass = value.find("mass")) {
+      expect_object(value, place, {"mass", "at"});
+      const Rational size = number(*mass, place + ".mass");
+      expect(size >= 0, *mass, place + ".mass", "a number of 0 or more");
+      force = gravity_.empty() ? downwards(Rational(981, 100)) : gravity_;
+      for (Rational& entry : force) entry *= size;
     } else {
       expect_object(value, place, {"force", "at"});
       force = vector(member(value, place, "force"), place + ".force", coordinates());
@@ -689,18 +778,25 @@ class GraspReader {
     return {wrench.begin(), wrench.end()};
   }
 
+  /// Against the last axis.
+  Vector downwards(const Rational& size) const {
+    Vector force(coordinates());
+    force.back() = -size;
+    return force;
+  }
+
   Vector pull(const Value& load, const Value& weight, const Where& place) const {
     const Rational size = number(weight, place + ".weight");
     expect(size >= 0, weight, place + ".weight", "a number of 0 or more");
     const Value* direction = load.find("direction");
+    if (direction == nullptr && gravity_.empty()) return downwards(size);
     Vector force(coordinates());
-    if (direction == nullptr) {
-      force.back() = -size;
-      return force;
-    }
-    const Vector d = vector(*direction, place + ".direction", coordinates());
+    const Vector d = direction == nullptr
+                         ? gravity_
+                         : vector(*direction, place + ".direction", coordinates());
     const std::optional<Rational> length = exact_sqrt(dot(d, d));
-    expect(length && *length > 0, *direction, place + ".direction",
+    expect(length && *length > 0, direction == nullptr ? load : *direction,
+           place + ".direction",
            "a vector of rational length, not 0, such as [3, -4]");
     for (std::size_t j = 0; j < d.size(); ++j) force[j] = size * d[j] / *length;
     return force;
@@ -743,7 +839,12 @@ class GraspReader {
                    "the normal is " + show(contact.normal) + "; give a vector into the object");
       }
     }
-    Properties given = properties(value, place);
+    std::optional<Named> name;
+    Properties given = properties(value, place, name);
+    if (name) {
+      given[0] = Bounds(0);  // until the file's names are known
+      named_.emplace(own_.size(), std::move(*name));
+    }
     if (const auto torsion = read_torsion(value, place)) torsions_[own_.size()] = *torsion;
     own_.push_back(0);
     std::array<Bounds*, 3> own{&contact.friction, &contact.stiffness, &contact.preload};
@@ -772,9 +873,16 @@ class GraspReader {
       return;
     }
     found_newer(value, place);
-    expect_object(value, place, {"direction", "slope"});
-    contact.normal =
-        vector(member(value, place, "direction"), place + ".direction", coordinates());
+    if (const Value* angle = value.find("angle")) {
+      expect(dimension_ == kPlanar, *angle, place + ".angle", "none, as the grasp is in space");
+      expect_object(value, place, {"angle", "slope"});
+      contact.normal = direction_at(number(*angle, place + ".angle"));
+      if (value.find("slope") == nullptr) return;
+    } else {
+      expect_object(value, place, {"direction", "slope"});
+      contact.normal =
+          vector(member(value, place, "direction"), place + ".direction", coordinates());
+    }
     const Value& slope = member(value, place, "slope");
     contact.slope = number(slope, place + ".slope");
     expect(contact.slope >= 0 && contact.slope < 1, slope, place + ".slope",
@@ -783,8 +891,13 @@ class GraspReader {
 
   /// What a contact does not say itself, defaults say, and else 1 and 0.
   void complete(std::size_t i) {
-    if (own_[i] == kAllOwn) return;
+    const auto named = named_.find(i);
+    if (own_[i] == kAllOwn && named == named_.end()) return;
     Contact contact = grasp_.contacts[i];
+    if (named != named_.end()) {
+      contact.friction =
+          friction_named(named->second, "contacts[" + std::to_string(i) + "]");
+    }
     const auto choose = [&](std::size_t k, Bounds& property, const char* otherwise) {
       if (own_[i] >> k & 1U) return;
       if (otherwise == nullptr && !defaults_[k]) {
@@ -896,11 +1009,16 @@ class GraspReader {
     return result;
   }
 
-  Properties properties(const Value& object, const Where& place) {
+  /// A friction that is a name is left out, and put into `name`.
+  Properties properties(const Value& object, const Where& place, std::optional<Named>& name) {
     Properties result;
     for (std::size_t k = 0; k < kProperties.size(); ++k) {
       const Value* value = object.find(kProperties[k]);
       if (value == nullptr) continue;
+      if (k == 0 && value->kind == Value::Kind::kString && !begins_as_number(value->text)) {
+        name = Named{value->line, value->text};
+        continue;
+      }
       const Where member = place + ".";
       const Where where = member + kProperties[k];
       const bool above = value == object.find("stiffness");
@@ -930,6 +1048,9 @@ class GraspReader {
   std::map<std::size_t, Place> places_;                       ///< by contact
   std::vector<std::uint8_t> own_;  ///< by contact, which of kProperties it gives: bits
   Properties defaults_;
+  Vector gravity_;                           ///< empty if the file has none
+  std::map<std::string, Bounds> frictions_;  ///< those with names
+  std::map<std::size_t, Named> named_;       ///< by contact, which of them it has
 
   std::optional<std::pair<std::size_t, std::string>> soft_;  ///< of "torsion", the same
 

@@ -692,8 +692,11 @@ function wrench_at(f, p) {
 /** Gᵀ times a row (§14), G by its columns. One body has no G. */
 const pulled = (motion, row) => (motion === null ? row : motion.map((column) => dot_fractions(column, row)));
 
-/** The wrench of a load, as intervals. Of several bodies it is about its `body`, and in Q^D. */
-function read_load(value, place, size, bodies) {
+/** A vector against the last axis, of this length. */
+const downwards = (length, dimension) => [...zeros(dimension - 1), length.negated()];
+
+/** The wrench of a load, as intervals. Of several bodies it is about its `body`, and in Q^D. `gravity` is null if the file has none. */
+function read_load(value, place, size, gravity, bodies) {
   const dimension = size === 3 ? 2 : 3, body = bodies === null ? [] : ['body'];
   const known = (required, optional = []) => known_members(value, place, [...body, ...required, ...optional], [...body, ...required]);
   const vector = (name) => grasp_numbers(value.get(name), `${place}.${name}`, dimension);
@@ -711,11 +714,16 @@ function read_load(value, place, size, bodies) {
     if (bodies.turns.has(value.get('body'))) {
       throw new Malformed(`${place}.wrench`, 'its body is a link; give a force at a point, a weight or a torque');
     }
+  } else if (value.has('mass')) {
+    known(['mass', 'at']);
+    const mass = grasp_number(value.get('mass'), `${place}.mass`);
+    if (mass.sign() < 0) throw new Malformed(`${place}.mass`, 'a mass must not be below 0');
+    wrench = wrench_at((gravity ?? downwards(STANDARD_GRAVITY, dimension)).map((x) => mass.times(x)), vector('at'));
   } else {
     known(['weight', 'at'], ['direction']);
     const weight = grasp_number(value.get('weight'), `${place}.weight`);
     if (weight.sign() < 0) throw new Malformed(`${place}.weight`, 'a weight must not be below 0');
-    let down = [...zeros(dimension - 1), ONE.negated()];
+    let down = gravity ?? downwards(ONE, dimension);
     if (value.has('direction')) down = vector('direction');
     const length = rational_root(dot_fractions(down, down));
     if (length === null || length.isZero()) {
@@ -734,17 +742,17 @@ function read_load(value, place, size, bodies) {
 const add_intervals = (a, b) => a.map(([low, high], j) => [low.plus(b[j][0]), high.plus(b[j][1])]);
 
 /** The wrench of a file or a case, as intervals; null if it has neither `wrench` nor `loads`. */
-function read_wrench(object, place, size, version, bodies = null) {
+function read_wrench(object, place, size, version, gravity, bodies = null) {
   if (object.has('wrench') && object.has('loads')) throw new Malformed(place, 'both wrench and loads');
   if (object.has('wrench')) return grasp_intervals(object.get('wrench'), inside(place, 'wrench'), bodies === null ? size : bodies.dimension, version);
   if (!object.has('loads')) return null;
   return array_of(object.get('loads'), inside(place, 'loads'))
-      .map((load, j) => read_load(load, `${inside(place, 'loads')}[${j}]`, size, bodies))
+      .map((load, j) => read_load(load, `${inside(place, 'loads')}[${j}]`, size, gravity, bodies))
       .reduce(add_intervals, Array(bodies === null ? size : bodies.dimension).fill([ZERO, ZERO]));
 }
 
 /** The wrenches of `cases`, by name. */
-function read_cases(value, common, size, version, bodies = null) {
+function read_cases(value, common, size, version, gravity, bodies = null) {
   const cases = new Map();
   if (array_of(value, 'cases').length === 0) throw new Malformed('cases', 'the list is empty');
   value.forEach((one, j) => {
@@ -752,7 +760,7 @@ function read_cases(value, common, size, version, bodies = null) {
     known_members(one, place, ['name', 'wrench', 'loads'], ['name']);
     const name = grasp_string(one.get('name'), `${place}.name`);
     if (name === '' || cases.has(name)) throw new Malformed(`${place}.name`, 'empty, or that of another case');
-    const own = read_wrench(one, place, size, version, bodies);
+    const own = read_wrench(one, place, size, version, gravity, bodies);
     if (own === null) throw new Malformed(place, 'neither wrench nor loads');
     cases.set(name, add_intervals(own, common));
   });
@@ -761,7 +769,29 @@ function read_cases(value, common, size, version, bodies = null) {
 
 const RANGES = {friction: (x) => x.sign() >= 0, stiffness: (x) => x.sign() > 0, preload: (x) => x.sign() >= 0};
 
-function read_range(object, name, place, version) {
+/** Whether a text begins as numbers do, and names of frictions do not. */
+const begins_as_number = (text) => text === '' || '+-.0123456789'.includes(text[0]);
+
+/** The frictions of a file that have names, by them. */
+function read_friction_names(file, version) {
+  const names = new Map();
+  if (!file.has('friction')) return names;
+  const stated = object_at(file.get('friction'), 'friction');
+  for (const name of stated.keys()) {
+    if (begins_as_number(name)) throw new Malformed(`friction.${printable(name)}`, 'a name begins neither with a digit nor with +, - or .');
+    const interval = grasp_interval(stated.get(name), `friction.${printable(name)}`, version);
+    if (interval[0].sign() < 0) throw new Malformed(`friction.${printable(name)}`, `${printable(interval[0])} is out of range`);
+    names.set(name, interval);
+  }
+  return names;
+}
+
+function read_range(object, name, place, version, frictions) {
+  const stated = object.get(name);
+  if (name === 'friction' && typeof stated === 'string' && !begins_as_number(stated)) {
+    if (!frictions.has(stated)) expected('a number, or a name in "friction" of the file', stated, inside(place, name));
+    return frictions.get(stated);
+  }
   const interval = grasp_interval(object.get(name), inside(place, name), version);
   if (!RANGES[name](interval[0])) {
     throw new Malformed(inside(place, name), `${printable(interval[0])} is out of range`);
@@ -777,13 +807,45 @@ function read_torsion(object, place, space) {
   return [torsion, torsion];
 }
 
+const STANDARD_GRAVITY = new Fraction(981n, 100n);
+const PI = new Fraction(314159265358979323846264338328n, 10n ** 29n);
+
+const floor_of = (x) => (x.n - ((x.n % x.d) + x.d) % x.d) / x.d;
+
+/** FORMAT.md §1, angles: the vector that stands for this direction. */
+function direction_at(degrees) {
+  const whole = (n) => new Fraction(n, 1n), [bits32, bits64] = [whole(1n << 32n), whole(1n << 64n)];
+  const quarter = floor_of(degrees.plus(whole(45n)).over(whole(90n))), rest = degrees.minus(whole(90n * quarter));
+  let [x, y] = [ONE, ZERO];
+  if (rest.equals(whole(-45n))) {
+    y = ONE.negated();
+  } else if (!rest.isZero()) {
+    const half = whole(floor_of(rest.times(PI).over(whole(360n)).times(bits64))).over(bits64), square = half.times(half);
+    let cosine = ONE, sine = ONE;  // sine over half
+    for (let k = 4n; k >= 0n; --k) {
+      cosine = ONE.minus(square.times(cosine).over(whole((2n * k + 1n) * (2n * k + 2n))));
+      sine = ONE.minus(square.times(sine).over(whole((2n * k + 2n) * (2n * k + 3n))));
+    }
+    const t = whole(floor_of(half.times(sine).over(cosine).times(bits32).plus(new Fraction(1n, 2n)))).over(bits32);
+    const over = ONE.plus(t.times(t));
+    [x, y] = [ONE.minus(t.times(t)).over(over), t.plus(t).over(over)];
+  }
+  for (let turns = ((quarter % 4n) + 4n) % 4n; turns > 0n; --turns) [x, y] = [y.negated(), x];
+  return [x, y];
+}
+
 /** A normal: [n⁰, slope]. */
 function read_normal(value, place, dimension, version) {
   let slope = ZERO;
   if (value instanceof Map && version >= 2) {
-    known_members(value, place, ['direction', 'slope'], ['direction', 'slope']);
+    const by_angle = value.has('angle');
+    if (by_angle && dimension === 3) throw new Malformed(`${place}.angle`, 'the grasp is in space; give [x, y, z]');
+    known_members(value, place, [by_angle ? 'angle' : 'direction', 'slope'], by_angle ? ['angle'] : ['direction', 'slope']);
+    const direction = by_angle ? direction_at(grasp_number(value.get('angle'), `${place}.angle`)) : null;
+    if (by_angle && !value.has('slope')) return [direction, slope];
     slope = grasp_number(value.get('slope'), `${place}.slope`);
     if (slope.sign() < 0 || slope.compare(ONE) >= 0) throw new Malformed(`${place}.slope`, 'a slope is from 0 to below 1');
+    if (by_angle) return [direction, slope];
     value = value.get('direction');
     place += '.direction';
   }
@@ -792,7 +854,10 @@ function read_normal(value, place, dimension, version) {
   return [normal, slope];
 }
 
-/** What all versions have: {space, size, defaults, contacts}, where size is the dimension of one body's motions. */
+/**
+ * What all versions have: {space, size, defaults, contacts, gravity, frictions}, where size is the dimension of one body's motions, and
+ * gravity is null if there is none.
+ */
 function read_head(file, version) {
   if (file.has('name')) grasp_string(file.get('name'), 'name');
   const contacts = array_of(file.get('contacts'), 'contacts');
@@ -812,15 +877,17 @@ function read_head(file, version) {
       if (bytes < 1 || bytes > 16) throw new Malformed(`units.${key}`, 'must be of 1 to 16 bytes');
     }
   }
+  const gravity = file.has('gravity') ? grasp_numbers(file.get('gravity'), 'gravity', space ? 3 : 2) : null;
+  const frictions = read_friction_names(file, version);
   const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]], ['torsion', [ZERO, ZERO]]]);
   if (file.has('defaults')) {
     const stated = file.get('defaults');
     known_members(stated, 'defaults', ['friction', 'stiffness', 'preload', ...(version === 3 ? ['torsion'] : [])]);
     for (const name of stated.keys()) {
-      defaults.set(name, name === 'torsion' ? read_torsion(stated, 'defaults', space) : read_range(stated, name, 'defaults', version));
+      defaults.set(name, name === 'torsion' ? read_torsion(stated, 'defaults', space) : read_range(stated, name, 'defaults', version, frictions));
     }
   }
-  return {space, size: space ? 6 : 3, defaults, contacts};
+  return {space, size: space ? 6 : 3, defaults, contacts, gravity, frictions};
 }
 
 /** B (§1, max motion) of a length and an angle, where there are no joints. */
@@ -840,13 +907,13 @@ function read_max_motion(file, size, space, has_joints) {
 }
 
 /** A contact, in version 3 without its bodies. */
-function read_contact(value, place, {space, defaults}, version, outline = null) {
+function read_contact(value, place, {space, defaults, frictions}, version, outline = null) {
   object_at(value, place);
   const on = version === 2 && !space && value.has('on');
   const needed = [...(version === 3 ? ['of'] : []), ...(on ? ['on'] : ['position', 'normal'])];
   known_members(value, place, [...needed, ...(version === 3 ? ['by', 'torsion'] : []), 'friction', 'stiffness', 'preload'], needed);
   const range = (name) => {
-    if (value.has(name)) return read_range(value, name, place, version);
+    if (value.has(name)) return read_range(value, name, place, version, frictions);
     if (!defaults.has(name)) throw new Malformed(place, `the member "${name}" is missing`);
     return defaults.get(name);
   };
@@ -878,13 +945,13 @@ function read_grasp(text) {
   if (file.has('normals')) {
     throw new Malformed('normals', 'unknown; stickslip snap GRASP -o FILE writes normals of rational length');
   }
-  const more = ['units', 'outline', 'body', 'loads', 'cases', 'max_motion'];
+  const more = ['units', 'outline', 'body', 'loads', 'cases', 'max_motion', 'gravity', 'friction'];
   for (const key of more) {
     if (version === 1 && file.has(key)) throw new Malformed(key, 'needs "format": "stickslip-grasp/2"');
   }
   known_members(file, '', ['format', 'name', 'defaults', 'contacts', 'wrench', ...more],
       version === 1 ? ['contacts', 'wrench'] : ['contacts']);
-  const head = read_head(file, version), {space, size} = head;
+  const head = read_head(file, version), {space, size, gravity} = head;
   if (space && file.has('outline')) throw new Malformed('outline', 'a grasp in space has none');
   const outline = file.has('outline') ? read_outline(file.get('outline'), 'outline') : null;
   if (file.has('body')) {
@@ -892,12 +959,12 @@ function read_grasp(text) {
     check_mesh(file.get('body'), 'body');
   }
   const contacts = head.contacts.map((value, i) => read_contact(value, `contacts[${i}]`, head, version, outline));
-  const wrench = read_wrench(file, '', size, version), bound = {joints: 0, max_motion: read_max_motion(file, size, space, false)};
+  const wrench = read_wrench(file, '', size, version, gravity), bound = {joints: 0, max_motion: read_max_motion(file, size, space, false)};
   if (!file.has('cases')) {
     if (wrench === null) throw new Malformed('', 'neither wrench nor loads nor cases');
     return {space, several: false, size, contacts, wrench, cases: null, motions: new Map(), ...bound};
   }
-  const cases = read_cases(file.get('cases'), wrench ?? Array(size).fill([ZERO, ZERO]), size, version);
+  const cases = read_cases(file.get('cases'), wrench ?? Array(size).fill([ZERO, ZERO]), size, version, gravity);
   return {space, several: false, size, contacts, wrench: null, cases, motions: new Map(), ...bound};
 }
 
@@ -1006,8 +1073,8 @@ function read_spring({place, value}, row, force) {
 
 function read_several(file) {
   known_members(file, '', ['format', 'name', 'units', 'bodies', 'defaults', 'joints', 'tendons', 'ratchets', 'contacts', 'wrench', 'loads', 'cases',
-    'max_motion'], ['bodies', 'contacts']);
-  const head = read_head(file, 3), {space, size} = head;
+    'max_motion', 'gravity', 'friction'], ['bodies', 'contacts']);
+  const head = read_head(file, 3), {space, size, gravity} = head;
   const joints = read_list(file, 'joints', ['turns'], ['stiffness', 'torque']);
   const tendons = read_list(file, 'tendons', ['over'], ['stiffness', 'tension']);
   const ratchets = read_list(file, 'ratchets', ['over', 'stiffness'], ['preload']);
@@ -1032,8 +1099,8 @@ function read_several(file) {
         .filter(([{value}]) => value.has('stiffness') || value.has('torque'))
         .map(([one, row]) => read_spring(one, row, 'torque')),
     ...tendons.map((one) => read_spring(one, row_over(one), 'tension'))];
-  const wrench = read_wrench(file, '', size, 3, bodies), none = Array(dimension).fill([ZERO, ZERO]);
-  const cases = file.has('cases') ? read_cases(file.get('cases'), wrench ?? none, size, 3, bodies) : null;
+  const wrench = read_wrench(file, '', size, 3, gravity, bodies), none = Array(dimension).fill([ZERO, ZERO]);
+  const cases = file.has('cases') ? read_cases(file.get('cases'), wrench ?? none, size, 3, gravity, bodies) : null;
   return {space, several: true, size: dimension, contacts: elements, wrench: wrench ?? (cases === null ? none : null), cases, motions: bodies.motions,
     joints: joints.length, max_motion: read_max_motion(file, dimension, space, joints.length > 0)};
 }

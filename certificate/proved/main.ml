@@ -114,17 +114,27 @@ let describe = function
 
 exception Illegible of { file : string; place : string; problem : string }
 
+(* Masses, gravity, angles and frictions by name are not read here. *)
+let remedy_for path found problem =
+  let unknown = Arguments.starts_with "unknown member" problem in
+  match path, found with
+  | Member ("mass" | "gravity" | "angle" | "friction") :: _, None when unknown
+  | Member "friction" :: _, Some (Text _) ->
+    "; stickslip snap GRASP -o FILE writes a file without masses, gravity, angles and frictions by name"
+  | _ -> ""
+
 (* What a reader of Gallina gave, about this file; or about the question: Pose.v. *)
 let or_illegible file = function
   | Fine value -> value
   | Malformed (path, found, problem) ->
+    let remedy = remedy_for path found problem in
     let file, path = match List.rev path with
       | Member "the question" :: inside -> ("the question", inside)
       | from_outside -> (file, from_outside) in
     let problem = match found with
       | Some value -> "found " ^ describe value ^ ", expected " ^ problem
       | None -> problem in
-    raise (Illegible { file; problem;
+    raise (Illegible { file; problem = problem ^ remedy;
                        place = if path = [] then "top level" else text_of_path path })
 
 let tokens file limits text =

@@ -237,6 +237,8 @@ class Source:
         self.space = False
         self.several = False    # is a certificate about several bodies?
         self.soft: Set[int] = set()  # its contacts with torsion (§15)
+        self.gravity: Vector = ()    # of a grasp file, if it has one
+        self.frictions: Dict[str, Bounds] = {}  # of a grasp file, those with names
         text = self.read(name)
         self.limit(text)
         try:
@@ -626,15 +628,45 @@ def read_vector_of_bounds(source: Source, value: Any, place: str, length: int) -
                  for j, entry in enumerate(source.array(value, place, length)))
 
 
+PI = Fraction("3.14159265358979323846264338328")
+
+
+def direction_at(degrees: Fraction) -> Vector:
+    """§1, *angles*: the vector that stands for this direction."""
+    quarter = math.floor((degrees + 45) / 90)
+    rest = degrees - 90 * quarter
+    x, y = Fraction(1), Fraction(-1 if rest == -45 else 0)
+    if rest not in (-45, 0):
+        half = Fraction(math.floor(rest * PI / 360 * 2 ** 64), 2 ** 64)
+        cosine = sine = Fraction(1)  # sine over half
+        for k in (4, 3, 2, 1, 0):
+            cosine = 1 - half * half * cosine / ((2 * k + 1) * (2 * k + 2))
+            sine = 1 - half * half * sine / ((2 * k + 2) * (2 * k + 3))
+        t = Fraction(math.floor(half * sine / cosine * 2 ** 32 + Fraction(1, 2)), 2 ** 32)
+        x, y = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+    for _ in range(quarter % 4):
+        x, y = -y, x
+    return (x, y)
+
+
 def read_normal(source: Source, value: Any, place: str) -> Tuple[Vector, Fraction]:
     """n⁰ and the slope."""
     if type(value) is not Members:
         return read_point_of(source, value, place), Fraction(0)
-    source.uncertain = source.uncertain or place
-    fields = source.members(value, place, "direction slope")
+    source.uncertain = source.uncertain or place  # version 1 has no angles either
+    by_angle = any(key == "angle" for key, _ in value.pairs)
+    fields = source.members(value, place, "angle slope?" if by_angle else "direction slope")
+    if by_angle:
+        if source.space:
+            source.fail(f"{place}.angle", "the grasp is in space; give [x, y, z]")
+        normal = direction_at(source.number(fields["angle"], f"{place}.angle"))
+        if "slope" not in fields:
+            return normal, Fraction(0)
     slope = source.number(fields["slope"], f"{place}.slope")
     if not 0 <= slope < 1:
         source.fail(f"{place}.slope", f"{show(slope)} is out of range, must be >= 0 and < 1")
+    if by_angle:
+        return normal, slope
     return read_point_of(source, fields["direction"], f"{place}.direction"), slope
 
 
@@ -647,7 +679,11 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
     """Those of μ ≥ 0, k > 0, P ≥ 0 and e ≥ 0 that an object of the grasp file states."""
     found = {}
     for key in ("friction", "stiffness", "preload"):
-        if key in fields:
+        if key == "friction" and type(fields.get(key)) is str and not begins_as_number(fields[key]):
+            if fields[key] not in source.frictions:
+                source.fail(f"{place}.{key}", "must be a number, or a name in 'friction' of the file")
+            found[key] = source.frictions[fields[key]]
+        elif key in fields:
             found[key] = read_bounds(source, fields[key], f"{place}.{key}")
             low = found[key].low
             if low < 0 or (key == "stiffness" and low == 0):
@@ -660,6 +696,28 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
                         "the grasp is in the plane, and has none")
         found["torsion"] = exactly(torsion)
     return found
+
+
+def begins_as_number(text: str) -> bool:
+    return text[:1] in tuple("+-.0123456789") or not text
+
+
+def read_common(source: Source, top: Dict[str, Any]) -> None:
+    """§1: gravity, and friction by name."""
+    if "gravity" in top:
+        source.gravity = read_point_of(source, top["gravity"], "gravity")
+    named = top.get("friction", Members([]))
+    if type(named) is not Members:
+        source.fail("friction", "must be an object")
+    for name, value in named.pairs:
+        place = f"friction.{show(name)}"
+        if begins_as_number(name):
+            source.fail(place, "must be a name that begins neither with a digit nor with +, - or .")
+        if name in source.frictions:
+            source.fail("friction", f"member '{show(name)}' is repeated")
+        source.frictions[name] = read_bounds(source, value, place)
+        if source.frictions[name].low < 0:
+            source.fail(place, f"{show(source.frictions[name].low)} is out of range, must be >= 0")
 
 
 class Body(NamedTuple):
@@ -765,14 +823,22 @@ def read_one_load(source: Source, value: Any, place: str, bodies: Optional[Bodie
         weight = source.number(fields["weight"], f"{place}.weight")
         if weight < 0:
             source.fail(f"{place}.weight", f"{show(weight)} is out of range, must be >= 0")
-        down = [Numeral("0")] * (source.coordinates - 1) + [Numeral("-1")]
-        direction = read_point_of(source, fields.get("direction", down), f"{place}.direction")
+        direction = source.gravity or (*zeros(source.coordinates - 1), Fraction(-1))
+        if "direction" in fields:
+            direction = read_point_of(source, fields["direction"], f"{place}.direction")
         length = rational_root(dot(direction, direction))
         if not length:
             source.fail(f"{place}.direction",
                         "must have a rational length that is not 0, as [3, -4] has")
         force = tuple(weight * c / length for c in direction)
         wrench = exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), force))
+    elif "mass" in kinds:
+        fields = source.members(value, place, body + "mass at")
+        mass = source.number(fields["mass"], f"{place}.mass")
+        if mass < 0:
+            source.fail(f"{place}.mass", f"{show(mass)} is out of range, must be >= 0")
+        gravity = source.gravity or (*zeros(source.coordinates - 1), Fraction(-981, 100))
+        wrench = exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), times(mass, gravity)))
     elif "wrench" in kinds and bodies:
         fields = source.members(value, place, "body wrench")
         wrench = read_vector_of_bounds(source, fields["wrench"], f"{place}.wrench", source.dimension)
@@ -968,6 +1034,7 @@ def read_defaults(source: Source, top: Dict[str, Any]) -> Dict[str, Bounds]:
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
         source.fail("contacts", "too many contacts")
     show_dimension(source, top)
+    read_common(source, top)
     return {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)), "torsion": exactly(Fraction(0)),
             **coefficients(source, stated, "defaults")}
 
@@ -998,9 +1065,9 @@ def read_grasp(name: str, statics: bool) -> Grasp:
         return read_several(source)
     top = source.members(source.root, "",
                          "format name? units? outline? body? defaults? contacts wrench? loads? "
-                         "cases? max_motion?")
+                         "cases? max_motion? gravity? friction?")
     source.check_format(top["format"])
-    for key in ("units", "outline", "body", "loads", "cases", "max_motion"):
+    for key in ("units", "outline", "body", "loads", "cases", "max_motion", "gravity", "friction"):
         if key in top and top["format"] == GRASP.formats[0]:
             source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
     defaults = read_defaults(source, top)
@@ -1402,7 +1469,7 @@ def read_spring(source: Source, fields: Dict[str, Any], place: str, force: str) 
 
 def read_several(source: Source) -> Grasp:
     top = source.members(source.root, "", "format name? units? bodies defaults? joints? tendons? ratchets? "
-                                          "contacts wrench? loads? cases? max_motion?")
+                                          "contacts wrench? loads? cases? max_motion? gravity? friction?")
     if top["format"] != GRASP.formats[2]:
         source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
     defaults = read_defaults(source, top)

@@ -2,10 +2,12 @@
 #include "stickslip/core/grasp_file.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "angle.hpp"
 #include "grasp_format.hpp"
 #include "intervals.hpp"
 #include "loads.hpp"
@@ -34,6 +36,8 @@ struct WrittenContact {
   /// The properties that "defaults" may give.
   struct Properties {
     std::optional<WrittenNumber> friction;
+    /// The name of a friction of the file; null if a number is written, or nothing.
+    std::shared_ptr<const std::string> friction_name{};
     std::optional<WrittenNumber> stiffness;
     std::optional<WrittenNumber> preload;
     std::shared_ptr<const Rational> torsion{};  ///< in version 3
@@ -47,6 +51,8 @@ struct WrittenContact {
   Vector2 normal;
   Rational normal_z{};            ///< in space only
   std::optional<Rational> slope;  ///< the slope of the normal, unless it is 0
+  /// The angle of the normal in degrees; null unless it is given by one.
+  std::shared_ptr<const Rational> angle{};
   Properties own;
   /// The names in "of" and "by", each of which may be empty; null if neither is written.
   std::shared_ptr<const std::pair<std::string, std::string>> bodies;
@@ -58,6 +64,8 @@ using Properties = WrittenContact::Properties;
 using Kind = JsonNode::Kind;
 
 using Names = std::vector<std::string>;
+/// The frictions of a file, by name.
+using FrictionNames = std::map<std::string, WrittenNumber>;
 
 WrittenNumber read_written(const JsonNode& node, const std::string& path,
                            IntervalReader& read) {
@@ -79,7 +87,8 @@ void read_position(const JsonNode& node, const std::string& path, IntervalReader
   contact.y = read_written(position.children[1], element_path(place, 1), read);
 }
 
-/// Reads [x, y], or {"direction": [x, y], "slope": E}; in space with [x, y, z].
+/// Reads [x, y], {"direction": [x, y], "slope": E}, or {"angle": A} with a slope or without; in
+/// space [x, y, z], and no angle.
 void read_normal(const JsonNode& node, const std::string& path, IntervalReader& read,
                  bool in_space, WrittenContact& contact) {
   const JsonNode& normal =
@@ -97,11 +106,24 @@ void read_normal(const JsonNode& node, const std::string& path, IntervalReader& 
     read_direction(normal, place);
     return;
   }
-  read.note(place);
-  expect_object(normal, place, {"direction", "slope"});
+  const JsonNode* angle = normal.find("angle");
+  if (angle == nullptr || normal.find("slope") != nullptr) read.note(place);
+  if (angle != nullptr) {
+    const std::string at = member_path(place, "angle");
+    if (in_space) fail_at(at, "an angle, but the grasp is in space", "give [x, y, z]");
+    expect_object(normal, place, {"angle", "slope"});
+    contact.angle = std::make_shared<const Rational>(read_number(*angle, at));
+    contact.normal = direction_at(*contact.angle).vector;
+    if (normal.find("slope") == nullptr) return;
+  } else {
+    expect_object(normal, place,
+                  in_space ? Names{"direction", "slope"} : Names{"direction", "slope", "angle"});
+  }
   const char* const form = in_space ? R"(write {"direction": [x, y, z], "slope": E})"
                                     : R"(write {"direction": [x, y], "slope": E})";
-  read_direction(member(normal, place, "direction", form), member_path(place, "direction"));
+  if (angle == nullptr) {
+    read_direction(member(normal, place, "direction", form), member_path(place, "direction"));
+  }
   contact.slope =
       read_number(member(normal, place, "slope", form), member_path(place, "slope"));
   if (contact.slope->is_zero()) contact.slope.reset();
@@ -120,6 +142,11 @@ void read_place_in_space(const JsonNode& node, const std::string& path, Interval
   read_normal(node, path, read, true, contact);
 }
 
+/// Returns whether the text begins as numbers do, and names of frictions do not.
+bool begins_as_number(const std::string& text) {
+  return text.empty() || std::string_view("+-.0123456789").find(text[0]) != std::string::npos;
+}
+
 Properties read_properties(const JsonNode& object, const std::string& path,
                            IntervalReader& read) {
   const auto number = [&](const char* key) -> std::optional<WrittenNumber> {
@@ -127,7 +154,16 @@ Properties read_properties(const JsonNode& object, const std::string& path,
     if (node == nullptr) return std::nullopt;
     return read_written(*node, member_path(path, key), read);
   };
-  Properties result{number("friction"), number("stiffness"), number("preload")};
+  Properties result;
+  const JsonNode* friction = object.find("friction");
+  if (friction != nullptr && friction->kind == Kind::kString &&
+      !begins_as_number(friction->text)) {
+    result.friction_name = std::make_shared<const std::string>(friction->text);
+  } else {
+    result.friction = number("friction");
+  }
+  result.stiffness = number("stiffness");
+  result.preload = number("preload");
   if (const JsonNode* torsion = object.find("torsion")) {
     result.torsion =
         std::make_shared<const Rational>(read_number(*torsion, member_path(path, "torsion")));
@@ -219,14 +255,58 @@ UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std:
   return contact;
 }
 
+/// Reads the frictions that have names.
+FrictionNames read_friction_names(const JsonNode& root, IntervalReader& read) {
+  FrictionNames names;
+  const JsonNode* node = root.find("friction");
+  if (node == nullptr) return names;
+  expect(*node, Kind::kObject, "friction", R"(an object such as {"wood-steel": "2/5"})");
+  for (std::size_t k = 0; k < node->keys.size(); ++k) {
+    const std::string& name = node->keys[k];
+    const std::string place = member_path("friction", name);
+    if (begins_as_number(name)) {
+      fail_at(place, "the name " + quote(name) + " may be taken for a number",
+              "give one that begins with a letter, such as \"wood-steel\"");
+    }
+    WrittenNumber value = read_written(node->children[k], place, read);
+    if (value.ends().low.sign() < 0) {
+      fail_at(place, "the value is " + to_readable_string(value.ends().low),
+              "friction must be 0 or more");
+    }
+    names.emplace(name, std::move(value));
+  }
+  return names;
+}
+
+/// Gives the number in place of the name of a friction.
+void look_up(Properties& properties, const FrictionNames& frictions, const std::string& path) {
+  if (!properties.friction_name) return;
+  const std::string& name = *properties.friction_name;
+  const auto found = frictions.find(name);
+  if (found == frictions.end()) {
+    Names known;
+    for (const auto& [other, value] : frictions) known.push_back(other);
+    fail_at(member_path(path, "friction"),
+            quote(name) + " is neither a number nor a name in the file's \"friction\"",
+            known.empty() ? "write a number such as 0.25 or \"3/5\"; or in version 2 or 3 add "
+                            "\"friction\": {" +
+                                quote(name) + ": 0.25} to the file"
+                          : choice_of(name, known, "its names are "));
+  }
+  properties.friction = found->second;
+  properties.friction_name.reset();
+}
+
 /// Reads "defaults". `in_space` says whether the contacts are in space.
-Properties read_defaults(const JsonNode& root, IntervalReader& read, bool in_space = false) {
+Properties read_defaults(const JsonNode& root, IntervalReader& read,
+                         const FrictionNames& frictions, bool in_space = false) {
   const JsonNode* node = root.find("defaults");
   if (node == nullptr) return {};
   expect_object(*node, "defaults", {"friction", "stiffness", "preload", "torsion"});
   WrittenContact probe;
   probe.normal = {1, 0};
   probe.own = read_properties(*node, "defaults", read);
+  look_up(probe.own, frictions, "defaults");
   // The requirements on values are Grasp's own, even where no contact uses the default.
   if (probe.own.torsion || !is_certain(probe)) uncertain_of(probe, in_space, "defaults");
   try {
@@ -294,7 +374,8 @@ void check_keys(const JsonNode& root, bool version2) {
             std::string("write \"format\": \"") + kVersion3 + "\", which has it");
   }
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
-  for (const char* key : {"units", "outline", "body", "loads", "cases", "max_motion"}) {
+  for (const char* key : {"units", "outline", "body", "loads", "cases", "max_motion", "gravity",
+                          "friction"}) {
     if (version2) allowed.emplace_back(key);
     if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
@@ -312,13 +393,13 @@ void check_members(const JsonNode& root, bool version2) {
 }
 
 /// Reads the load; in a file with cases, the load that they have in common.
-WrenchBox read_whole_load(const JsonNode& root, bool in_space, IntervalReader& read,
+WrenchBox read_whole_load(const JsonNode& root, const LoadSpace& space, IntervalReader& read,
                           const std::string& remedy) {
-  const std::optional<WrenchBox> load = read_load(root, "", {in_space}, read);
+  const std::optional<WrenchBox> load = read_load(root, "", space, read);
   if (!load && root.find("cases") == nullptr) {
     fail_at("", "the key \"wrench\" is missing", remedy);
   }
-  return load.value_or(WrenchBox(in_space ? 6 : 3));
+  return load.value_or(WrenchBox(space.components()));
 }
 
 /// Reads "max_motion", if it is there.
@@ -412,9 +493,11 @@ void put_between(UncertainContact& contact, const WrittenContact& written,
   }
 }
 
-void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults) {
+void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults,
+             const FrictionNames& frictions) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Properties& own = contacts[i].own;
+    if (own.friction_name) look_up(own, frictions, element_path("contacts", i));
     if (!own.friction) own.friction = defaults.friction;
     if (!own.stiffness) own.stiffness = defaults.stiffness;
     if (!own.preload) own.preload = defaults.preload;
@@ -422,6 +505,13 @@ void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults) 
     if (own.friction) continue;
     fail_at(element_path("contacts", i), "the key \"friction\" is missing",
             "add it here, or for all contacts in \"defaults\"");
+  }
+}
+
+/// Refuses angles in version 1, which has none.
+void refuse_angles(const std::vector<WrittenContact>& contacts) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].angle) fail_as_newer(element_path("contacts", i) + ".normal", "angle");
   }
 }
 
@@ -523,14 +613,16 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
                      : newer_format());
   }
   IntervalReader read(first_interval_);
-  const Properties defaults = read_defaults(grasp, read);
+  const FrictionNames frictions = read_friction_names(grasp, read);
+  const Properties defaults = read_defaults(grasp, read, frictions);
   refuse_bodies(contacts_, defaults);
+  const LoadSpace space{false, nullptr, read_gravity(grasp, false)};
   const WrenchBox wrench =
-      read_whole_load(grasp, false, read,
+      read_whole_load(grasp, space, read,
                       std::string("add \"wrench\": [x, y, torque]") +
                           (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
   GraspFile file;
-  for (ReadCase& one : read_cases(grasp, wrench, {false}, read)) {
+  for (ReadCase& one : read_cases(grasp, wrench, space, read)) {
     file.cases.push_back({std::move(one.name), std::move(one.load)});
   }
   if (grasp.find("body") != nullptr) {
@@ -539,7 +631,8 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   }
   std::vector<Polygon> outline = read_outline(grasp);
   put_on_outline(contacts_, outline, version2);
-  fill_in(contacts_, defaults);
+  fill_in(contacts_, defaults, frictions);
+  if (!version2) refuse_angles(contacts_);
   refuse_intervals(first_interval_, version2, intervals);
 
   std::vector<std::pair<std::size_t, UncertainContact>> uncertain;
@@ -584,19 +677,21 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
             R"(remove it; in space there is "body": {"vertices": [...], "faces": [...]})");
   }
   IntervalReader read(first_interval_);
-  const Properties defaults = read_defaults(grasp, read, true);
+  const FrictionNames frictions = read_friction_names(grasp, read);
+  const Properties defaults = read_defaults(grasp, read, frictions, true);
   refuse_bodies(contacts_, defaults);
+  const LoadSpace space{true, nullptr, read_gravity(grasp, true)};
   GraspFile result;
   result.content = GraspBox();
   GraspBox& box = *result.content.box();
   box.wrench = read_whole_load(
-      grasp, true, read,
+      grasp, space, read,
       "add \"wrench\": [force x, y, z, torque x, y, z] or \"loads\": [...]; no load is [0, 0, "
       "0, 0, 0, 0]");
-  for (ReadCase& one : read_cases(grasp, box.wrench, {true}, read)) {
+  for (ReadCase& one : read_cases(grasp, box.wrench, space, read)) {
     result.cases.push_back({std::move(one.name), std::move(one.load)});
   }
-  fill_in(contacts_, defaults);
+  fill_in(contacts_, defaults, frictions);
   refuse_intervals(first_interval_, version2, intervals);
   for (const WrittenContact& c : contacts_) {
     const std::size_t i = box.contacts.size();
@@ -614,22 +709,23 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
 }
 
 GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals intervals) {
-  Names allowed{"format", "name",  "units", "defaults",  "contacts",
-                "wrench", "loads", "cases", "max_motion"};
+  Names allowed{"format", "name",  "units",      "defaults", "contacts", "wrench",
+                "loads",  "cases", "max_motion", "gravity",  "friction"};
   allowed.insert(allowed.end(), std::begin(kOfBodies), std::end(kOfBodies));
   expect_object(grasp, "", allowed);
   expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
   const bool spatial = !contacts_.empty() && in_space_;
   IntervalReader read(first_interval_);
-  const Properties defaults = read_defaults(grasp, read, spatial);
+  const FrictionNames frictions = read_friction_names(grasp, read);
+  const Properties defaults = read_defaults(grasp, read, frictions, spatial);
   GraspFile result;
   result.content = GraspBox();
   GraspBox& box = *result.content.box();
   const auto mechanism = std::make_shared<Mechanism>(read_mechanism(grasp, spatial));
   box.mechanism = mechanism;
   box.springs = read_springs(grasp, *mechanism, read);
-  const LoadSpace space{spatial, mechanism.get()};
+  const LoadSpace space{spatial, mechanism.get(), read_gravity(grasp, spatial)};
   box.wrench = read_load(grasp, "", space, read).value_or(WrenchBox(mechanism->coordinates()));
   for (ReadCase& one : read_cases(grasp, box.wrench, space, read)) {
     result.cases.push_back({std::move(one.name), std::move(one.load)});
@@ -637,7 +733,7 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
   for (auto& [body, point] : weight_points(grasp, *mechanism)) {
     mechanism->bodies[body].weights.push_back(std::move(point));
   }
-  fill_in(contacts_, defaults);
+  fill_in(contacts_, defaults, frictions);
   refuse_intervals(first_interval_, true, intervals);
   for (const WrittenContact& c : contacts_) {
     const std::size_t i = box.contacts.size();

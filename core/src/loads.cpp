@@ -2,6 +2,7 @@
 #include "loads.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "stickslip/core/error.hpp"
@@ -51,9 +52,32 @@ RationalRow read_coordinates(const JsonNode& object, const std::string& path, co
   return read_vector(node, member_path(path, key), forms.coordinates, forms.point_in_words);
 }
 
-/// Returns the force of a weight. It pulls along the last axis, downwards, unless it has a
-/// direction of its own.
-RationalRow read_weight(const JsonNode& load, const std::string& path, const LoadForms& forms) {
+/// Returns the acceleration of masses where a file gives none: 9.81 downwards.
+RationalRow standard_gravity(std::size_t coordinates) {
+  RationalRow g(coordinates);
+  g.back() = Rational(-981, 100);
+  return g;
+}
+
+/// Returns the force of a mass.
+RationalRow read_mass(const JsonNode& load, const std::string& path, const LoadForms& forms,
+                      const RationalRow& gravity) {
+  const std::string place = member_path(path, "mass");
+  const Rational mass = read_number(*load.find("mass"), place);
+  if (mass.sign() < 0) {
+    fail_at(place, "the value is " + to_string(mass),
+            std::string("a mass is 0 or more; \"gravity\": ") + forms.point +
+                " of the file says which way all of them are pulled");
+  }
+  RationalRow force = gravity.empty() ? standard_gravity(forms.coordinates) : gravity;
+  for (Rational& entry : force) entry *= mass;
+  return force;
+}
+
+/// Returns the force of a weight. It pulls along its direction, else along the file's gravity,
+/// else along the last axis, downwards.
+RationalRow read_weight(const JsonNode& load, const std::string& path, const LoadForms& forms,
+                        const RationalRow& gravity) {
   const std::string place = member_path(path, "weight");
   const Rational weight = read_number(*load.find("weight"), place);
   if (weight.sign() < 0) {
@@ -61,22 +85,27 @@ RationalRow read_weight(const JsonNode& load, const std::string& path, const Loa
             std::string("a weight is a force of 0 or more; \"direction\": ") + forms.point +
                 " says where it pulls");
   }
-  RationalRow d(forms.coordinates);
-  d.back() = -1;
+  RationalRow d = gravity;
+  if (gravity.empty()) {
+    d.resize(forms.coordinates);
+    d.back() = -1;
+  }
   if (load.find("direction") != nullptr) d = read_coordinates(load, path, "direction", forms);
   const std::optional<Rational> length = exact_sqrt(dot(d, d));
   if (!length || length->is_zero()) {
     fail_at(member_path(path, "direction"),
-            std::string("its length is ") + (length ? "0" : "irrational"), forms.direction);
+            std::string("its length is ") + (length ? "0" : "irrational") +
+                (load.find("direction") != nullptr ? "" : ", as it is that of \"gravity\""),
+            forms.direction);
   }
   for (Rational& entry : d) entry *= weight / *length;
   return d;
 }
 
 RationalRow read_one_load(const JsonNode& load, const std::string& path, const LoadForms& forms,
-                          bool on_a_body) {
+                          const LoadSpace& space) {
   const auto allow = [&](std::vector<std::string> members) {
-    if (on_a_body) members.insert(members.begin(), "body");
+    if (space.mechanism != nullptr) members.insert(members.begin(), "body");
     expect_object(load, path, members);
   };
   const std::string point = forms.point;
@@ -93,17 +122,23 @@ RationalRow read_one_load(const JsonNode& load, const std::string& path, const L
   if (load.find("weight") != nullptr) {
     allow({"weight", "at", "direction"});
     const RationalRow at = read_coordinates(load, path, "at", forms);
-    return wrench_at(at, read_weight(load, path, forms));
+    return wrench_at(at, read_weight(load, path, forms, space.gravity));
+  }
+  if (load.find("mass") != nullptr) {
+    allow({"mass", "at"});
+    const RationalRow at = read_coordinates(load, path, "at", forms);
+    return wrench_at(at, read_mass(load, path, forms, space.gravity));
   }
   if (load.find("force") != nullptr) {
     allow({"force", "at"});
     const RationalRow at = read_coordinates(load, path, "at", forms);
     return wrench_at(at, read_coordinates(load, path, "force", forms));
   }
-  allow({"force", "at", "torque", "weight", "direction"});
+  allow({"force", "at", "torque", "weight", "direction", "mass"});
   fail_at(path, "found " + describe(load) + " that is no load",
           "give " + example + ", {\"torque\": " + forms.torque +
-              "} or {\"weight\": w, \"at\": " + point + "}");
+              "}, {\"weight\": w, \"at\": " + point + "} or {\"mass\": m, \"at\": " + point +
+              "}");
 }
 
 void add(WrenchBox& sum, std::size_t component, const Interval& interval) {
@@ -113,7 +148,8 @@ void add(WrenchBox& sum, std::size_t component, const Interval& interval) {
 
 /// Adds a load on one of several bodies to a generalised force.
 void add_load(WrenchBox& sum, const JsonNode& load, const std::string& path,
-              const Mechanism& mechanism, IntervalReader& read) {
+              const LoadSpace& space, IntervalReader& read) {
+  const Mechanism& mechanism = *space.mechanism;
   const LoadForms& written = forms(mechanism.in_space);
   expect(load, Kind::kObject, path,
          "an object such as {\"body\": \"box\", \"weight\": 1, \"at\": ...}");
@@ -136,7 +172,7 @@ void add_load(WrenchBox& sum, const JsonNode& load, const std::string& path,
     }
     return;
   }
-  const RationalRow force = read_one_load(load, path, written, true);
+  const RationalRow force = read_one_load(load, path, written, space);
   for (const auto& [j, component] : mechanism.load_on(body, force)) {
     add(sum, j, point_interval(component));
   }
@@ -156,7 +192,32 @@ std::string read_case_name(const JsonNode& entry, const std::string& path,
   return name.text;
 }
 
+/// Calls `visit` for each load of the file and of its cases.
+void for_each_load(const JsonNode& root, const std::function<void(const JsonNode&)>& visit) {
+  const auto visit_loads_of = [&](const JsonNode& object) {
+    const JsonNode* loads = object.find("loads");
+    if (loads == nullptr) return;
+    for (const JsonNode& load : loads->children) visit(load);
+  };
+  visit_loads_of(root);
+  const JsonNode* cases = root.find("cases");
+  if (cases == nullptr) return;
+  for (const JsonNode& one : cases->children) visit_loads_of(one);
+}
+
 }  // namespace
+
+RationalRow read_gravity(const JsonNode& root, bool in_space) {
+  if (root.find("gravity") == nullptr) return {};
+  return read_coordinates(root, "", "gravity", forms(in_space));
+}
+
+RationalRow gravity_of_masses(const JsonNode& root, const LoadSpace& space) {
+  bool any = false;
+  for_each_load(root, [&](const JsonNode& load) { any |= load.find("mass") != nullptr; });
+  if (!any || !space.gravity.empty()) return any ? space.gravity : RationalRow{};
+  return standard_gravity(forms(space.in_space).coordinates);
+}
 
 bool is_uncertain(const WrenchBox& wrench) {
   return std::any_of(wrench.begin(), wrench.end(),
@@ -189,10 +250,10 @@ std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& pa
   for (std::size_t i = 0; i < loads->children.size(); ++i) {
     const std::string one = element_path(place, i);
     if (space.mechanism != nullptr) {
-      add_load(sum, loads->children[i], one, *space.mechanism, read);
+      add_load(sum, loads->children[i], one, space, read);
       continue;
     }
-    const RationalRow load = read_one_load(loads->children[i], one, written, false);
+    const RationalRow load = read_one_load(loads->children[i], one, written, space);
     for (std::size_t j = 0; j < sum.size(); ++j) add(sum, j, point_interval(load[j]));
   }
   return sum;
@@ -224,19 +285,11 @@ std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
 std::vector<std::pair<std::size_t, RationalRow>> weight_points(const JsonNode& root,
                                                                const Mechanism& mechanism) {
   std::vector<std::pair<std::size_t, RationalRow>> points;
-  const auto add_loads_of = [&](const JsonNode& object) {
-    const JsonNode* loads = object.find("loads");
-    if (loads == nullptr) return;
-    for (const JsonNode& load : loads->children) {
-      if (load.find("weight") == nullptr) continue;
-      points.emplace_back(mechanism.body_named(load.find("body")->text, "body"),
-                          read_coordinates(load, "", "at", forms(mechanism.in_space)));
-    }
-  };
-  add_loads_of(root);
-  const JsonNode* cases = root.find("cases");
-  if (cases == nullptr) return points;
-  for (const JsonNode& one : cases->children) add_loads_of(one);
+  for_each_load(root, [&](const JsonNode& load) {
+    if (load.find("weight") == nullptr && load.find("mass") == nullptr) return;
+    points.emplace_back(mechanism.body_named(load.find("body")->text, "body"),
+                        read_coordinates(load, "", "at", forms(mechanism.in_space)));
+  });
   return points;
 }
 

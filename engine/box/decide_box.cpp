@@ -109,7 +109,13 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
       std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
       return decision;
     }
-    decision.verdict = undecided_by(prover.report());
+    Undecided undecided = undecided_by(prover.report());
+    if (box.is_point() && needs_enclosure(box) && undecided.reason == "degree") {
+      undecided.remedy =
+          "give the preloaded contacts normals of rational length, as stickslip snap does: then "
+          "equilibria are found exactly, also where they lie side by side";
+    }
+    decision.verdict = std::move(undecided);
     decision.within.reset();
     if (const auto& tree = prover.near_tree()) decision.within = Unstable{*tree};
     suspects = prover.suspects();

@@ -37,6 +37,14 @@ QualityAsked quality_asked(const QualityText& text) {
   return asked;
 }
 
+LoadBall on_only_body(LoadBall shape, const Question& question) {
+  const Mechanism* mechanism = question.mechanism();
+  if (shape.body.empty() && mechanism != nullptr && mechanism->bodies.size() == 1) {
+    shape.body = mechanism->bodies.front().name;
+  }
+  return shape;
+}
+
 GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,
                         const std::string& file) {
   GraspBox grasp = question.grasp.as_box();

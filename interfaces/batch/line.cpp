@@ -102,7 +102,8 @@ LineResult LineDecider::failed(const BatchLine& line, const InputError& error) c
 
 std::string LineDecider::add_quality(Json& result, const Question& question,
                                      const std::string& line) const {
-  const auto& [shape, options] = *options_.quality;
+  const auto& [asked_shape, options] = *options_.quality;
+  const LoadBall shape = on_only_body(asked_shape, question);
   const Quality quality = find_quality(question.grasp.as_box(), question.law, shape, options);
   const Json found = finished(quality_json(question, quality), false);
   for (const char* field : {"proved", "refuted", "scales", "not_resisted"}) {
@@ -129,7 +130,9 @@ LineResult LineDecider::decide(const BatchLine& line) const {
         parse_any_grasp(line.text, "",
                         options_.inertia ? Intervals::kRefused : Intervals::kAllowed),
         options_.question, "", !options_.inertia);
-    if (options_.quality) grasp_for_ball(question, options_.quality->shape, "");
+    if (options_.quality) {
+      grasp_for_ball(question, on_only_body(options_.quality->shape, question), "");
+    }
     result["name"] = question.description().name;
     const auto answer = [&](const char* field, const auto& verdict) {
       result[field] = name_of(verdict);

@@ -51,6 +51,24 @@ std::string engine_text(const std::string& engine, NormalLaw law) {
   return "Engine: " + engine + "; normal law: " + law_text(law) + ".\n";
 }
 
+Grasp read_planar_contacts(const std::string& file) {
+  GraspFile grasp = read_any_grasp_file(file, Intervals::kRefused);
+  const std::string first = grasp.content.contacts() == 0 ? "wrench" : "contacts[0].position";
+  QuestionOptions without_load;
+  without_load.wrench = RationalRow(grasp.content.wrench().size());
+  const Question question = as_one_body(ask(std::move(grasp), without_load));
+  if (question.mechanism() != nullptr) {
+    throw InputError(file, "bodies", "the grasp has several bodies",
+                     "this is done for one body only; stickslip decide answers for several");
+  }
+  if (question.in_space()) {
+    throw InputError(file, first, "the grasp is in space",
+                     "this is done in the plane only; stickslip decide answers in space");
+  }
+  return question.box() != nullptr ? question.box()->planar_middle().grasp
+                                   : question.loaded().grasp;
+}
+
 void add_grasp_argument(Command& command, std::string& file) {
   command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
       ->type_name("FILE")

@@ -274,9 +274,13 @@ class PageAnswer {
         question_(ask_about(asked_)) {
     Tolerances others = question_.uncertain;
     others.ball.reset();
-    if (!question_.uncertain.ball || others.any()) return;
-    asked_in_centre_.uncertain.clear();
-    centre_ = ask_about(asked_in_centre_);
+    if (question_.uncertain.ball && !others.any()) {
+      asked_in_centre_.uncertain.clear();
+      centre_ = ask_about(asked_in_centre_);
+    }
+    const bool names_body =
+        question_.uncertain.ball && !question_.uncertain.ball->body.empty();
+    if (centre().mechanism() != nullptr && !names_body) centre_ = as_one_body(centre());
   }
 
   Json answer(const PageParts& parts) {
@@ -387,10 +391,10 @@ class PageAnswer {
   }
 
   Json states() const {
-    refuse_several(question_);
-    if (question_.in_space()) refuse_space();
-    const GraspBox* box = question_.box();
-    const Grasp grasp = box != nullptr ? box->planar_middle().grasp : question_.loaded().grasp;
+    refuse_several(centre());
+    if (centre().in_space()) refuse_space();
+    const GraspBox* box = centre().box();
+    const Grasp grasp = box != nullptr ? box->planar_middle().grasp : centre().loaded().grasp;
     if (grasp.size() > kMostContactsWithCells) {
       throw NotToBeHad{"the cells of " + std::to_string(grasp.size()) +
                        " contacts are too many to show; up to " +
@@ -401,7 +405,7 @@ class PageAnswer {
   }
 
   void region(Json& found) const {
-    refuse_several(question_);
+    refuse_several(centre());
     if (question_.in_space() || question_.is_bounded()) return region_in_cells(found);
     const LoadedGrasp& one = one_grasp(centre());
     if (one.grasp.size() > kMostContactsWithRegion) {
@@ -492,7 +496,7 @@ class PageAnswer {
   }
 
   void map(Json& found) const {
-    refuse_several(question_, "`stickslip map` finds it");
+    refuse_several(centre(), "`stickslip map` finds it");
     if (question_.is_bounded() && !question_.in_space()) {
       throw NotToBeHad{
           "motions are bounded, and the page has this without a bound; "
@@ -514,7 +518,8 @@ class PageAnswer {
     part(json, "quality", [&](Json& found) {
       const GraspBox grasp = centre().grasp.as_box();
       if (!grasp.is_point()) refuse_box();
-      const LoadBall shape = question_.uncertain.ball.value_or(LoadBall{1});
+      const LoadBall shape =
+          on_only_body(question_.uncertain.ball.value_or(LoadBall{1}), centre());
       if (grasp.mechanism && shape.body.empty()) {
         throw NotToBeHad{
             "there are several bodies; `stickslip quality --body NAME` finds that of loads on "

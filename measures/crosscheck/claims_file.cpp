@@ -199,7 +199,7 @@ ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
       read_grasp(member(root, "", "grasp", "add \"grasp\": {...} or \"grasp\": \"file.json\""),
                  contacts, folder);
   const QuestionOptions options = read_options(root, file.content.in_space());
-  ClaimLine result{within("options", [&] { return ask(file, options); }), {}};
+  ClaimLine result{within("options", [&] { return as_one_body(ask(file, options)); }), {}};
   // Uncertain numbers, and in the plane preloaded contacts with normals of irrational length,
   // are an error of this line.
   within("grasp", [&] {

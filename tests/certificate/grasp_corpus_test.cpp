@@ -7,8 +7,10 @@
 #include <fstream>
 
 #include "both_checkers.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/engine/decide.hpp"
 
 namespace stickslip {
 namespace {
@@ -83,6 +85,33 @@ TEST(GraspCorpus, ReadAlike) {
   }
   test::expect_js_checker_agrees(inputs, answers);
   test::expect_proved_checker_agrees(inputs, answers);
+}
+
+// A proof about a plain file is one about the file with masses, frictions by name and angles.
+// (The proved checker reads the plain files alone, and refuses the others.)
+TEST(GraspCorpus, NotationMeansTheSame) {
+  const std::string separator = " || ";
+  std::vector<CheckerInput> inputs;
+  std::vector<CheckerInput> plain;
+  std::ifstream pairs(STICKSLIP_CORPUS "/grasps/notation.txt");
+  for (std::string line; std::getline(pairs, line);) {
+    if (line[0] == '#') continue;
+    const std::size_t at = line.find(separator);
+    const Answer answer = decide(ask(parse_any_grasp(line.substr(at + separator.size()), "")));
+    const std::optional<std::string> certificate = certificate_of(answer);
+    ASSERT_TRUE(certificate) << line;
+    inputs.push_back({line.substr(0, at), *certificate, {}});
+    plain.push_back({line.substr(at + separator.size()), *certificate, {}});
+  }
+  const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  std::vector<CheckerAnswer> answers;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    answers.push_back(ask_cpp_checker(inputs[i]));
+    EXPECT_EQ(answers[i].result, "accepted") << describe(answers[i]) << describe(inputs[i]);
+    EXPECT_EQ(python[i].result, "accepted") << describe(python[i]) << describe(inputs[i]);
+  }
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(plain, answers);
 }
 
 // The numbers of the files mean the same to each: the wrench is what the checkers compare.

@@ -147,7 +147,9 @@ int margin_of_statics(const Question& question, const MarginArguments& arguments
 }
 
 int margin(const MarginArguments& arguments) {
-  const Question question = arguments.question.any_question();
+  const Question asked = arguments.question.any_question();
+  // A certificate of a margin is about the bodies of the file; classes have none here.
+  const Question question = arguments.asks_class ? as_one_body(asked) : asked;
   if (arguments.asks_class) {
     if (question.mechanism() != nullptr || question.in_space()) {
       return margin_of_statics(question, arguments);

@@ -250,8 +250,8 @@ int ball(const PreloadArguments& arguments) {
   text.length = arguments.length;
   text.about = arguments.about;
   text.body = arguments.body;
-  const LoadBall shape = quality_asked(text).shape;
   const Question question = arguments.question.any_question();
+  const LoadBall shape = on_only_body(quality_asked(text).shape, question);
   if (question.uncertain.any()) {
     throw InputError("", "--uncertain", "the ball is what is sought with --budget",
                      "leave it out, or ask --hold");

@@ -101,6 +101,7 @@ QualityFound find(const QualityArguments& arguments) {
   auto [shape, options] = quality_asked(arguments.quality);
   options.radius.box.node_limit = arguments.node_limit;
   Question question = arguments.question.any_question();
+  shape = on_only_body(std::move(shape), question);
   const GraspBox grasp = grasp_for_ball(question, shape, arguments.question.name_of_file());
   Progress progress;
   Quality found = find_quality(grasp, question.law, shape, options, [&](const Quality& so_far) {

@@ -48,8 +48,7 @@ void add_states_plot(Command& plot, int& exit_code) {
   add_output_option(*command, arguments->output, "SVG file");
   command->footer(footer_text("", kExitCodes, "stickslip plot states fig1.json -o states.svg"));
   command->callback([arguments, &exit_code] {
-    const GraspFile file = read_grasp_file(arguments->file);
-    write_whole_file(arguments->output, plot_states(file.loaded().grasp));
+    write_whole_file(arguments->output, plot_states(read_planar_contacts(arguments->file)));
     exit_code = kDone;
   });
 }

@@ -49,8 +49,7 @@ void print_text(const StatesArguments& arguments, const std::string& name,
 }
 
 int states(const StatesArguments& arguments) {
-  const GraspFile file = read_grasp_file(arguments.file);
-  const Grasp& grasp = file.loaded().grasp;
+  const Grasp grasp = read_planar_contacts(arguments.file);
   const Enumeration report = enumerate_slip_states(
       stick_planes(grasp), enumerator(arguments.engine), arguments.list, arguments.threads);
   if (arguments.json) {

@@ -32,6 +32,10 @@ struct QualityAsked {
 /// Returns the question that they ask. Throws InputError naming the option.
 QualityAsked quality_asked(const QualityText& text);
 
+/// Returns the ball on the only body of a mechanism, if there is only one and the ball names
+/// none; else the ball as it is.
+LoadBall on_only_body(LoadBall shape, const Question& question);
+
 /// Returns the one grasp, of that file, whose quality is asked for. Throws InputError if
 /// numbers are uncertain, or if there can be no such ball of loads.
 GraspBox grasp_for_ball(const Question& question, const LoadBall& shape,

@@ -116,12 +116,14 @@ exception Illegible of { file : string; place : string; problem : string }
 
 (* Masses, gravity, angles and frictions by name are not read here. *)
 let remedy_for path found problem =
-  let unknown = Arguments.starts_with "unknown member" problem in
-  match path, found with
-  | Member ("mass" | "gravity" | "angle" | "friction") :: _, None when unknown
-  | Member "friction" :: _, Some (Text _) ->
+  let is_of_notation = match path, found with
+    | Member ("mass" | "gravity" | "angle" | "friction") :: _, None ->
+      Arguments.starts_with "unknown member" problem
+    | Member "friction" :: _, Some (Text _) -> true
+    | _ -> false in
+  if is_of_notation then
     "; stickslip snap GRASP -o FILE writes a file without masses, gravity, angles and frictions by name"
-  | _ -> ""
+  else ""
 
 (* What a reader of Gallina gave, about this file; or about the question: Pose.v. *)
 let or_illegible file = function

@@ -57,12 +57,13 @@ Grasp read_planar_contacts(const std::string& file) {
   QuestionOptions without_load;
   without_load.wrench = RationalRow(grasp.content.wrench().size());
   const Question question = as_one_body(ask(std::move(grasp), without_load));
+  const std::string name = file == "-" ? "<stdin>" : file;
   if (question.mechanism() != nullptr) {
-    throw InputError(file, "bodies", "the grasp has several bodies",
+    throw InputError(name, "bodies", "the grasp has several bodies",
                      "this is done for one body only; stickslip decide answers for several");
   }
   if (question.in_space()) {
-    throw InputError(file, first, "the grasp is in space",
+    throw InputError(name, first, "the grasp is in space",
                      "this is done in the plane only; stickslip decide answers in space");
   }
   return question.box() != nullptr ? question.box()->planar_middle().grasp

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Masses and gravity, frictions by name, angles of normals, and files of version 3 with one body."""
 
+import json
 import math
 import unittest
 
@@ -76,10 +77,8 @@ class Angles(Case):
 class OneBody(Case):
     """Each command answers of a body in version 3 as it does of the same in version 2."""
 
-    COMMANDS = (("states",), ("compare",), ("region",), ("quality",), ("margin", "--direction", "0,-1,0"), ("margin", "--class", "--direction", "0,-1,0"),
-                ("radius", "--uncertain", "friction=10%"), ("preload", "--hold"), ("preload", "--budget", "30"), ("statics",),
-                ("plot", "grasp"), ("plot", "states"), ("plot", "region"), ("plot", "quality", "--depth", "2"), ("export", "--smt2"), ("snap", "-o", "-"))
-    IN_SPACE = (("quality", "--accuracy", "50%"), ("compare",), ("margin", "--class", "--direction", "0,0,-1,0,0,0"), ("export", "--smt2"))
+    COMMANDS = (("states",), ("compare",), ("region",), ("margin", "--class", "--direction", "0,-1,0"), ("plot", "states"), ("plot", "region"), ("export", "--smt2"))
+    IN_SPACE = (("compare",), ("margin", "--class", "--direction", "0,0,-1,0,0,0"), ("export", "--smt2"))
 
     def ask(self, name, grasp, command):
         words = 2 if command[0] == "plot" else 1
@@ -91,19 +90,12 @@ class OneBody(Case):
         for grasp, commands in ((PINCH, self.COMMANDS), (PINCH_IN_SPACE, self.IN_SPACE)):
             for command in commands:
                 with self.subTest(command=command):
-                    out = self.ask("three.json", of_one_body(grasp), command)
-                    self.assertNotIn("several bodies", out)
-                    if command[0] in ("states", "compare", "region", "export") or "--class" in command or command[:2] == ("plot", "states"):
-                        self.assertEqual(out, self.ask("two.json", grasp, command))
+                    self.assertEqual(self.ask("three.json", of_one_body(grasp), command), self.ask("two.json", grasp, command))
 
-    def test_radii_are_the_same(self):
-        three, two = (self.json("quality", self.write("g.json", g)) for g in (of_one_body(PINCH), PINCH))
-        for key in ("proved", "refuted"):
-            self.assertEqual(three[key], two[key])
-
-    def test_a_body_that_is_named_is_the_same(self):
-        out = [self.ask("g.json", of_one_body(PINCH), ("quality", *words)) for words in ((), ("--body", "it"))]
-        self.assertEqual(*out)
+    def test_no_body_need_be_named(self):
+        """Of a load that is not resisted, which takes no search."""
+        grasp = self.write("g.json", of_one_body({**PINCH, "loads": [{"weight": 400, "at": [0, 0]}]}))
+        self.assertEqual(self.json("quality", grasp), self.json("quality", grasp, "--body", "it"))
 
 
 class Jaws(Case):
@@ -116,7 +108,7 @@ class Jaws(Case):
         normals of rational length one is stated.
         """
         grasp, snapped, proof = self.write("jaws.json", self.JAWS), self.path("snapped.json"), self.path("proof.json")
-        answer = self.json("decide", grasp)
+        answer = json.loads(stickslip("decide", grasp, "--json")[1])
         if answer["verdict"] == "undecided":
             self.assertEqual(answer["reason"], "degree")
             self.assertIn("normals of rational length, as stickslip snap does", answer["remedy"])

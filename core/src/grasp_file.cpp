@@ -508,11 +508,17 @@ void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults,
   }
 }
 
-/// Refuses angles in version 1, which has none.
-void refuse_angles(const std::vector<WrittenContact>& contacts) {
+/// Returns the normals that were given by an angle and rounded. Version 1 has no angles.
+std::vector<RoundedNormal> rounded_normals(const std::vector<WrittenContact>& contacts,
+                                           bool version2) {
+  std::vector<RoundedNormal> rounded;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].angle) fail_as_newer(element_path("contacts", i) + ".normal", "angle");
+    if (!contacts[i].angle) continue;
+    if (!version2) fail_as_newer(element_path("contacts", i) + ".normal", "angle");
+    if (!direction_at(*contacts[i].angle).is_rounded) continue;
+    rounded.push_back({ContactId(i), *contacts[i].angle});
   }
+  return rounded;
 }
 
 void refuse_intervals(const std::string& first, bool version2, Intervals intervals) {
@@ -632,7 +638,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   std::vector<Polygon> outline = read_outline(grasp);
   put_on_outline(contacts_, outline, version2);
   fill_in(contacts_, defaults, frictions);
-  if (!version2) refuse_angles(contacts_);
+  std::vector<RoundedNormal> rounded = rounded_normals(contacts_, version2);
   refuse_intervals(first_interval_, version2, intervals);
 
   std::vector<std::pair<std::size_t, UncertainContact>> uncertain;
@@ -649,7 +655,8 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   contacts_.clear();
   LoadedGrasp middle{
       Grasp(std::move(contacts),
-            GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)}),
+            GraspDescription{read_name(grasp), std::move(outline), read_units(grasp), nullptr,
+                             gravity_of_masses(grasp, space), std::move(rounded)}),
       planar_middle(wrench)};
   const bool is_bounded = grasp.find("max_motion") != nullptr;
   if (is_bounded && intervals == Intervals::kRefused) {
@@ -701,7 +708,8 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
   contacts_.clear();
   // The requirements on units are Grasp's own.
   box.description =
-      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_surface(grasp)})
+      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_surface(grasp),
+                                gravity_of_masses(grasp, space)})
           .description();
   box.check();
   read_max_motion(grasp, box);
@@ -734,6 +742,7 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
     mechanism->bodies[body].weights.push_back(std::move(point));
   }
   fill_in(contacts_, defaults, frictions);
+  std::vector<RoundedNormal> rounded = rounded_normals(contacts_, true);
   refuse_intervals(first_interval_, true, intervals);
   for (const WrittenContact& c : contacts_) {
     const std::size_t i = box.contacts.size();
@@ -749,7 +758,9 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
   contacts_.clear();
   // The requirements on units are Grasp's own.
   box.description =
-      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp)}).description();
+      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), nullptr,
+                                 gravity_of_masses(grasp, space), std::move(rounded)})
+          .description();
   box.check();
   read_max_motion(grasp, box);
   return result;

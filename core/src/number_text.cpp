@@ -137,12 +137,16 @@ Json finished(const Json& tree, bool floats) {
   return result;
 }
 
-void add_units(Json& json, const Grasp& grasp) {
-  add_units(json, grasp.description().units);
-}
-
-void add_units(Json& json, const std::optional<Units>& units) {
-  if (units) json["units"] = {{"length", units->length}, {"force", units->force}};
+void add_conventions(Json& json, const GraspDescription& description) {
+  if (const std::optional<Units>& units = description.units) {
+    json["units"] = {{"length", units->length}, {"force", units->force}};
+  }
+  if (!description.gravity.empty()) json["gravity"] = number_json(description.gravity);
+  if (description.rounded_normals.empty()) return;
+  Json& normals = json["rounded_normals"] = Json::array();
+  for (const RoundedNormal& one : description.rounded_normals) {
+    normals.push_back({{"contact", one.contact.index()}, {"angle", number_json(one.degrees)}});
+  }
 }
 
 }  // namespace stickslip

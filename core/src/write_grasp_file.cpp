@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "grasp_format.hpp"
@@ -225,7 +226,9 @@ std::string write_grasp(const AnyGrasp& content) {
 }
 
 std::string write_grasp_file(const GraspFile& file) {
-  const auto& [name, outline, units, body] = file.description();
+  const GraspDescription& about = file.description();
+  const auto& [name, outline, units, body] =
+      std::tie(about.name, about.outline, about.units, about.body);
   const GraspBox* box = file.content.box();
   const Mechanism* mechanism = file.content.mechanism();
   const bool has_bodies = mechanism != nullptr;

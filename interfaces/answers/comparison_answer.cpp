@@ -17,7 +17,7 @@ Json ranges_json(const Question& question, const Inertia& inertia,
             {"wrench", number_json(coordinates(question.loaded().wrench))},
             {"inertia", inertia_json(inertia)}};
   if (question.direction) json["direction"] = number_json(*question.direction);
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   Json& classes = json["classes"] = Json::array();
   for (const Range& range : ranges) {
     classes.push_back({{"class", class_json(range.rigid_class)},
@@ -46,7 +46,7 @@ Json comparison_json(const Question& question, const Rational& length, const Ine
     json["limit"] = undecided->limit;
   }
   if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : comparison.methods) {
     methods.push_back({{"method", row.method},

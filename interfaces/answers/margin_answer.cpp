@@ -24,7 +24,7 @@ Json head_json(const Question& question) {
   Json json;
   json["name"] = about.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, about.units);
+  add_conventions(json, about);
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(question.grasp.wrench());
   if (question.is_bounded()) json["max_motion"] = number_json(question.box()->max_motion);

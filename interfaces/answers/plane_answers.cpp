@@ -70,7 +70,7 @@ Json to_json(const RegionAnswer& answer) {
              {{"origin", number_json(coordinates(plane.origin()))},
               {"u", number_json(coordinates(plane.u()))},
               {"v", number_json(coordinates(plane.v()))}}}};
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   if (undecided) {
     add_undecided(json, *undecided);
   } else {
@@ -142,7 +142,7 @@ Json region_json(const Question& question, const LoadWindow& plane,
   json["plane"] = {{"origin", number_json(plane.origin)},
                    {"u", number_json(plane.s.along)},
                    {"v", number_json(plane.t.along)}};
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   return json;
 }
 

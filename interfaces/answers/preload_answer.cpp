@@ -45,7 +45,7 @@ void add_range(NamedFiles& files, NormalLaw law, const PreloadRange& range) {
 Json question_json(const Question& question) {
   Json json;
   json["name"] = question.description().name;
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   if (const Mechanism* mechanism = question.mechanism()) {
     json["coordinates"] = coordinate_names(*mechanism);
   }

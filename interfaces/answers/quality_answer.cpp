@@ -81,7 +81,7 @@ Json quality_json(const Question& question, const Quality& quality) {
   json["verdict"] = verdict_name(quality.stable);
   json["name"] = question.description().name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   if (const Mechanism* mechanism = question.mechanism()) {
     json["coordinates"] = coordinate_names(*mechanism);
   }

@@ -13,7 +13,7 @@ Json radius_json(const Question& question, const Radius& radius) {
   json["verdict"] = verdict_name(radius.stable);
   json["name"] = box.description.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, box.description.units);
+  add_conventions(json, box.description);
   json["engine"] = box_engine(question);
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(box.middle().wrench);

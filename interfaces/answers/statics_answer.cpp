@@ -209,7 +209,7 @@ Json to_json(const StaticsAnswer& answer) {
   const Question& question = answer.asked.question;
   Json json{{"name", question.description().name}};
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   json["wrench"] = wrench_json(question.grasp.wrench());
   if (!answer.asked.least_friction) {
     json["friction_factor"] = number_json(answer.asked.asked.friction_factor);

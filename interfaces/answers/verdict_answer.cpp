@@ -154,7 +154,7 @@ Json to_json(const Answer& answer, const Warnings& warnings) {
   if (box != nullptr && !box->is_point()) json["box"] = true;
   json["name"] = question.description().name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.description().units);
+  add_conventions(json, question.description());
   if (const Mechanism* mechanism = question.mechanism()) {
     json["coordinates"] = coordinate_names(*mechanism);
   }

@@ -28,11 +28,34 @@ std::string heading(const Question& question) {
   return both.empty() ? both : both + ": ";
 }
 
-std::string units_text(const Question& question) {
-  const std::optional<Units>& units = question.description().units;
-  if (!units) return "";
-  return "Units: force " + units->force + ", length " + units->length + ", torque " +
-         units->torque() + ".\n";
+std::string conventions_text(const Question& question) {
+  const GraspDescription& about = question.description();
+  std::string text;
+  if (const std::optional<Units>& units = about.units) {
+    text += "Units: force " + units->force + ", length " + units->length + ", torque " +
+            units->torque() + ".\n";
+  }
+  if (!about.gravity.empty()) {
+    std::string numbers;
+    for (const Rational& g : about.gravity) {
+      numbers += (numbers.empty() ? "" : ", ") + to_readable_string(g);
+    }
+    text += "Gravity, by which masses became forces: (" + numbers + ").\n";
+  }
+  if (about.rounded_normals.empty()) return text;
+  constexpr std::size_t kMostNamed = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(about.rounded_normals.size(), kMostNamed); ++i) {
+    const RoundedNormal& one = about.rounded_normals[i];
+    names += (names.empty() ? "contacts[" : ", contacts[") +
+             std::to_string(one.contact.index()) + "] at " + to_readable_string(one.degrees) +
+             " degrees";
+  }
+  if (about.rounded_normals.size() > kMostNamed) names += ", ...";
+  return text +
+         "Normals at irrational directions are rounded to rational unit vectors, by less than "
+         "1e-9: " +
+         names + ".\n";
 }
 
 std::string law_text(NormalLaw law) {

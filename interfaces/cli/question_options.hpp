@@ -97,9 +97,10 @@ struct NumberOptions {
 /// Returns the words "name, case: ", or a part of them, for people.
 std::string heading(const Question& question);
 
-/// Returns a line for people: "Units: force N, length mm, torque N mm."; nothing if nobody gave
-/// units.
-std::string units_text(const Question& question);
+/// Returns lines for people on what the numbers of the grasp mean: "Units: force N, length mm,
+/// torque N mm.", by which gravity masses became forces, and which normals were rounded, as far
+/// as there is any of it.
+std::string conventions_text(const Question& question);
 
 /// Returns "unilateral (contacts may detach)", for people.
 std::string law_text(NormalLaw law);

@@ -33,6 +33,38 @@ TEST(Notation, SaysTheSameAsPlainFiles) {
   EXPECT_GE(count, 10u);
 }
 
+TEST(Notation, TellsWhatWasAssumedAndRounded) {
+  const auto described = [](const std::string& rest) {
+    return parse_any_grasp(R"({"format": "stickslip-grasp/2", "defaults": {"friction": 1}, )" +
+                               rest + "}",
+                           "")
+        .description();
+  };
+  using Row = std::vector<Rational>;
+  const Rational usual(-981, 100);
+  EXPECT_EQ(described(R"("contacts": [], "loads": [{"weight": 1, "at": [0, 0]}])").gravity, Row());
+  EXPECT_EQ(described(R"("contacts": [], "loads": [{"mass": 1, "at": [0, 0]}])").gravity,
+            (Row{0, usual}));
+  EXPECT_EQ(described(R"("contacts": [], "cases": [{"name": "a", "loads":
+                         [{"mass": 1, "at": [0, 0]}]}], "gravity": [1, 2])")
+                .gravity,
+            (Row{1, 2}));
+  EXPECT_EQ(described(R"("contacts": [{"position": [0, 0, 0], "normal": [0, 0, 1]}],
+                         "loads": [{"mass": 1, "at": [0, 0, 0]}])")
+                .gravity,
+            (Row{0, 0, usual}));
+  const auto rounded = described(R"("wrench": [0, 0, 0], "contacts": [
+      {"position": [0, 0], "normal": {"angle": 45}},
+      {"position": [0, 0], "normal": {"angle": 44.9}},
+      {"position": [0, 0], "normal": {"angle": 270}},
+      {"position": [0, 0], "normal": {"angle": -1, "slope": 0.1}}])")
+                           .rounded_normals;
+  ASSERT_EQ(rounded.size(), 2u);
+  EXPECT_EQ(rounded[0].contact, ContactId(1));
+  EXPECT_EQ(rounded[0].degrees, Rational(449, 10));
+  EXPECT_EQ(rounded[1].contact, ContactId(3));
+}
+
 TEST(Notation, AnglesAreNearTheirDirections) {
   const double pi = std::acos(-1.0);
   for (int k = -7300; k <= 7300; ++k) {

@@ -47,7 +47,7 @@ void print(const Question& question, const Inertia& inertia, const std::vector<R
     table.push_back({"  " + class_of(range).value_or("not known"),
                      (question.direction ? "l in " : "s in ") + text_of(range, text)});
   }
-  std::cout << format_table(table, Align::kLeft) << units_text(question) << text.note();
+  std::cout << format_table(table, Align::kLeft) << conventions_text(question) << text.note();
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
                                     : ", and by trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
             << ".\nNormal law: " << law_text(question.law) << ".\n"
-            << units_text(question) << text.note();
+            << conventions_text(question) << text.note();
 }
 
 void print_least(const Margin& margin, NumberText& text) {

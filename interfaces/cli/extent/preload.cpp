@@ -118,7 +118,7 @@ class LeastText {
       print_folder(arguments_.certificates, *least_.preloads, least_.range, text_);
     }
     if (arguments_.certificates.empty()) std::cout << text_.note();
-    std::cout << units_text(question) << engine_text(box_engine(question), question.law);
+    std::cout << conventions_text(question) << engine_text(box_engine(question), question.law);
     if (least_.preloads) stickslip::print(unbalanced(least_.held.front().box, question.law));
   }
 
@@ -236,7 +236,7 @@ void print_ball(const Question& question, const Rational& budget, const BallPrel
     print_folder(arguments.certificates, found.preloads, found.range, text);
   }
   if (!holds || arguments.certificates.empty()) std::cout << text.note();
-  std::cout << units_text(question) << engine_text(box_engine(question), question.law);
+  std::cout << conventions_text(question) << engine_text(box_engine(question), question.law);
   if (holds) print(unbalanced(quality.ball, question.law));
 }
 

@@ -87,7 +87,7 @@ void print(const Question& question, const Quality& quality,
     }
     std::cout << '\n';
   }
-  std::cout << text.note() << units_text(question) << motions_text(question)
+  std::cout << text.note() << conventions_text(question) << motions_text(question)
             << engine_text(box_engine(question), question.law);
 }
 

@@ -114,7 +114,7 @@ void Report::print() {
   } else {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
-  std::cout << text_.note() << units_text(asked_.question) << motions_text(asked_.question)
+  std::cout << text_.note() << conventions_text(asked_.question) << motions_text(asked_.question)
             << engine_text(box_engine(asked_.question), asked_.question.law);
 }
 

@@ -150,7 +150,7 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
   std::cout << '\n'
             << work.modes << " contact modes visited, " << work.pieces
             << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
-            << units_text(question) << text.note();
+            << conventions_text(question) << text.note();
 }
 
 /// Returns the word as a shell reads it.

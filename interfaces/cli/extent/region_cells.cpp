@@ -91,7 +91,7 @@ void print_text(const Question& question, const LoadWindow& plane,
             << shares_text(cells, plane.s, plane.t) << '\n'
             << motions_text(question) << cells.size()
             << " cells (--depth); normal law: " << law_text(question.law) << ".\n"
-            << units_text(question) << text.note();
+            << conventions_text(question) << text.note();
 }
 
 std::string picture(const Question& question, const LoadWindow& plane,

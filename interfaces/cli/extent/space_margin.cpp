@@ -54,7 +54,7 @@ void print_text(const Question& question, const SpatialMargin& margin,
   std::cout << "\nOf other multiples nothing is known. Proved in " << std::to_string(claims)
             << " steps and " << nodes << " nodes.\nNormal law: " << law_text(question.law)
             << ".\n"
-            << units_text(question) << text.note();
+            << conventions_text(question) << text.note();
 }
 
 void print_least(const SpatialMargin& margin, NumberText& text) {

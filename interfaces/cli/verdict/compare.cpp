@@ -93,7 +93,7 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
                     ? "Passive equilibrium alone is about motions up to " +
                           bound_text(*question.box()) + "; the other methods know no bound.\n"
                     : "")
-            << units_text(question) << text.note();
+            << conventions_text(question) << text.note();
 }
 
 /// Answers whether several bodies may stand: nothing more is computed of their rigid contacts.

@@ -77,7 +77,7 @@ void print_cases_text(const std::vector<WarnedAnswer>& answers, const NumberOpti
             << format_table(rows, Align::kLeft)
             << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
                           : "\nForces and motions, or why there are none: --case NAME.\n")
-            << text.note() << units_text(answer.question)
+            << text.note() << conventions_text(answer.question)
             << engine_text(answer.engine(), answer.question.law);
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";

@@ -239,7 +239,7 @@ int answer_statics(StaticsQuestion asked, const std::string& certificate,
   } else {
     NumberText text(output);
     std::cout << head(answer.asked, text) << std::visit(FoundText{answer, text}, answer.found)
-              << units_text(answer.asked.question) << text.note();
+              << conventions_text(answer.asked.question) << text.note();
   }
   if (!certificate.empty()) write_certificates(answer, certificate, grasp, !output.json);
   return answer.undecided() ? kUndecidedWithinLimit : kDone;

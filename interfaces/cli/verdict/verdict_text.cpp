@@ -305,7 +305,7 @@ void print_text(const Answer& answer, const Warnings& warnings, const NumberOpti
             << second_text(answer)
             << enclosure_text(enclosed, answer.bits,
                               !std::holds_alternative<Undecided>(answer.verdict))
-            << legend(answer) << text.note() << units_text(question)
+            << legend(answer) << text.note() << conventions_text(question)
             << engine_text(answer.engine(), question.law);
   print(warnings);
 }

@@ -24,6 +24,30 @@ def of_one_body(grasp):
             "loads": [{"body": "it", **load} for load in grasp["loads"]]}
 
 
+class Masses(Case):
+    def test_the_answer_says_the_gravity(self):
+        for gravity, shown, text, wrench in ((None, ["0", "-981/100"], "(0, ~-9.81)", ["0", "-981/10", "0"]),
+                                             ([1, -10], ["1", "-10"], "(1, -10)", ["10", "-100", "-10"])):
+            grasp = self.write("g.json", FLOOR if gravity is None else {**FLOOR, "gravity": gravity})
+            answer = self.json("decide", grasp)
+            self.assertEqual((answer["wrench"], answer["gravity"], answer["verdict"]), (wrench, shown, "stable"))
+            for command in (("decide",), ("margin", "--direction", "1,0,0"), ("compare",), ("statics",)):
+                code, out, err = stickslip(*command[:1], grasp, *command[1:])
+                self.assertEqual(code, DONE, err)
+                out = out.replace("-981/100", "~-9.81")
+                self.assertIn(f"Gravity, by which masses became forces: {text}.\n", out, command)
+        weighed = self.write("w.json", {**FLOOR, "loads": [{"weight": 10, "at": [0, 1]}]})
+        self.assertNotIn("gravity", self.json("decide", weighed))
+        self.assertNotIn("Gravity", stickslip("decide", weighed)[1])
+
+    def test_of_several_bodies_and_in_space(self):
+        answer = self.json("decide", self.write("g.json", of_one_body(FLOOR)))
+        self.assertEqual((answer["wrench"], answer["gravity"]), (["0", "-981/10", "0"], ["0", "-981/100"]))
+        grasp = {**PINCH_IN_SPACE, "loads": [{"mass": 1, "at": [0, 0, 0]}]}
+        answer = self.json("decide", self.write("s.json", grasp))
+        self.assertEqual((answer["wrench"], answer["gravity"]), (["0", "0", "-981/100", "0", "0", "0"], ["0", "0", "-981/100"]))
+
+
 class Frictions(Case):
     def test_a_name_is_a_number(self):
         named = {**PINCH, "friction": {"wood-steel": "1/2", "rubber": {"min": "1/4", "max": 1}},
@@ -46,7 +70,9 @@ class Angles(Case):
         vee = {**FLOOR, "contacts": [{"position": [-1, 0], "normal": {"angle": 30}}, {"position": [1, 0], "normal": {"angle": 135}}],
                "loads": [{"weight": 1, "at": [0, 0]}]}
         grasp, proof = self.write("vee.json", vee), self.path("proof.json")
-        self.json("decide", grasp, "--certificate", proof)
+        answer = self.json("decide", grasp, "--certificate", proof)
+        self.assertEqual(answer["rounded_normals"], [{"contact": 0, "angle": "30"}])
+        self.assertIn("rounded to rational unit vectors, by less than 1e-9: contacts[0] at 30 degrees.\n", stickslip("decide", grasp)[1])
         for checker in checkers(proof):
             code, out, err = run(*checker, grasp, proof)
             if checker == [PROVED]:

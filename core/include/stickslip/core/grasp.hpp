@@ -63,6 +63,13 @@ struct Units {
   }
 };
 
+/// A normal in the plane that a file gives by an angle whose cosine or sine is irrational: a
+/// rational unit vector stands for it (certificate/FORMAT.md, section 1).
+struct RoundedNormal {
+  ContactId contact;   ///< the contact
+  Rational degrees{};  ///< the angle in the file, from the x axis, counterclockwise
+};
+
 /// The description of a grasp for people and pictures. No answer depends on it.
 struct GraspDescription {
   std::string name;                ///< the name; may be empty
@@ -70,6 +77,10 @@ struct GraspDescription {
   std::optional<Units> units{};    ///< the units; nothing if nobody gave them
   /// The surface of a body in space; null if nobody gave it. Copies share it.
   std::shared_ptr<const Mesh> body{};
+  /// The acceleration by which masses of the file became forces, with as many numbers as a
+  /// point; empty if no load is a mass.
+  std::vector<Rational> gravity{};
+  std::vector<RoundedNormal> rounded_normals{};  ///< the normals that were rounded, in order
 };
 
 /// One frictional point contact. The normal need not have length 1: only its direction

@@ -91,10 +91,9 @@ Json number_json(const std::vector<Rational>& v);
 Json number_json(const std::vector<Integer>& v);
 /// \}
 
-/// \{ Adds the member "units" to an answer about this grasp, if they are known.
-void add_units(Json& json, const Grasp& grasp);
-void add_units(Json& json, const std::optional<Units>& units);
-/// \}
+/// Adds what a reader has to know of the numbers of a grasp, as far as there is any of it:
+/// "units", "gravity" for masses, and "rounded_normals", which were given by an angle.
+void add_conventions(Json& json, const GraspDescription& description);
 
 /// Returns the tree with its exact numbers as strings, such as "-1/2". With `floats`, each
 /// member X that is such numbers, in arrays of any depth, is followed by a member X_float of

@@ -173,35 +173,49 @@ std::optional<std::pair<Vector3, std::string>> snapped(const Vector3& n,
   return std::pair(u, std::move(moved));
 }
 
-const Vector2& normal_of(const Contact& c) {
+std::optional<SnappedNormal> snapped(ContactId contact, const RationalRow& n,
+                                     const Rational& tolerance) {
+  if (n.size() == 2) {
+    auto found = snapped(Vector2{n[0], n[1]}, tolerance);
+    if (!found) return std::nullopt;
+    auto& [u, moved] = *found;
+    return SnappedNormal{contact, n, {u.x, u.y}, std::move(moved)};
+  }
+  auto found = snapped(vector3(n), tolerance);
+  if (!found) return std::nullopt;
+  auto& [u, moved] = *found;
+  return SnappedNormal{contact, n, {u.begin(), u.end()}, std::move(moved)};
+}
+
+RationalRow normal_of(const Contact& c) {
+  return {c.normal.x, c.normal.y};
+}
+
+const RationalRow& normal_of(const UncertainContact& c) {
   return c.normal;
 }
 
-Vector3 normal_of(const UncertainContact& c) {
-  return vector3(c.normal);
+void set_normal(Contact& c, const RationalRow& n) {
+  c.normal = {n[0], n[1]};
 }
 
-void set_normal(Contact& c, const Vector2& n) {
+void set_normal(UncertainContact& c, const RationalRow& n) {
   c.normal = n;
-}
-
-void set_normal(UncertainContact& c, const Vector3& n) {
-  c.normal.assign(n.begin(), n.end());
 }
 
 /// Snaps the normals of contacts in the plane or in space, and returns the replaced ones.
 template <class Contact>
-auto snap_contacts(std::vector<Contact>& contacts, const Rational& tolerance) {
+std::vector<SnappedNormal> snap_contacts(std::vector<Contact>& contacts,
+                                         const Rational& tolerance) {
   if (tolerance.sign() <= 0 || tolerance >= 1) {
     throw InputError("", "within", "the value is " + to_string(tolerance),
                      "it must lie between 0 and 1, such as 1e-9");
   }
-  std::vector<SnappedNormalOf<std::decay_t<decltype(normal_of(contacts[0]))>>> result;
+  std::vector<SnappedNormal> result;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (auto found = snapped(normal_of(contacts[i]), tolerance)) {
-      result.push_back(
-          {ContactId(i), normal_of(contacts[i]), found->first, std::move(found->second)});
-      set_normal(contacts[i], found->first);
+    if (auto found = snapped(ContactId(i), normal_of(contacts[i]), tolerance)) {
+      set_normal(contacts[i], found->after);
+      result.push_back(std::move(*found));
     }
   }
   return result;
@@ -215,8 +229,8 @@ SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
   return {Grasp(std::move(contacts), grasp.description()), std::move(snapped)};
 }
 
-SpatialSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance) {
-  SpatialSnapResult result{grasp, {}};
+BoxSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance) {
+  BoxSnapResult result{grasp, {}};
   result.snapped = snap_contacts(result.grasp.contacts, tolerance);
   return result;
 }

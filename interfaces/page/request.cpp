@@ -38,16 +38,13 @@ bool truth(const JsonNode& node, const std::string& path) {
 
 /// Turns normals of irrational length into rational unit vectors, as `stickslip snap` does.
 void snap(GraspFile& file) {
-  if (file.content.in_space() || file.content.mechanism() != nullptr) return;
+  if (file.content.in_space()) return;
   if (LoadedGrasp* one = file.content.single()) {
     one->grasp = snap_normals(one->grasp, kSnapWithin).grasp;
     return;
   }
   GraspBox& box = *file.content.box();
-  const SnapResult result = snap_normals(box.planar_middle().grasp, kSnapWithin);
-  for (const SnappedNormal& normal : result.snapped) {
-    box.contacts[normal.contact.index()].normal = {normal.after.x, normal.after.y};
-  }
+  box = snap_normals(box, kSnapWithin).grasp;
 }
 
 struct Request {

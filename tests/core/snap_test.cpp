@@ -7,6 +7,7 @@
 #include "random_numbers.hpp"
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
@@ -49,14 +50,15 @@ TEST(SnapNormals, GivesUnitVectorsWithinTheTolerance) {
       ASSERT_EQ(result.snapped.size(), 1U);
       const SnappedNormal& s = result.snapped[0];
       EXPECT_EQ(s.contact, ContactId(0));
-      EXPECT_EQ(s.before, n);
-      EXPECT_EQ(s.after, result.grasp.contacts()[0].normal);
-      EXPECT_EQ(squared_length(s.after), 1);
-      EXPECT_TRUE(within(s.after, n, tolerance));
+      EXPECT_EQ(s.before, (RationalRow{n.x, n.y}));
+      const Vector2 after = result.grasp.contacts()[0].normal;
+      EXPECT_EQ(s.after, (RationalRow{after.x, after.y}));
+      EXPECT_EQ(squared_length(after), 1);
+      EXPECT_TRUE(within(after, n, tolerance));
       // `moved` is an upper bound, and not far above the truth.
       const Rational moved = parse_rational(s.moved);
-      EXPECT_TRUE(within(s.after, n, moved)) << s.moved;
-      EXPECT_FALSE(within(s.after, n, moved * Rational(9, 10))) << s.moved;
+      EXPECT_TRUE(within(after, n, moved)) << s.moved;
+      EXPECT_FALSE(within(after, n, moved * Rational(9, 10))) << s.moved;
       EXPECT_LE(s.moved.size(), 9U) << s.moved;
       EXPECT_NO_THROW(contact_rows(result.grasp));
     }
@@ -177,16 +179,17 @@ TEST(SnapNormals, InSpaceGivesUnitVectorsWithinTheTolerance) {
       const Rational tolerance = parse_rational(text);
       SCOPED_TRACE(to_string(n[0]) + " " + to_string(n[1]) + " " + to_string(n[2]) + " " +
                    text);
-      const SpatialSnapResult result = snap_normals(spatial({n}), tolerance);
+      const BoxSnapResult result = snap_normals(spatial({n}), tolerance);
       ASSERT_EQ(result.snapped.size(), 1U);
-      const SpatialSnappedNormal& s = result.snapped[0];
-      EXPECT_EQ(s.before, n);
-      EXPECT_EQ(s.after, vector3(result.grasp.contacts[0].normal));
-      EXPECT_EQ(dot(s.after, s.after), 1);
-      EXPECT_TRUE(within(s.after, n, tolerance));
+      const SnappedNormal& s = result.snapped[0];
+      EXPECT_EQ(vector3(s.before), n);
+      EXPECT_EQ(s.after, result.grasp.contacts[0].normal);
+      const Vector3 after = vector3(s.after);
+      EXPECT_EQ(dot(after, after), 1);
+      EXPECT_TRUE(within(after, n, tolerance));
       const Rational bound = parse_rational(s.moved);
-      EXPECT_TRUE(within(s.after, n, bound)) << s.moved;
-      EXPECT_FALSE(within(s.after, n, bound * Rational(9, 10))) << s.moved;
+      EXPECT_TRUE(within(after, n, bound)) << s.moved;
+      EXPECT_FALSE(within(after, n, bound * Rational(9, 10))) << s.moved;
       EXPECT_LE(s.moved.size(), 9U) << s.moved;
       ++moved;
     }
@@ -211,9 +214,20 @@ TEST(SnapNormals, InSpaceRespectsSignsSwapsAndScale) {
   }
 }
 
+TEST(SnapNormals, ABoxInThePlaneIsSnappedAsOneGrasp) {
+  const Grasp grasp({{{0, 0}, {1, 3}, 1, 1, 1}, {{0, 0}, {3, 4}, 1, 1, 1}});
+  const Rational tolerance = parse_rational("1e-9");
+  const SnapResult one = snap_normals(grasp, tolerance);
+  const BoxSnapResult box = snap_normals(box_of(LoadedGrasp{grasp, {}}), tolerance);
+  ASSERT_EQ(box.snapped.size(), 1U);
+  EXPECT_EQ(box.snapped[0].after, one.snapped[0].after);
+  EXPECT_EQ(box.snapped[0].moved, one.snapped[0].moved);
+  EXPECT_EQ(write_grasp(box.grasp), write_grasp(LoadedGrasp{one.grasp, {}}));
+}
+
 TEST(SnapNormals, InSpaceLeavesRationalLengthsAlone) {
   const GraspBox grasp = spatial({{2, 1, -2}, {1, 1, 1}, {0, 0, Rational(-1, 7)}});
-  const SpatialSnapResult result = snap_normals(grasp, parse_rational("1e-9"));
+  const BoxSnapResult result = snap_normals(grasp, parse_rational("1e-9"));
   ASSERT_EQ(result.snapped.size(), 1U);
   EXPECT_EQ(result.snapped[0].contact, ContactId(1));
   for (const std::size_t i : {0U, 2U}) {

@@ -18,10 +18,9 @@ struct SnapArguments {
   NumberOptions numbers;
 };
 
-template <class Snapped>
-Json report_json(const std::string& name, const Snapped& snapped) {
+Json report_json(const std::string& name, const std::vector<SnappedNormal>& snapped) {
   Json moved = Json::array();
-  for (const auto& normal : snapped) {
+  for (const SnappedNormal& normal : snapped) {
     moved.push_back({{"contact", normal.contact.index()},
                      {"normal", number_json(normal.after)},
                      {"moved_at_most", decimal_json(normal.moved)}});
@@ -29,10 +28,9 @@ Json report_json(const std::string& name, const Snapped& snapped) {
   return {{"name", name}, {"moved", std::move(moved)}};
 }
 
-template <class Snapped>
-std::string report_text(const Snapped& snapped, NumberText text) {
+std::string report_text(const std::vector<SnappedNormal>& snapped, NumberText text) {
   std::string lines;
-  for (const auto& normal : snapped) {
+  for (const SnappedNormal& normal : snapped) {
     lines += "contact " + std::to_string(normal.contact.index()) + ": normal " +
              text(normal.before) + " moved by at most " + normal.moved + ", to " +
              text(normal.after) + '\n';

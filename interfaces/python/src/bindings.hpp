@@ -15,8 +15,10 @@
 #include <string>
 #include <vector>
 
+#include "exact.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/cancellation.hpp"
+#include "stickslip/core/snap.hpp"
 #include "stickslip/engine/decide.hpp"
 #include "stickslip/engine/question.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -132,10 +134,10 @@ pybind11::tuple tuple_of(const Values& values, Convert convert) {
 }
 
 /// Returns (contact, normal, moved at most) of each normal that moved.
-template <class Snapped, class Convert>
-pybind11::tuple moved_normals(const Snapped& snapped, Convert convert) {
-  return tuple_of(snapped, [&convert](const auto& normal) {
-    return pybind11::make_tuple(normal.contact.index(), convert(normal.after), normal.moved);
+inline pybind11::tuple moved_normals(const std::vector<SnappedNormal>& snapped) {
+  return tuple_of(snapped, [](const SnappedNormal& normal) {
+    return pybind11::make_tuple(normal.contact.index(), tuple_of(normal.after, &fraction),
+                                normal.moved);
   });
 }
 

@@ -92,9 +92,7 @@ py::tuple snapped(const GraspFile& file, const py::object& within) {
   const SnapResult result = snap_normals(file.loaded().grasp, exact(within, "within"));
   GraspFile grasp = file;
   grasp.content = LoadedGrasp{result.grasp, file.loaded().wrench};
-  return py::make_tuple(std::move(grasp), moved_normals(result.snapped, [](const Vector2& n) {
-                          return fractions(n.x, n.y);
-                        }));
+  return py::make_tuple(std::move(grasp), moved_normals(result.snapped));
 }
 
 /// Returns one value for each contact.

@@ -199,11 +199,10 @@ void bind_space(py::module_& module) {
       .def("units", [](const SpatialGraspFile& g) { return units_of(g.description().units); })
       .def("snap",
            [](const SpatialGraspFile& g, const py::object& within) {
-             SpatialSnapResult result = snap_normals(box_in(g), exact(within, "within"));
+             BoxSnapResult result = snap_normals(box_in(g), exact(within, "within"));
              SpatialGraspFile grasp = g;
              grasp.content = std::move(result.grasp);
-             return py::make_tuple(std::move(grasp),
-                                   moved_normals(result.snapped, fractions_of<Vector3>));
+             return py::make_tuple(std::move(grasp), moved_normals(result.snapped));
            })
       .def(py::pickle(&pickled_grasp, &unpickled_grasp));
   py::class_<BodiesFile, SpatialGraspFile, std::shared_ptr<BodiesFile>>(module, "BodiesData")

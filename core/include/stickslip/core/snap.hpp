@@ -15,30 +15,25 @@ namespace stickslip {
 inline constexpr const char* kSnapRemedy =
     "run stickslip snap GRASP -o FILE, and ask about FILE";
 
-/// A contact whose normal was replaced; `Normal` is a vector of the plane or of space.
-template <class Normal>
-struct SnappedNormalOf {
-  ContactId contact;  ///< whose normal it is
-  Normal before;      ///< the normal as it was given
-  Normal after;       ///< the new normal, rational and of length exactly 1
-  std::string moved;  ///< an upper bound of |after - before/|before||, a decimal
+/// A contact whose normal was replaced. Normals have two numbers in the plane, three in space.
+struct SnappedNormal {
+  ContactId contact;   ///< whose normal it is
+  RationalRow before;  ///< the normal as it was given
+  RationalRow after;   ///< the new normal, rational and of length exactly 1
+  std::string moved;   ///< an upper bound of |after - before/|before||, a decimal
 };
 
 /// A grasp whose normals have rational lengths, and the normals that were replaced for that.
-template <class SomeGrasp, class Normal>
+template <class SomeGrasp>
 struct SnapResultOf {
-  SomeGrasp grasp;  ///< the grasp with the new normals, otherwise as it was
-  std::vector<SnappedNormalOf<Normal>> snapped;  ///< the replaced normals, by ContactId
+  SomeGrasp grasp;                     ///< the grasp with the new normals, otherwise as it was
+  std::vector<SnappedNormal> snapped;  ///< the replaced normals, by ContactId
 };
 
-/// \{ The results in the plane.
-using SnappedNormal = SnappedNormalOf<Vector2>;
-using SnapResult = SnapResultOf<Grasp, Vector2>;
-/// \}
-/// \{ The results in space.
-using SpatialSnappedNormal = SnappedNormalOf<Vector3>;
-using SpatialSnapResult = SnapResultOf<GraspBox, Vector3>;
-/// \}
+/// The result of a grasp in the plane.
+using SnapResult = SnapResultOf<Grasp>;
+/// The result of a box, in the plane or in space.
+using BoxSnapResult = SnapResultOf<GraspBox>;
 
 /// Replaces every normal of irrational length by a rational unit vector u with
 /// |u - n/|n|| <= tolerance, decided exactly, using the rational parametrisation
@@ -53,13 +48,14 @@ using SpatialSnapResult = SnapResultOf<GraspBox, Vector3>;
 /// O(log(1/tolerance)) bits.
 SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance);
 
-/// Does the same in space, by the stereographic projection of the sphere. Where n_z is the
-/// largest entry of n and none is below 0, u = (2 s, 2 t, 1 - s^2 - t^2) / (1 + s^2 + t^2),
-/// with s and t in [0, 1/2] rounded to the shortest binary fractions of one length that serve.
-/// Other normals are brought there by signs and by a swap of the largest entry with z, and u is
-/// brought back. So u depends on the direction of n alone, changes sign with its entries, and
-/// is 0 where n is. Each normal costs O(log(1/tolerance)) operations on numbers of
+/// Does the same for any box. In the plane the normals of single grasps and of boxes are
+/// treated alike; in space they go through the stereographic projection of the sphere. Where
+/// n_z is the largest entry of n and none is below 0, u = (2 s, 2 t, 1 - s^2 - t^2) / (1 + s^2
+/// + t^2), with s and t in [0, 1/2] rounded to the shortest binary fractions of one length that
+/// serve. Other normals are brought there by signs and by a swap of the largest entry with z,
+/// and u is brought back. So u depends on the direction of n alone, changes sign with its
+/// entries, and is 0 where n is. Each normal costs O(log(1/tolerance)) operations on numbers of
 /// O(log(1/tolerance)) bits.
-SpatialSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance);
+BoxSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance);
 
 }  // namespace stickslip

@@ -20,6 +20,7 @@ measure() {
 export PATH=$build/bin:$PATH PYTHONPATH=$build/python
 measure lp lp_bench 400
 measure sweep sweep_bench
+measure states states_bench 3
 measure table2 table2
 measure margin margin_bench 1000
 measure region region_bench --pieces 32

@@ -74,13 +74,22 @@ std::string engine_text(const std::string& engine, NormalLaw law) {
   return "Engine: " + engine + "; normal law: " + law_text(law) + ".\n";
 }
 
-Grasp read_planar_contacts(const std::string& file) {
+Question read_contacts(const std::string& file) {
   GraspFile grasp = read_any_grasp_file(file, Intervals::kRefused);
-  const std::string first = grasp.content.contacts() == 0 ? "wrench" : "contacts[0].position";
   QuestionOptions without_load;
   without_load.wrench = RationalRow(grasp.content.wrench().size());
-  const Question question = as_one_body(ask(std::move(grasp), without_load));
+  return as_one_body(ask(std::move(grasp), without_load));
+}
+
+Grasp planar_contacts(const Question& question) {
+  return question.box() != nullptr ? question.box()->planar_middle().grasp
+                                   : question.loaded().grasp;
+}
+
+Grasp read_planar_contacts(const std::string& file) {
+  const Question question = read_contacts(file);
   const std::string name = file == "-" ? "<stdin>" : file;
+  const std::string first = question.grasp.contacts() == 0 ? "wrench" : "contacts[0].position";
   if (question.mechanism() != nullptr) {
     throw InputError(name, "bodies", "the grasp has several bodies",
                      "this is done for one body only; stickslip decide answers for several");
@@ -89,8 +98,7 @@ Grasp read_planar_contacts(const std::string& file) {
     throw InputError(name, first, "the grasp is in space",
                      "this is done in the plane only; stickslip decide answers in space");
   }
-  return question.box() != nullptr ? question.box()->planar_middle().grasp
-                                   : question.loaded().grasp;
+  return planar_contacts(question);
 }
 
 void add_grasp_argument(Command& command, std::string& file) {

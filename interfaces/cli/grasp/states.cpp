@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/number_text.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
+#include "stickslip/interfaces/states_answer.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -15,9 +24,22 @@ namespace {
 struct StatesArguments {
   std::string file;
   std::string engine = "auto";
+  std::string modes = "slip";
+  std::size_t lines = 0;
+  bool snap = false;
+  std::string directions;
+  std::string closed;
+  std::string dimension;
+  std::size_t limit = 0;
   unsigned threads = 0;
   bool list = false;
   bool json = false;
+
+  /// Returns whether something is asked that the enumerators of the sphere do not know.
+  bool beyond_sphere() const {
+    return modes != "slip" || lines > 0 || snap || !directions.empty() || !closed.empty() ||
+           !dimension.empty() || limit > 0;
+  }
 };
 
 Enumerator enumerator(const std::string& engine) {
@@ -48,8 +70,7 @@ void print_text(const StatesArguments& arguments, const std::string& name,
               : ". Cells are on the sphere of motions; distinct states include all-stick.\n");
 }
 
-int states(const StatesArguments& arguments) {
-  const Grasp grasp = read_planar_contacts(arguments.file);
+int states_on_sphere(const StatesArguments& arguments, const Grasp& grasp) {
   const Enumeration report = enumerate_slip_states(
       stick_planes(grasp), enumerator(arguments.engine), arguments.list, arguments.threads);
   if (arguments.json) {
@@ -60,6 +81,187 @@ int states(const StatesArguments& arguments) {
   return kDone;
 }
 
+/// Returns the error with the options of this command.
+InputError of_options(const InputError& error) {
+  const std::string& place = error.place();
+  if (place == "lines") {
+    return {error.file(), "--lines", error.problem(),
+            error.remedy() + " (--snap, --directions FILE)"};
+  }
+  if (place == "dimension")
+    return {error.file(), "--dimension", error.problem(), error.remedy()};
+  if (place == "at_least_closed") {
+    return {error.file(), "--at-least-closed", error.problem(),
+            error.remedy() == "ask for the modes cs or ss" ? "add --modes cs or --modes ss"
+                                                           : error.remedy()};
+  }
+  return error;
+}
+
+StatesQuestion question_of(const StatesArguments& arguments, const AnyGrasp& grasp) {
+  if (arguments.engine != "auto") {
+    throw InputError("", "--engine", "an engine for slip states of one body in the plane",
+                     "leave it out");
+  }
+  SlipLines lines{arguments.lines, arguments.snap, {}};
+  if (!arguments.directions.empty()) lines.given = read_directions(arguments.directions);
+  try {
+    StatesQuestion question =
+        states_question(grasp.as_box(), std::move(lines), state_set_named(arguments.modes));
+    if (!arguments.closed.empty()) question.require_closed(std::stoul(arguments.closed));
+    if (!arguments.dimension.empty())
+      question.require_dimension(std::stoul(arguments.dimension));
+    return question;
+  } catch (const InputError& error) {
+    constexpr std::string_view kDirections = "directions";
+    if (error.place().substr(0, kDirections.size()) != kDirections) throw of_options(error);
+    throw InputError(arguments.directions, error.place().substr(kDirections.size()),
+                     error.problem(), error.remedy());
+  }
+}
+
+/// Writes states while they are found, and counts when all are.
+class StatesWriter {
+ public:
+  StatesWriter(const StatesArguments& arguments, const StatesQuestion& question)
+      : arguments_(arguments), question_(question) {}
+
+  /// Finds and writes. Returns whether nothing ended it before the last state.
+  bool write() {
+    write_head();
+    FaceOptions options = question_.faces;
+    options.go_on = [&](std::uint64_t found) {
+      progress_.show(std::to_string(found) + " states so far");
+      return !interrupted_;
+    };
+    const StatePlanes& planes = question_.planes;
+    const InterruptionStop stop([&] { interrupted_ = true; });
+    const FaceCounts counts =
+        arguments_.list || arguments_.limit > 0
+            ? visit_faces(
+                  planes.coordinates, planes.planes,
+                  [&](const Face& face) { return write_state(face); }, options)
+            : count_faces(planes.coordinates, planes.planes, options, arguments_.threads);
+    progress_.clear();
+    write_counts(counts);
+    return counts.complete;
+  }
+
+ private:
+  void write_head() {
+    const std::string& name = question_.grasp.description.name;
+    if (!arguments_.json) {
+      if (!name.empty()) std::cout << name << '\n';
+      return;
+    }
+    const std::string head = finished(states_head_json(question_), false).dump(1);
+    std::cout << head.substr(0, head.size() - 2);  // without the brace that closes it
+    if (arguments_.list) std::cout << ",\n \"states\": [";
+  }
+
+  bool write_state(const Face& face) {
+    if (arguments_.limit > 0 && written_ == arguments_.limit) return false;
+    if (arguments_.list && arguments_.json) {
+      std::cout << (written_ == 0 ? "\n  " : ",\n  ") << state_json(question_, face);
+    } else if (arguments_.list) {
+      std::cout << question_.planes.text(face) << "  " << face.dimension() << "  "
+                << motion_text(question_, face) << '\n';
+    }
+    ++written_;
+    return true;
+  }
+
+  void write_counts(const FaceCounts& counts) {
+    if (arguments_.json) {
+      if (arguments_.list) std::cout << (written_ == 0 ? "]" : "\n ]");
+      const std::string rest = finished(states_counts_json(question_, counts), false).dump(1);
+      std::cout << "," << rest.substr(1) << '\n';
+      return;
+    }
+    const StatePlanes& planes = question_.planes;
+    std::vector<std::vector<std::string>> rows{{"dimension"}, {"states"}};
+    for (std::size_t j = 0; j < counts.by_dimension.size(); ++j) {
+      rows[0].push_back(std::to_string(j));
+      rows[1].push_back(std::to_string(counts.by_dimension[j]));
+    }
+    rows[0].push_back("all");
+    rows[1].push_back(std::to_string(counts.total()));
+    std::cout << format_table(
+                     {{"contacts", "coordinates", "planes", "distinct planes", "rank"},
+                      {std::to_string(planes.contacts.size()),
+                       std::to_string(planes.coordinates), std::to_string(planes.planes.size()),
+                       std::to_string(counts.distinct_planes), std::to_string(counts.rank)}})
+              << format_table(rows) << meaning();
+    if (!counts.complete) {
+      std::cout << (interrupted_ ? "Interrupted" : "Ended by --limit")
+                << ": there may be more states than these.\n";
+    }
+    if (const auto warning = near_miss_warning(question_, counts)) {
+      std::cout << "Warning: " << *warning << ".\n";
+    }
+  }
+
+  /// Says what was counted.
+  std::string meaning() const {
+    std::string text;
+    switch (question_.planes.set) {
+      case StateSet::kSlip:
+        text =
+            "Slip states of all motions, as if no contact opened: the signs of slip along the "
+            "lines.\n";
+        break;
+      case StateSet::kFull:
+        text =
+            "States of all motions: for each contact the sign of N.d (+ apart, - pressed), |, "
+            "and\nthe signs of slip along the lines.\n";
+        break;
+      case StateSet::kClosed:
+        text = "Slip states of motions on which all contacts stay closed, N.d = 0.\n";
+        break;
+      case StateSet::kOpening:
+        text = "Modes of motions that press nothing together: o opens, c stays closed.\n";
+        break;
+      case StateSet::kContact:
+        text =
+            "Contact modes of motions that press nothing together: o opens; of contacts that "
+            "stay\nclosed the signs of slip along the lines.\n";
+        break;
+    }
+    if (arguments_.list) {
+      text +=
+          "A line a state: contacts, dimension, and a motion that has the state. "
+          "+ and - slip along\nand against a line, 0 does neither.\n";
+    }
+    const bool opens = question_.planes.set == StateSet::kOpening ||
+                       question_.planes.set == StateSet::kContact;
+    bool preloaded = false;
+    for (const UncertainContact& contact : question_.grasp.contacts) {
+      preloaded = preloaded || contact.preload.high > 0;
+    }
+    if (opens && preloaded) {
+      text +=
+          "Some contacts are preloaded: o says that a contact moves apart. It keeps some "
+          "force until\nit has moved by P/k, preload over stiffness.\n";
+    }
+    return text;
+  }
+
+  const StatesArguments& arguments_;
+  const StatesQuestion& question_;
+  Progress progress_;
+  std::atomic<bool> interrupted_{false};
+  std::size_t written_ = 0;
+};
+
+int states(const StatesArguments& arguments) {
+  const Question question = read_contacts(arguments.file);
+  if (question.grasp.is_one_planar_body() && !arguments.beyond_sphere()) {
+    return states_on_sphere(arguments, planar_contacts(question));
+  }
+  const StatesQuestion states = question_of(arguments, question.grasp);
+  return StatesWriter(arguments, states).write() ? kDone : kUndecidedWithinLimit;
+}
+
 }  // namespace
 
 void add_states_command(Command& app, int& exit_code) {
@@ -68,24 +270,63 @@ void add_states_command(Command& app, int& exit_code) {
       "states", "Enumerate the slip states consistent with rigid motion, and count cells");
   add_grasp_argument(*command, arguments->file);
   command
+      ->add_option(
+          "--modes", arguments->modes,
+          "Which states. slip: the signs of slip, as if no contact opened. full: and the "
+          "signs of N.d. closed: slip while all contacts stay closed. cs: which contacts "
+          "open. ss: contact modes, which open and how the others slip")
+      ->type_name("MODES")
+      ->choices({"slip", "full", "closed", "cs", "ss"})
+      ->capture_default_str();
+  command
+      ->add_option("--lines", arguments->lines,
+                   "Lines of slip of each contact in space; 0 is 2, across the normal and each "
+                   "other")
+      ->type_name("K")
+      ->check(whole_number(kMostSlipLines))
+      ->capture_default_str();
+  command->add_flag("--snap", arguments->snap,
+                    "Take rational directions near those of --lines that are irrational");
+  command
+      ->add_option("--directions", arguments->directions,
+                   "JSON file with directions of lines in place of --lines: a list for each "
+                   "contact, of vectors across its normal")
+      ->type_name("FILE");
+  command
+      ->add_option("--at-least-closed", arguments->closed,
+                   "With --modes cs or ss: only modes in which so many contacts stay closed")
+      ->type_name("J")
+      ->check(whole_number(kMostFacePlanes));
+  command
+      ->add_option("--dimension", arguments->dimension,
+                   "Only states whose motions have this dimension; 6 of 6 leave all freedom")
+      ->type_name("D")
+      ->check(whole_number(kMostFaceCoordinates));
+  add_count_option(*command, "--limit", arguments->limit,
+                   "End after so many states; 0 is no end");
+  command
       ->add_option("--engine", arguments->engine,
-                   "How to enumerate. cgal: CGAL's arrangement on the sphere, the reference. "
-                   "sweep: ours, for many "
+                   "How to enumerate in the plane. cgal: CGAL's arrangement on the sphere, the "
+                   "reference. sweep: ours, for many "
                    "contacts. paper: the paper's own three steps, a baseline. auto: cgal for "
                    "few contacts, else sweep")
       ->type_name("ENGINE")
       ->choices({"auto", "cgal", "sweep", "paper"})
       ->capture_default_str();
   add_threads_option(*command, arguments->threads,
-                     "Threads with which the sweep counts; 0 is one a core");
+                     "Threads that count, in the plane those of the sweep; 0 is one a core");
   command->add_flag("--list", arguments->list,
-                    "List the states, one character a contact: + and - slip, 0 stick");
+                    "List the states, in the plane one character a contact: + and - slip, 0 "
+                    "stick; in space a character a line of slip, and a motion");
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(footer_text(
-      "Motions are points of a sphere, which each contact cuts in a great circle: on it the\n"
-      "contact sticks, and it slips one way or the other on either side. Cells are the faces,\n"
-      "edges and vertices that result. Wrench, friction and preload play no part.\n",
-      kExitCodes, "stickslip states fig1.json --list"));
+      "In the plane motions are points of a sphere, which each contact cuts in a great circle: "
+      "on it\nthe contact sticks, and it slips one way or the other on either side. Cells are "
+      "the faces,\nedges and vertices that result. In space, and of several bodies, each line "
+      "of slip is a plane\nof all motions, and states are counted by the dimension of their "
+      "motions. Wrench, friction and\npreload play no part.\n",
+      kExitCodes + ", 3 ended by --limit or an interruption",
+      "stickslip states fig1.json --list"));
   command->callback([arguments, &exit_code] { exit_code = states(*arguments); });
 }
 

@@ -666,7 +666,7 @@ class Files(Space):
         self.fails("decide", good, "--engine", "branch-and-bound", naming=["--engine", "in space"])
         self.fails("decide", good, "--uncertain", "normal=1", naming=["contacts[0].normal", "slope"])
         self.fails("decide", good, "--case", "x", naming=["--case", "no case"])
-        self.fails("states", good, naming=["contacts[0].position", "in space"])
+        self.fails("plot", "states", good, naming=["contacts[0].position", "in space"])
 
     def test_answers_in_words_and_by_exit_code(self):
         file = self.write("g.json", grasp(

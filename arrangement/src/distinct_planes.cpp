@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distinct_planes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::arrangement_detail {
+namespace {
+
+constexpr long kLargestWord = 1L << 60;
+
+void round_to_one(const Row& row, double* result) {
+  core_detail::round_to_one(row.data(), result, row.size());
+}
+
+/// Returns the sign of the first entry that is not 0.
+int leading_sign(const Row& row) {
+  for (const Integer& entry : row) {
+    if (!entry.is_zero()) return entry.sign();
+  }
+  return 0;
+}
+
+}  // namespace
+
+int rank_of(const std::vector<Row>& rows) {
+  struct Pivot {
+    Row row;
+    std::size_t column;
+  };
+  std::vector<Pivot> pivots;
+  for (Row row : rows) {
+    for (const Pivot& pivot : pivots) {
+      const Integer factor = row[pivot.column];
+      if (factor.is_zero()) continue;
+      const Integer& scale = pivot.row[pivot.column];
+      for (std::size_t j = 0; j < row.size(); ++j) {
+        row[j] = row[j] * scale - factor * pivot.row[j];
+      }
+      row = primitive(std::move(row));
+    }
+    const auto found =
+        std::find_if(row.begin(), row.end(), [](const Integer& x) { return !x.is_zero(); });
+    if (found == row.end()) continue;
+    const auto column = static_cast<std::size_t>(found - row.begin());
+    pivots.push_back({std::move(row), column});
+  }
+  return static_cast<int>(pivots.size());
+}
+
+DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
+                               const std::vector<FacePlane>& planes)
+    : coordinates(coordinates_of_points) {
+  require(coordinates <= kMostFaceCoordinates, "faces: too many coordinates");
+  // Planes are sorted by what is asked of their signs: those come first, as equations first.
+  std::vector<std::size_t> order(planes.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto place = [&](std::size_t i) {
+    const Side side = planes[i].side;
+    return side == Side::kZero ? 0 : side == Side::kAny ? 2 : 1;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+
+  group.resize(planes.size());
+  orientation.resize(planes.size(), Sign::kPositive);
+  owner.resize(planes.size());
+  struct Asked {
+    bool zero = false;
+    bool not_negative = false;
+    bool not_positive = false;
+    bool strict = false;
+  };
+  std::vector<Asked> signs;
+  std::map<Row, std::size_t> known;
+  for (const std::size_t i : order) {
+    const FacePlane& plane = planes[i];
+    require(plane.row.size() == coordinates, "faces: a row of another length");
+    Row row = primitive(plane.row);
+    const int leading = leading_sign(row);
+    if (leading == 0) {
+      possible = possible && plane.side != Side::kPositive;
+      continue;
+    }
+    if (leading < 0) row = negated(std::move(row));
+    const auto [found, is_new] = known.emplace(row, rows.size());
+    if (is_new) {
+      rows.push_back(std::move(row));
+      signs.emplace_back();
+      asked.push_back(0);
+    }
+    const std::size_t g = found->second;
+    group[i] = g;
+    orientation[i] = sign_of_int(leading);
+    Asked& at = signs[g];
+    at.zero = at.zero || plane.side == Side::kZero;
+    if (plane.side == Side::kNotNegative || plane.side == Side::kPositive) {
+      (leading > 0 ? at.not_negative : at.not_positive) = true;
+      at.strict = at.strict || plane.side == Side::kPositive;
+      ++asked[g];
+    }
+  }
+  require(rows.size() <= kMostFacePlanes, "faces: too many planes");
+  std::vector<char> reversed(rows.size(), 0);
+  for (std::size_t g = 0; g < rows.size(); ++g) {
+    const Asked& at = signs[g];
+    const bool zero = at.zero || (at.not_negative && at.not_positive);
+    possible = possible && !(zero && at.strict);
+    sides.push_back(zero                                 ? Side::kZero
+                    : at.strict                          ? Side::kPositive
+                    : at.not_negative || at.not_positive ? Side::kNotNegative
+                                                         : Side::kAny);
+    if (at.not_positive && !at.not_negative) {
+      rows[g] = negated(std::move(rows[g]));
+      reversed[g] = 1;
+    }
+  }
+  owned.resize(rows.size());
+  always_counts.resize(rows.size(), 0);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (group[i] && reversed[*group[i]] != 0) orientation[i] = -orientation[i];
+    const auto& where_zero = planes[i].where_zero;
+    if (where_zero) {
+      require(*where_zero < planes.size() && planes[i].side == Side::kAny &&
+                  planes[*where_zero].side != Side::kAny,
+              "faces: a plane counts where one is 0 of which a sign is asked");
+      owner[i] = group[*where_zero];  // A row that is 0 is 0 everywhere.
+    }
+    if (!group[i]) continue;
+    if (owner[i]) {
+      owned[*owner[i]].push_back(*group[i]);
+    } else {
+      always_counts[*group[i]] = 1;
+    }
+  }
+  rounded.resize(rows.size() * coordinates);
+  words.resize(rows.size() * coordinates);
+  fits.resize(rows.size(), 1);
+  for (std::size_t g = 0; g < rows.size(); ++g) {
+    round_to_one(rows[g], &rounded[g * coordinates]);
+    for (std::size_t j = 0; j < coordinates; ++j) {
+      const Integer& entry = rows[g][j];
+      if (entry >= kLargestWord || entry <= -kLargestWord) {
+        fits[g] = 0;
+      } else {
+        words[g * coordinates + j] = entry.convert_to<std::int64_t>();
+      }
+    }
+  }
+  rank = rank_of(rows);
+}
+
+}  // namespace stickslip::arrangement_detail

@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The walk over the faces of an arrangement, for sets of planes of a fixed number of words.
+///
+/// 1. *The closed cone*: planes of which a sign is asked cut the space down to a cone, which is
+///    held by its rays and, where it has any, by its lines.
+/// 2. *Its faces*: each is the rays on some of those planes. The walk goes down from the cone
+///    and marks planes that have to stay positive, so that it meets each face once.
+/// 3. *Inside of a face* other planes count. They turn its lines into rays (each into both
+///    directions or into none), and then split the pointed cones that result.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "distinct_planes.hpp"
+#include "line_store.hpp"
+#include "stickslip/core/cancellation.hpp"
+
+namespace stickslip::arrangement_detail {
+
+/// Vectors that span a cone: its lines in both directions, its rays in one.
+struct Generators {
+  std::vector<Row> lines;
+  std::vector<Row> rays;
+};
+
+/// Removes from the lines all on which the plane is not 0 but one, which is returned on its
+/// positive side, and moves rays along it into the plane. Returns nothing if the plane contains
+/// all lines.
+std::optional<Row> take_line(Generators& of, const Row& plane);
+
+/// Moves vectors along a line, on which the plane is positive, into the plane.
+void move_into_plane(std::vector<Row>& vectors, const Row& plane, const Row& line);
+
+/// Returns the rank modulo a prime, which is at most the rank, of `count` rows of `n` words.
+int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t n);
+
+/// One of several parts of a walk, which are walked over at the same time.
+struct WalkPart {
+  std::size_t number = 0;
+  std::size_t parts = 1;
+  std::atomic<bool>* stopped = nullptr;  ///< set and heard by all parts, if it is not null
+};
+
+template <std::size_t words>
+class FaceWalk : public FaceReader {
+ public:
+  using Set = PlaneSet<words>;
+
+  /// Counts faces; those that are given to `visitor`, if that is not null, one by one.
+  FaceWalk(const DistinctPlanes& planes, const FaceOptions& options, const FaceVisitor* visitor,
+           WalkPart part = {})
+      : planes_(planes),
+        options_(options),
+        visitor_(visitor),
+        part_(part),
+        outer_(planes, work_),
+        inner_(planes, work_) {
+    counts_.distinct_planes = planes.size();
+    counts_.rank = planes.rank;
+    counts_.by_dimension.resize(planes.coordinates + 1);
+    for (std::size_t g = 0; g < planes.size(); ++g) {
+      if (planes.sides[g] != Side::kAny) asked_.set(g);
+      if (planes.sides[g] == Side::kPositive) strict_.set(g);
+      if (planes.always_counts[g] != 0) always_.set(g);
+    }
+  }
+
+  FaceCounts run() {
+    if (planes_.possible) {
+      const std::vector<Ray> cone = closed_cone();
+      walk_faces(cone, strict_);
+    }
+    counts_.complete = !stopped_;
+    counts_.lines = work_.lines;
+    counts_.signs = work_.signs;
+    counts_.exact_signs = work_.exact_signs;
+    if (work_.near < 1) {
+      const auto plane =
+          std::find(planes_.group.begin(), planes_.group.end(), work_.near_plane);
+      counts_.near = {static_cast<std::size_t>(plane - planes_.group.begin()), work_.near};
+    }
+    return std::move(counts_);
+  }
+
+  std::optional<Sign> sign(std::size_t plane) const override {
+    const auto& owner = planes_.owner[plane];
+    if (owner && sign_of_distinct(*owner) != 0) return std::nullopt;
+    const auto& group = planes_.group[plane];
+    if (!group) return Sign::kZero;
+    return sign_of_int(sign_of_distinct(*group)) * planes_.orientation[plane];
+  }
+
+  std::size_t coordinates() const override { return planes_.coordinates; }
+
+  Row motion() const override {
+    Row sum(planes_.coordinates);
+    for (std::size_t i = 0; i < face_.rays; ++i) {
+      store_->add_to(sum, stack_[face_.begin + i]);
+    }
+    return primitive(std::move(sum));
+  }
+
+  bool motion_in_words(std::int64_t* sum) const override {
+    constexpr std::size_t kMostRays = 1000;  // Sums of so many words below 2^52 are words.
+    if (face_.rays > kMostRays) return false;
+    std::fill_n(sum, planes_.coordinates, 0);
+    for (std::size_t i = 0; i < face_.rays; ++i) {
+      const Ray ray = stack_[face_.begin + i];
+      const std::int64_t* vector = store_->in_words(ray);
+      if (vector == nullptr) return false;
+      const std::int64_t factor = (ray & 1) != 0 ? -1 : 1;
+      for (std::size_t j = 0; j < planes_.coordinates; ++j) sum[j] += factor * vector[j];
+    }
+    std::int64_t divisor = 0;
+    for (std::size_t j = 0; j < planes_.coordinates && divisor != 1; ++j) {
+      divisor = std::gcd(divisor, sum[j]);
+    }
+    if (divisor > 1) {
+      for (std::size_t j = 0; j < planes_.coordinates; ++j) sum[j] /= divisor;
+    }
+    return true;
+  }
+
+ private:
+  /// The rays of the face that is visited, and its signs.
+  struct Visited {
+    std::size_t begin = 0;
+    std::size_t rays = 0;
+    Set positive;
+    Set negative;
+  };
+
+  int sign_of_distinct(std::size_t g) const {
+    return face_.positive.get(g) ? 1 : face_.negative.get(g) ? -1 : 0;
+  }
+
+  // The closed cone.
+
+  std::vector<Ray> closed_cone() {
+    Generators cone;
+    for (std::size_t j = 0; j < planes_.coordinates; ++j) {
+      cone.lines.emplace_back(planes_.coordinates);
+      cone.lines.back()[j] = 1;
+    }
+    for_each_bit(asked_, [&](std::size_t g) {
+      std::optional<Row> ray = take_line(cone, planes_.rows[g]);
+      if (ray && planes_.sides[g] != Side::kZero) cone.rays.push_back(std::move(*ray));
+    });
+    lines_ = std::move(cone.lines);
+    std::vector<Ray> rays;
+    for (const Row& ray : cone.rays) rays.push_back(outer_.add(ray));
+    store_ = &outer_;
+    int dimension = static_cast<int>(rays.size());
+    for_each_bit(asked_, [&](std::size_t g) { clip(rays, dimension, g); });
+    return rays;
+  }
+
+  /// Replaces a cone by its part that has the sign that is asked of a plane.
+  void clip(std::vector<Ray>& rays, int& dimension, std::size_t plane) {
+    throw_if_cancelled();
+    const bool zero_only = planes_.sides[plane] == Side::kZero;
+    const Cut cut = cut_at(rays.data(), rays.size(), dimension, plane);
+    if (cut.minus == 0 && (!zero_only || cut.plus == 0)) {
+      stack_.resize(cut.begin);
+      return;
+    }
+    const auto begin = stack_.begin() + static_cast<std::ptrdiff_t>(cut.begin);
+    const auto zero = begin + static_cast<std::ptrdiff_t>(cut.plus);
+    rays.assign(zero_only ? zero : begin,
+                zero + static_cast<std::ptrdiff_t>(cut.zero + cut.fresh));
+    stack_.resize(cut.begin);
+    if (zero_only || cut.plus == 0) dimension = dimension_of(rays);
+  }
+
+  // The faces of the closed cone.
+
+  std::size_t number_asked(const Set& positive) const {
+    std::size_t result = 0;
+    for_each_bit(positive & asked_, [&](std::size_t g) { result += planes_.asked[g]; });
+    return result;
+  }
+
+  /// Walks over the face that these rays span and all faces on it where `forced` is positive.
+  void walk_faces(const std::vector<Ray>& rays, Set forced) {
+    Set positive;
+    for (const Ray ray : rays) positive |= outer_.positive(ray);
+    if (stopped_ || !positive.contains(forced)) return;
+    if (number_asked(forced) > options_.most_positive) return;
+    check();
+    const int dimension = dimension_of(rays);
+    if (dimension + static_cast<int>(lines_.size()) < options_.least_dimension) return;
+    const Set open = positive & asked_;
+    if (number_asked(open) <= options_.most_positive) walk_inside(rays, dimension, open);
+    std::vector<Ray> on_plane;
+    for_each_bit(open - forced, [&](std::size_t g) {
+      if (stopped_ || number_asked(forced) > options_.most_positive) return;
+      on_plane.clear();
+      for (const Ray ray : rays) {
+        if (outer_.zero(ray).get(g)) on_plane.push_back(ray);
+      }
+      walk_faces(on_plane, forced);
+      forced.set(g);
+    });
+  }
+
+  /// Returns the rank of rays of the outer store.
+  int dimension_of(const std::vector<Ray>& rays) const {
+    if (rays.size() <= 3)
+      return static_cast<int>(rays.size());  // No two, or three, are dependent.
+    std::vector<const std::int64_t*> vectors;
+    std::vector<const std::int64_t*> normals;
+    Set zero = outer_.zero(rays.front());
+    bool fits = true;
+    for (const Ray ray : rays) {
+      vectors.push_back(outer_.in_words(ray));
+      fits = fits && vectors.back() != nullptr;
+      zero = zero & outer_.zero(ray);
+    }
+    for_each_bit(zero & asked_, [&](std::size_t g) {
+      normals.push_back(&planes_.words[g * planes_.coordinates]);
+      fits = fits && planes_.fits[g] != 0;
+    });
+    if (fits) {
+      // A rank modulo a prime is a lower bound of each rank; together they have to be right.
+      const int rank = rank_modulo_prime(vectors, planes_.coordinates);
+      const int others = rank_modulo_prime(normals, planes_.coordinates);
+      if (rank + others + static_cast<int>(lines_.size()) ==
+          static_cast<int>(planes_.coordinates)) {
+        return rank;
+      }
+    }
+    std::vector<Row> rows;
+    for (const Ray ray : rays) rows.push_back(outer_.vector(ray));
+    return rank_of(rows);
+  }
+
+  // The inside of a face.
+
+  void walk_inside(const std::vector<Ray>& rays, int dimension, const Set& open) {
+    active_ = always_;
+    for_each_bit(asked_ - open, [&](std::size_t g) {
+      for (const std::size_t each : planes_.owned[g]) active_.set(each);
+    });
+    if (lines_.empty()) {
+      store_ = &outer_;
+      lines_left_ = 0;
+      mirrored_ = false;
+      split_list(rays, dimension);
+      return;
+    }
+    Generators cone{lines_, {}};
+    for (const Ray ray : rays) cone.rays.push_back(outer_.vector(ray));
+    std::vector<Row> taken;
+    for_each_bit(active_, [&](std::size_t g) {
+      std::optional<Row> line = take_line(cone, planes_.rows[g]);
+      if (!line) return;
+      // Lines that were taken before are moved into the plane as rays are.
+      move_into_plane(taken, planes_.rows[g], *line);
+      taken.push_back(std::move(*line));
+    });
+    inner_.clear();
+    store_ = &inner_;
+    lines_left_ = static_cast<int>(cone.lines.size());
+    std::vector<Ray> list;
+    for (const Row& ray : cone.rays) list.push_back(inner_.add(ray));
+    std::vector<Ray> directions;
+    for (const Row& line : taken) directions.push_back(inner_.add(line));
+    mirrored_ = false;
+    walk_directions(list, directions, 0, dimension, rays.empty());
+    store_ = &outer_;
+  }
+
+  /// Walks over the cones of the list and, of each direction from number `next`, it, its
+  /// opposite or neither. If `symmetric`, the first that is not neither is as given: its
+  /// opposite is left to the mirror.
+  void walk_directions(std::vector<Ray>& list, const std::vector<Ray>& directions,
+                       std::size_t next, int dimension, bool symmetric) {
+    if (stopped_) return;
+    if (next == directions.size()) {
+      split_list(list, dimension);
+      return;
+    }
+    list.push_back(directions[next]);
+    if (symmetric) mirrored_ = true;
+    walk_directions(list, directions, next + 1, dimension + 1, false);
+    if (symmetric) mirrored_ = false;
+    if (!symmetric) {
+      list.back() = opposite(directions[next]);
+      walk_directions(list, directions, next + 1, dimension + 1, false);
+    }
+    list.pop_back();
+    walk_directions(list, directions, next + 1, dimension, symmetric);
+  }
+
+  void split_list(const std::vector<Ray>& list, int dimension) {
+    if (lists_++ % part_.parts != part_.number) return;
+    stack_.assign(list.begin(), list.end());
+    split(0, list.size(), dimension);
+  }
+
+  /// Gives the faces inside of the cone of the rays at `begin` of the stack.
+  void split(std::size_t begin, std::size_t rays, int dimension) {
+    if (stopped_ || dimension + lines_left_ < options_.least_dimension) return;
+    Set positive;
+    Set negative;
+    for (std::size_t i = 0; i < rays; ++i) {
+      positive |= store_->positive(stack_[begin + i]);
+      negative |= store_->negative(stack_[begin + i]);
+    }
+    const Set cuts = positive & negative & active_;
+    if (!cuts.any()) {
+      give(dimension + lines_left_, {begin, rays, positive, negative});
+      return;
+    }
+    constexpr std::uint64_t kSplitsBetweenChecks = 256;
+    if (++counts_.splits % kSplitsBetweenChecks == 0) check();
+    const Cut cut = cut_at(nullptr, rays, dimension, cuts.first(), begin);
+    split(cut.begin, cut.plus + cut.zero + cut.fresh, dimension);
+    split(cut.begin + cut.plus, cut.zero + cut.fresh, dimension - 1);
+    split(cut.begin + cut.plus, cut.zero + cut.fresh + cut.minus, dimension);
+    stack_.resize(cut.begin);
+  }
+
+  /// A cone that a plane cuts, at the end of the stack: rays on the positive side, rays in the
+  /// plane, new rays in the plane, and rays on the negative side. So each of the three parts is
+  /// one piece of the stack.
+  struct Cut {
+    std::size_t begin = 0;
+    std::size_t plus = 0;
+    std::size_t zero = 0;
+    std::size_t fresh = 0;
+    std::size_t minus = 0;
+  };
+
+  /// Cuts a cone of the dimension whose rays are in the stack at `begin`, or in `list` if that
+  /// is not null.
+  Cut cut_at(const Ray* list, std::size_t rays, int dimension, std::size_t plane,
+             std::size_t begin = 0) {
+    Cut cut;
+    cut.begin = stack_.size();
+    const auto ray = [&](std::size_t i) {
+      return list != nullptr ? list[i] : stack_[begin + i];
+    };
+    minus_.clear();
+    Set positive;
+    Set negative;
+    for (std::size_t i = 0; i < rays; ++i) {
+      const Ray each = ray(i);
+      positive |= store_->positive(each);
+      negative |= store_->negative(each);
+      if (store_->positive(each).get(plane)) {
+        stack_.push_back(each);
+      } else if (store_->negative(each).get(plane)) {
+        minus_.push_back(each);
+      }
+    }
+    cut.plus = stack_.size() - cut.begin;
+    cut.minus = minus_.size();
+    for (std::size_t i = 0; i < rays; ++i) {
+      const Ray each = ray(i);
+      if (store_->zero(each).get(plane)) stack_.push_back(each);
+    }
+    cut.zero = rays - cut.plus - cut.minus;
+    // Facets are on planes that do not cut; planes that contain the whole cone say nothing.
+    const Set facets = (positive | negative) - (positive & negative);
+    const bool all_adjacent = rays == static_cast<std::size_t>(dimension) || dimension <= 2;
+    for (std::size_t x = 0; x < cut.plus; ++x) {
+      const Ray p = stack_[cut.begin + x];
+      const Set of_p = store_->zero(p) & facets;
+      for (const Ray q : minus_) {
+        if (!all_adjacent && !adjacent(of_p & store_->zero(q), p, q, ray, rays, dimension)) {
+          continue;
+        }
+        stack_.push_back(store_->between(p, q, plane));
+      }
+    }
+    cut.fresh = stack_.size() - cut.begin - cut.plus - cut.zero;
+    stack_.insert(stack_.end(), minus_.begin(), minus_.end());
+    return cut;
+  }
+
+  /// Returns whether two rays are adjacent, given the facets of the cone that contain both:
+  /// then no other ray is on all of those.
+  template <class RayAt>
+  bool adjacent(const Set& common, Ray p, Ray q, const RayAt& ray, std::size_t rays,
+                int dimension) const {
+    if (common.count() < dimension - 2) return false;
+    for (std::size_t i = 0; i < rays; ++i) {
+      const Ray each = ray(i);
+      if (each != p && each != q && store_->zero(each).contains(common)) return false;
+    }
+    return true;
+  }
+
+  /// Ends the walk if that is wanted.
+  void check() {
+    throw_if_cancelled();
+    if (part_.number == 0 && options_.go_on && !options_.go_on(found_)) stopped_ = true;
+    if (part_.stopped == nullptr) return;
+    if (stopped_) *part_.stopped = true;
+    stopped_ = *part_.stopped;
+  }
+
+  void give(int dimension, const Visited& face) {
+    if (dimension < options_.least_dimension || dimension > options_.most_dimension) return;
+    const std::size_t i = static_cast<std::size_t>(dimension);
+    if (visitor_ == nullptr) {
+      counts_.by_dimension[i] += mirrored_ ? 2 : 1;
+      found_ += mirrored_ ? 2 : 1;
+      return;
+    }
+    face_ = face;
+    for (const bool negated : {false, true}) {
+      if (stopped_ || (negated && !mirrored_)) return;
+      stopped_ = !(*visitor_)(Face(*this, dimension, negated));
+      if (stopped_) return;
+      ++counts_.by_dimension[i];
+      ++found_;
+    }
+  }
+
+  const DistinctPlanes& planes_;
+  FaceOptions options_;
+  const FaceVisitor* visitor_;
+  WalkPart part_;
+  std::size_t lists_ = 0;  ///< the cones that were given to be split, in all parts
+  FaceCounts counts_;
+  LineWork work_;
+  Set asked_;   ///< the planes of which a sign is asked
+  Set strict_;  ///< those that have to be positive
+  Set always_;  ///< the planes that count everywhere
+
+  LineStore<words>
+      outer_;  ///< the rays of the closed cone; those of all faces if it is pointed
+  LineStore<words> inner_;     ///< the rays inside of one face
+  LineStore<words>* store_{};  ///< the one that the stack refers to
+  std::vector<Row> lines_;     ///< the lines of the closed cone
+  Set active_;                 ///< the planes that count inside of the face
+  int lines_left_ = 0;         ///< the lines that these planes contain
+  bool mirrored_ = false;  ///< whether antipodes of faces are faces that are not walked over
+  std::vector<Ray> stack_;
+  std::vector<Ray> minus_;  ///< used in cut_at() alone
+  Visited face_;
+  std::uint64_t found_ = 0;  ///< the number of faces so far
+  bool stopped_ = false;
+};
+
+}  // namespace stickslip::arrangement_detail

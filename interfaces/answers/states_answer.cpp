@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/interfaces/states_answer.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/core/json.hpp"
+#include "stickslip/core/number_text.hpp"
+
+namespace stickslip {
+namespace {
+
+/// Appends integers of a motion, each between these marks.
+void append_motion(std::string& text, const StatesQuestion& question, const Face& face,
+                   const char* mark) {
+  std::array<std::int64_t, kMostFaceCoordinates> words{};
+  const std::size_t n = question.planes.coordinates;
+  const auto append = [&](const std::string& digits, std::size_t j) {
+    if (j > 0) text += ", ";
+    text += mark + digits + mark;
+  };
+  if (face.motion_in_words(words.data())) {
+    for (std::size_t j = 0; j < n; ++j) append(std::to_string(words[j]), j);
+  } else {
+    const Row motion = face.motion();
+    for (std::size_t j = 0; j < n; ++j) append(motion[j].str(), j);
+  }
+}
+
+/// A contact, and one of its lines or its normal.
+struct PlaneName {
+  std::size_t contact;
+  std::optional<std::size_t> line;
+};
+
+std::vector<PlaneName> plane_names(const StatePlanes& planes) {
+  std::vector<PlaneName> names(planes.planes.size());
+  for (std::size_t i = 0; i < planes.contacts.size(); ++i) {
+    const StatePlanes::Contact& contact = planes.contacts[i];
+    if (contact.normal) names[*contact.normal] = {i, {}};
+    for (std::size_t j = 0; j < contact.lines.size(); ++j) {
+      names[contact.lines[j]] = {i, j};
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+const char* name_of(StateSet set) {
+  for (const auto& [name, each] : kStateSets) {
+    if (each == set) return name;
+  }
+  throw ContractError("a set of states has a name");
+}
+
+StateSet state_set_named(const std::string& name) {
+  for (const auto& [each, set] : kStateSets) {
+    if (each == name) return set;
+  }
+  throw ContractError("no set of states has that name");
+}
+
+void StatesQuestion::require_closed(std::size_t contacts) {
+  const std::size_t all = grasp.contacts.size();
+  if (planes.set != StateSet::kOpening && planes.set != StateSet::kContact) {
+    throw InputError("", "at_least_closed", "no contact is open or closed in these states",
+                     "ask for the modes cs or ss");
+  }
+  if (contacts > all) {
+    throw InputError("", "at_least_closed", "more than the contacts of the grasp",
+                     "it has " + std::to_string(all));
+  }
+  faces.most_positive = all - contacts;
+}
+
+void StatesQuestion::require_dimension(std::size_t dimension) {
+  if (dimension > planes.coordinates) {
+    throw InputError("", "dimension", "above that of all motions",
+                     "it is at most " + std::to_string(planes.coordinates));
+  }
+  faces.least_dimension = faces.most_dimension = static_cast<int>(dimension);
+}
+
+StatesQuestion states_question(GraspBox grasp, SlipLines lines, StateSet set) {
+  std::vector<ContactRows> rows = contact_rows_for_states(grasp, lines);
+  StatePlanes planes = state_planes(motion_coordinates(grasp), rows, set);
+  return {std::move(grasp), std::move(lines), std::move(rows), std::move(planes), {}};
+}
+
+std::vector<std::vector<RationalRow>> read_directions(const std::string& file) {
+  InputFile input(file, "a file of directions");
+  const std::string text{std::istreambuf_iterator<char>(input.stream()), {}};
+  try {
+    const JsonNode root = parse_json(text);
+    constexpr const char* kForm =
+        "an array with a list of directions [x, y, z] for each contact";
+    expect(root, JsonNode::Kind::kArray, "", kForm);
+    std::vector<std::vector<RationalRow>> result;
+    for (std::size_t i = 0; i < root.children.size(); ++i) {
+      const std::string path = element_path("", i);
+      expect(root.children[i], JsonNode::Kind::kArray, path, "a list of directions [x, y, z]");
+      std::vector<RationalRow>& list = result.emplace_back();
+      for (std::size_t j = 0; j < root.children[i].children.size(); ++j) {
+        const JsonNode& node = root.children[i].children[j];
+        const std::string place = element_path(path, j);
+        expect(node, JsonNode::Kind::kArray, place, "a direction [x, y, z]");
+        list.push_back(read_vector(node, place, node.children.size(), "numbers"));
+      }
+    }
+    return result;
+  } catch (const InputError& error) {
+    throw error.in_file(input.name());
+  }
+}
+
+Json states_head_json(const StatesQuestion& question) {
+  const StatePlanes& planes = question.planes;
+  Json rows = Json::array();
+  for (const auto& [contact, line] : plane_names(planes)) {
+    const ContactRows& of = question.rows[contact];
+    Json row{{"contact", contact}};
+    if (line) {
+      row["line"] = *line;
+    } else {
+      row["line"] = nullptr;
+    }
+    row["row"] = number_json(line ? of.lines[*line] : of.normal);
+    rows.push_back(std::move(row));
+  }
+  return {{"modes", name_of(planes.set)},
+          {"contacts", question.grasp.contacts.size()},
+          {"coordinates", planes.coordinates},
+          {"rows", std::move(rows)}};
+}
+
+std::string state_json(const StatesQuestion& question, const Face& face) {
+  const StatePlanes& planes = question.planes;
+  std::string text = "{\"state\": \"" + planes.text(face) +
+                     "\", \"dimension\": " + std::to_string(face.dimension()) +
+                     ", \"motion\": [";
+  append_motion(text, question, face, "\"");
+  text += ']';
+  for (const auto& [name, sign] :
+       {std::pair("zero", Sign::kZero), std::pair("positive", Sign::kPositive),
+        std::pair("negative", Sign::kNegative)}) {
+    text += std::string(", \"") + name + "\": [";
+    bool first = true;
+    for (std::size_t i = 0; i < planes.planes.size(); ++i) {
+      if (face.sign(i) != sign) continue;
+      if (!first) text += ", ";
+      first = false;
+      text += std::to_string(i);
+    }
+    text += ']';
+  }
+  return text + "}";
+}
+
+Json states_counts_json(const StatesQuestion& question, const FaceCounts& counts) {
+  Json json{{"distinct_planes", counts.distinct_planes},
+            {"rank", counts.rank},
+            {"by_dimension", counts.by_dimension},
+            {"distinct_states", counts.total()},
+            {"complete", counts.complete}};
+  if (const auto warning = near_miss_warning(question, counts)) {
+    json["warnings"] = Json::array({*warning});
+  }
+  return json;
+}
+
+std::string motion_text(const StatesQuestion& question, const Face& face) {
+  std::string text = "(";
+  append_motion(text, question, face, "");
+  return text + ")";
+}
+
+std::optional<std::string> near_miss_warning(const StatesQuestion& question,
+                                             const FaceCounts& counts) {
+  // Of so many distances between 0 and 1 the least is not so small by chance but once in a
+  // thousand times.
+  constexpr double kChance = 1e-3;
+  constexpr double kNear = 1e-4;
+  const double distance = counts.near.distance;
+  if (distance > kNear || distance * static_cast<double>(counts.signs) > kChance) {
+    return std::nullopt;
+  }
+  const PlaneName name = plane_names(question.planes)[counts.near.plane];
+  const int exponent = static_cast<int>(std::floor(std::log10(distance)));
+  return "planes nearly coincide: " +
+         (name.line ? "line " + std::to_string(*name.line) + " of contact "
+                    : "the normal of contact ") +
+         std::to_string(name.contact) + " misses a motion on which others are 0 by 1e" +
+         std::to_string(exponent) +
+         " of its size. If that is rounding, there are fewer states: round positions and "
+         "normals "
+         "less, or snap them to where they belong";
+}
+
+}  // namespace stickslip

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Slip states and contact modes in space and of several bodies: options, output, filters, errors."""
+
+import json
+import os
+import pty
+import signal
+import subprocess
+import unittest
+from fractions import Fraction
+
+from test_cli import DONE, FIG1, STICKSLIP, UNDECIDED, Case, stickslip
+
+
+def cube(walls, preload=0):
+    """A cube of edge 2 about the origin with a contact in each corner of walls, (axis, side) each."""
+    contacts = []
+    for axis, side in walls:
+        for s in (-1, 1):
+            for t in (-1, 1):
+                position, normal = [0, 0, 0], [0, 0, 0]
+                position[axis], position[(axis + 1) % 3], position[(axis + 2) % 3] = side, s, t
+                normal[axis] = -side
+                contacts.append({"position": position, "normal": normal})
+    return {"format": "stickslip-grasp/2", "name": "cube", "defaults": {"friction": "1/2", "preload": preload},
+            "contacts": contacts, "wrench": [0] * 6}
+
+
+FLOOR, CORNER = [(2, -1)], [(2, -1), (0, -1), (1, -1)]
+
+
+def dot(row, motion):
+    return sum(Fraction(a) * Fraction(b) for a, b in zip(row, motion))
+
+
+class States(Case):
+    def answer(self, grasp, *options, code=DONE):
+        return self.json("states", self.write("g.json", grasp), *options, code=code)
+
+    def count(self, grasp, *options):
+        return self.answer(grasp, *options)["distinct_states"]
+
+    def test_counts_by_dimension(self):
+        # A cube on a wall: sliding and turning in the wall's plane, which three directions of
+        # slip planes share, and three more motions that no contact resists.
+        answer = self.answer(cube(FLOOR))
+        self.assertEqual((answer["modes"], answer["contacts"], answer["coordinates"]), ("slip", 4, 6))
+        self.assertEqual(sum(answer["by_dimension"]), answer["distinct_states"])
+        self.assertIs(answer["complete"], True)
+        for modes, counts in (("cs", (10, 136)), ("ss", (196, 136))):
+            self.assertEqual([self.count(cube(walls), "--modes", modes) for walls in (FLOOR, CORNER)], list(counts))
+
+    def test_a_listed_mode_has_its_equalities_and_inequalities(self):
+        for modes in ("slip", "full", "closed", "cs", "ss"):
+            answer = self.answer(cube(FLOOR), "--list", "--modes", modes)
+            self.assertEqual(len(answer["states"]), answer["distinct_states"])
+            self.assertEqual(len({state["state"] for state in answer["states"]}), answer["distinct_states"])
+            rows = [row["row"] for row in answer["rows"]]
+            by_dimension = [0] * 7
+            for state in answer["states"]:
+                by_dimension[state["dimension"]] += 1
+                signs = {i: sign for name, sign in (("zero", 0), ("positive", 1), ("negative", -1)) for i in state[name]}
+                for i, sign in signs.items():
+                    value = dot(rows[i], state["motion"])
+                    self.assertEqual((value > 0) - (value < 0), sign)
+                for i, row in enumerate(answer["rows"]):
+                    # What does not count is a slip of a contact that opens.
+                    opens = modes == "ss" and row["line"] is not None and any(
+                        answer["rows"][j]["contact"] == row["contact"] and answer["rows"][j]["line"] is None
+                        for j in state["positive"])
+                    self.assertEqual(i in signs, not opens)
+            self.assertEqual(by_dimension, answer["by_dimension"])
+
+    def test_text(self):
+        code, out, err = stickslip("states", self.write("g.json", cube(FLOOR, preload=1)), "--modes", "ss", "--list")
+        self.assertEqual((code, err), (DONE, ""))
+        lines = out.splitlines()
+        self.assertEqual(lines[0], "cube")
+        self.assertIn("00 00 00 00  0  (0, 0, 0, 0, 0, 0)", lines)
+        self.assertRegex(out, r"\no o o o  6  \(")
+        self.assertRegex(out, r"\n +states +1 .* 196\n")
+        self.assertIn("moved by P/k", out)
+        code, out, _ = stickslip("states", self.write("g.json", cube(FLOOR)), "--modes", "ss")
+        self.assertNotIn("P/k", out)
+
+    def test_filters_are_the_part_of_the_list_that_they_say(self):
+        grasp = cube(CORNER[:2])
+        everything = self.answer(grasp, "--list", "--modes", "ss")["states"]
+        closed = self.answer(grasp, "--list", "--modes", "ss", "--at-least-closed", "3")["states"]
+        self.assertEqual(closed, [state for state in everything if state["state"].split().count("o") <= 5])
+        self.assertLess(0, len(closed))
+        flat = self.answer(grasp, "--list", "--modes", "ss", "--dimension", "2")["states"]
+        self.assertEqual(flat, [state for state in everything if state["dimension"] == 2])
+        limited = self.answer(grasp, "--list", "--modes", "ss", "--limit", "7", code=UNDECIDED)
+        self.assertEqual((limited["states"], limited["complete"]), (everything[:7], False))
+        self.assertEqual(self.answer(grasp, "--modes", "ss", "--limit", "7", code=UNDECIDED)["distinct_states"], 7)
+        whole = self.answer(grasp, "--modes", "ss", "--limit", str(len(everything)))
+        self.assertEqual((whole["distinct_states"], whole["complete"]), (len(everything), True))
+
+    def test_lines_of_slip(self):
+        ball = {**cube([]), "contacts": [{"position": [0, 0, 0], "normal": [2, -1, 2]}]}
+        for k in (1, 2, 4):
+            self.assertEqual(self.count(ball, "--lines", str(k)), 3 if k == 1 else 4 * k + 1)
+        self.assertEqual(self.count(ball, "--lines", "3", "--snap"), 13)
+        directions = self.write("d.json", [[[1, 2, 0], ["1/2", 0, "-0.5"]]])
+        answer = self.answer(ball, "--directions", directions)
+        self.assertEqual([row["row"][:3] for row in answer["rows"]], [["1", "2", "0"], ["1", "0", "-1"]])
+        file = self.write("g.json", ball)
+        self.fails("states", file, "--lines", "3", naming=["--lines", "irrational", "--snap", "--directions"])
+        self.fails("states", file, "--lines", "65", naming=["--lines", "64"])
+        for content, naming in (([[[1, 0, 0]]], ["[0][0]", "not across the normal", "(5/9, 2/9, -4/9)"]),
+                                ([[[1, 2]]], ["[0][0]", "3"]), ([], ["one for each of the 1 contacts"]),
+                                ([[]], ["[0]", "0 directions"]), ([[["x", 0, 0]]], ["[0][0]"]), ({}, ["array"]),
+                                ([[[1, 2, 0], [-2, -4, 0]]], ["[0][1]", "leave out"])):
+            wrong = self.write("wrong.json", content)
+            self.fails("states", file, "--directions", wrong, naming=[wrong, *naming])
+
+    def test_options_that_do_not_fit(self):
+        file = self.write("g.json", cube(FLOOR))
+        self.fails("states", file, "--engine", "sweep", naming=["--engine", "in the plane"])
+        self.fails("states", file, "--at-least-closed", "1", naming=["--at-least-closed", "--modes cs"])
+        self.fails("states", file, "--modes", "cs", "--at-least-closed", "5", naming=["--at-least-closed", "it has 4"])
+        self.fails("states", file, "--dimension", "7", naming=["--dimension", "at most 6"])
+        self.fails("states", file, "--modes", "sc", naming=["--modes"])
+
+    def test_in_the_plane_the_states_are_those_of_the_sphere(self):
+        sphere = sorted(self.json("states", FIG1, "--list")["states"])
+        general = self.json("states", FIG1, "--list", "--lines", "1")["states"]
+        self.assertEqual(sorted(state["state"].replace(" ", "") for state in general), sphere)
+        # A body between three fingers: it escapes from none alone.
+        modes = self.json("states", FIG1, "--list", "--modes", "cs")["states"]
+        self.assertIn("c c c", [state["state"] for state in modes])
+        self.fails("states", FIG1, "--lines", "2", naming=["--lines", "tangent"])
+
+    def test_bodies(self):
+        box = {"format": "stickslip-grasp/3", "bodies": [{"name": "lower"}, {"name": "upper"}], "defaults": {"friction": "1/2"},
+               "contacts": [{"position": [s, t, height], "normal": [0, 0, 1], **who}
+                            for height, who in ((0, {"of": "lower", "by": "ground"}), (1, {"of": "upper", "by": "lower"}))
+                            for s in (-1, 1) for t in (-1, 1)]}
+        self.assertEqual(self.count(box, "--modes", "cs"), 100)
+        self.assertEqual(self.count(box, "--modes", "ss"), 196 ** 2)
+        box["bodies"].append({"name": "third"})
+        self.fails("states", self.write("g.json", box), naming=["18 coordinates", "at most 12"])
+
+    def test_a_tilt_of_a_millionth(self):
+        grasp = cube(FLOOR)
+        self.assertNotIn("warnings", self.answer(grasp, "--modes", "cs"))
+        grasp["contacts"][0]["normal"] = ["0.000001", 0, 1]
+        answer = self.answer(grasp, "--modes", "cs")
+        self.assertEqual(answer["distinct_states"], 16)
+        self.assertIn("planes nearly coincide", answer["warnings"][0])
+        self.assertIn("Warning: planes nearly", stickslip("states", self.write("g.json", grasp), "--modes", "cs")[1])
+
+    def test_an_interruption_ends_with_what_was_found(self):
+        many = cube(CORNER + [(0, 1), (1, 1), (2, 1)])
+        file = self.write("g.json", many)
+        master, terminal = pty.openpty()
+        with subprocess.Popen([STICKSLIP, "states", file, "--lines", "8", "--snap", "--json"], stdout=subprocess.PIPE,
+                              stderr=terminal) as program:
+            os.close(terminal)
+            shown = os.read(master, 1000)  # progress, after a second
+            self.assertIn(b"states so far", shown)
+            program.send_signal(signal.SIGINT)
+            out, _ = program.communicate(timeout=60)
+        os.close(master)
+        answer = json.loads(out)
+        self.assertEqual((program.returncode, answer["complete"]), (UNDECIDED, False))
+        self.assertGreater(answer["distinct_states"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

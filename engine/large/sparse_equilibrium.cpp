@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "engine/statics/few_columns.hpp"
@@ -41,6 +42,7 @@ class ModeEquations {
       const double first = near.friction[i].empty() ? 0 : near.friction[i].front();
       ways_.push_back(first < 0 ? -1 : 1);
     }
+    find_followers();
   }
 
   std::variant<ShareWitness, NoEquilibrium> solve() {
@@ -60,6 +62,59 @@ class ModeEquations {
   }
 
  private:
+  /// Faces whose numbers are rounded have contacts whose slips differ by that alone: of two of
+  /// these one sticks, and the other slips as little, which takes all of its friction. First
+  /// those are to stick that may have most friction.
+  void find_followers() {
+    leaders_.assign(cones_.size(), std::nullopt);
+    std::map<std::vector<std::size_t>, std::vector<std::size_t>> faces;
+    for (std::size_t i = 0; i < cones_.size(); ++i) {
+      if (modes_[i] != LargeMode::kSticks || cones_[i].slips.size() != 1) continue;
+      std::vector<std::size_t> bodies;
+      for (const auto& [j, entry] : cones_[i].slips.front()) {
+        const std::size_t body = grasp_.model.bodies()[j];
+        if (bodies.empty() || bodies.back() != body) bodies.push_back(body);
+      }
+      faces[std::move(bodies)].push_back(i);
+    }
+    for (auto& [bodies, face] : faces) {
+      std::stable_sort(face.begin(), face.end(), [&](std::size_t a, std::size_t b) {
+        return near_.most[a] > near_.most[b];
+      });
+      for (std::size_t k = 1; k < face.size(); ++k) {
+        for (std::size_t l = 0; l < k && !leaders_[face[k]]; ++l) {
+          if (leaders_[face[l]] || !nearly_slips_as(face[k], face[l])) continue;
+          leaders_[face[k]] = face[l];
+          modes_[face[k]] = LargeMode::kFollows;
+        }
+      }
+    }
+  }
+
+  /// Returns whether the slip of a contact is nearly a multiple of another's, but none.
+  bool nearly_slips_as(std::size_t i, std::size_t leader) const {
+    const SparseRow& row = cones_[i].slips.front();
+    const SparseRow& other = cones_[leader].slips.front();
+    Rational product = 0;
+    Rational square = 0;
+    RationalRow full(grasp_.model.size());
+    add_multiple(full, 1, row);
+    for (const auto& [j, entry] : other) {
+      product += entry * full[j];
+      square += entry * entry;
+    }
+    add_multiple(full, -(product / square), other);
+    double rest = 0;
+    double size = 0;
+    for (const auto& [j, entry] : other) rest = std::max(rest, std::fabs(to_double(full[j])));
+    for (const auto& [j, entry] : row) {
+      rest = std::max(rest, std::fabs(to_double(full[j])));
+      size = std::max(size, std::fabs(to_double(entry)));
+    }
+    constexpr double kNearly = 1e-9;
+    return rest > 0 && rest <= kNearly * size;
+  }
+
   /// Returns the wrench of a = 1 of a contact that is closed, without the friction of one that
   /// sticks.
   SparseRow edge_of(std::size_t i) const {
@@ -93,9 +148,11 @@ class ModeEquations {
       std::size_t direction;
     };
     std::vector<Rub> rubs;
+    std::vector<std::size_t> followers;
     for (std::size_t i = 0; i < cones_.size(); ++i) {
       if (modes_[i] == LargeMode::kOpen) continue;
       press(edge_of(i), cones_[i].normal, grasp_.cone_law[i]);
+      if (modes_[i] == LargeMode::kFollows) followers.push_back(i);
       if (modes_[i] != LargeMode::kSticks) continue;
       for (std::size_t k = 0; k < cones_[i].slips.size(); ++k) {
         for (const auto& [j, entry] : cones_[i].slips[k]) {
@@ -125,13 +182,15 @@ class ModeEquations {
     }
     constexpr int kBits = 24;
     const int grid = kBits - (largest > 0 ? std::ilogb(largest) : 0);
-    for (std::size_t r = 0; r < rubs.size(); ++r) {
-      if (is_open[size + r] == 0) continue;
-      const auto& [i, k] = rubs[r];
+    const auto set_near = [&](std::size_t i, std::size_t k) {
       Rational& friction = friction_[i][k];
       friction = statics_detail::on_grid(near_.friction[i][k], grid);
       for (const auto& [j, entry] : cones_[i].slips[k]) right[j] -= friction * entry;
+    };
+    for (std::size_t r = 0; r < rubs.size(); ++r) {
+      if (is_open[size + r] != 0) set_near(rubs[r].cone, rubs[r].direction);
     }
+    for (const std::size_t i : followers) set_near(i, 0);
     const std::optional<RationalRow> x = system.solve(right);
     if (!x) return false;
     motion_.assign(x->begin(), x->begin() + static_cast<std::ptrdiff_t>(size));
@@ -159,8 +218,16 @@ class ModeEquations {
       } else if (v.sign() < 0) {
         mode = LargeMode::kOpen;
       } else if (mode == LargeMode::kSlips) {
-        const int slip = dot(cone.slips.front(), motion_).sign();
-        if (slip * ways_[i] > 0) mode = LargeMode::kSticks;
+        if (slip_sign(i) * ways_[i] <= 0) continue;
+        any = true;
+        if (leaders_[i]) {
+          ways_[i] = -ways_[i];
+        } else {
+          mode = LargeMode::kSticks;
+        }
+      } else if (mode == LargeMode::kFollows && slip_sign(i) != 0) {
+        mode = LargeMode::kSlips;
+        ways_[i] = -slip_sign(i);
       } else if (!cone.slips.empty()) {
         Rational square = 0;
         for (std::size_t k = 0; k < cone.slips.size(); ++k) {
@@ -169,11 +236,30 @@ class ModeEquations {
         if (square > cone.squared_most * v * v) {
           mode = LargeMode::kSlips;
           ways_[i] = friction_[i].front().sign() < 0 ? -1 : 1;
+          lead_instead(i);
         }
       }
       any = any || mode != before;
     }
     return any;
+  }
+
+  int slip_sign(std::size_t i) const { return dot(cones_[i].slips.front(), motion_).sign(); }
+
+  /// Lets the first of those that follow a contact stick in its place.
+  void lead_instead(std::size_t leader) {
+    std::optional<std::size_t> next;
+    for (std::size_t i = 0; i < cones_.size(); ++i) {
+      if (leaders_[i] != leader) continue;
+      if (!next) {
+        next = i;
+        leaders_[i].reset();
+        modes_[i] = LargeMode::kSticks;
+      } else {
+        leaders_[i] = next;
+      }
+    }
+    if (next) leaders_[leader] = next;
   }
 
   bool opens() const {
@@ -192,7 +278,7 @@ class ModeEquations {
       const Rational most = grasp_.frictions[i] * v;
       RationalRow share(cone.directions.front().size());
       if (modes_[i] == LargeMode::kSlips) {
-        if (dot(cone.slips.front(), motion_).is_zero()) share = {ways_[i]};
+        if (slip_sign(i) == 0) share = {ways_[i]};
       } else {
         for (std::size_t k = 0; k < cone.slips.size(); ++k) {
           for (std::size_t c = 0; c < share.size(); ++c) {
@@ -210,6 +296,7 @@ class ModeEquations {
   const std::vector<ForceCone>& cones_;
   const LargeProposal& near_;
   std::vector<LargeMode> modes_;
+  std::vector<std::optional<std::size_t>> leaders_;  ///< what a contact that follows follows
   std::vector<int> ways_;  ///< the sign of friction where a contact slips in the plane
   RationalRow motion_;     ///< in the model's coordinates
   std::vector<RationalRow> friction_;  ///< of contacts that stick, by direction

@@ -168,10 +168,12 @@ class Balance {
   bool run(Vector& d, double smooth) {
     constexpr int kMostSteps = 30;
     constexpr double kBalanced = 1e-10;
+    constexpr double kRounding = 1e-14;  // part of slips, and so of friction over their size
     Sparse derivative;
     Vector f = grasp_.sum(d, smooth, &derivative);
     for (int step = 0; step < kMostSteps; ++step) {
-      if (f.norm() <= kBalanced * grasp_.force()) return true;
+      const double rounding = kRounding * d.norm() / smooth;
+      if (f.norm() <= (kBalanced + rounding) * grasp_.force()) return true;
       if (!factor(derivative)) return false;
       const Vector move = -solver_.solve(f);
       if (!move.allFinite()) return false;
@@ -216,12 +218,12 @@ std::optional<LargeProposal> propose(const LargeGrasp& large) {
   Balance balance(grasp);
   constexpr double kLargest = 8;
   constexpr double kSmallest = 1.05;
-  constexpr double kLeastSmooth = 1e-6;  // relative to the reach
+  constexpr double kLeastSmooth = 1e-7;  // relative to motions
   Vector d = grasp.rest();
   double smooth = kLargest * grasp.reach();
   double factor = kLargest;
   if (!balance.run(d, smooth)) return std::nullopt;
-  while (smooth > kLeastSmooth * grasp.reach()) {
+  while (smooth > kLeastSmooth * d.norm()) {
     Vector next = balance.ahead(d, smooth, smooth / factor);
     if (balance.run(next, smooth / factor)) {
       d = std::move(next);
@@ -242,6 +244,7 @@ std::optional<LargeProposal> propose(const LargeGrasp& large) {
     result.modes.push_back(!(a > 0)  ? LargeMode::kOpen
                            : sticks ? LargeMode::kSticks
                                     : LargeMode::kSlips);
+    result.most.push_back(a * e.slip_unit);
     result.spare.push_back(sticks ? a * (1 - f.norm / f.over) * e.slip_unit : 0);
     auto& friction = result.friction.emplace_back();
     for (std::size_t k = 0; k < f.ratio.size(); ++k) {

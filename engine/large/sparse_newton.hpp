@@ -30,14 +30,20 @@ struct LargeGrasp {
 };
 
 /// What a contact does.
-enum class LargeMode : std::int8_t { kOpen, kSticks, kSlips };
+enum class LargeMode : std::int8_t {
+  kOpen,
+  kSticks,
+  kFollows,  ///< sticks nearly, as another one with nearly the same slip does
+  kSlips
+};
 
 /// An equilibrium in doubles.
 struct LargeProposal {
   std::vector<LargeMode> modes{};  ///< by cone; what has no friction sticks if it is closed
   /// The friction of each cone, as multiples of its directions.
   std::vector<std::vector<double>> friction{};
-  std::vector<double> spare{};  ///< how much more there may be, as a force
+  std::vector<double> most{};   ///< how much there may be, as a force
+  std::vector<double> spare{};  ///< how much more
 };
 
 /// Returns what Newton's method finds from rest. Friction is smoothed over slips of a size that

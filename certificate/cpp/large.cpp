@@ -143,7 +143,7 @@ void check_large_witness(const Question& question, const Witness& witness) {
   std::vector<LargeForce> forces;
   const std::size_t m = question.contacts.size();
   for (std::size_t i = 0; i < m; ++i) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const Contact contact = question.contacts[i];
     forces.push_back(moved_by(contact, moved(contact.sight->rows, d), h));
   }
@@ -159,7 +159,7 @@ void check_large_witness(const Question& question, const Witness& witness) {
   Vector total;
   for (const Bounds& w : question.wrench) total.emplace_back(h * w.low);
   for (std::size_t i = 0; i < m; ++i) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const Contact contact = question.contacts[i];
     const Rational& v = forces[i].v;
     if (v <= 0 && !is_spring(contact.sight)) continue;

@@ -95,7 +95,7 @@ void StaticsProof::check(const StandPoint& stand, const std::string& place) {
   if (h < 0) reject("static-point", place, "h is " + show(h) + ", which is below 0");
   Integer next = 0;
   for (const RigidForce& force : stand.forces) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const std::string name = "contact " + force.contact.get_str();
     if (force.contact < next || force.contact >= question_.contacts.size()) {
       reject("static-force", place, name + " is not there, or out of order");
@@ -108,7 +108,7 @@ void StaticsProof::check(const StandPoint& stand, const std::string& place) {
   Vector total(question_.dimension());
   for (std::size_t k = 0; k < loads_.size(); ++k) add(total, stand.point[k], loads_[k]);
   for (const RigidForce& force : stand.forces) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const Contact contact = question_.contacts[force.contact.get_ui()];
     const Vector wrench =
         is_contact(contact.sight) ? wrench_of(force, contact) : Vector{force.normal};
@@ -158,7 +158,7 @@ void StaticsProof::check_unopposed(const Vector& twist, const std::string& place
   const Element* seen_last = nullptr;
   Vector local = twist;
   for (std::size_t i = 0; i < question_.contacts.size(); ++i) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const Contact contact = question_.contacts[i];
     if (contact.sight.get() != seen_last) {
       local = moved(contact.sight->rows, twist);

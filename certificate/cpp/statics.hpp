@@ -22,7 +22,7 @@ struct StandPoint {
 };
 
 /// About what a contact costs in a sum.
-inline constexpr std::uint64_t kStepsOfContact = 20 * kStepsOfRational;
+inline constexpr std::uint64_t kStepsOfSum = 20 * kStepsOfRational;
 
 /// How the point of a contact moves, and how what it is on turns, with a motion of this.
 struct MotionAt {

@@ -183,26 +183,31 @@ class ModeEquations {
     constexpr int kBits = 24;
     const int grid = kBits - (largest > 0 ? std::ilogb(largest) : 0);
     const auto set_near = [&](std::size_t i, std::size_t k) {
-      Rational& friction = friction_[i][k];
-      friction = statics_detail::on_grid(near_.friction[i][k], grid);
+      const Rational friction = statics_detail::on_grid(near_.friction[i][k], grid);
+      friction_[i][k] = friction;
       for (const auto& [j, entry] : cones_[i].slips[k]) right[j] -= friction * entry;
     };
     for (std::size_t r = 0; r < rubs.size(); ++r) {
       if (is_open[size + r] != 0) set_near(rubs[r].cone, rubs[r].direction);
     }
     for (const std::size_t i : followers) set_near(i, 0);
-    const std::optional<RationalRow> x = system.solve(right);
+    const std::optional<SharedFractions> x = system.solve(right);
     if (!x) return false;
-    motion_.assign(x->begin(), x->begin() + static_cast<std::ptrdiff_t>(size));
+    height_ = x->denominator;
+    const Row& found = x->numerators;
+    motion_.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(size));
+    for (RationalRow& friction : friction_) {
+      for (Rational& entry : friction) entry *= height_;
+    }
     for (std::size_t r = 0; r < rubs.size(); ++r) {
-      if (is_open[size + r] == 0) friction_[rubs[r].cone][rubs[r].direction] = (*x)[size + r];
+      if (is_open[size + r] == 0) friction_[rubs[r].cone][rubs[r].direction] = found[size + r];
     }
     return true;
   }
 
   Rational separation(std::size_t i) const {
     const NormalSpring& law = grasp_.cone_law[i];
-    return law.preload - law.stiffness * dot(cones_[i].normal, motion_);
+    return law.preload * height_ - law.stiffness * dot(cones_[i].normal, motion_);
   }
 
   /// Changes the modes that break a law; returns whether there were any.
@@ -271,6 +276,7 @@ class ModeEquations {
 
   ShareWitness witness() const {
     ShareWitness result{grasp_.model.state_of(motion_), {}};
+    for (Rational& entry : result.twist) entry /= height_;
     for (std::size_t i = 0; i < cones_.size(); ++i) {
       const ForceCone& cone = cones_[i];
       const Rational v = separation(i);
@@ -298,7 +304,9 @@ class ModeEquations {
   std::vector<LargeMode> modes_;
   std::vector<std::optional<std::size_t>> leaders_;  ///< what a contact that follows follows
   std::vector<int> ways_;  ///< the sign of friction where a contact slips in the plane
-  RationalRow motion_;     ///< in the model's coordinates
+  // Long numbers have one denominator: all is multiplied by it.
+  Rational height_;
+  RationalRow motion_;  ///< in the model's coordinates
   std::vector<RationalRow> friction_;  ///< of contacts that stick, by direction
 };
 

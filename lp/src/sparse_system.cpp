@@ -55,6 +55,27 @@ std::optional<std::pair<Integer, Integer>> fraction_of(const Integer& x, const I
   return std::pair(std::move(n), std::move(d));
 }
 
+/// Returns fractions with these residues, of half as many bits as the modulus. Most have one
+/// denominator, so that few of them are sought.
+std::optional<SharedFractions> fractions_of(const Row& residues, const Integer& modulus) {
+  const Integer most = sqrt(Integer(modulus / 2));
+  SharedFractions x{{}, 1};
+  for (const Integer& value : residues) {
+    Integer n = value * x.denominator % modulus;
+    if (2 * n > modulus) n -= modulus;
+    if (abs(n) > most) {
+      if (n.sign() < 0) n += modulus;
+      const auto fraction = fraction_of(n, modulus, most);
+      if (!fraction) return std::nullopt;
+      n = fraction->first;
+      x.denominator *= fraction->second;
+      for (Integer& before : x.numerators) before *= fraction->second;
+    }
+    x.numerators.push_back(std::move(n));
+  }
+  return x;
+}
+
 }  // namespace
 
 SparseSystem::SparseSystem(std::size_t rows, const std::vector<SparseRow>& columns)
@@ -149,7 +170,7 @@ std::vector<std::uint64_t> SparseSystem::digits(const Row& left) const {
   return x;
 }
 
-std::optional<RationalRow> SparseSystem::solve(const RationalRow& b) const {
+std::optional<SharedFractions> SparseSystem::solve(const RationalRow& b) const {
   require(b.size() == scales_.size(), "a right side of another length");
   Integer common = 1;
   RationalRow scaled;
@@ -190,57 +211,37 @@ std::optional<RationalRow> SparseSystem::solve(const RationalRow& b) const {
       mpz_addmul(residues[k].mutable_gmp(), block.gmp(), modulus.gmp());
     }
     modulus *= block_modulus;
-    const std::optional<RationalRow> kept = reconstruct(residues, modulus);
+    std::optional<SharedFractions> kept = fractions_of(residues, modulus);
     if (!kept) continue;
     const Row rest = left_by(*kept, right);
     const bool is_found = std::all_of(pivots_.begin(), pivots_.end(),
                                       [&](std::size_t row) { return rest[row].is_zero(); });
     if (!is_found) continue;
     if (!is_zero(rest)) return std::nullopt;
-    RationalRow x(size_);
-    for (std::size_t k = 0; k < kept->size(); ++k) {
-      x[independent_[k]] = (*kept)[k] / Rational(common);
+    SharedFractions x{Row(size_, Integer(0)), kept->denominator * common};
+    for (std::size_t k = 0; k < independent_.size(); ++k) {
+      x.numerators[independent_[k]] = std::move(kept->numerators[k]);
     }
     return x;
   }
 }
 
-/// Returns fractions with these residues, of half as many bits as the modulus; most have one
-/// denominator.
-std::optional<RationalRow> SparseSystem::reconstruct(const Row& residues,
-                                                     const Integer& modulus) const {
-  const Integer most = sqrt(Integer(modulus / 2));
-  Integer common = 1;
-  RationalRow x;
-  for (const Integer& value : residues) {
-    Integer n = value * common % modulus;
-    if (2 * n > modulus) n -= modulus;
-    if (abs(n) > most) {
-      if (n.sign() < 0) n += modulus;
-      const auto fraction = fraction_of(n, modulus, most);
-      if (!fraction) return std::nullopt;
-      n = fraction->first;
-      common *= fraction->second;
-    }
-    x.emplace_back(std::move(n), common);
-  }
-  return x;
-}
-
-/// Returns a positive multiple of b - A x.
-Row SparseSystem::left_by(const RationalRow& x, const Row& b) const {
-  Integer common = 1;
-  for (const Rational& entry : x) common = lcm(common, denominator(entry));
+/// Returns a positive multiple of b - A x, for x by the columns that are kept.
+Row SparseSystem::left_by(const SharedFractions& x, const Row& b) const {
   Row left;
-  for (const Integer& entry : b) left.push_back(entry * common);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const Integer multiple = numerator(Rational(x[k] * common));
-    if (multiple.is_zero()) continue;
+  for (const Integer& entry : b) left.push_back(entry * x.denominator);
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
     for (const auto& [row, entry] : columns_[k]) {
-      mpz_submul(left[row].mutable_gmp(), entry.gmp(), multiple.gmp());
+      mpz_submul(left[row].mutable_gmp(), entry.gmp(), x.numerators[k].gmp());
     }
   }
   return left;
+}
+
+RationalRow SharedFractions::row() const {
+  RationalRow result;
+  for (const Integer& n : numerators) result.emplace_back(n, denominator);
+  return result;
 }
 
 }  // namespace stickslip

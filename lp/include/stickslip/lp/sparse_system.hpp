@@ -22,6 +22,15 @@
 
 namespace stickslip {
 
+/// A vector of fractions with one denominator.
+struct SharedFractions {
+  Row numerators;       ///< by coordinate
+  Integer denominator;  ///< > 0
+
+  /// Returns the fractions in lowest terms.
+  RationalRow row() const;
+};
+
 /// The equations A x = b, for one matrix A and any b.
 class SparseSystem {
  public:
@@ -34,7 +43,7 @@ class SparseSystem {
   const std::vector<std::size_t>& independent() const { return independent_; }
   /// Returns x, 0 for the columns that are left out; nothing if there is none. Requires that b
   /// has an entry for each row.
-  std::optional<RationalRow> solve(const RationalRow& b) const;
+  std::optional<SharedFractions> solve(const RationalRow& b) const;
 
  private:
   using Entries = std::vector<std::pair<std::size_t, std::uint64_t>>;
@@ -42,8 +51,7 @@ class SparseSystem {
 
   bool eliminate(const IntegerEntries& column, const std::vector<std::size_t>& counts);
   std::vector<std::uint64_t> digits(const Row& left) const;
-  std::optional<RationalRow> reconstruct(const Row& residues, const Integer& modulus) const;
-  Row left_by(const RationalRow& x, const Row& b) const;
+  Row left_by(const SharedFractions& x, const Row& b) const;
 
   std::size_t size_;                       ///< the number of columns
   RationalRow scales_;                     ///< of rows: with these factors they are integers

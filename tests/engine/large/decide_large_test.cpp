@@ -40,12 +40,12 @@ struct Tower {
     }
     loads += R"(, {"body": "b)" + std::to_string(boxes - 1) + R"(", "force": [")" + push +
              R"(", 0], "at": [0, ")" + std::to_string(2 * boxes - 1) + R"(/2"]})";
-    return box_of(parse_any_grasp(R"({"format": "stickslip-grasp/3", "bodies": [)" + bodies +
+    return parse_any_grasp(R"({"format": "stickslip-grasp/3", "bodies": [)" + bodies +
                                       R"(], "defaults": {"friction": ")" + friction +
                                       R"("}, "contacts": [)" + contacts + R"(], "loads": [)" +
                                       loads + "]" + more + "}",
-                                  "a tower")
-                      .grasp);
+                           "a tower")
+        .content.as_box();
   }
 };
 
@@ -88,7 +88,7 @@ TEST(DecideLarge, APushSlidesTheHighestBox) {
   }
 }
 
-/// With little friction and a heavy box above, statics balances what the springs do not.
+/// Statics balances the weights, and the springs give by more than the bound.
 TEST(DecideLarge, SaysWhyItIsUndecided) {
   Tower tower{15};
   tower.more = R"(, "max_motion": {"length": "1/10", "angle": 1})";

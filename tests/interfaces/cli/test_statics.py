@@ -255,10 +255,10 @@ class Size(Statics):
             self.assertIn("witness-balance" if verdict == "stable" else "static-motion", out)
 
     def test_verdicts_of_more_coordinates_than_are_searched(self):
-        # 16 bricks, 48 coordinates. Columns of bricks do not touch but at rest, so that friction carries all of the lean.
+        # 16 bricks, 48 coordinates; and a tower of 11, in which friction carries the lean.
         self.decided(wall(4, 4, 1, 0), "stable")
-        self.decided(wall(4, 4, F(1, 5), F(99, 500)), "stable")
-        self.decided(wall(4, 4, F(1, 5), F(101, 500)), "unstable")
+        self.decided(wall(11, 1, F(1, 20), F(99, 2000)), "stable")
+        self.decided(wall(11, 1, F(1, 20), F(101, 2000)), "unstable")
 
     def test_margins_have_no_more_coordinates_than_are_searched(self):
         code, out, err = stickslip("margin", self.write("w.json", wall(4, 4, 1, 0)), "--direction", ",".join(["1"] * 48))

@@ -57,7 +57,9 @@ TEST(SparseSystem, SolvesWhatEliminationWithFractionsSolves) {
     const auto x = system.solve(b);
     EXPECT_EQ(x.has_value(), solve_exactly(a, b).has_value());
     ++(x ? solved : without);
-    if (x) EXPECT_EQ(a * x->row(), b);
+    if (x) {
+      EXPECT_EQ(a * x->row(), b);
+    }
   }
   EXPECT_GT(solved, 20);
   EXPECT_GT(without, 20);

@@ -150,9 +150,9 @@ class LoadSearch {
     Rational stands = 0;
     std::optional<Rational> moves = border_along(way);
     Rational next = 1;
+    const auto is_near = [&] { return moves && *moves - stands <= accuracy_ * *moves; };
     constexpr int kMostRounds = 100;
-    for (int round = 0; round < kMostRounds; ++round) {
-      if (moves && *moves - stands <= accuracy_ * *moves) break;
+    for (int round = 0; round < kMostRounds && !is_near(); ++round) {
       if (moves) next = (stands + *moves) / 2;
       constexpr int kPlaceBits = 40;
       next = rational_in_bits(to_double(next), kPlaceBits);
@@ -170,6 +170,8 @@ class LoadSearch {
       }
     }
     found_.is_exact = false;
+    // A border at the start itself is known after so many halves, whatever is_near() says.
+    if (stands.sign() > 0 && !is_near()) found_.is_complete = false;
   }
 
   /// Returns the least t from which on a known motion excludes loads along the ray.

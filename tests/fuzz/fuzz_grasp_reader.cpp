@@ -71,15 +71,15 @@ void expect_round_trip(const stickslip::GraspFile& file) {
   const std::string text = written(file);
   if (text.empty()) return;
   const stickslip::GraspFile again = stickslip::parse_any_grasp(text, "written");
-  const auto& [name, outline, units, body] = file.description();
-  const auto& body_again = again.description().body;
+  const stickslip::GraspDescription& before = file.description();
+  const stickslip::GraspDescription& after = again.description();
   const bool same_body =
-      body && body_again ? *body == *body_again : (body == nullptr) == (body_again == nullptr);
-  const bool equal =
-      (again.content.box() == nullptr) == (file.content.box() == nullptr) &&
-      again.description().name == name && again.description().outline == outline &&
-      again.description().units == units && same_body &&
-      again.assumed_stiffness == file.assumed_stiffness && numbers(again) == numbers(file);
+      before.body && after.body ? *before.body == *after.body : before.body == after.body;
+  const bool equal = (again.content.box() == nullptr) == (file.content.box() == nullptr) &&
+                     after.name == before.name && after.outline == before.outline &&
+                     after.units == before.units && same_body &&
+                     again.assumed_stiffness == file.assumed_stiffness &&
+                     numbers(again) == numbers(file);
   if (!equal) broken("another grasp is read back");
   if (write_grasp_file(again) != text) broken("other bytes are written the second time");
 }

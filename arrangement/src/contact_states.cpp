@@ -252,7 +252,8 @@ StatePlanes state_planes(std::size_t coordinates, const std::vector<ContactRows>
   StatePlanes result;
   result.set = set;
   result.coordinates = coordinates;
-  const auto add = [&](const Row& row, Side side, std::optional<std::size_t> where_zero) {
+  const auto add = [&](const Row& row, AllowedSigns side,
+                       std::optional<std::size_t> where_zero) {
     result.planes.push_back({row, side, where_zero});
     return result.planes.size() - 1;
   };
@@ -263,20 +264,21 @@ StatePlanes state_planes(std::size_t coordinates, const std::vector<ContactRows>
       case StateSet::kSlip:
         break;
       case StateSet::kFull:
-        contact.normal = add(rows.normal, Side::kAny, {});
+        contact.normal = add(rows.normal, AllowedSigns::kAny, {});
         break;
       case StateSet::kClosed:
-        contact.normal = add(rows.normal, Side::kZero, {});
+        contact.normal = add(rows.normal, AllowedSigns::kZero, {});
         break;
       case StateSet::kOpening:
-        contact.normal = add(rows.normal, Side::kNotNegative, {});
+        contact.normal = add(rows.normal, AllowedSigns::kNotNegative, {});
         break;
       case StateSet::kContact:
-        contact.normal = owner = add(rows.normal, Side::kNotNegative, {});
+        contact.normal = owner = add(rows.normal, AllowedSigns::kNotNegative, {});
         break;
     }
     if (set != StateSet::kOpening) {
-      for (const Row& line : rows.lines) contact.lines.push_back(add(line, Side::kAny, owner));
+      for (const Row& line : rows.lines)
+        contact.lines.push_back(add(line, AllowedSigns::kAny, owner));
     }
     result.contacts.push_back(std::move(contact));
   }

@@ -59,8 +59,8 @@ DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
   std::vector<std::size_t> order(planes.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto place = [&](std::size_t i) {
-    const Side side = planes[i].side;
-    return side == Side::kZero ? 0 : side == Side::kAny ? 2 : 1;
+    const AllowedSigns side = planes[i].side;
+    return side == AllowedSigns::kZero ? 0 : side == AllowedSigns::kAny ? 2 : 1;
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
@@ -82,7 +82,7 @@ DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
     Row row = primitive(plane.row);
     const int leading = leading_sign(row);
     if (leading == 0) {
-      possible = possible && plane.side != Side::kPositive;
+      possible = possible && plane.side != AllowedSigns::kPositive;
       continue;
     }
     if (leading < 0) row = negated(std::move(row));
@@ -96,10 +96,10 @@ DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
     group[i] = g;
     orientation[i] = sign_of_int(leading);
     Asked& at = signs[g];
-    at.zero = at.zero || plane.side == Side::kZero;
-    if (plane.side == Side::kNotNegative || plane.side == Side::kPositive) {
+    at.zero = at.zero || plane.side == AllowedSigns::kZero;
+    if (plane.side == AllowedSigns::kNotNegative || plane.side == AllowedSigns::kPositive) {
       (leading > 0 ? at.not_negative : at.not_positive) = true;
-      at.strict = at.strict || plane.side == Side::kPositive;
+      at.strict = at.strict || plane.side == AllowedSigns::kPositive;
       ++asked[g];
     }
   }
@@ -109,10 +109,10 @@ DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
     const Asked& at = signs[g];
     const bool zero = at.zero || (at.not_negative && at.not_positive);
     possible = possible && !(zero && at.strict);
-    sides.push_back(zero                                 ? Side::kZero
-                    : at.strict                          ? Side::kPositive
-                    : at.not_negative || at.not_positive ? Side::kNotNegative
-                                                         : Side::kAny);
+    sides.push_back(zero                                 ? AllowedSigns::kZero
+                    : at.strict                          ? AllowedSigns::kPositive
+                    : at.not_negative || at.not_positive ? AllowedSigns::kNotNegative
+                                                         : AllowedSigns::kAny);
     if (at.not_positive && !at.not_negative) {
       rows[g] = negated(std::move(rows[g]));
       reversed[g] = 1;
@@ -124,8 +124,8 @@ DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
     if (group[i] && reversed[*group[i]] != 0) orientation[i] = -orientation[i];
     const auto& where_zero = planes[i].where_zero;
     if (where_zero) {
-      require(*where_zero < planes.size() && planes[i].side == Side::kAny &&
-                  planes[*where_zero].side != Side::kAny,
+      require(*where_zero < planes.size() && planes[i].side == AllowedSigns::kAny &&
+                  planes[*where_zero].side != AllowedSigns::kAny,
               "faces: a plane counts where one is 0 of which a sign is asked");
       owner[i] = group[*where_zero];  // A row that is 0 is 0 everywhere.
     }

@@ -28,7 +28,7 @@ struct DistinctPlanes {
   std::vector<double> rounded;      ///< D numbers a plane, in_doubles() of its row
   std::vector<std::int64_t> words;  ///< D numbers a plane; of no meaning where `fits` is false
   std::vector<char> fits;           ///< whether a row is in words below 2^60
-  std::vector<Side> sides;          ///< by distinct plane
+  std::vector<AllowedSigns> sides;  ///< by distinct plane
   /// The number of given planes on a distinct one that are not kAny: how many are positive
   /// where it is.
   std::vector<std::size_t> asked;

@@ -67,8 +67,8 @@ class FaceWalk : public FaceReader {
     counts_.rank = planes.rank;
     counts_.by_dimension.resize(planes.coordinates + 1);
     for (std::size_t g = 0; g < planes.size(); ++g) {
-      if (planes.sides[g] != Side::kAny) asked_.set(g);
-      if (planes.sides[g] == Side::kPositive) strict_.set(g);
+      if (planes.sides[g] != AllowedSigns::kAny) asked_.set(g);
+      if (planes.sides[g] == AllowedSigns::kPositive) strict_.set(g);
       if (planes.always_counts[g] != 0) always_.set(g);
     }
   }
@@ -152,7 +152,7 @@ class FaceWalk : public FaceReader {
     }
     for_each_bit(asked_, [&](std::size_t g) {
       std::optional<Row> ray = take_line(cone, planes_.rows[g]);
-      if (ray && planes_.sides[g] != Side::kZero) cone.rays.push_back(std::move(*ray));
+      if (ray && planes_.sides[g] != AllowedSigns::kZero) cone.rays.push_back(std::move(*ray));
     });
     lines_ = std::move(cone.lines);
     std::vector<Ray> rays;
@@ -166,7 +166,7 @@ class FaceWalk : public FaceReader {
   /// Replaces a cone by its part that has the sign that is asked of a plane.
   void clip(std::vector<Ray>& rays, int& dimension, std::size_t plane) {
     throw_if_cancelled();
-    const bool zero_only = planes_.sides[plane] == Side::kZero;
+    const bool zero_only = planes_.sides[plane] == AllowedSigns::kZero;
     const Cut cut = cut_at(rays.data(), rays.size(), dimension, plane);
     if (cut.minus == 0 && (!zero_only || cut.plus == 0)) {
       stack_.resize(cut.begin);

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "plane_set.hpp"
 #include "distinct_planes.hpp"
+#include "plane_set.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::arrangement_detail {

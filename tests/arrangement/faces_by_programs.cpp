@@ -31,9 +31,10 @@ bool is_possible(std::size_t coordinates, const std::vector<FacePlane>& planes,
   return !std::holds_alternative<Infeasible>(solve(program));
 }
 
-bool is_asked(Side side, int sign) {
-  return side == Side::kAny || (side == Side::kZero && sign == 0) ||
-         (side == Side::kNotNegative && sign >= 0) || (side == Side::kPositive && sign > 0);
+bool is_asked(AllowedSigns side, int sign) {
+  return side == AllowedSigns::kAny || (side == AllowedSigns::kZero && sign == 0) ||
+         (side == AllowedSigns::kNotNegative && sign >= 0) ||
+         (side == AllowedSigns::kPositive && sign > 0);
 }
 
 /// A distinct plane with the least index of those that it was made of.

@@ -73,9 +73,10 @@ TEST(Faces, OfConesTooWithPlanesThatCountOnFacets) {
     const auto others = static_cast<std::size_t>(random.between(0, 3));
     auto planes = random_planes(random, asked + others, coordinates, random.between(1, 2));
     for (std::size_t i = 0; i < asked; ++i) {
-      constexpr Side kSides[] = {Side::kNotNegative, Side::kNotNegative, Side::kZero,
-                                 Side::kPositive};
-      planes[i].side = kSides[random.between(0, 3)];
+      constexpr AllowedSigns kAllowed[] = {AllowedSigns::kNotNegative,
+                                           AllowedSigns::kNotNegative, AllowedSigns::kZero,
+                                           AllowedSigns::kPositive};
+      planes[i].side = kAllowed[random.between(0, 3)];
     }
     for (std::size_t i = asked; i < planes.size() && asked > 0; ++i) {
       if (random.between(0, 3) > 0) {
@@ -207,7 +208,7 @@ TEST(Faces, ChoicesAreThePartOfAllFacesThatTheySay) {
   Random random(9);
   for (int round = 0; round < test::rounds(30); ++round) {
     auto planes = random_planes(random, 7, 4, 1);
-    for (std::size_t i = 0; i < 4; ++i) planes[i].side = Side::kNotNegative;
+    for (std::size_t i = 0; i < 4; ++i) planes[i].side = AllowedSigns::kNotNegative;
     for (std::size_t i = 4; i < 7; ++i) planes[i].where_zero = i - 4;
     std::vector<std::string> expected;
     FaceOptions options;
@@ -240,7 +241,7 @@ TEST(Faces, AFaceThatIsNotTakenEndsTheWalk) {
 TEST(Faces, ThreadsShareTheCount) {
   Random random(12);
   auto planes = random_planes(random, 12, 6, 2);
-  for (const Side side : {Side::kAny, Side::kNotNegative}) {
+  for (const AllowedSigns side : {AllowedSigns::kAny, AllowedSigns::kNotNegative}) {
     for (std::size_t i = 0; i < 4; ++i) planes[i].side = side;
     const FaceCounts expected = count_faces(6, planes);
     for (const unsigned threads : {0u, 2u, 5u}) {

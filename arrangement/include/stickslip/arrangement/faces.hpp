@@ -41,14 +41,15 @@ inline constexpr std::size_t kMostFaceCoordinates = 12;
 inline constexpr std::size_t kMostFacePlanes = 1024;
 
 /// The signs that a face may have on a plane.
-enum class Side : std::uint8_t { kAny, kZero, kNotNegative, kPositive };
+enum class AllowedSigns : std::uint8_t { kAny, kZero, kNotNegative, kPositive };
 
 /// A plane a.d = 0 of an arrangement.
 struct FacePlane {
-  Row row;                 ///< a, with D entries; may be 0, and then every sign is 0
-  Side side = Side::kAny;  ///< the signs that are asked for
+  Row row;  ///< a, with D entries; may be 0, and then every sign is 0
+  AllowedSigns side = AllowedSigns::kAny;  ///< the signs that are asked for
   /// The index of a plane: this one counts only on faces where that one is 0. Requires
-  /// Side::kAny here, and a side other than kAny there. Without a value it always counts.
+  /// AllowedSigns::kAny here, and a side other than kAny there. Without a value it always
+  /// counts.
   std::optional<std::size_t> where_zero{};
 };
 

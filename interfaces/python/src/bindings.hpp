@@ -21,6 +21,7 @@
 #include "stickslip/core/snap.hpp"
 #include "stickslip/engine/decide.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/interfaces/states_answer.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
 #include "stickslip/measures/model_warnings.hpp"
 
@@ -31,12 +32,13 @@ struct SpatialGraspFile : GraspFile {};
 /// A grasp of several bodies, in the plane or in space, which is a box as one in space is.
 struct BodiesFile : SpatialGraspFile {};
 
-void bind_grasp(pybind11::module_& module);  ///< grasp.cpp
-void bind_ask(pybind11::module_& module);    ///< ask.cpp
-void bind_check(pybind11::module_& module);  ///< check.cpp
-void bind_many(pybind11::module_& module);   ///< many.cpp
-void bind_batch(pybind11::module_& module);  ///< batch.cpp
-void bind_space(pybind11::module_& module);  ///< space.cpp
+void bind_grasp(pybind11::module_& module);   ///< grasp.cpp
+void bind_ask(pybind11::module_& module);     ///< ask.cpp
+void bind_check(pybind11::module_& module);   ///< check.cpp
+void bind_many(pybind11::module_& module);    ///< many.cpp
+void bind_batch(pybind11::module_& module);   ///< batch.cpp
+void bind_space(pybind11::module_& module);   ///< space.cpp
+void bind_states(pybind11::module_& module);  ///< states.cpp
 
 /// The error that an answer is not known within a limit.
 struct LimitError : std::runtime_error {
@@ -90,6 +92,9 @@ Question question_in_box(const GraspFile& grasp, const QuestionOptions& options)
 /// Returns the question about one grasp of any kind: by question_of() in the plane; in space
 /// and of several bodies lengths may be irrational.
 Question question_about(const GraspFile& grasp, const QuestionOptions& options);
+
+/// Returns the question about states in space that these options give.
+StatesQuestion states_question_of(const GraspFile& file, const pybind11::dict& options);
 
 /// Returns the texts of a proof, and what a checker needs beside them.
 Json files_json(const ProvedFiles& files);

@@ -48,4 +48,5 @@ PYBIND11_MODULE(_core, module) {
   stickslip::python::bind_many(module);
   stickslip::python::bind_batch(module);
   stickslip::python::bind_space(module);
+  stickslip::python::bind_states(module);
 }

@@ -66,6 +66,7 @@ from .results import (
     Statics,
     Within,
 )
+from .states import NO_SIGN, StateCounts, States, StatesChunk, find_states
 from .views import Page, Picture
 
 __version__: str = _core.version
@@ -91,6 +92,7 @@ __all__ = [
     "MeshGrasp",
     "Method",
     "ModelWarning",
+    "NO_SIGN",
     "NearbyEquilibrium",
     "Outline",
     "Page",
@@ -106,6 +108,9 @@ __all__ = [
     "SnapResult",
     "SnappedNormal",
     "StabilityMap",
+    "StateCounts",
+    "States",
+    "StatesChunk",
     "StaticForce",
     "StaticMultiples",
     "Statics",
@@ -117,6 +122,7 @@ __all__ = [
     "crosscheck",
     "decide",
     "export",
+    "find_states",
     "friction_margin",
     "margin",
     "plot_grasp",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The compiled part. Questions go through ask(), whose answers are those of the command's JSON, with Fractions.
 from fractions import Fraction
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,6 +81,12 @@ class DecisionsData:
 def ask(
     grasp: Union[GraspData, SpatialGraspData], question: str, options: Dict[str, Any]
 ) -> Any: ...
+def find_states(
+    grasp: Union[GraspData, SpatialGraspData], options: Dict[str, Any], chunk: int,
+    take: Callable[[Optional[Tuple[NDArray[np.int8], NDArray[np.int8], NDArray[Any]]]], bool]
+) -> None: ...
+def state_rows(grasp: Union[GraspData, SpatialGraspData], options: Dict[str, Any]) -> Dict[str, Any]: ...
+def state_counts(grasp: Union[GraspData, SpatialGraspData], options: Dict[str, Any]) -> Dict[str, Any]: ...
 def decide_many(
     count: int, grasps: Union[List[GraspData], List[SpatialGraspData]], wrenches: List[List[Any]],
     frictions: List[Any], preloads: List[Any], bilateral: bool, engine: str, node_limit: int,

@@ -2,7 +2,7 @@
 (* The checker: from a question and a certificate to the answer, with an oracle that nobody has to
    believe.  Correct.v proves that its answers are true. *)
 From Coq Require Import List String ZArith QArith Bool.
-From Proved Require Import Lists Question Cone Numbers Bound Box Contacts Bodies Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane.
+From Proved Require Import Lists Question Cone Numbers Bound Box Contacts Bodies Load Leaf Tree Witness Margin Parts Matrix Rigid RigidClass Plane StaticsRules.
 Import ListNotations.
 Open Scope string_scope.
 
@@ -236,7 +236,8 @@ Definition check_region (q : question) (s : setting) (pieces : list (list load_p
   | None => NotProvedHere "a proof of something else than was asked"
   end.
 
-Definition check (q : question) (c : certificate) : answer :=
+(* Of all questions but those of statics. *)
+Definition check_motions (q : question) (c : certificate) : answer :=
   match setting_of (bits c) q with
   | None => NotProvedHere "numbers of the question"
   | Some s =>
@@ -255,5 +256,8 @@ Definition check (q : question) (c : certificate) : answer :=
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end
   end.
+
+Definition check (q : question) (c : certificate) : answer :=
+  match body c with OfStatics p => check_statics q p | _ => check_motions q c end.
 
 End Check.

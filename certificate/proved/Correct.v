@@ -3,7 +3,7 @@
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Bound Root Box RowsOfModels Contacts Fingers Bodies Load Leaf Tree Witness Margin
   RowLimits Ways ByDegree Parts Checker Matrix RigidModel Rigid RigidRows
-  RigidClass RigidTrue Plane.
+  RigidClass RigidTrue Plane StaticsRules StaticsTrue.
 From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -28,10 +28,6 @@ Qed.
 Lemma Forall2_map_right {A B C} (P : A -> C -> Prop) (f : B -> C) l l' :
   Forall2 (fun a b => P a (f b)) l l' -> Forall2 P l (map f l').
 Proof. induction 1; cbn; constructor; assumption. Qed.
-
-Lemma Forall2_weaken {A B} (P P' : A -> B -> Prop) l l' :
-  (forall a b, P a b -> P' a b) -> Forall2 P l l' -> Forall2 P' l l'.
-Proof. intros H. induction 1; constructor; auto. Qed.
 
 (* The lengths of a row's lists. *)
 Definition shaped_row (D : nat) (r : Rows.row) : Prop :=
@@ -311,6 +307,7 @@ Definition true_of_rows (q : question) (a : answer) : Prop :=
   | Region pieces => forall s, choice_of q s -> forall u v, load_plane q = Some (u, v) -> Rows.dimension s = 3%nat ->
       forall a b w, (forall y, Rows.dot w y = Rows.dot (Rows.wrench s) y + a * Rows.dot (real u) y + b * Rows.dot (real v) y) ->
       (stable_in q (loaded s w) 0 <-> Exists (in_piece a b) pieces)
+  | MayStand | CannotStand | StandsAmong _ _ | StandsWithin _ _ => true_answer q a
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.
@@ -337,7 +334,7 @@ Qed.
 
 Lemma true_of_grasps q a : true_of_rows q a -> true_answer q a.
 Proof.
-  destruct a as [| |intervals|resisted refuted|c|pieces| |]; cbn; intros H; try exact I.
+  destruct a as [| |intervals|resisted refuted|c|pieces| | | | | |]; cbn; intros H; try exact I; try exact H.
   1-4: apply of_all_rows; [|exact H]; intros A B E S.
   - now apply E.
   - intros St. now apply S, E.
@@ -498,9 +495,9 @@ Proof.
     + destruct hi as [h|]; [|exact I]. split; [lra|auto].
 Qed.
 
-Theorem check_of_rows q c : true_of_rows q (check advisor q c).
+Theorem motions_of_rows q c : true_of_rows q (check_motions advisor q c).
 Proof.
-  unfold check. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
+  unfold check_motions. destruct (setting_of (bits c) q) as [st|] eqn:S; [|exact I].
   assert (P := fun s => choice_poses _ _ _ s S).
   assert (Rigid_ : forall p, true_of_rows q (match inertia q with
       | [] => NotProvedHere "a proof of something else than was asked"
@@ -538,8 +535,8 @@ Proof.
       destruct posed_shapes0 as [_ Sh]. eapply Forall_impl; [|exact Sh]. intros r (A & B & _). now split.
     - refine (piece_resisted _ (rows st) (load_box (the_load st)) u v s Fi E L1 W Wb _ _ posed_law0 pieces 0 a b w Pf _ Ew H);
         [congruence|congruence|]. now apply (nothing_grows (rows st)). }
-  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p|pieces nodes];
-    [| | | | |now apply Rigid_|now apply Region_]; destruct (is_margin q); try exact I.
+  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims|p|p|pieces nodes];
+    [| | | | |now apply Rigid_|destruct (is_margin q); exact I|now apply Region_]; destruct (is_margin q); try exact I.
   - (* a witness *)
     unfold check_witness. destruct (is_one_grasp st) eqn:X; [|exact I].
     destruct (check_at _ _ _ _ _ _) as [ss|] eqn:W; [|exact I]. intros s C. specialize (P s C). apply (stable_bounded q st s 0 P).
@@ -577,6 +574,8 @@ Qed.
 
 (* Whatever the certificate and the oracle's advice are, the answer is true. *)
 Theorem check_correct q c : true_answer q (check advisor q c).
-Proof. apply true_of_grasps, check_of_rows. Qed.
+Proof.
+  unfold check. destruct (body c) eqn:B; try (apply true_of_grasps, motions_of_rows). apply statics_true.
+Qed.
 
 End Correct.

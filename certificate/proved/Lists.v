@@ -60,3 +60,7 @@ Proof.
   - exists O. split; [lia|exact H].
   - destruct (IH _ H) as (k & E & N). exists (S k). split; [lia|exact N].
 Qed.
+
+Lemma Forall2_weaken {A B} (P P' : A -> B -> Prop) l l' :
+  (forall a b, P a b -> P' a b) -> Forall2 P l l' -> Forall2 P' l l'.
+Proof. intros H. induction 1; constructor; auto. Qed.

@@ -2,7 +2,7 @@
 (* Which grasps (Model.v, SpaceModel.v, BodiesModel.v) a question (Question.v) is about: one, or if numbers are uncertain a
    box of them (FORMAT.md section 6); and what an answer claims about them. *)
 From Coq Require Import Reals List QArith Qreals.
-From Proved Require Import Question RigidModel.
+From Proved Require Import Question RigidModel StaticsModel.
 From Proved Require Rows Model SpaceModel BodiesModel.
 Import ListNotations.
 Open Scope R_scope.
@@ -193,6 +193,30 @@ Inductive sum_of (points : list (Q * Q * Q)) : R -> R -> R -> Prop :=
 
 Definition in_piece (s t : R) (points : list (Q * Q * Q)) := sum_of points 1 s t.
 
+(* Of statics, the same of all that a question is about: which loads may stand, and its load. *)
+Definition of_statics (q : question) (P : (list R -> Prop) -> list R -> Prop) : Prop :=
+  forall factor, statics q = Some factor -> let phi := Q2R factor in
+  (forall g, chosen q g ->
+     P (fun w => may_stand_in_plane phi g (BodiesModel.motion_of w)) (three_numbers (Model.wrench g))) /\
+  (forall g, chosen_in_space q g ->
+     P (fun w => may_stand_in_space phi g (BodiesModel.screw_of w)) (six_numbers (SpaceModel.wrench g))) /\
+  (forall m, chosen_bodies_in_plane q m ->
+     P (may_stand (k := BodiesModel.in_plane) (in_cone phi) m) (BodiesModel.wrench m)) /\
+  (forall m, chosen_bodies_in_space q m ->
+     P (may_stand (k := BodiesModel.in_space) (in_cone_of_finger phi) m) (BodiesModel.wrench m)).
+
+Definition between (l : R) (ends : option Q * option Q) : Prop :=
+  match fst ends with Some a => Q2R a <= l | None => True end /\
+  match snd ends with Some b => l <= Q2R b | None => True end.
+
+Definition beyond (l : R) (moves : option Q * option Q * bool) : Prop :=
+  let '(below, above, all) := moves in
+  match below with Some b => l < Q2R b | None => False end \/
+  match above with Some a => Q2R a < l | None => False end \/ all = true.
+
+Definition above_0 (s t : R) (form : Q * Q * Q) : Prop :=
+  let '(a, b, c) := form in 0 < Q2R a + s * Q2R b + t * Q2R c.
+
 (* What an answer says about a question.  That a certificate is rejected says nothing. *)
 Definition true_answer (q : question) (a : answer) : Prop :=
   match a with
@@ -208,6 +232,16 @@ Definition true_answer (q : question) (a : answer) : Prop :=
   | Region pieces =>
       forall g, chosen q g -> forall s t g', in_plane q g s t g' ->
         (Model.stable_at (fun d => within_bound q (three_numbers d)) g' 0 <-> Exists (in_piece s t) pieces)
+  | MayStand => of_statics q (fun may_stand w => may_stand w)
+  | CannotStand => of_statics q (fun may_stand w => ~ may_stand w)
+  | StandsAmong multiples moves => of_statics q (fun may_stand w => forall l,
+      let load := Rows.plus w (Rows.scaled l (map Q2R (direction q))) in
+      (forall ends, multiples = Some ends -> between l ends -> may_stand load) /\
+      (beyond l moves -> ~ may_stand load))
+  | StandsWithin points forms => of_statics q (fun may_stand w => forall u v, load_plane q = Some (u, v) -> forall s t,
+      let load := Rows.plus w (Rows.plus (Rows.scaled s (map Q2R u)) (Rows.scaled t (map Q2R v))) in
+      (in_piece s t points -> may_stand load) /\
+      (Exists (above_0 s t) forms -> ~ may_stand load))
   | Rejected _ _ => True
   | NotProvedHere _ => True
   end.

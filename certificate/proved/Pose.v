@@ -32,6 +32,7 @@ Record options : Set := {
   asked_growth : option growth;
   asked_plane : option (list Q * list Q);
   asked_inertia : option (list Q);  (** in full *)
+  asked_statics : option Q;
   asked_uncertain : list (string * tolerance);  (** by kind *)
   asked_ball : option stated_ball;
   asked_bound : option bound_option }.
@@ -48,8 +49,12 @@ Definition asks_plane (asked : options) : bool :=
 Definition asks_class (asked : options) : bool :=
   match asked_inertia asked with Some _ => true | None => false end.
 
+Definition asks_statics (asked : options) : bool :=
+  match asked_statics asked with Some _ => true | None => false end.
+
 (** Whatever is about one grasp. *)
-Definition asks_one (asked : options) : bool := asks_margin asked || asks_class asked || asks_plane asked.
+Definition asks_one (asked : options) : bool :=
+  asks_margin asked || asks_class asked || asks_plane asked || asks_statics asked.
 
 (** With xy, xz and yz, which may be left out. *)
 Definition in_full (numbers : list Q) : list Q :=
@@ -143,7 +148,7 @@ Definition ball_asked (file : grasp) (asked : options) (stated : list interval) 
                    | p => p
                    end in
       let* _ := check_that (negb (asks_one asked)) here
-                  "a margin, a region or a class is about one grasp; expected no uncertainty" in
+                  "a margin, a region, a class or statics is about one grasp; expected no uncertainty" in
       let* _ := check_that (is_below 0 (stated_radius b)) here "expected a radius above 0" in
       let* _ := check_that (is_below 0 (stated_length b)) here "expected a length above 0" in
       let* _ := check_that (has_length (if in_space file then 3 else 2) point) here
@@ -167,12 +172,13 @@ Definition ball_asked (file : grasp) (asked : options) (stated : list interval) 
                   Ball (stated_radius b) (stated_length b) point body))
   end.
 
-(** The bound of motions, which no question has about a plane of loads or rigid contacts. *)
+(** The bound of motions, which no question has about a plane of loads, rigid contacts or statics; that of the file plays
+    no part in statics. *)
 Definition bound_asked (file : grasp) (asked : options) : result (option (list Q)) :=
   let here := of_question "max motion" in
   let* bound :=
     match asked_bound asked with
-    | None => Fine (bound_read file)
+    | None => Fine (if asks_statics asked then None else bound_read file)
     | Some Unbounded => Fine None
     | Some (Bounded numbers) =>
         let* _ := check_that (forallb (is_below 0) numbers) here "expected numbers above 0" in
@@ -184,8 +190,9 @@ Definition bound_asked (file : grasp) (asked : options) : result (option (list Q
           | _, _ :: _ => refuse here "expected a number for each coordinate of the bodies and joints"
           end
     end in
-  let* _ := check_that (match bound with Some _ => negb (asks_plane asked || asks_class asked) | None => true end) here
-              "motions are bounded, and a plane or an inertia is given as well; expected one of them" in
+  let* _ := check_that (match bound with Some _ => negb (asks_plane asked || asks_class asked || asks_statics asked)
+                          | None => true end) here
+              "motions are bounded, and a plane, an inertia or statics is given as well; expected one of them" in
   Fine bound.
 
 Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) : result unit :=
@@ -194,7 +201,7 @@ Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) :
   | (kind, t) :: rest =>
       let here := of_question "uncertain" in
       let* _ := check_that (negb (asks_one asked)) here
-                  "a margin, a region or a class is about one grasp; expected no uncertainty" in
+                  "a margin, a region, a class or statics is about one grasp; expected no uncertainty" in
       let* _ := check_that (Qle_bool 0 (amount t)) here "expected tolerances of 0 or more" in
       let* _ := check_that (negb (String.eqb kind "normal" && percent t)) here
                   "of normals a slope is expected, such as 0.01" in
@@ -213,7 +220,7 @@ Definition has_irrational_preload (it : contact) : bool :=
 
 (** What FORMAT.md section 6 does not allow, and whether the contact makes the question a box. [exact]: that does not
     allow lengths that are irrational. *)
-Definition check_contact (margin exact : bool) (at_path : path) (it : contact)
+Definition check_contact (margin exact statics : bool) (at_path : path) (it : contact)
   : result bool :=
   let here name := (Member name :: at_path)%list in
   let* _ := check_that (Qle_bool 0 (low (friction it))) (here "friction")
@@ -226,8 +233,8 @@ Definition check_contact (margin exact : bool) (at_path : path) (it : contact)
   let* _ := check_that (is_0 (slope it) || is_0 (torsion it)) (here "normal")
               "expected no slope, as the contact has torsion" in
   let* _ := check_that (negb margin || is_one_point it) at_path
-              "found an interval, but a margin is about one grasp; expected numbers" in
-  let irrational := has_irrational_preload it in
+              "found an interval, but the question is about one grasp; expected numbers" in
+  let irrational := negb statics && has_irrational_preload it in
   let* _ := check_that (negb (irrational && exact)) (here "normal")
               ("the contact has a preload and a normal of irrational length, so there is no exact "
                ++ "question; run stickslip snap GRASP -o FILE, and ask about FILE") in
@@ -243,7 +250,7 @@ Definition check_element (margin : bool) (at_path : path) (it : element) : resul
               "the stiffness may be too small; expected above 0, of a spring 0 or more" in
   let certain := is_exact (element_stiffness it) && is_exact (element_preload it) in
   let* _ := check_that (negb margin || certain) at_path
-              "found an interval, but a margin is about one grasp; expected numbers" in
+              "found an interval, but the question is about one grasp; expected numbers" in
   Fine (negb certain).
 
 (** P^u, and under [Scale] none of the file's preloads. *)
@@ -265,23 +272,40 @@ Fixpoint with_growths {A : Type} (grown : A -> Q -> A) (items : list A) (numbers
   | _ :: _, [] => None
   end.
 
+Definition are_multiples (u v : list Q) : bool :=
+  match find (fun '(a, _) => negb (is_0 a)) (combine u v) with
+  | Some (a, b) => forallb (fun '(x, y) => is_0 (a * y - x * b)) (combine u v)
+  | None => true
+  end.
+
 (** The plane has two directions that differ, and nothing else grows. *)
 Definition check_plane (file : grasp) (asked : options) : result unit :=
   let here := of_question "plane" in
   match asked_plane asked with
   | None => Fine tt
   | Some (u, v) =>
-      let* _ := check_that (match bodies_read file with Some _ => false | None => true end) here
+      let* _ := check_dimension file "plane" (Some u) in
+      let* _ := check_dimension file "plane" (Some v) in
+      let* _ := check_that (asks_statics asked || match bodies_read file with Some _ => false | None => true end) here
                   "the grasp is of several bodies; expected a question about a wrench or a direction" in
-      let* _ := check_that (negb (in_space file)) here
+      let* _ := check_that (asks_statics asked || negb (in_space file)) here
                   "the grasp is in space; a region is about a planar grasp" in
       let* _ := check_that (negb (asks_margin asked)) here "a direction is given as well; expected one of them" in
-      check_that
-        (match u, v with
-         | [a; b; c], [d; e; f] =>
-             negb (is_0 (b * f - c * e) && is_0 (c * d - a * f) && is_0 (a * e - b * d))
-         | _, _ => false
-         end) here "its directions are multiples of one another; expected a plane"
+      check_that (negb (are_multiples u v)) here "its directions are multiples of one another; expected a plane"
+  end.
+
+(** Statics have a factor of 0 or more, and neither growing preloads nor an inertia; all other questions have few
+    coordinates. *)
+Definition check_statics (file : grasp) (asked : options) : result unit :=
+  let here := of_question "statics" in
+  match asked_statics asked with
+  | None => check_that (Z.of_nat (coordinates_read file) <=? 30)%Z (of_question "bodies")
+              "more than 30 coordinates of bodies and joints; expected as many at most, but in a question of statics"
+  | Some factor =>
+      let* _ := check_that (Qle_bool 0 factor) here "expected a factor of 0 or more" in
+      let* _ := check_that (negb (asks_class asked)) here "an inertia is given as well; expected one of them" in
+      check_that (match asked_growth asked with None => true | Some _ => false end) here
+        "a preload direction is given as well, but preloads play no part"
   end.
 
 Definition pose (file : grasp) (asked : options) : result posed :=
@@ -290,6 +314,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
   let* _ := check_that (match asked_preload asked with Some p => Qle_bool 0 p | None => true end)
               (of_question "preload") "expected 0 or more" in
   let* _ := check_plane file asked in
+  let* _ := check_statics file asked in
   let* stated := wrench_asked file asked in
   let* _ := check_tolerances asked (asked_uncertain asked) in
   let* ball := ball_asked file asked stated in
@@ -331,13 +356,14 @@ Definition pose (file : grasp) (asked : options) : result posed :=
            else "the squared radius of gyration must be > 0")
     end in
   let margin := asks_one asked in
+  let statics := asks_statics asked in
   let exact := negb (in_space file) && (asks_class asked || asks_plane asked) in
-  let* boxes := each (check_contact margin exact) [Member "contacts"] them in
+  let* boxes := each (check_contact margin exact statics) [Member "contacts"] them in
   let* other_boxes := each (check_element margin) [Member "ratchets and springs"] others in
   let widened := map (widen (find_tolerance "wrench" asked)) stated in
   let certain := forallb is_exact widened in
   let* _ := check_that (negb margin || certain) [Member "wrench"]
-              "found an interval, but a margin is about one grasp; expected numbers" in
+              "found an interval, but the question is about one grasp; expected numbers" in
   let scales := match asked_growth asked with Some Scale => true | _ => false end in
   let them := if scales then map_all (fun it => with_growth (exactly 0) (low (preload it)) it) them else them in
   let others := if scales then map_all (fun it => element_with_growth (exactly 0) (low (element_preload it)) it) others
@@ -359,6 +385,7 @@ Definition pose (file : grasp) (asked : options) : result posed :=
                direction := u;
                load_plane := asked_plane asked;
                inertia := match asked_inertia asked with Some numbers => numbers | None => [] end;
+               statics := asked_statics asked;
                several := match bodies_read file with
                           | Some its => Some {| bodies_in_space := bodies_in_space its; bodies := bodies its;
                                                 elements := others |}
@@ -372,7 +399,8 @@ Definition pose (file : grasp) (asked : options) : result posed :=
             {| asked_wrench := asked_wrench asked; asked_case := asked_case asked;
                asked_preload := asked_preload asked; asked_bilateral := asked_bilateral asked;
                asked_direction := asked_direction asked; asked_growth := asked_growth asked;
-               asked_plane := asked_plane asked; asked_inertia := asked_inertia asked; asked_uncertain := asked_uncertain asked;
+               asked_plane := asked_plane asked; asked_inertia := asked_inertia asked; asked_statics := asked_statics asked;
+               asked_uncertain := asked_uncertain asked;
                asked_ball := match ball with Some (b, _) => Some b | None => None end;
                asked_bound := match bound with Some numbers => Some (Bounded numbers) | None => None end |};
           is_box := negb certain || (match ball with Some _ => true | None => false end)

@@ -65,6 +65,7 @@ Record question := Question {
   direction : list Q;        (* u; as many zeros without a direction of wrenches *)
   load_plane : option (list Q * list Q);   (* u and v, if it is about w + s u + t v *)
   inertia : list Q;          (* of rigid contacts, 3 numbers or in space 9; none if their class is not asked for *)
+  statics : option Q;        (* what all friction is multiplied by, if it is about statics *)
   several : option mechanism; (* of several bodies *)
   max_motion : option (list Q)  (* B, above 0 for each coordinate of motions, if these are bounded *)
 }.
@@ -130,6 +131,12 @@ Inductive class := MustMove | MustHold | Open.
 Definition class_of (p : class_proof) : class :=
   match p with ByTwist _ => MustMove | ByTree _ _ => MustHold | ByMotion _ _ _ => Open end.
 
+(* Statics: forces, a twist, or load points with forces and twists. *)
+Inductive statics_proof :=
+  | ByForces (forces : stated_forces)                                                 (* may stand *)
+  | ByMove (y : list Q)                                                               (* must move *)
+  | ByPoints (stand : list (list Q * stated_forces)) (move : list (list Q)).          (* of many loads *)
+
 (* All after the member `question`. *)
 Inductive proof :=
   | StableByWitness (w : witness)
@@ -138,6 +145,7 @@ Inductive proof :=
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
   | MarginInSpace (claims : list claim)
   | OfClass (p : class_proof)
+  | OfStatics (p : statics_proof)
   | RegionBy (pieces : list (list load_point)) (tree : list node).
 
 Record certificate := Certificate {
@@ -156,7 +164,10 @@ Inductive place :=
   | AtPart (number : nat) (node : option nat)    (* and the number in the part's own tree *)
   | AtPointOf (interval : nat) (second : bool)
   | AtProofOf (interval : nat) (node : option nat)
-  | AtPiece (number : nat) (point : option nat).
+  | AtPiece (number : nat) (point : option nat)
+  | AtMember (name : string)                     (* of a certificate *)
+  | AtStand (number : nat)                       (* a load point *)
+  | AtMove (number : nat).
 
 Inductive answer :=
   | Stable                                         (* for every choice in the question *)
@@ -168,6 +179,15 @@ Inductive answer :=
   | Class (found : class)                          (* of rigid contacts *)
   (* Exactly the (s, t) in these pieces, of which each is known by points (1, s, t), or towards (0, s, t). *)
   | Region (pieces : list (list (Q * Q * Q)))
+  (* Statics: whether some forces balance the load, or none do. *)
+  | MayStand
+  | CannotStand
+  (* Multiples from one to the other may stand; and those below the first, and above the second, cannot, and if the flag
+     is set none can.  Nothing is claimed of others. *)
+  | StandsAmong (multiples : option (option Q * option Q)) (moves : option Q * option Q * bool)
+  (* Sums of these points (h, s, t) with h = 1 may stand, and (s, t) where one of these forms of (1, s, t) is above 0
+     cannot. *)
+  | StandsWithin (points forms : list (Q * Q * Q))
   | Rejected (rule : string) (found_at : place)
   | NotProvedHere (why : string).                  (* this checker cannot judge it *)
 

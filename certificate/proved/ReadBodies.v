@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
 (** The grasp file of several bodies, `stickslip-grasp/3`: FORMAT.md sections 14 and 15. *)
 From Coq Require Import Bool List QArith String ZArith.
-From Proved Require Import Bodies Json Numeral Question ReadGrasp.
+From Proved Require Import Bodies Json Numeral Question ReadGrasp StaticsRules.
 Import ListNotations.
 Local Open Scope string_scope.
 Local Open Scope Z_scope.
@@ -161,9 +161,9 @@ Definition read_over (v : version) (bodies : list named_body) (turned : string -
               "expected links that some joint turns, so that its length changes" in
   read_element v spring preload_name row at_path members.
 
-(** Loads on bodies: the work that they do in a unit of each coordinate. *)
-Definition read_load_on_body (v : version) (bodies : list named_body) (units : list (list (list Q)))
-  (at_path : path) (value : json) : result (list interval) :=
+(** A load on a body: its number, and the wrench. *)
+Definition read_load_on_body (v : version) (bodies : list named_body) (at_path : path) (value : json)
+  : result (nat * list interval) :=
   match value with
   | Object members =>
       let* _ := check_members ["body"; "wrench"; "force"; "at"; "weight"; "direction"; "torque"] at_path members in
@@ -177,7 +177,6 @@ Definition read_load_on_body (v : version) (bodies : list named_body) (units : l
         | _ => expected "the name of one of ""bodies""" at_path value
         end in
       let* b := member "body" read_known at_path members in
-      let motions := map (fun ms => nth b ms []) units in
       if has_member "wrench" members then
         let* members := members_of ["body"; "wrench"] at_path value in
         let is_link := match nth_error bodies b with Some it => match link it with Some _ => true | None => false end
@@ -185,23 +184,30 @@ Definition read_load_on_body (v : version) (bodies : list named_body) (units : l
         let* _ := check_that (negb is_link) at_path
                     "the body is a link, which takes a force, a weight or a torque, but no wrench" in
         let* w := member "wrench" (read_wrench v) at_path members in
-        (* A body that is no link moves by a unit of one number alone. *)
-        Fine (map (fun motion => Interval (dot_q (map low w) motion) (dot_q (map high w) motion)) motions)
+        Fine (b, w)
       else
         let* w := read_load v at_path (without ["body"%string] members) in
-        Fine (map (fun motion => exactly (dot_q w motion)) motions)
+        Fine (b, map exactly w)
   | _ => expected "an object {...}" at_path value
   end.
+
+(** The work that loads do in a unit of each coordinate. Uncertain ones are on bodies that are no links, which a
+    unit of one coordinate moves by a unit. *)
+Definition work_of_loads (its : mechanism) (count : nat) (loads : list (nat * list interval)) : list interval :=
+  let work (end_of : interval -> Q) :=
+    let ws := fold_left (fun ws '(b, w) => add_on b 1 (map end_of w) ws) loads (map (fun _ => []) (Question.bodies its)) in
+    pull_back (numbers_of its) (rev_append (Question.bodies its) []) ws (repeat 0%Q count) in
+  map (fun '(a, b) => Interval a b) (combine (work low) (work high)).
 
 Definition no_load (count : nat) : list interval := repeat (exactly 0) count.
 
 Definition read_state_wrench (v : version) (count : nat) (at_path : path) (value : json) : result (list interval) :=
   read_sized (Z.of_nat count) "an array of a number for each coordinate" (read_interval v) at_path value.
 
-Definition read_loads_on_bodies (count : nat) (read_one : path -> json -> result (list interval)) (at_path : path)
-  (value : json) : result (list interval) :=
+Definition read_loads_on_bodies (its : mechanism) (count : nat) (read_one : path -> json -> result (nat * list interval))
+  (at_path : path) (value : json) : result (list interval) :=
   let* loads := read_array "an array of loads" read_one at_path value in
-  Fine (fold_left add_wrench loads (no_load count)).
+  Fine (work_of_loads its count loads).
 
 Definition read_case_of_bodies (read_w read_l : path -> json -> result (list interval)) (at_path : path) (value : json)
   : result (string * list interval) :=
@@ -270,7 +276,8 @@ Definition names_of_body (v : version) (b : named_body) : list string :=
               (if is_in_space v then [" x"; " y"; " z"; " turn x"; " turn y"; " turn z"] else [" x"; " y"; " turn"])%string
   end.
 
-Definition most_coordinates : Z := 30.
+(** With more than 30 only statics can be asked about (Pose.v). *)
+Definition most_coordinates : Z := 65536.
 
 (** An array, or none. *)
 Definition listed_member {A : Type} (name : string) (read : path -> json -> result A) (members : list (string * json))
@@ -310,7 +317,7 @@ Definition read_grasp_of_bodies (value : json) : result grasp :=
               "a link that no joint turns; expected its name in ""turns"" of one of ""joints""" in
   let own := (size * List.length (filter (fun b => match link b with None => true | Some _ => false end) bodies))%nat in
   let count := (own + List.length joints)%nat in
-  let* _ := check_that (Z.of_nat count <=? most_coordinates) [Member "bodies"%string] "more than 30 coordinates" in
+  let* _ := check_that (Z.of_nat count <=? most_coordinates) [Member "bodies"%string] "more than 65536 coordinates" in
   let turned name := (repeat 0%Q own ++ map (fun '(turns, _, _) => find_turn name turns) joints)%list in
   let levers := map (fun q => repeat 0%Q (own + q) ++ 1%Q :: repeat 0%Q (count - own - q - 1))%list
                   (seq 0 (List.length joints)) in
@@ -334,7 +341,7 @@ Definition read_grasp_of_bodies (value : json) : result grasp :=
     end in
   let* them := member "contacts" read_contacts [] members in
   let read_w := read_state_wrench v count in
-  let read_l := read_loads_on_bodies count (read_load_on_body v bodies (unit_motions count its)) in
+  let read_l := read_loads_on_bodies its count (read_load_on_body v bodies) in
   let* own_wrench := optional_member "wrench" read_w [] members in
   let* loads := optional_member "loads" read_l [] members in
   let* _ := check_that (negb (has_member "wrench" members && has_member "loads" members)) []

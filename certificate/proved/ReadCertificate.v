@@ -21,7 +21,8 @@ Record shape : Set := {
   of_claims : bool;       (** whether margins are lists of claims *)
   of_margin : bool;
   of_plane : bool;
-  of_class : bool }.
+  of_class : bool;
+  of_statics : bool }.
 
 (** Not of one body in the plane whose motions are not bounded, and whose lengths of normals that matter are rational. *)
 Definition has_claims (q : question) : bool :=
@@ -123,15 +124,19 @@ Definition read_inertia (in_space : bool) (at_path : path) (value : json) : resu
   Fine (in_full numbers).
 
 (** The directions of a plane. *)
-Definition read_plane (at_path : path) (value : json) : result (list Q * list Q) :=
-  let* them := read_sized 2 "two directions of three numbers" (read_numbers 3) at_path value in
+Definition read_plane (count : Z) (at_path : path) (value : json) : result (list Q * list Q) :=
+  let* them := read_sized 2 "two directions" (read_numbers count) at_path value in
   Fine (nth 0 them [], nth 1 them []).
+
+Definition names_member (name : string) (value : json) : bool :=
+  match value with Object members => has_member name members | _ => false end.
 
 Definition read_statement (s : shape) (at_path : path) (value : json) : result statement :=
   let* members :=
     members_in_order (["contacts"; "wrench"; "preload"; "normal_law"; "direction"; "preload_direction"]
-                      ++ (if spatial s || of_bodies s then [] else ["plane"]) ++ (if of_bodies s then [] else ["inertia"])
-                      ++ ["uncertain"; "max_motion"])%list at_path value in
+                      ++ (if (spatial s || of_bodies s) && negb (names_member "statics" value) then [] else ["plane"])
+                      ++ (if of_bodies s then [] else ["inertia"]) ++ ["statics"; "uncertain"; "max_motion"])%list
+      at_path value in
   let count := size_of_twist s in
   let* m := member "contacts" read_index at_path members in
   let* w := member "wrench" (read_sized count "an array of the components" read_stated_component)
@@ -140,8 +145,9 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
   let* law := member "normal_law" read_law at_path members in
   let* u := optional_member "direction" (read_numbers count) at_path members in
   let* growing := optional_member "preload_direction" read_growth at_path members in
-  let* plane := optional_member "plane" read_plane at_path members in
+  let* plane := optional_member "plane" (read_plane count) at_path members in
   let* i := optional_member "inertia" (read_inertia (spatial s)) at_path members in
+  let* factor := optional_member "statics" read_fraction at_path members in
   let* uncertain := optional_member "uncertain" (read_tolerances s) at_path members in
   let* bound := optional_member "max_motion" (read_numbers count) at_path members in
   Fine {| stated_contacts := m;
@@ -149,7 +155,7 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
           options_stated :=
             {| asked_wrench := None; asked_case := None; asked_preload := p; asked_bilateral := law;
                asked_direction := u; asked_growth := growing; asked_plane := plane;
-               asked_inertia := i;
+               asked_inertia := i; asked_statics := factor;
                asked_uncertain := match uncertain with Some (it, _) => it | None => [] end;
                asked_ball := match uncertain with Some (_, b) => b | None => None end;
                asked_bound := match bound with Some numbers => Some (Bounded numbers) | None => None end |} |}.
@@ -320,12 +326,9 @@ Definition read_sticking (s : shape) (at_path : path) (value : json) : result pa
   let* c := member "energy" read_fraction at_path members in
   Fine (PartSticking d f h g z c).
 
-Definition begins_so (name : string) (value : json) : bool :=
-  match value with Object members => has_member name members | _ => false end.
-
 Definition read_part (s : shape) (at_path : path) (value : json) : result part :=
-  if begins_so "rest" value then read_at_rest s at_path value else
-  if begins_so "sticking" value then read_sticking s at_path value else
+  if names_member "rest" value then read_at_rest s at_path value else
+  if names_member "sticking" value then read_sticking s at_path value else
   match value with
   | Array _ =>
       let* it := read_node s at_path value in
@@ -585,12 +588,42 @@ Definition read_class (s : shape) (members : list (string * json)) : result proo
     Fine (OfClass (ByMotion f a g))
   else expected "must move, must hold or open, as the question has an inertia" [Member "verdict"] verdict.
 
+(** Statics: a load point with forces, and what proves a verdict. *)
+Definition read_stand (s : shape) (at_path : path) (value : json) : result (list Q * stated_forces) :=
+  match value with
+  | Array [point; forces] =>
+      let* x := read_sized (if of_plane s then 3 else 2) "an array of the numbers of a load point" read_fraction at_path point in
+      let* f := read_forces s at_path forces in
+      Fine (x, f)
+  | _ => expected "[load point, forces]" at_path value
+  end.
+
+Definition read_statics (s : shape) (members : list (string * json)) : result proof :=
+  let* '(verdict, rest) := next "verdict" members in
+  if of_plane s || of_margin s then
+    if is_text (if of_plane s then "region" else "margin") verdict then
+      let* '(stand, rest) := next_read "stand" (read_array "an array of load points with forces" (read_stand s)) rest in
+      let* it := next_read "move" (read_array "an array of twists" (read_twist s)) rest in
+      let* move := finish it in
+      Fine (OfStatics (ByPoints stand move))
+    else expected (if of_plane s then """region"", as the question has a plane" else """margin"", as the question has a direction")
+           [Member "verdict"] verdict
+  else if is_text "may stand" verdict then
+    let* it := next_read "forces" (read_forces s) rest in
+    let* f := finish it in
+    Fine (OfStatics (ByForces f))
+  else if is_text "must move" verdict then
+    let* it := next_read "twist" (read_twist s) rest in
+    let* y := finish it in
+    Fine (OfStatics (ByMove y))
+  else expected """may stand"" or ""must move"", as the question is of statics" [Member "verdict"] verdict.
+
 Definition read_known_format (at_path : path) (value : json) : result unit :=
   if is_text "stickslip-certificate/2" value then Fine tt
   else expected """stickslip-certificate/2"", the only one that this program knows" at_path value.
 
 Definition read_certificate (q : question) (value : json) : result (statement * certificate) :=
-  let asked (margin plane class : bool) : shape :=
+  let asked (margin plane class statics : bool) : shape :=
     {| spatial := match several q with Some its => bodies_in_space its | None => Nat.eqb (dimension q) 6 end;
        of_bodies := match several q with Some _ => true | None => false end;
        size_of_twist := Z.of_nat (dimension q);
@@ -598,7 +631,8 @@ Definition read_certificate (q : question) (value : json) : result (statement * 
        of_claims := has_claims q;
        of_margin := margin;
        of_plane := plane;
-       of_class := class |} in
+       of_class := class;
+       of_statics := statics |} in
   match value with
   | Object members =>
       let* '(_, rest) := next_read "format" read_known_format members in
@@ -606,14 +640,16 @@ Definition read_certificate (q : question) (value : json) : result (statement * 
         if begins_with "producer" rest
         then let* '(_, rest) := next_read "producer" read_any_text rest in Fine rest
         else Fine rest in
-      let* '(stated, rest) := next_read "question" (read_statement (asked false false false)) rest in
+      let* '(stated, rest) := next_read "question" (read_statement (asked false false false false)) rest in
       let o := options_stated stated in
-      let s := asked (asks_margin o) (asks_plane o) (asks_class o && negb (asks_margin o || asks_plane o)) in
+      let s := asked (asks_margin o) (asks_plane o) (asks_class o && negb (asks_margin o || asks_plane o || asks_statics o))
+                 (asks_statics o) in
       let* '(b, rest) :=
-        if begins_with "bits" rest && (negb (of_margin s) || of_claims s) && negb (of_class s || of_plane s)
+        if begins_with "bits" rest && (negb (of_margin s) || of_claims s) && negb (of_class s || of_plane s || of_statics s)
         then next_read "bits" read_bits rest
         else Fine (default_bits, rest) in
-      if of_plane s then let* it := read_region s rest in Fine (stated, Certificate b it)
+      if of_statics s then let* it := read_statics s rest in Fine (stated, Certificate b it)
+      else if of_plane s then let* it := read_region s rest in Fine (stated, Certificate b it)
       else if of_class s then let* it := read_class s rest in Fine (stated, Certificate b it)
       else
         let* '(good, rest) := next_read "verdict" (read_verdict s) rest in
@@ -683,6 +719,7 @@ Definition broken_question_rule (stated : statement) (asked : posed) : option st
   then Some "question-plane"
   else if negb (same_option (same_list Qeq_bool) (asked_inertia said) (asked_inertia options))
   then Some "question-inertia"
+  else if negb (same_option Qeq_bool (asked_statics said) (asked_statics options)) then Some "question-statics"
   else if negb (forallb (fun kind => same_option same_tolerance (find_tolerance kind said)
                                        (find_tolerance kind options)) uncertain_kinds
                   && same_option same_ball (asked_ball said) (asked_ball options))

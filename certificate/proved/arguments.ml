@@ -16,7 +16,8 @@ type arguments = {
 
 let nothing_asked =
   { asked_wrench = None; asked_case = None; asked_preload = None; asked_bilateral = false;
-    asked_direction = None; asked_growth = None; asked_plane = None; asked_inertia = None; asked_uncertain = []; asked_ball = None;
+    asked_direction = None; asked_growth = None; asked_plane = None; asked_inertia = None;
+    asked_statics = None; asked_uncertain = []; asked_ball = None;
     asked_bound = None }
 
 let starts_with prefix word =
@@ -32,11 +33,21 @@ let number option text =
 
 let list option text = List.map (number option) (String.split_on_char ',' text)
 
-(* How many numbers it has to have is known with the grasp. *)
-let wrench option text =
+(* How many numbers it has to have is known with the grasp; with statics it may have many coordinates. *)
+let wrench most option text =
   let numbers = list option text in
-  if List.length numbers <= 30 then numbers
-  else usage option text " has more than 30 numbers"
+  if List.length numbers <= most then numbers
+  else usage option text (" has more than " ^ string_of_int most ^ " numbers")
+
+let most_of_statics = 65536
+
+(* Two wrenches. *)
+let plane option text =
+  let numbers = list option text in
+  let count = List.length numbers in
+  if count < 2 || count mod 2 <> 0 || count > 2 * most_of_statics then
+    usage option text " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0";
+  List.filteri (fun k _ -> k < count / 2) numbers, List.filteri (fun k _ -> k >= count / 2) numbers
 
 (* What stands behind "ball:". *)
 let ball option text =
@@ -93,6 +104,7 @@ let tolerances option text =
 (* --help is a question only before the first file, and after -- nothing is an option, so that no
    file's name makes the program end with success. *)
 let parse words =
+  let most = if List.exists (starts_with "--statics") words then most_of_statics else 30 in
   let rec go a ended = function
     | [] -> a
     | word :: rest ->
@@ -114,14 +126,11 @@ let parse words =
           | None, [] -> raise (Usage (name ^ " needs a value")) in
         let o = a.options in
         match name, attached with
-        | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench name v) })
+        | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench most name v) })
         | "--torque", _ ->
           valued (fun v -> { o with asked_wrench = Some (List.map (number name) [ "0"; "0"; v ]) })
-        | "--plane", _ ->
-          valued (fun v ->
-              match list name v with
-              | [ a; b; c; d; e; f ] -> { o with asked_plane = Some ([ a; b; c ], [ d; e; f ]) }
-              | _ -> usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0")
+        | "--plane", _ -> valued (fun v -> { o with asked_plane = Some (plane name v) })
+        | "--statics", _ -> valued (fun v -> { o with asked_statics = Some (number name v) })
         | "--inertia", _ ->
           valued (fun v ->
               let numbers = list name v in
@@ -138,7 +147,7 @@ let parse words =
         | "--max-motion", _ ->
           valued (fun v ->
               { o with asked_bound = Some (if v = "none" then Unbounded else Bounded (list name v)) })
-        | "--direction", _ -> valued (fun v -> { o with asked_direction = Some (wrench name v) })
+        | "--direction", _ -> valued (fun v -> { o with asked_direction = Some (wrench most name v) })
         | "--preload-direction", _ ->
           valued (fun v ->
               { o with asked_growth = Some (if v = "scale" then Scale else By (list name v)) })

@@ -38,6 +38,9 @@ the program that produced the certificate:
   --inertia X,Y,G2         ask for the class of rigid contacts: must move, must hold or open; the
                            centre of mass and the squared radius of gyration, in space
                            X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], the centre and the tensor of inertia about it
+  --statics FACTOR         ask whether bodies may stand or must move, with any stiffness and preloads, and
+                           all friction multiplied by FACTOR; with --direction which multiples
+                           may, with --plane (of as many numbers as two wrenches) which loads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%;
@@ -58,7 +61,9 @@ Answers and exit codes:
   accepted    0   the certificate proves the verdict about the question that is printed; of a
                   margin in the plane, that exactly the factors printed as "resisted" are, in
                   space, that those are, those printed as "refuted" are not, and nothing of
-                  others; of a plane, that exactly the wrenches of the pieces are resisted
+                  others; of a plane, that exactly the wrenches of the pieces are resisted;
+                  of statics with a direction or a plane, that those printed as "may stand"
+                  may, that those printed as "must move" must, and nothing of others
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   it takes more work than the files' length allows

@@ -97,9 +97,31 @@ let json_resisted intervals =
     ^ (match high with Some x -> json_number x | None -> "null") ^ "]" in
   "[" ^ separated one intervals ^ "]"
 
+let standing_in_words multiples ((below, above), all) =
+  let moves = function
+    | [] -> "none claimed"
+    | ends -> String.concat ", " ends in
+  let end_ word = function Some x -> [ word ^ number x ] | None -> [] in
+  "may stand   "
+  ^ (match multiples with
+     | Some (low, high) ->
+       (match low with Some a -> "[" ^ number a | None -> "(-oo") ^ ", "
+       ^ (match high with Some b -> number b ^ "]" | None -> "oo)")
+     | None -> "none claimed")
+  ^ "\nmust move   "
+  ^ if all then "all" else moves (end_ "below " below @ end_ "above " above)
+
+let json_standing multiples ((below, above), all) =
+  let ends (a, b) =
+    let one = function Some x -> json_number x | None -> "null" in
+    "[" ^ one a ^ ", " ^ one b ^ "]" in
+  "{\"stand\": " ^ (match multiples with Some them -> ends them | None -> "null")
+  ^ ", \"move\": " ^ (if all then "\"all\"" else ends (below, above)) ^ "}"
+
 (* How long the proof is. *)
 type size =
-  { nodes : int; leaves : int; parts : int; rests : int; stickings : int; segments : int; trees : int; pieces : int }
+  { nodes : int; leaves : int; parts : int; rests : int; stickings : int; segments : int; trees : int; pieces : int;
+    points : int; twists : int }
 
 let size_of_tree size tree =
   let leaves = List.length (List.filter (function Leaf _ | Held _ -> true | _ -> false) tree) in
@@ -114,7 +136,8 @@ let gaps = function
     count + 1 - ends - if Integer.sign low.qnum = 0 then 1 else 0
 
 let size_of certificate =
-  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; stickings = 0; segments = 0; trees = 0; pieces = 0 } in
+  let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; stickings = 0; segments = 0; trees = 0; pieces = 0;
+    points = 0; twists = 0 } in
   let add_part size = function
     | PartProof (_, _, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
     | PartAtRest _ -> { size with rests = size.rests + 1 }
@@ -140,6 +163,8 @@ let size_of certificate =
     let leaves = List.length (List.filter (function RLeaf _ -> true | _ -> false) tree) in
     { none with nodes = List.length tree; leaves }
   | OfClass _ -> none
+  | OfStatics (ByPoints (stand, move)) -> { none with points = List.length stand; twists = List.length move }
+  | OfStatics _ -> none
   | RegionBy (pieces, tree) -> size_of_tree { none with pieces = List.length pieces } tree
 
 let class_in_words = function MustMove -> "must move" | MustHold -> "must hold" | Open -> "open"
@@ -162,6 +187,9 @@ let in_words place =
   | AtPiece (n, point) ->
     Some ("piece " ^ string_of_int (int_of_nat n)
           ^ match point with Some k -> ", point " ^ string_of_int (int_of_nat k) | None -> "")
+  | AtMember name -> Some name
+  | AtStand n -> Some ("stand " ^ string_of_int (int_of_nat n))
+  | AtMove n -> Some ("move " ^ string_of_int (int_of_nat n))
 
 let node_of = function
   | AtNode n | AtPart (_, Some n) | AtSegment (_, Some n) | AtProofOf (_, Some n) -> Some (int_of_nat n)
@@ -192,6 +220,7 @@ let question asked =
   ^ given "direction   " vector o.asked_direction
   ^ given "plane       wrench + s " (fun (u, v) -> vector u ^ " + t " ^ vector v) o.asked_plane
   ^ given "inertia     " vector o.asked_inertia
+  ^ given "statics     friction times " number o.asked_statics
   ^ "\npreload     "
   ^ (match o.asked_growth with Some Scale -> "f times " | _ -> "")
   ^ (match o.asked_preload with
@@ -224,6 +253,7 @@ let json_question asked =
      | Some (u, v) -> ", \"plane\": [" ^ json_vector u ^ ", " ^ json_vector v ^ "]"
      | None -> "")
   ^ (match o.asked_inertia with Some it -> ", \"inertia\": " ^ json_vector it | None -> "")
+  ^ (match o.asked_statics with Some it -> ", \"statics\": " ^ json_number it | None -> "")
   ^ ", \"uncertain\": " ^ uncertain
   ^ (match o.asked_bound with Some (Bounded it) -> ", \"max_motion\": " ^ json_vector it | _ -> "") ^ "}"
 
@@ -250,7 +280,9 @@ let proof answer size =
        @ some size.parts (Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree))
   | Stable -> "an equilibrium"
   | Region _ -> Printf.sprintf "pieces: %d; a tree of %s" size.pieces tree
-  | Class MustMove -> "a twist"
+  | Class MustMove | CannotStand -> "a twist"
+  | MayStand -> "forces"
+  | StandsAmong _ | StandsWithin _ -> Printf.sprintf "load points: %d, twists: %d" size.points size.twists
   | Class MustHold -> "forces at rest, and a tree of " ^ tree
   | Class Open -> "forces at rest, and others with an acceleration"
   | _ -> "a tree of " ^ tree
@@ -266,6 +298,12 @@ let accepted asked answer certificate =
     | Region pieces -> Printf.sprintf "resisted    of the plane exactly the pieces: %d" (List.length pieces)
     | Stable -> "verdict     stable"
     | Class found -> "verdict     " ^ class_in_words found
+    | MayStand -> "verdict     may stand"
+    | CannotStand -> "verdict     must move"
+    | StandsAmong (multiples, moves) -> standing_in_words multiples moves ^ "\nelsewhere   nothing is claimed"
+    | StandsWithin (points, forms) ->
+      Printf.sprintf "may stand   the sums of load points: %d\nmust move   where a load does work on a twist: %d"
+        (List.length points) (List.length forms)
     | _ -> "verdict     unstable" in
   let box = match answer with
     | (Stable | Unstable | Class _) when asked.is_box -> ", for every grasp in the box"
@@ -286,7 +324,7 @@ let as_text = function
 
 let as_json report =
   let text it = match it with Some text -> json_string text | None -> "null" in
-  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?refuted ?asked ?pieces result =
+  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?refuted ?asked ?pieces ?stands ?standing result =
     let number_of part = match size with Some s -> string_of_int (part s) | None -> "null" in
     "{\"result\": " ^ json_string result ^ ", \"rule\": " ^ text rule ^ ", \"node\": "
     ^ (match node with Some n -> string_of_int n | None -> "null")
@@ -298,7 +336,13 @@ let as_json report =
     ^ ", \"refuted\": " ^ (match refuted with Some r -> json_refuted r | None -> "null")
     ^ ", \"question\": "
     ^ (match asked with Some a -> json_question a | None -> "null")
-    ^ (match pieces with Some n -> ", \"pieces\": " ^ string_of_int n | None -> "") ^ "}\n" in
+    ^ (match pieces with Some n -> ", \"pieces\": " ^ string_of_int n | None -> "")
+    ^ (match stands with
+       | Some s -> Printf.sprintf ", \"points\": %d, \"twists\": %d" s.points s.twists
+       | None -> "")
+    ^ (match standing with
+       | Some (multiples, moves) -> ", \"standing\": " ^ json_standing multiples moves
+       | None -> "") ^ "}\n" in
   match report with
   | Illegible { place; problem; _ } -> line "malformed" ~path:place ~found:problem
   | Judged { answer = Rejected (rule, at); _ } ->
@@ -306,15 +350,20 @@ let as_json report =
   | Judged { answer = NotProvedHere why; _ } | Not_judged why -> line "not judged" ~found:why
   | Judged { asked; answer; certificate } ->
     let size = size_of certificate in
-    let tree = match certificate.body with StableByWitness _ -> false | _ -> true in
+    let tree = match certificate.body with StableByWitness _ | OfStatics _ -> false | _ -> true in
     line "accepted" ~box:asked.is_box ~asked
       ~verdict:(match answer with Margin _ | Claims _ -> "margin" | Stable -> "stable"
-                             | Region _ -> "region"
+                             | StandsAmong _ -> "margin"
+                             | Region _ | StandsWithin _ -> "region"
+                             | MayStand -> "may stand"
+                             | CannotStand -> "must move"
                              | Class found -> class_in_words found | _ -> "unstable")
       ?size:(if tree then Some size else None)
       ?resisted:(match answer with Margin r | Claims (r, _) -> Some r | _ -> None)
       ?refuted:(match answer with Claims (_, r) -> Some r | _ -> None)
       ?pieces:(match answer with Region pieces -> Some (List.length pieces) | _ -> None)
+      ?stands:(match answer with StandsAmong _ | StandsWithin _ -> Some size | _ -> None)
+      ?standing:(match answer with StandsAmong (multiples, moves) -> Some (multiples, moves) | _ -> None)
 
 let exit_code = function
   | Illegible _ -> 2

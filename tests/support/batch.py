@@ -12,8 +12,8 @@ A question is {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, in a
 "expected": RESULT. Each character of a TEXT stands for the byte of its number, as files under test
 need not be UTF-8. An answer is what `check.py --json` prints.
 
-If the environment variable STICKSLIP_NODE names node, certificate/js/check.js goes through the spool, too. Neither of the two is
-asked about statics, which they do not judge.
+If the environment variable STICKSLIP_NODE names node, certificate/js/check.js goes through the spool, too. It is not asked about
+statics, which it does not judge.
 """
 
 import concurrent.futures
@@ -103,7 +103,7 @@ def check_proved(lines):
 
 
 def about_statics(line):
-    """Which stickslip-proved and check.js know nothing of."""
+    """Which check.js knows nothing of."""
     question = json.loads(line)
     return '"statics"' in question["certificate"] or any(word.startswith("--statics") for word in question["options"])
 
@@ -117,10 +117,9 @@ def check_spool(folder, asker):
             for line in file:
                 count += 1
                 lines[line] = None
-    known = [line for line in lines if not about_statics(line)]
     with concurrent.futures.ThreadPoolExecutor() as pool:
-        others = [pool.submit(check_js, known)] if NODE else []
-        others += [pool.submit(check_proved, known)] if PROVED else []
+        others = [pool.submit(check_js, [line for line in lines if not about_statics(line)])] if NODE else []
+        others += [pool.submit(check_proved, list(lines))] if PROVED else []
         for line in lines:
             question = json.loads(line)
             answer = asker.answer(question)

@@ -1537,7 +1537,8 @@ type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
                   load_plane : (q list * q list) option; inertia : q list;
-                  several : mechanism option; max_motion : q list option }
+                  statics : q option; several : mechanism option;
+                  max_motion : q list option }
 
 type parameter =
 | PX
@@ -1608,6 +1609,11 @@ let class_of = function
 | ByTree (_, _) -> MustHold
 | ByMotion (_, _, _) -> Open
 
+type statics_proof =
+| ByForces of stated_forces
+| ByMove of q list
+| ByPoints of (q list * stated_forces) list * q list list
+
 type proof =
 | StableByWitness of witness
 | StableByParts of part list
@@ -1615,6 +1621,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| OfStatics of statics_proof
 | RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -1630,6 +1637,9 @@ type place =
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
 | AtPiece of nat * nat option
+| AtMember of string
+| AtStand of nat
+| AtMove of nat
 
 type answer =
 | Stable
@@ -1638,6 +1648,10 @@ type answer =
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
 | Region of ((q * q) * q) list list
+| MayStand
+| CannotStand
+| StandsAmong of (q option * q option) option * ((q option * q option) * bool)
+| StandsWithin of ((q * q) * q) list * ((q * q) * q) list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -3958,9 +3972,9 @@ let leaf_fails s strict0 rays0 y =
     (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
     list -> ray list -> node -> string option **)
 
-let end_fails held s strict0 rays0 = function
+let end_fails held0 s strict0 rays0 = function
 | Leaf y -> leaf_fails s strict0 rays0 y
-| Held k -> held k rays0
+| Held k -> held0 k rays0
 | _ -> Some "node-contact"
 
 (** val no_pieces : Big_int_Z.big_int -> ray list -> string option **)
@@ -4282,8 +4296,8 @@ let root_branch two_sided s g =
     Big_int_Z.big_int -> bool -> setting -> range list -> node list ->
     (string * nat) option **)
 
-let walk_ranges advisor held most_depth0 two_sided s ranges0 nodes =
-  walk advisor split (end_fails held) most_depth0 nodes
+let walk_ranges advisor held0 most_depth0 two_sided s ranges0 nodes =
+  walk advisor split (end_fails held0) most_depth0 nodes
     (map_all (fun g ->
       root advisor (add (S (S O)) s.dimension_of) (root_branch two_sided s g))
       ranges0) O
@@ -4727,7 +4741,7 @@ let rec segments_fail two_sided dim rows0 ld bound degree unloaded0 segments res
            let start = match from0 with
                        | Some e -> e
                        | None -> lo in
-           let goes_up =
+           let goes_up0 =
              match to1 with
              | Some t -> qlt_bool start t
              | None ->
@@ -4738,7 +4752,7 @@ let rec segments_fail two_sided dim rows0 ld bound degree unloaded0 segments res
                    (qeq_bool start { qnum = Big_int_Z.zero_big_int; qden =
                      Big_int_Z.unit_big_int }) unloaded0)
            in
-           if (||) (negb goes_up) (beyond hi to1)
+           if (||) (negb goes_up0) (beyond hi to1)
            then out_of_chain
            else (match degree start to1 d1 d2 walls0 direction0 tree with
                  | Some p0 ->
@@ -6987,6 +7001,671 @@ let plane_fails advisor most two_sided n0 rows0 w u v pieces nodes =
     two_sided (plane_setting n0 rows0 w u v) (at_zero :: [])
     (map (plane_node n0) nodes)
 
+type held = { h_point : q list; h_normal : q list; h_friction : q;
+              h_torsion : q; h_of : nat option; h_by : nat option }
+
+(** val at_q : q list -> nat -> q **)
+
+let at_q d j =
+  nth j d { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val held_of : bool -> q -> contact -> held option **)
+
+let held_of alone factor0 c =
+  if (&&)
+       ((&&)
+         ((&&)
+           ((&&) ((&&) (forallb certain c.position) (certain c.friction))
+             (is_zero c.slope))
+           (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } factor0))
+         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } c.friction.low))
+       (negb (forallb is_zero c.normal))
+  then Some { h_point = (map (fun i -> i.low) c.position); h_normal =
+         c.normal; h_friction = (qmult factor0 c.friction.low); h_torsion =
+         (if alone
+          then { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int }
+          else c.torsion); h_of = (if alone then Some O else c.of_body);
+         h_by = (if alone then None else c.by_body) }
+  else None
+
+(** val square_of_normal : held -> q **)
+
+let square_of_normal c =
+  inner c.h_normal c.h_normal
+
+(** val press_and_rub : held -> q list -> q * q **)
+
+let press_and_rub c d =
+  match c.h_point with
+  | [] ->
+    ((qopp { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }),
+      { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+  | px :: l ->
+    (match l with
+     | [] ->
+       ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int }), { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int })
+     | py :: l0 ->
+       (match l0 with
+        | [] ->
+          (match c.h_normal with
+           | [] ->
+             ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                Big_int_Z.unit_big_int }), { qnum = Big_int_Z.zero_big_int;
+               qden = Big_int_Z.unit_big_int })
+           | nx :: l1 ->
+             (match l1 with
+              | [] ->
+                ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                   Big_int_Z.unit_big_int }), { qnum =
+                  Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+              | ny :: l2 ->
+                (match l2 with
+                 | [] ->
+                   let ux =
+                     reduced (qminus (at_q d O) (qmult (at_q d (S (S O))) py))
+                   in
+                   let uy =
+                     reduced
+                       (qplus (at_q d (S O)) (qmult (at_q d (S (S O))) px))
+                   in
+                   let slip = reduced (qminus (qmult nx uy) (qmult ny ux)) in
+                   ((reduced (qplus (qmult nx ux) (qmult ny uy))),
+                   (qmult slip slip))
+                 | _ :: _ ->
+                   ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int }), { qnum =
+                     Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))))
+        | pz :: l1 ->
+          (match l1 with
+           | [] ->
+             (match c.h_normal with
+              | [] ->
+                ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                   Big_int_Z.unit_big_int }), { qnum =
+                  Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+              | nx :: l2 ->
+                (match l2 with
+                 | [] ->
+                   ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                      Big_int_Z.unit_big_int }), { qnum =
+                     Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+                 | ny :: l3 ->
+                   (match l3 with
+                    | [] ->
+                      ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                         Big_int_Z.unit_big_int }), { qnum =
+                        Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int })
+                    | nz :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         let rx = at_q d (S (S (S O))) in
+                         let ry = at_q d (S (S (S (S O)))) in
+                         let rz = at_q d (S (S (S (S (S O))))) in
+                         let ux =
+                           reduced
+                             (qplus (at_q d O)
+                               (qminus (qmult ry pz) (qmult rz py)))
+                         in
+                         let uy =
+                           reduced
+                             (qplus (at_q d (S O))
+                               (qminus (qmult rz px) (qmult rx pz)))
+                         in
+                         let uz =
+                           reduced
+                             (qplus (at_q d (S (S O)))
+                               (qminus (qmult rx py) (qmult ry px)))
+                         in
+                         let press =
+                           reduced
+                             (qplus (qplus (qmult nx ux) (qmult ny uy))
+                               (qmult nz uz))
+                         in
+                         let turn =
+                           qmult c.h_torsion
+                             (reduced
+                               (qplus (qplus (qmult nx rx) (qmult ny ry))
+                                 (qmult nz rz)))
+                         in
+                         (press,
+                         (qplus
+                           (qminus
+                             (qmult (square_of_normal c)
+                               (reduced
+                                 (qplus (qplus (qmult ux ux) (qmult uy uy))
+                                   (qmult uz uz)))) (qmult press press))
+                           (qmult turn turn)))
+                       | _ :: _ ->
+                         ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                            Big_int_Z.unit_big_int }), { qnum =
+                           Big_int_Z.zero_big_int; qden =
+                           Big_int_Z.unit_big_int })))))
+           | _ :: _ ->
+             ((qopp { qnum = Big_int_Z.unit_big_int; qden =
+                Big_int_Z.unit_big_int }), { qnum = Big_int_Z.zero_big_int;
+               qden = Big_int_Z.unit_big_int }))))
+
+(** val unopposed_by : held -> q list -> bool **)
+
+let unopposed_by c d =
+  let (press, rub) = press_and_rub c d in
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } press)
+    (qle_bool (qmult (qmult c.h_friction c.h_friction) rub)
+      (qmult press press))
+
+(** val is_loose : element -> bool **)
+
+let is_loose e =
+  (&&) e.element_spring (is_zero e.element_stiffness.low)
+
+(** val unopposed_by_element : q list -> element -> bool **)
+
+let unopposed_by_element y e =
+  let work = inner e.lever y in
+  if e.element_spring
+  then (||) (is_loose e) (is_zero work)
+  else qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } work
+
+(** val relative_q : q list list -> held -> q list **)
+
+let relative_q all c =
+  match c.h_by with
+  | Some n0 ->
+    map reduced
+      (add_multiple (of_number_q all c.h_of)
+        (qopp { qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int }) (of_number_q all (Some n0)))
+  | None -> of_number_q all c.h_of
+
+type standing = { s_numbers : nat; s_dimension : nat;
+                  s_bodies : rigid_body list; s_contacts : held list;
+                  s_elements : element list; s_loads : q list list }
+
+(** val unopposed : standing -> q list -> bool **)
+
+let unopposed s y =
+  let all = motions_q s.s_numbers y s.s_bodies [] in
+  (&&)
+    ((&&) (Nat.eqb (length y) s.s_dimension)
+      (forallb (fun c -> unopposed_by c (relative_q all c)) s.s_contacts))
+    (forallb (unopposed_by_element y) s.s_elements)
+
+(** val is_lawful : held -> (q * q list) -> bool **)
+
+let is_lawful c = function
+| (a, f) ->
+  let most = qmult (qmult c.h_friction c.h_friction) (qmult a a) in
+  (&&)
+    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int } a)
+    (match c.h_normal with
+     | [] -> false
+     | nx :: l ->
+       (match l with
+        | [] -> false
+        | ny :: l0 ->
+          (match l0 with
+           | [] ->
+             (match f with
+              | [] -> false
+              | b :: l1 ->
+                (match l1 with
+                 | [] -> qle_bool (qmult b b) most
+                 | _ :: _ -> false))
+           | nz :: l1 ->
+             (match l1 with
+              | [] ->
+                (match f with
+                 | [] -> false
+                 | x :: l2 ->
+                   (match l2 with
+                    | [] -> false
+                    | y :: l3 ->
+                      (match l3 with
+                       | [] -> false
+                       | z0 :: moment ->
+                         let square = square_of_normal c in
+                         let e2 = qmult c.h_torsion c.h_torsion in
+                         let size1 =
+                           qplus (qplus (qmult x x) (qmult y y)) (qmult z0 z0)
+                         in
+                         (&&)
+                           ((&&)
+                             (is_zero
+                               (qplus (qplus (qmult nx x) (qmult ny y))
+                                 (qmult nz z0)))
+                             (qle_bool size1 (qmult square most)))
+                           (match moment with
+                            | [] -> is_zero c.h_torsion
+                            | m :: l4 ->
+                              (match l4 with
+                               | [] ->
+                                 (&&) (negb (is_zero c.h_torsion))
+                                   (qle_bool
+                                     (qplus (qmult e2 size1)
+                                       (qmult square (qmult m m)))
+                                     (qmult e2 (qmult square most)))
+                               | _ :: _ -> false)))))
+              | _ :: _ -> false))))
+
+(** val is_lawful_pull : element -> (q * q list) -> bool **)
+
+let is_lawful_pull e = function
+| (a, f) ->
+  (&&) (forallb is_zero f)
+    (if e.element_spring
+     then negb (is_loose e)
+     else qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } a)
+
+(** val take :
+    ('a1 -> (q * q list) -> bool) -> 'a1 list -> Big_int_Z.big_int ->
+    stated_forces -> ('a1 * (q * q list) option) list -> ((('a1 * (q * q
+    list) option) list * Big_int_Z.big_int) * stated_forces) option **)
+
+let rec take good xs i them before =
+  match xs with
+  | [] -> Some (((rev_append before []), i), them)
+  | x :: xs' ->
+    (match them with
+     | [] ->
+       take good xs' (Z.add i Big_int_Z.unit_big_int) [] ((x, None) :: before)
+     | p :: rest ->
+       let (j, force) = p in
+       if Z.eqb i j
+       then if good x force
+            then take good xs' (Z.add i Big_int_Z.unit_big_int) rest ((x,
+                   (Some force)) :: before)
+            else None
+       else take good xs' (Z.add i Big_int_Z.unit_big_int) them ((x,
+              None) :: before))
+
+(** val wrench_of0 : held -> (q * q list) -> q list **)
+
+let wrench_of0 c = function
+| (a, f) ->
+  (match c.h_point with
+   | [] -> []
+   | px :: l ->
+     (match l with
+      | [] -> []
+      | py :: l0 ->
+        (match l0 with
+         | [] ->
+           (match c.h_normal with
+            | [] -> []
+            | nx :: l1 ->
+              (match l1 with
+               | [] -> []
+               | ny :: l2 ->
+                 (match l2 with
+                  | [] ->
+                    let b = at_q f O in
+                    let fx = reduced (qminus (qmult a nx) (qmult b ny)) in
+                    let fy = reduced (qplus (qmult a ny) (qmult b nx)) in
+                    fx :: (fy :: ((reduced
+                                    (qminus (qmult px fy) (qmult py fx))) :: []))
+                  | _ :: _ -> [])))
+         | pz :: l1 ->
+           (match l1 with
+            | [] ->
+              (match c.h_normal with
+               | [] -> []
+               | nx :: l2 ->
+                 (match l2 with
+                  | [] -> []
+                  | ny :: l3 ->
+                    (match l3 with
+                     | [] -> []
+                     | nz :: l4 ->
+                       (match l4 with
+                        | [] ->
+                          let m = at_q f (S (S (S O))) in
+                          let fx = reduced (qplus (qmult a nx) (at_q f O)) in
+                          let fy = reduced (qplus (qmult a ny) (at_q f (S O)))
+                          in
+                          let fz =
+                            reduced (qplus (qmult a nz) (at_q f (S (S O))))
+                          in
+                          fx :: (fy :: (fz :: ((reduced
+                                                 (qplus
+                                                   (qminus (qmult py fz)
+                                                     (qmult pz fy))
+                                                   (qmult m nx))) :: (
+                          (reduced
+                            (qplus (qminus (qmult pz fx) (qmult px fz))
+                              (qmult m ny))) :: ((reduced
+                                                   (qplus
+                                                     (qminus (qmult px fy)
+                                                       (qmult py fx))
+                                                     (qmult m nz))) :: [])))))
+                        | _ :: _ -> []))))
+            | _ :: _ -> []))))
+
+(** val add_on : nat -> q -> q list -> q list list -> q list list **)
+
+let rec add_on number s w = function
+| [] -> []
+| v :: ws' ->
+  (match number with
+   | O -> (plus_times v s w) :: ws'
+   | S number' -> v :: (add_on number' s w ws'))
+
+(** val add_on_body :
+    nat option -> q -> q list -> q list list -> q list list **)
+
+let add_on_body b s w ws =
+  match b with
+  | Some number -> add_on number s w ws
+  | None -> ws
+
+(** val add_contact :
+    q list list -> (held * (q * q list) option) -> q list list **)
+
+let add_contact ws = function
+| (c, o) ->
+  (match o with
+   | Some force ->
+     let w = wrench_of0 c force in
+     add_on_body c.h_by
+       (qopp { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int })
+       w
+       (add_on_body c.h_of { qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int } w ws)
+   | None -> ws)
+
+(** val add_element : q list -> (element * (q * q list) option) -> q list **)
+
+let add_element total = function
+| (e, o) ->
+  (match o with
+   | Some p0 -> let (a, _) = p0 in plus_times total a e.lever
+   | None -> total)
+
+(** val add_from : nat -> q list -> q list -> q list **)
+
+let rec add_from first w total =
+  match first with
+  | O ->
+    plus_times total { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } w
+  | S first' ->
+    (match total with
+     | [] ->
+       { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } :: (add_from first' w [])
+     | x :: total' -> x :: (add_from first' w total'))
+
+(** val pull_back :
+    nat -> rigid_body list -> q list list -> q list -> q list **)
+
+let rec pull_back n0 last_first ws total =
+  match last_first with
+  | [] -> total
+  | b :: rest ->
+    let w = nth (length rest) ws [] in
+    (match b with
+     | Free first -> pull_back n0 rest ws (add_from first (firstn n0 w) total)
+     | Link (on, eta, turns) ->
+       pull_back n0 rest
+         (add_on_body on { qnum = Big_int_Z.unit_big_int; qden =
+           Big_int_Z.unit_big_int } w ws)
+         (plus_times total (inner w eta) turns))
+
+(** val load_of_point : q list -> q list list -> q list **)
+
+let load_of_point x loads =
+  fold_left (fun sum0 p -> plus_times sum0 (fst p) (snd p)) (combine x loads)
+    []
+
+(** val point_fails : standing -> q list -> stated_forces -> string option **)
+
+let point_fails s x them =
+  if negb
+       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } (at_q x O))
+  then Some "static-point"
+  else (match take is_lawful s.s_contacts Big_int_Z.zero_big_int them [] with
+        | Some p ->
+          let (p0, them0) = p in
+          let (contacts0, i) = p0 in
+          (match take is_lawful_pull s.s_elements i them0 [] with
+           | Some p1 ->
+             let (p2, s0) = p1 in
+             let (pulls0, _) = p2 in
+             (match s0 with
+              | [] ->
+                let total =
+                  fold_left add_element pulls0 (load_of_point x s.s_loads)
+                in
+                let ws =
+                  fold_left add_contact contacts0
+                    (map (fun _ -> []) s.s_bodies)
+                in
+                if forallb is_zero
+                     (pull_back s.s_numbers (rev_append s.s_bodies []) ws
+                       total)
+                then None
+                else Some "static-balance"
+              | _ :: _ -> Some "static-force")
+           | None -> Some "static-force")
+        | None -> Some "static-force")
+
+type hull = { some : (q * q) option; goes_down : bool; goes_up : bool }
+
+(** val more_of_hull : hull -> q list -> hull **)
+
+let more_of_hull it = function
+| [] -> it
+| h :: l0 ->
+  (match l0 with
+   | [] -> it
+   | l :: l1 ->
+     (match l1 with
+      | [] ->
+        if is_zero h
+        then { some = it.some; goes_down =
+               ((||) it.goes_down
+                 (negb
+                   (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                     Big_int_Z.unit_big_int } l))); goes_up =
+               ((||) it.goes_up
+                 (negb
+                   (qle_bool l { qnum = Big_int_Z.zero_big_int; qden =
+                     Big_int_Z.unit_big_int }))) }
+        else let at_ = reduced (qdiv l h) in
+             { some = (Some
+             (match it.some with
+              | Some p ->
+                let (a, b) = p in
+                ((if qle_bool a at_ then a else at_),
+                (if qle_bool at_ b then b else at_))
+              | None -> (at_, at_))); goes_down = it.goes_down; goes_up =
+             it.goes_up }
+      | _ :: _ -> it))
+
+(** val multiples_of : q list list -> (q option * q option) option **)
+
+let multiples_of points =
+  let it =
+    fold_left more_of_hull points { some = None; goes_down = false; goes_up =
+      false }
+  in
+  (match it.some with
+   | Some p ->
+     let (a, b) = p in
+     Some ((if it.goes_down then None else Some a),
+     (if it.goes_up then None else Some b))
+   | None -> None)
+
+(** val more_of_moves :
+    ((q option * q option) * bool) -> q list -> (q option * q option) * bool **)
+
+let more_of_moves it form0 =
+  let (p, all) = it in
+  let (below, above0) = p in
+  (match form0 with
+   | [] -> it
+   | work :: l ->
+     (match l with
+      | [] -> it
+      | growth0 :: l0 ->
+        (match l0 with
+         | [] ->
+           if is_zero growth0
+           then ((below, above0),
+                  ((||) all
+                    (negb
+                      (qle_bool work { qnum = Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int }))))
+           else let border = reduced (qdiv (qopp work) growth0) in
+                if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                     Big_int_Z.unit_big_int } growth0
+                then ((below, (Some
+                       (match above0 with
+                        | Some a -> if qle_bool a border then a else border
+                        | None -> border))), all)
+                else (((Some
+                       (match below with
+                        | Some b -> if qle_bool border b then b else border
+                        | None -> border)), above0), all)
+         | _ :: _ -> it)))
+
+(** val moves_of : q list list -> (q option * q option) * bool **)
+
+let moves_of forms0 =
+  fold_left more_of_moves forms0 ((None, None), false)
+
+(** val standing_of : question -> q -> standing option **)
+
+let standing_of q0 factor0 =
+  let alone = match q0.several with
+              | Some _ -> false
+              | None -> true in
+  let its =
+    match q0.several with
+    | Some its -> its
+    | None ->
+      { bodies_in_space = (Nat.eqb q0.dimension (S (S (S (S (S (S O)))))));
+        bodies = ((Free O) :: []); elements = [] }
+  in
+  let es = its.elements in
+  (match all_some (held_of alone factor0) q0.contacts with
+   | Some cs ->
+     (match q0.load_ball with
+      | Some _ -> None
+      | None ->
+        if (&&) (forallb certain q0.wrench)
+             (forallb (fun e ->
+               (&&) (certain e.element_stiffness) (certain e.element_preload))
+               es)
+        then let w =
+               fold_left (fun w e ->
+                 if is_loose e
+                 then plus_times w e.element_preload.low e.lever
+                 else w) es (map (fun i -> i.low) q0.wrench)
+             in
+             Some { s_numbers = (numbers_of its); s_dimension = q0.dimension;
+             s_bodies = its.bodies; s_contacts = cs; s_elements = es;
+             s_loads =
+             (w :: (match q0.load_plane with
+                    | Some p -> let (u, v) = p in u :: (v :: [])
+                    | None -> if q0.is_margin then q0.direction :: [] else [])) }
+        else None)
+   | None -> None)
+
+(** val stands_fail :
+    standing -> (q list * stated_forces) list -> nat -> (string * nat) option **)
+
+let rec stands_fail s stand number =
+  match stand with
+  | [] -> None
+  | p :: rest ->
+    let (x, them) = p in
+    (match point_fails s x them with
+     | Some rule -> Some (rule, number)
+     | None -> stands_fail s rest (S number))
+
+(** val moves_fail : standing -> q list list -> nat -> nat option **)
+
+let rec moves_fail s move number =
+  match move with
+  | [] -> None
+  | y :: rest ->
+    if unopposed s y then moves_fail s rest (S number) else Some number
+
+(** val triple : q list -> (q * q) * q **)
+
+let triple x =
+  (((at_q x O), (at_q x (S O))), (at_q x (S (S O))))
+
+(** val form_of : standing -> q list -> q list **)
+
+let form_of s y =
+  map_all (inner y) s.s_loads
+
+(** val check_statics : question -> statics_proof -> answer **)
+
+let check_statics q0 p =
+  match q0.statics with
+  | Some factor0 ->
+    (match standing_of q0 factor0 with
+     | Some s ->
+       (match p with
+        | ByForces them ->
+          (match point_fails s ({ qnum = Big_int_Z.unit_big_int; qden =
+                   Big_int_Z.unit_big_int } :: []) them with
+           | Some rule -> Rejected (rule, (AtMember "forces"))
+           | None -> MayStand)
+        | ByMove y ->
+          if (&&) (unopposed s y)
+               (negb
+                 (qle_bool (at_q (form_of s y) O) { qnum =
+                   Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+          then CannotStand
+          else Rejected ("static-motion", (AtMember "twist"))
+        | ByPoints (stand, move) ->
+          (match stands_fail s stand O with
+           | Some p0 ->
+             let (rule, number) = p0 in Rejected (rule, (AtStand number))
+           | None ->
+             (match moves_fail s move O with
+              | Some number -> Rejected ("static-motion", (AtMove number))
+              | None ->
+                let points = map_all fst stand in
+                let forms0 = map_all (form_of s) move in
+                (match s.s_loads with
+                 | [] ->
+                   NotProvedHere "a proof of something else than was asked"
+                 | _ :: l0 ->
+                   (match l0 with
+                    | [] ->
+                      NotProvedHere "a proof of something else than was asked"
+                    | _ :: l2 ->
+                      (match l2 with
+                       | [] ->
+                         StandsAmong ((multiples_of points),
+                           (moves_of forms0))
+                       | _ :: l4 ->
+                         (match l4 with
+                          | [] ->
+                            StandsWithin ((map_all triple points),
+                              (map_all triple forms0))
+                          | _ :: _ ->
+                            NotProvedHere
+                              "a proof of something else than was asked")))))))
+     | None -> NotProvedHere "statics that are uncertain")
+  | None -> NotProvedHere "a proof of something else than was asked"
+
 (** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
 
 let enlarge_all bits0 qs =
@@ -7401,9 +8080,9 @@ let check_region advisor q0 s pieces nodes =
     else NotProvedHere "a plane of loads of a box"
   | None -> NotProvedHere "a proof of something else than was asked"
 
-(** val check : oracle -> question -> certificate -> answer **)
+(** val check_motions : oracle -> question -> certificate -> answer **)
 
-let check advisor q0 c =
+let check_motions advisor q0 c =
   match setting_of c.bits q0 with
   | Some s ->
     (match c.body with
@@ -7432,8 +8111,16 @@ let check advisor q0 c =
        (match q0.inertia with
         | [] -> NotProvedHere "a proof of something else than was asked"
         | _ :: _ -> check_class q0 s p)
+     | OfStatics _ -> NotProvedHere "a proof of something else than was asked"
      | RegionBy (pieces, nodes) -> check_region advisor q0 s pieces nodes)
   | None -> NotProvedHere "numbers of the question"
+
+(** val check : oracle -> question -> certificate -> answer **)
+
+let check advisor q0 c =
+  match c.body with
+  | OfStatics p -> check_statics q0 p
+  | _ -> check_motions advisor q0 c
 
 (** val largest_exponent : Big_int_Z.big_int **)
 
@@ -7547,17 +8234,17 @@ let rec digits_after value0 count0 text = match text with
 let digits =
   digits_after Big_int_Z.zero_big_int Big_int_Z.zero_big_int
 
-(** val take : char -> char list -> bool * char list **)
+(** val take0 : char -> char list -> bool * char list **)
 
-let take c text = match text with
+let take0 c text = match text with
 | [] -> (false, text)
 | first :: rest -> if (=) first c then (true, rest) else (false, text)
 
 (** val take_sign : char list -> bool * char list **)
 
 let take_sign text =
-  let (negative0, text0) = take '-' text in
-  let (_, text1) = if negative0 then (true, text0) else take '+' text0 in
+  let (negative0, text0) = take0 '-' text in
+  let (_, text1) = if negative0 then (true, text0) else take0 '+' text0 in
   (negative0, text1)
 
 (** val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool **)
@@ -7586,7 +8273,7 @@ let fraction negative0 num den =
 let fraction_of_digits negative0 text =
   let (p, rest) = digits text in
   let (num, count0) = p in
-  let (slash, rest0) = take '/' rest in
+  let (slash, rest0) = take0 '/' rest in
   let (p0, rest1) =
     if slash
     then digits rest0
@@ -7611,14 +8298,14 @@ let parse_fraction limit spelled =
   in
   if is_longer_than limit text
   then None
-  else let (negative0, text0) = take '-' text in
+  else let (negative0, text0) = take0 '-' text in
        fraction_of_digits negative0 text0
 
 (** val exponent : char list -> (Big_int_Z.big_int * char list) option **)
 
 let exponent text =
-  let (small, text0) = take 'e' text in
-  let (large, text1) = if small then (true, text0) else take 'E' text0 in
+  let (small, text0) = take0 'e' text in
+  let (large, text1) = if small then (true, text0) else take0 'E' text0 in
   if negb large
   then Some (Big_int_Z.zero_big_int, text1)
   else let (down, text2) = take_sign text1 in
@@ -7644,9 +8331,9 @@ let parse_decimal spelled =
        let (value0, count0) = p in
        if Z.eqb count0 Big_int_Z.zero_big_int
        then None
-       else if fst (take '/' rest)
+       else if fst (take0 '/' rest)
             then fraction_of_digits negative0 text0
-            else let (point0, rest0) = take '.' rest in
+            else let (point0, rest0) = take0 '.' rest in
                  let (p0, rest1) =
                    if point0
                    then digits_after value0 Big_int_Z.zero_big_int rest0
@@ -9120,10 +9807,9 @@ let read_over v bodies0 turned0 count0 spring preload_name at_path value0 =
           (fun _ -> read_element v spring preload_name row0 at_path members))))
 
 (** val read_load_on_body :
-    version -> named_body list -> q list list list -> path -> json ->
-    interval list result **)
+    version -> named_body list -> path -> json -> (nat * interval list) result **)
 
-let read_load_on_body v bodies0 units at_path value0 = match value0 with
+let read_load_on_body v bodies0 at_path value0 = match value0 with
 | Object members ->
   bind
     (check_members
@@ -9138,7 +9824,6 @@ let read_load_on_body v bodies0 units at_path value0 = match value0 with
       | _ -> expected "the name of one of \"bodies\"" at_path0 value1
     in
     bind (member "body" read_known at_path members) (fun b ->
-      let motions = map (fun ms -> nth b ms []) units in
       if has_member "wrench" members
       then bind (members_of ("body" :: ("wrench" :: [])) at_path value0)
              (fun members0 ->
@@ -9155,14 +9840,29 @@ let read_load_on_body v bodies0 units at_path value0 = match value0 with
                  "the body is a link, which takes a force, a weight or a torque, but no wrench")
                (fun _ ->
                bind (member "wrench" (read_wrench v) at_path members0)
-                 (fun w -> Fine
-                 (map (fun motion -> { low =
-                   (dot_q (map (fun i -> i.low) w) motion); high =
-                   (dot_q (map (fun i -> i.high) w) motion) }) motions))))
+                 (fun w -> Fine (b, w))))
       else bind (read_load v at_path (without ("body" :: []) members))
-             (fun w -> Fine
-             (map (fun motion -> exactly (dot_q w motion)) motions))))
+             (fun w -> Fine (b, (map exactly w)))))
 | _ -> expected "an object {...}" at_path value0
+
+(** val work_of_loads :
+    mechanism -> nat -> (nat * interval list) list -> interval list **)
+
+let work_of_loads its count0 loads =
+  let work = fun end_of ->
+    let ws =
+      fold_left (fun ws pat ->
+        let (b, w) = pat in
+        add_on b { qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } (map end_of w) ws) loads
+        (map (fun _ -> []) its.bodies)
+    in
+    pull_back (numbers_of its) (rev_append its.bodies []) ws
+      (repeat { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } count0)
+  in
+  map (fun pat -> let (a, b) = pat in { low = a; high = b })
+    (combine (work (fun i -> i.low)) (work (fun i -> i.high)))
 
 (** val no_load : nat -> interval list **)
 
@@ -9179,12 +9879,12 @@ let read_state_wrench v count0 at_path value0 =
     (read_interval v) at_path value0
 
 (** val read_loads_on_bodies :
-    nat -> (path -> json -> interval list result) -> path -> json -> interval
-    list result **)
+    mechanism -> nat -> (path -> json -> (nat * interval list) result) ->
+    path -> json -> interval list result **)
 
-let read_loads_on_bodies count0 read_one at_path value0 =
+let read_loads_on_bodies its count0 read_one at_path value0 =
   bind (read_array "an array of loads" read_one at_path value0) (fun loads ->
-    Fine (fold_left add_wrench loads (no_load count0)))
+    Fine (work_of_loads its count0 loads))
 
 (** val read_case_of_bodies :
     (path -> json -> interval list result) -> (path -> json -> interval list
@@ -9318,11 +10018,15 @@ let names_of_body v b =
 (** val most_coordinates : Big_int_Z.big_int **)
 
 let most_coordinates =
-  (Big_int_Z.mult_int_big_int 2
-    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-    Big_int_Z.unit_big_int))))
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))))))
 
 (** val listed_member :
     string -> (path -> json -> 'a1 result) -> (string * json) list -> 'a1
@@ -9408,7 +10112,7 @@ let read_grasp_of_bodies value0 =
               let count0 = add own (length joints) in
               bind
                 (check_that (Z.leb (Z.of_nat count0) most_coordinates)
-                  ((Member "bodies") :: []) "more than 30 coordinates")
+                  ((Member "bodies") :: []) "more than 65536 coordinates")
                 (fun _ ->
                 let turned0 = fun name ->
                   app
@@ -9479,9 +10183,8 @@ let read_grasp_of_bodies value0 =
                           (fun them ->
                           let read_w = read_state_wrench v count0 in
                           let read_l =
-                            read_loads_on_bodies count0
-                              (read_load_on_body v bodies0
-                                (unit_motions count0 its))
+                            read_loads_on_bodies its count0
+                              (read_load_on_body v bodies0)
                           in
                           bind (optional_member "wrench" read_w [] members)
                             (fun own_wrench ->
@@ -9567,7 +10270,7 @@ type options = { asked_wrench : q list option; asked_case : string option;
                  asked_direction : q list option;
                  asked_growth : growth option;
                  asked_plane : (q list * q list) option;
-                 asked_inertia : q list option;
+                 asked_inertia : q list option; asked_statics : q option;
                  asked_uncertain : (string * tolerance) list;
                  asked_ball : stated_ball option;
                  asked_bound : bound_option option }
@@ -9600,10 +10303,19 @@ let asks_class asked =
   | Some _ -> true
   | None -> false
 
+(** val asks_statics : options -> bool **)
+
+let asks_statics asked =
+  match asked.asked_statics with
+  | Some _ -> true
+  | None -> false
+
 (** val asks_one : options -> bool **)
 
 let asks_one asked =
-  (||) ((||) (asks_margin asked) (asks_class asked)) (asks_plane asked)
+  (||)
+    ((||) ((||) (asks_margin asked) (asks_class asked)) (asks_plane asked))
+    (asks_statics asked)
 
 (** val in_full : q list -> q list **)
 
@@ -9775,7 +10487,7 @@ let ball_asked file asked stated =
     in
     bind
       (check_that (negb (asks_one asked)) here
-        "a margin, a region or a class is about one grasp; expected no uncertainty")
+        "a margin, a region, a class or statics is about one grasp; expected no uncertainty")
       (fun _ ->
       bind
         (check_that
@@ -9882,13 +10594,17 @@ let bound_asked file asked =
                            | _ :: _ ->
                              refuse here
                                "expected a number for each coordinate of the bodies and joints"))))))
-     | None -> Fine file.bound_read) (fun bound ->
+     | None -> Fine (if asks_statics asked then None else file.bound_read))
+    (fun bound ->
     bind
       (check_that
         (match bound with
-         | Some _ -> negb ((||) (asks_plane asked) (asks_class asked))
+         | Some _ ->
+           negb
+             ((||) ((||) (asks_plane asked) (asks_class asked))
+               (asks_statics asked))
          | None -> true) here
-        "motions are bounded, and a plane or an inertia is given as well; expected one of them")
+        "motions are bounded, and a plane, an inertia or statics is given as well; expected one of them")
       (fun _ -> Fine bound))
 
 (** val check_tolerances :
@@ -9901,7 +10617,7 @@ let rec check_tolerances asked = function
   let here = of_question "uncertain" in
   bind
     (check_that (negb (asks_one asked)) here
-      "a margin, a region or a class is about one grasp; expected no uncertainty")
+      "a margin, a region, a class or statics is about one grasp; expected no uncertainty")
     (fun _ ->
     bind
       (check_that
@@ -9934,9 +10650,10 @@ let has_irrational_preload it =
      | Some _ -> false
      | None -> true)
 
-(** val check_contact : bool -> bool -> path -> contact -> bool result **)
+(** val check_contact :
+    bool -> bool -> bool -> path -> contact -> bool result **)
 
-let check_contact margin exact0 at_path it =
+let check_contact margin exact0 statics0 at_path it =
   let here = fun name -> (Member name) :: at_path in
   bind
     (check_that
@@ -9964,9 +10681,11 @@ let check_contact margin exact0 at_path it =
             (fun _ ->
             bind
               (check_that ((||) (negb margin) (is_one_point it)) at_path
-                "found an interval, but a margin is about one grasp; expected numbers")
+                "found an interval, but the question is about one grasp; expected numbers")
               (fun _ ->
-              let irrational = has_irrational_preload it in
+              let irrational =
+                (&&) (negb statics0) (has_irrational_preload it)
+              in
               bind
                 (check_that (negb ((&&) irrational exact0)) (here "normal")
                   ((^)
@@ -9999,7 +10718,7 @@ let check_element margin at_path it =
       in
       bind
         (check_that ((||) (negb margin) certain0) at_path
-          "found an interval, but a margin is about one grasp; expected numbers")
+          "found an interval, but the question is about one grasp; expected numbers")
         (fun _ -> Fine (negb certain0))))
 
 (** val with_growth : interval -> q -> contact -> contact **)
@@ -10027,6 +10746,16 @@ let rec with_growths grown items numbers0 done0 =
      | [] -> None
      | p :: rest -> with_growths grown others rest ((grown it p) :: done0))
 
+(** val are_multiples : q list -> q list -> bool **)
+
+let are_multiples u v =
+  match find (fun pat -> let (a, _) = pat in negb (is_0 a)) (combine u v) with
+  | Some p ->
+    let (a, b) = p in
+    forallb (fun pat ->
+      let (x, y) = pat in is_0 (qminus (qmult a y) (qmult x b))) (combine u v)
+  | None -> true
+
 (** val check_plane : grasp -> options -> unit result **)
 
 let check_plane file asked =
@@ -10034,56 +10763,55 @@ let check_plane file asked =
   (match asked.asked_plane with
    | Some p ->
      let (u, v) = p in
+     bind (check_dimension file "plane" (Some u)) (fun _ ->
+       bind (check_dimension file "plane" (Some v)) (fun _ ->
+         bind
+           (check_that
+             ((||) (asks_statics asked)
+               (match file.bodies_read with
+                | Some _ -> false
+                | None -> true)) here
+             "the grasp is of several bodies; expected a question about a wrench or a direction")
+           (fun _ ->
+           bind
+             (check_that ((||) (asks_statics asked) (negb file.in_space))
+               here "the grasp is in space; a region is about a planar grasp")
+             (fun _ ->
+             bind
+               (check_that (negb (asks_margin asked)) here
+                 "a direction is given as well; expected one of them")
+               (fun _ ->
+               check_that (negb (are_multiples u v)) here
+                 "its directions are multiples of one another; expected a plane")))))
+   | None -> Fine ())
+
+(** val check_statics0 : grasp -> options -> unit result **)
+
+let check_statics0 file asked =
+  let here = of_question "statics" in
+  (match asked.asked_statics with
+   | Some factor0 ->
      bind
        (check_that
-         (match file.bodies_read with
-          | Some _ -> false
-          | None -> true) here
-         "the grasp is of several bodies; expected a question about a wrench or a direction")
-       (fun _ ->
+         (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } factor0) here
+         "expected a factor of 0 or more") (fun _ ->
        bind
-         (check_that (negb file.in_space) here
-           "the grasp is in space; a region is about a planar grasp")
-         (fun _ ->
-         bind
-           (check_that (negb (asks_margin asked)) here
-             "a direction is given as well; expected one of them") (fun _ ->
-           check_that
-             (match u with
-              | [] -> false
-              | a :: l ->
-                (match l with
-                 | [] -> false
-                 | b :: l0 ->
-                   (match l0 with
-                    | [] -> false
-                    | c :: l1 ->
-                      (match l1 with
-                       | [] ->
-                         (match v with
-                          | [] -> false
-                          | d :: l2 ->
-                            (match l2 with
-                             | [] -> false
-                             | e :: l3 ->
-                               (match l3 with
-                                | [] -> false
-                                | f :: l4 ->
-                                  (match l4 with
-                                   | [] ->
-                                     negb
-                                       ((&&)
-                                         ((&&)
-                                           (is_0
-                                             (qminus (qmult b f) (qmult c e)))
-                                           (is_0
-                                             (qminus (qmult c d) (qmult a f))))
-                                         (is_0
-                                           (qminus (qmult a e) (qmult b d))))
-                                   | _ :: _ -> false))))
-                       | _ :: _ -> false)))) here
-             "its directions are multiples of one another; expected a plane")))
-   | None -> Fine ())
+         (check_that (negb (asks_class asked)) here
+           "an inertia is given as well; expected one of them") (fun _ ->
+         check_that
+           (match asked.asked_growth with
+            | Some _ -> false
+            | None -> true) here
+           "a preload direction is given as well, but preloads play no part"))
+   | None ->
+     check_that
+       (Z.leb (Z.of_nat file.coordinates_read) (Big_int_Z.mult_int_big_int 2
+         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int))))) (of_question "bodies")
+       "more than 30 coordinates of bodies and joints; expected as many at most, but in a question of statics")
 
 (** val pose : grasp -> options -> posed result **)
 
@@ -10099,217 +10827,225 @@ let pose file asked =
            | None -> true) (of_question "preload") "expected 0 or more")
         (fun _ ->
         bind (check_plane file asked) (fun _ ->
-          bind (wrench_asked file asked) (fun stated ->
-            bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
-              bind (ball_asked file asked stated) (fun ball0 ->
-                bind (bound_asked file asked) (fun bound ->
-                  let them = map_all (asked_contact asked) file.all_contacts
-                  in
-                  let others =
-                    match file.bodies_read with
-                    | Some its -> map_all (asked_element asked) its.elements
-                    | None -> []
-                  in
-                  bind
-                    (match asked.asked_growth with
-                     | Some g ->
-                       (match g with
-                        | Scale -> Fine (them, others)
-                        | By numbers0 ->
-                          let problem =
-                            "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
-                          in
-                          let wrong =
-                            refuse (of_question "preload direction") problem
-                          in
-                          (match with_growths (fun it p ->
-                                   with_growth it.preload p it) them numbers0
-                                   [] with
-                           | Some p ->
-                             let (them0, rest) = p in
-                             (match with_growths (fun it p0 ->
-                                      element_with_growth it.element_preload
-                                        p0 it) others rest [] with
-                              | Some p0 ->
-                                let (others0, l) = p0 in
-                                (match l with
-                                 | [] ->
-                                   bind
-                                     (check_that
-                                       ((&&)
-                                         (forallb (fun it ->
-                                           qle_bool { qnum =
-                                             Big_int_Z.zero_big_int; qden =
-                                             Big_int_Z.unit_big_int }
-                                             it.preload_growth) them0)
-                                         (forallb (fun it ->
-                                           (||) it.element_spring
-                                             (qle_bool { qnum =
+          bind (check_statics0 file asked) (fun _ ->
+            bind (wrench_asked file asked) (fun stated ->
+              bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
+                bind (ball_asked file asked stated) (fun ball0 ->
+                  bind (bound_asked file asked) (fun bound ->
+                    let them = map_all (asked_contact asked) file.all_contacts
+                    in
+                    let others =
+                      match file.bodies_read with
+                      | Some its -> map_all (asked_element asked) its.elements
+                      | None -> []
+                    in
+                    bind
+                      (match asked.asked_growth with
+                       | Some g ->
+                         (match g with
+                          | Scale -> Fine (them, others)
+                          | By numbers0 ->
+                            let problem =
+                              "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
+                            in
+                            let wrong =
+                              refuse (of_question "preload direction") problem
+                            in
+                            (match with_growths (fun it p ->
+                                     with_growth it.preload p it) them
+                                     numbers0 [] with
+                             | Some p ->
+                               let (them0, rest) = p in
+                               (match with_growths (fun it p0 ->
+                                        element_with_growth
+                                          it.element_preload p0 it) others
+                                        rest [] with
+                                | Some p0 ->
+                                  let (others0, l) = p0 in
+                                  (match l with
+                                   | [] ->
+                                     bind
+                                       (check_that
+                                         ((&&)
+                                           (forallb (fun it ->
+                                             qle_bool { qnum =
                                                Big_int_Z.zero_big_int; qden =
                                                Big_int_Z.unit_big_int }
-                                               it.element_growth)) others0))
-                                       (of_question "preload direction")
-                                       problem) (fun _ -> Fine (them0,
-                                     others0))
-                                 | _ :: _ -> wrong)
-                              | None -> wrong)
-                           | None -> wrong))
-                     | None -> Fine (them, others)) (fun pat ->
-                    let (them0, others0) = pat in
-                    bind
-                      (match asked.asked_inertia with
-                       | Some numbers0 ->
-                         let here = of_question "inertia" in
-                         bind
-                           (check_that
-                             (match file.bodies_read with
-                              | Some _ -> false
-                              | None -> true) here
-                             "the grasp is of several bodies; expected a question about a wrench or a direction")
-                           (fun _ ->
+                                               it.preload_growth) them0)
+                                           (forallb (fun it ->
+                                             (||) it.element_spring
+                                               (qle_bool { qnum =
+                                                 Big_int_Z.zero_big_int;
+                                                 qden =
+                                                 Big_int_Z.unit_big_int }
+                                                 it.element_growth)) others0))
+                                         (of_question "preload direction")
+                                         problem) (fun _ -> Fine (them0,
+                                       others0))
+                                   | _ :: _ -> wrong)
+                                | None -> wrong)
+                             | None -> wrong))
+                       | None -> Fine (them, others)) (fun pat ->
+                      let (them0, others0) = pat in
+                      bind
+                        (match asked.asked_inertia with
+                         | Some numbers0 ->
+                           let here = of_question "inertia" in
                            bind
                              (check_that
-                               (negb
-                                 ((||) (asks_margin asked) (asks_plane asked)))
-                               here
-                               "a direction or a plane is given as well; expected one of them")
+                               (match file.bodies_read with
+                                | Some _ -> false
+                                | None -> true) here
+                               "the grasp is of several bodies; expected a question about a wrench or a direction")
                              (fun _ ->
                              bind
                                (check_that
-                                 (has_length
+                                 (negb
+                                   ((||) (asks_margin asked)
+                                     (asks_plane asked))) here
+                                 "a direction or a plane is given as well; expected one of them")
+                               (fun _ ->
+                               bind
+                                 (check_that
+                                   (has_length
+                                     (if file.in_space
+                                      then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                             (Big_int_Z.mult_int_big_int 2
+                                             (Big_int_Z.mult_int_big_int 2
+                                             Big_int_Z.unit_big_int)))
+                                      else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                             Big_int_Z.unit_big_int))
+                                     numbers0) here
                                    (if file.in_space
-                                    then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                           (Big_int_Z.mult_int_big_int 2
-                                           (Big_int_Z.mult_int_big_int 2
-                                           Big_int_Z.unit_big_int)))
-                                    else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                                           Big_int_Z.unit_big_int)) numbers0)
-                                 here
-                                 (if file.in_space
-                                  then "expected 6 or 9 numbers"
-                                  else "expected 3 numbers")) (fun _ ->
-                               check_that
-                                 (match masses numbers0 with
-                                  | Some _ -> true
-                                  | None -> false) here
-                                 (if file.in_space
-                                  then "the tensor is not positive definite"
-                                  else "the squared radius of gyration must be > 0"))))
-                       | None -> Fine ()) (fun _ ->
-                      let margin = asks_one asked in
-                      let exact0 =
-                        (&&) (negb file.in_space)
-                          ((||) (asks_class asked) (asks_plane asked))
-                      in
-                      bind
-                        (each (check_contact margin exact0) ((Member
-                          "contacts") :: []) them0) (fun boxes ->
+                                    then "expected 6 or 9 numbers"
+                                    else "expected 3 numbers")) (fun _ ->
+                                 check_that
+                                   (match masses numbers0 with
+                                    | Some _ -> true
+                                    | None -> false) here
+                                   (if file.in_space
+                                    then "the tensor is not positive definite"
+                                    else "the squared radius of gyration must be > 0"))))
+                         | None -> Fine ()) (fun _ ->
+                        let margin = asks_one asked in
+                        let statics0 = asks_statics asked in
+                        let exact0 =
+                          (&&) (negb file.in_space)
+                            ((||) (asks_class asked) (asks_plane asked))
+                        in
                         bind
-                          (each (check_element margin) ((Member
-                            "ratchets and springs") :: []) others0)
-                          (fun other_boxes ->
-                          let widened =
-                            map (widen (find_tolerance "wrench" asked)) stated
-                          in
-                          let certain0 = forallb is_exact widened in
+                          (each (check_contact margin exact0 statics0)
+                            ((Member "contacts") :: []) them0) (fun boxes ->
                           bind
-                            (check_that ((||) (negb margin) certain0)
-                              ((Member "wrench") :: [])
-                              "found an interval, but a margin is about one grasp; expected numbers")
-                            (fun _ ->
-                            let scales =
-                              match asked.asked_growth with
-                              | Some g ->
-                                (match g with
-                                 | Scale -> true
-                                 | By _ -> false)
-                              | None -> false
+                            (each (check_element margin) ((Member
+                              "ratchets and springs") :: []) others0)
+                            (fun other_boxes ->
+                            let widened =
+                              map (widen (find_tolerance "wrench" asked))
+                                stated
                             in
-                            let them1 =
-                              if scales
-                              then map_all (fun it ->
-                                     with_growth
-                                       (exactly { qnum =
-                                         Big_int_Z.zero_big_int; qden =
-                                         Big_int_Z.unit_big_int })
-                                       it.preload.low it) them0
-                              else them0
-                            in
-                            let others1 =
-                              if scales
-                              then map_all (fun it ->
-                                     element_with_growth
-                                       (exactly { qnum =
-                                         Big_int_Z.zero_big_int; qden =
-                                         Big_int_Z.unit_big_int })
-                                       it.element_preload.low it) others0
-                              else others0
-                            in
-                            let u =
-                              match asked.asked_direction with
-                              | Some u -> u
-                              | None ->
-                                map (fun _ -> { qnum =
-                                  Big_int_Z.zero_big_int; qden =
-                                  Big_int_Z.unit_big_int }) stated
-                            in
+                            let certain0 = forallb is_exact widened in
                             bind
-                              (check_that
-                                ((||)
+                              (check_that ((||) (negb margin) certain0)
+                                ((Member "wrench") :: [])
+                                "found an interval, but the question is about one grasp; expected numbers")
+                              (fun _ ->
+                              let scales =
+                                match asked.asked_growth with
+                                | Some g ->
+                                  (match g with
+                                   | Scale -> true
+                                   | By _ -> false)
+                                | None -> false
+                              in
+                              let them1 =
+                                if scales
+                                then map_all (fun it ->
+                                       with_growth
+                                         (exactly { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int })
+                                         it.preload.low it) them0
+                                else them0
+                              in
+                              let others1 =
+                                if scales
+                                then map_all (fun it ->
+                                       element_with_growth
+                                         (exactly { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int })
+                                         it.element_preload.low it) others0
+                                else others0
+                              in
+                              let u =
+                                match asked.asked_direction with
+                                | Some u -> u
+                                | None ->
+                                  map (fun _ -> { qnum =
+                                    Big_int_Z.zero_big_int; qden =
+                                    Big_int_Z.unit_big_int }) stated
+                              in
+                              bind
+                                (check_that
                                   ((||)
-                                    ((||) (negb (asks_margin asked))
-                                      (negb (forallb is_0 u)))
+                                    ((||)
+                                      ((||) (negb (asks_margin asked))
+                                        (negb (forallb is_0 u)))
+                                      (existsb (fun it ->
+                                        negb (is_0 it.preload_growth)) them1))
                                     (existsb (fun it ->
-                                      negb (is_0 it.preload_growth)) them1))
-                                  (existsb (fun it ->
-                                    negb (is_0 it.element_growth)) others1))
-                                (of_question "direction")
-                                ((^)
-                                  "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                                  "scale preloads some of which are not 0"))
-                              (fun _ -> Fine { the_question = { dimension =
-                              file.coordinates_read; bilateral =
-                              asked.asked_bilateral; is_margin =
-                              (asks_margin asked); contacts = them1; wrench =
-                              widened; load_ball =
-                              (match ball0 with
-                               | Some p -> let (_, b) = p in Some b
-                               | None -> None); direction = u; load_plane =
-                              asked.asked_plane; inertia =
-                              (match asked.asked_inertia with
-                               | Some numbers0 -> numbers0
-                               | None -> []); several =
-                              (match file.bodies_read with
-                               | Some its ->
-                                 Some { bodies_in_space =
-                                   its.bodies_in_space; bodies = its.bodies;
-                                   elements = others1 }
-                               | None -> None); max_motion = bound };
-                              free_coordinates = file.names_of_bodies;
-                              joint_coordinates = file.names_of_joints;
-                              stated_wrench = stated; the_options =
-                              { asked_wrench = asked.asked_wrench;
-                              asked_case = asked.asked_case; asked_preload =
-                              asked.asked_preload; asked_bilateral =
-                              asked.asked_bilateral; asked_direction =
-                              asked.asked_direction; asked_growth =
-                              asked.asked_growth; asked_plane =
-                              asked.asked_plane; asked_inertia =
-                              asked.asked_inertia; asked_uncertain =
-                              asked.asked_uncertain; asked_ball =
-                              (match ball0 with
-                               | Some p -> let (b, _) = p in Some b
-                               | None -> None); asked_bound =
-                              (match bound with
-                               | Some numbers0 -> Some (Bounded numbers0)
-                               | None -> None) }; is_box =
-                              ((||)
-                                ((||) (negb certain0)
-                                  (match ball0 with
-                                   | Some _ -> true
-                                   | None -> false))
-                                (existsb (fun box0 -> box0)
-                                  (app boxes other_boxes))) }))))))))))))))
+                                      negb (is_0 it.element_growth)) others1))
+                                  (of_question "direction")
+                                  ((^)
+                                    "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                                    "scale preloads some of which are not 0"))
+                                (fun _ -> Fine { the_question = { dimension =
+                                file.coordinates_read; bilateral =
+                                asked.asked_bilateral; is_margin =
+                                (asks_margin asked); contacts = them1;
+                                wrench = widened; load_ball =
+                                (match ball0 with
+                                 | Some p -> let (_, b) = p in Some b
+                                 | None -> None); direction = u; load_plane =
+                                asked.asked_plane; inertia =
+                                (match asked.asked_inertia with
+                                 | Some numbers0 -> numbers0
+                                 | None -> []); statics =
+                                asked.asked_statics; several =
+                                (match file.bodies_read with
+                                 | Some its ->
+                                   Some { bodies_in_space =
+                                     its.bodies_in_space; bodies =
+                                     its.bodies; elements = others1 }
+                                 | None -> None); max_motion = bound };
+                                free_coordinates = file.names_of_bodies;
+                                joint_coordinates = file.names_of_joints;
+                                stated_wrench = stated; the_options =
+                                { asked_wrench = asked.asked_wrench;
+                                asked_case = asked.asked_case;
+                                asked_preload = asked.asked_preload;
+                                asked_bilateral = asked.asked_bilateral;
+                                asked_direction = asked.asked_direction;
+                                asked_growth = asked.asked_growth;
+                                asked_plane = asked.asked_plane;
+                                asked_inertia = asked.asked_inertia;
+                                asked_statics = asked.asked_statics;
+                                asked_uncertain = asked.asked_uncertain;
+                                asked_ball =
+                                (match ball0 with
+                                 | Some p -> let (b, _) = p in Some b
+                                 | None -> None); asked_bound =
+                                (match bound with
+                                 | Some numbers0 -> Some (Bounded numbers0)
+                                 | None -> None) }; is_box =
+                                ((||)
+                                  ((||) (negb certain0)
+                                    (match ball0 with
+                                     | Some _ -> true
+                                     | None -> false))
+                                  (existsb (fun box0 -> box0)
+                                    (app boxes other_boxes))) })))))))))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
@@ -10317,7 +11053,7 @@ type statement = { stated_contacts : Big_int_Z.big_int;
 type shape = { spatial : bool; of_bodies : bool;
                size_of_twist : Big_int_Z.big_int; soft : bool list;
                of_claims : bool; of_margin : bool; of_plane : bool;
-               of_class : bool }
+               of_class : bool; of_statics : bool }
 
 (** val has_claims : question -> bool **)
 
@@ -10514,16 +11250,20 @@ let read_inertia in_space0 at_path value0 =
         (if in_space0 then "expected 6 or 9 numbers" else "expected 3 numbers"))
       (fun _ -> Fine (in_full numbers0)))
 
-(** val read_plane : path -> json -> (q list * q list) result **)
+(** val read_plane :
+    Big_int_Z.big_int -> path -> json -> (q list * q list) result **)
 
-let read_plane at_path value0 =
+let read_plane count0 at_path value0 =
   bind
     (read_sized (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
-      "two directions of three numbers"
-      (read_numbers
-        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-        Big_int_Z.unit_big_int)) at_path value0) (fun them -> Fine
-    ((nth O them []), (nth (S O) them [])))
+      "two directions" (read_numbers count0) at_path value0) (fun them ->
+    Fine ((nth O them []), (nth (S O) them [])))
+
+(** val names_member : string -> json -> bool **)
+
+let names_member name = function
+| Object members -> has_member name members
+| _ -> false
 
 (** val read_statement : shape -> path -> json -> statement result **)
 
@@ -10532,10 +11272,14 @@ let read_statement s at_path value0 =
     (members_in_order
       (app
         ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: []))))))
-        (app (if (||) s.spatial s.of_bodies then [] else "plane" :: [])
+        (app
+          (if (&&) ((||) s.spatial s.of_bodies)
+                (negb (names_member "statics" value0))
+           then []
+           else "plane" :: [])
           (app (if s.of_bodies then [] else "inertia" :: [])
-            ("uncertain" :: ("max_motion" :: []))))) at_path value0)
-    (fun members ->
+            ("statics" :: ("uncertain" :: ("max_motion" :: [])))))) at_path
+      value0) (fun members ->
     let count0 = s.size_of_twist in
     bind (member "contacts" read_index at_path members) (fun m ->
       bind
@@ -10551,32 +11295,37 @@ let read_statement s at_path value0 =
               bind
                 (optional_member "preload_direction" read_growth at_path
                   members) (fun growing ->
-                bind (optional_member "plane" read_plane at_path members)
-                  (fun plane ->
+                bind
+                  (optional_member "plane" (read_plane count0) at_path
+                    members) (fun plane ->
                   bind
                     (optional_member "inertia" (read_inertia s.spatial)
                       at_path members) (fun i ->
                     bind
-                      (optional_member "uncertain" (read_tolerances s)
-                        at_path members) (fun uncertain ->
+                      (optional_member "statics" read_fraction at_path
+                        members) (fun factor0 ->
                       bind
-                        (optional_member "max_motion" (read_numbers count0)
-                          at_path members) (fun bound -> Fine
-                        { stated_contacts = m; wrench_stated = w;
-                        options_stated = { asked_wrench = None; asked_case =
-                        None; asked_preload = p; asked_bilateral = law;
-                        asked_direction = u; asked_growth = growing;
-                        asked_plane = plane; asked_inertia = i;
-                        asked_uncertain =
-                        (match uncertain with
-                         | Some p0 -> let (it, _) = p0 in it
-                         | None -> []); asked_ball =
-                        (match uncertain with
-                         | Some p0 -> let (_, b) = p0 in b
-                         | None -> None); asked_bound =
-                        (match bound with
-                         | Some numbers0 -> Some (Bounded numbers0)
-                         | None -> None) } })))))))))))
+                        (optional_member "uncertain" (read_tolerances s)
+                          at_path members) (fun uncertain ->
+                        bind
+                          (optional_member "max_motion" (read_numbers count0)
+                            at_path members) (fun bound -> Fine
+                          { stated_contacts = m; wrench_stated = w;
+                          options_stated = { asked_wrench = None;
+                          asked_case = None; asked_preload = p;
+                          asked_bilateral = law; asked_direction = u;
+                          asked_growth = growing; asked_plane = plane;
+                          asked_inertia = i; asked_statics = factor0;
+                          asked_uncertain =
+                          (match uncertain with
+                           | Some p0 -> let (it, _) = p0 in it
+                           | None -> []); asked_ball =
+                          (match uncertain with
+                           | Some p0 -> let (_, b) = p0 in b
+                           | None -> None); asked_bound =
+                          (match bound with
+                           | Some numbers0 -> Some (Bounded numbers0)
+                           | None -> None) } }))))))))))))
 
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
@@ -10927,18 +11676,12 @@ let read_sticking s at_path value0 =
               bind (member "energy" read_fraction at_path members) (fun c ->
                 Fine (PartSticking (d, f, h, g, z0, c)))))))))
 
-(** val begins_so : string -> json -> bool **)
-
-let begins_so name = function
-| Object members -> has_member name members
-| _ -> false
-
 (** val read_part : shape -> path -> json -> part result **)
 
 let read_part s at_path value0 =
-  if begins_so "rest" value0
+  if names_member "rest" value0
   then read_at_rest s at_path value0
-  else if begins_so "sticking" value0
+  else if names_member "sticking" value0
        then read_sticking s at_path value0
        else (match value0 with
              | Array _ ->
@@ -11416,6 +12159,64 @@ let read_class s members =
                      "must move, must hold or open, as the question has an inertia"
                      ((Member "verdict") :: []) verdict)
 
+(** val read_stand :
+    shape -> path -> json -> (q list * stated_forces) result **)
+
+let read_stand s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[load point, forces]" at_path value0
+   | point0 :: l ->
+     (match l with
+      | [] -> expected "[load point, forces]" at_path value0
+      | forces :: l0 ->
+        (match l0 with
+         | [] ->
+           bind
+             (read_sized
+               (if s.of_plane
+                then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                       Big_int_Z.unit_big_int)
+                else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
+               "an array of the numbers of a load point" read_fraction
+               at_path point0) (fun x ->
+             bind (read_forces s at_path forces) (fun f -> Fine (x, f)))
+         | _ :: _ -> expected "[load point, forces]" at_path value0)))
+| _ -> expected "[load point, forces]" at_path value0
+
+(** val read_statics : shape -> (string * json) list -> proof result **)
+
+let read_statics s members =
+  bind (next "verdict" members) (fun pat ->
+    let (verdict, rest) = pat in
+    if (||) s.of_plane s.of_margin
+    then if is_text (if s.of_plane then "region" else "margin") verdict
+         then bind
+                (next_read "stand"
+                  (read_array "an array of load points with forces"
+                    (read_stand s)) rest) (fun pat0 ->
+                let (stand, rest0) = pat0 in
+                bind
+                  (next_read "move"
+                    (read_array "an array of twists" (read_twist s)) rest0)
+                  (fun it ->
+                  bind (finish it) (fun move -> Fine (OfStatics (ByPoints
+                    (stand, move))))))
+         else expected
+                (if s.of_plane
+                 then "\"region\", as the question has a plane"
+                 else "\"margin\", as the question has a direction") ((Member
+                "verdict") :: []) verdict
+    else if is_text "may stand" verdict
+         then bind (next_read "forces" (read_forces s) rest) (fun it ->
+                bind (finish it) (fun f -> Fine (OfStatics (ByForces f))))
+         else if is_text "must move" verdict
+              then bind (next_read "twist" (read_twist s) rest) (fun it ->
+                     bind (finish it) (fun y -> Fine (OfStatics (ByMove y))))
+              else expected
+                     "\"may stand\" or \"must move\", as the question is of statics"
+                     ((Member "verdict") :: []) verdict)
+
 (** val read_known_format : path -> json -> unit result **)
 
 let read_known_format at_path value0 =
@@ -11429,7 +12230,7 @@ let read_known_format at_path value0 =
     question -> json -> (statement * certificate) result **)
 
 let read_certificate q0 value0 =
-  let asked = fun margin plane class1 -> { spatial =
+  let asked = fun margin plane class1 statics0 -> { spatial =
     (match q0.several with
      | Some its -> its.bodies_in_space
      | None -> Nat.eqb q0.dimension (S (S (S (S (S (S O))))))); of_bodies =
@@ -11437,7 +12238,8 @@ let read_certificate q0 value0 =
      | Some _ -> true
      | None -> false); size_of_twist = (Z.of_nat q0.dimension); soft =
     (map_all (fun it -> negb (is_0 it.torsion)) q0.contacts); of_claims =
-    (has_claims q0); of_margin = margin; of_plane = plane; of_class = class1 }
+    (has_claims q0); of_margin = margin; of_plane = plane; of_class = class1;
+    of_statics = statics0 }
   in
   (match value0 with
    | Object members ->
@@ -11449,34 +12251,40 @@ let read_certificate q0 value0 =
                  let (_, rest0) = pat0 in Fine rest0)
           else Fine rest) (fun rest0 ->
          bind
-           (next_read "question" (read_statement (asked false false false))
-             rest0) (fun pat0 ->
+           (next_read "question"
+             (read_statement (asked false false false false)) rest0)
+           (fun pat0 ->
            let (stated, rest1) = pat0 in
            let o = stated.options_stated in
            let s =
              asked (asks_margin o) (asks_plane o)
                ((&&) (asks_class o)
-                 (negb ((||) (asks_margin o) (asks_plane o))))
+                 (negb
+                   ((||) ((||) (asks_margin o) (asks_plane o))
+                     (asks_statics o)))) (asks_statics o)
            in
            bind
              (if (&&)
                    ((&&) (begins_with "bits" rest1)
                      ((||) (negb s.of_margin) s.of_claims))
-                   (negb ((||) s.of_class s.of_plane))
+                   (negb ((||) ((||) s.of_class s.of_plane) s.of_statics))
               then next_read "bits" read_bits rest1
               else Fine (default_bits, rest1)) (fun pat1 ->
              let (b, rest2) = pat1 in
-             if s.of_plane
-             then bind (read_region s rest2) (fun it -> Fine (stated,
+             if s.of_statics
+             then bind (read_statics s rest2) (fun it -> Fine (stated,
                     { bits = b; body = it }))
-             else if s.of_class
-                  then bind (read_class s rest2) (fun it -> Fine (stated,
+             else if s.of_plane
+                  then bind (read_region s rest2) (fun it -> Fine (stated,
                          { bits = b; body = it }))
-                  else bind (next_read "verdict" (read_verdict s) rest2)
-                         (fun pat2 ->
-                         let (good, rest3) = pat2 in
-                         bind (read_body0 s good rest3) (fun it -> Fine
-                           (stated, { bits = b; body = it })))))))
+                  else if s.of_class
+                       then bind (read_class s rest2) (fun it -> Fine
+                              (stated, { bits = b; body = it }))
+                       else bind (next_read "verdict" (read_verdict s) rest2)
+                              (fun pat2 ->
+                              let (good, rest3) = pat2 in
+                              bind (read_body0 s good rest3) (fun it -> Fine
+                                (stated, { bits = b; body = it })))))))
    | _ -> expected "an object {...}" [] value0)
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
@@ -11594,24 +12402,32 @@ let broken_question_rule stated asked =
                                             options0.asked_inertia)
                                      then Some "question-inertia"
                                      else if negb
-                                               ((&&)
-                                                 (forallb (fun kind ->
-                                                   same_option same_tolerance
-                                                     (find_tolerance kind
-                                                       said)
-                                                     (find_tolerance kind
-                                                       options0))
-                                                   uncertain_kinds)
-                                                 (same_option same_ball
-                                                   said.asked_ball
-                                                   options0.asked_ball))
-                                          then Some "question-uncertain"
+                                               (same_option qeq_bool
+                                                 said.asked_statics
+                                                 options0.asked_statics)
+                                          then Some "question-statics"
                                           else if negb
-                                                    (same_option same_bound
-                                                      said.asked_bound
-                                                      options0.asked_bound)
-                                               then Some "question-max-motion"
-                                               else None
+                                                    ((&&)
+                                                      (forallb (fun kind ->
+                                                        same_option
+                                                          same_tolerance
+                                                          (find_tolerance
+                                                            kind said)
+                                                          (find_tolerance
+                                                            kind options0))
+                                                        uncertain_kinds)
+                                                      (same_option same_ball
+                                                        said.asked_ball
+                                                        options0.asked_ball))
+                                               then Some "question-uncertain"
+                                               else if negb
+                                                         (same_option
+                                                           same_bound
+                                                           said.asked_bound
+                                                           options0.asked_bound)
+                                                    then Some
+                                                           "question-max-motion"
+                                                    else None
 
 (** val ask : options -> json -> posed result **)
 

@@ -391,7 +391,8 @@ type question = { dimension : nat; bilateral : bool; is_margin : bool;
                   contacts : contact list; wrench : interval list;
                   load_ball : ball option; direction : q list;
                   load_plane : (q list * q list) option; inertia : q list;
-                  several : mechanism option; max_motion : q list option }
+                  statics : q option; several : mechanism option;
+                  max_motion : q list option }
 
 type parameter =
 | PX
@@ -457,6 +458,11 @@ type class0 =
 
 val class_of : class_proof -> class0
 
+type statics_proof =
+| ByForces of stated_forces
+| ByMove of q list
+| ByPoints of (q list * stated_forces) list * q list list
+
 type proof =
 | StableByWitness of witness
 | StableByParts of part list
@@ -464,6 +470,7 @@ type proof =
 | MarginBy of (q * q option) list * segment list * node list
 | MarginInSpace of claim list
 | OfClass of class_proof
+| OfStatics of statics_proof
 | RegionBy of load_point list list * node list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -479,6 +486,9 @@ type place =
 | AtPointOf of nat * bool
 | AtProofOf of nat * nat option
 | AtPiece of nat * nat option
+| AtMember of string
+| AtStand of nat
+| AtMove of nat
 
 type answer =
 | Stable
@@ -487,6 +497,10 @@ type answer =
 | Claims of (q * q option) list * ((q * q option) * bool) list
 | Class of class0
 | Region of ((q * q) * q) list list
+| MayStand
+| CannotStand
+| StandsAmong of (q option * q option) option * ((q option * q option) * bool)
+| StandsWithin of ((q * q) * q) list * ((q * q) * q) list
 | Rejected of string * place
 | NotProvedHere of string
 
@@ -1569,6 +1583,82 @@ val plane_fails :
   vector -> vector -> homogeneous list list -> node list -> (string * nat)
   option
 
+type held = { h_point : q list; h_normal : q list; h_friction : q;
+              h_torsion : q; h_of : nat option; h_by : nat option }
+
+val at_q : q list -> nat -> q
+
+val held_of : bool -> q -> contact -> held option
+
+val square_of_normal : held -> q
+
+val press_and_rub : held -> q list -> q * q
+
+val unopposed_by : held -> q list -> bool
+
+val is_loose : element -> bool
+
+val unopposed_by_element : q list -> element -> bool
+
+val relative_q : q list list -> held -> q list
+
+type standing = { s_numbers : nat; s_dimension : nat;
+                  s_bodies : rigid_body list; s_contacts : held list;
+                  s_elements : element list; s_loads : q list list }
+
+val unopposed : standing -> q list -> bool
+
+val is_lawful : held -> (q * q list) -> bool
+
+val is_lawful_pull : element -> (q * q list) -> bool
+
+val take :
+  ('a1 -> (q * q list) -> bool) -> 'a1 list -> Big_int_Z.big_int ->
+  stated_forces -> ('a1 * (q * q list) option) list -> ((('a1 * (q * q list)
+  option) list * Big_int_Z.big_int) * stated_forces) option
+
+val wrench_of0 : held -> (q * q list) -> q list
+
+val add_on : nat -> q -> q list -> q list list -> q list list
+
+val add_on_body : nat option -> q -> q list -> q list list -> q list list
+
+val add_contact : q list list -> (held * (q * q list) option) -> q list list
+
+val add_element : q list -> (element * (q * q list) option) -> q list
+
+val add_from : nat -> q list -> q list -> q list
+
+val pull_back : nat -> rigid_body list -> q list list -> q list -> q list
+
+val load_of_point : q list -> q list list -> q list
+
+val point_fails : standing -> q list -> stated_forces -> string option
+
+type hull = { some : (q * q) option; goes_down : bool; goes_up : bool }
+
+val more_of_hull : hull -> q list -> hull
+
+val multiples_of : q list list -> (q option * q option) option
+
+val more_of_moves :
+  ((q option * q option) * bool) -> q list -> (q option * q option) * bool
+
+val moves_of : q list list -> (q option * q option) * bool
+
+val standing_of : question -> q -> standing option
+
+val stands_fail :
+  standing -> (q list * stated_forces) list -> nat -> (string * nat) option
+
+val moves_fail : standing -> q list list -> nat -> nat option
+
+val triple : q list -> (q * q) * q
+
+val form_of : standing -> q list -> q list
+
+val check_statics : question -> statics_proof -> answer
+
 val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
 
 val most_depth : 'a1 list -> Big_int_Z.big_int
@@ -1622,6 +1712,8 @@ val check_class : question -> setting -> class_proof -> answer
 val check_region :
   oracle -> question -> setting -> load_point list list -> node list -> answer
 
+val check_motions : oracle -> question -> certificate -> answer
+
 val check : oracle -> question -> certificate -> answer
 
 val largest_exponent : Big_int_Z.big_int
@@ -1640,7 +1732,7 @@ val digits_after :
 
 val digits : char list -> (Big_int_Z.big_int * Big_int_Z.big_int) * char list
 
-val take : char -> char list -> bool * char list
+val take0 : char -> char list -> bool * char list
 
 val take_sign : char list -> bool * char list
 
@@ -1856,16 +1948,18 @@ val read_over :
   -> path -> json -> element result
 
 val read_load_on_body :
-  version -> named_body list -> q list list list -> path -> json -> interval
-  list result
+  version -> named_body list -> path -> json -> (nat * interval list) result
+
+val work_of_loads :
+  mechanism -> nat -> (nat * interval list) list -> interval list
 
 val no_load : nat -> interval list
 
 val read_state_wrench : version -> nat -> path -> json -> interval list result
 
 val read_loads_on_bodies :
-  nat -> (path -> json -> interval list result) -> path -> json -> interval
-  list result
+  mechanism -> nat -> (path -> json -> (nat * interval list) result) -> path
+  -> json -> interval list result
 
 val read_case_of_bodies :
   (path -> json -> interval list result) -> (path -> json -> interval list
@@ -1916,7 +2010,7 @@ type options = { asked_wrench : q list option; asked_case : string option;
                  asked_direction : q list option;
                  asked_growth : growth option;
                  asked_plane : (q list * q list) option;
-                 asked_inertia : q list option;
+                 asked_inertia : q list option; asked_statics : q option;
                  asked_uncertain : (string * tolerance) list;
                  asked_ball : stated_ball option;
                  asked_bound : bound_option option }
@@ -1928,6 +2022,8 @@ val asks_margin : options -> bool
 val asks_plane : options -> bool
 
 val asks_class : options -> bool
+
+val asks_statics : options -> bool
 
 val asks_one : options -> bool
 
@@ -1965,7 +2061,7 @@ val is_one_point : contact -> bool
 
 val has_irrational_preload : contact -> bool
 
-val check_contact : bool -> bool -> path -> contact -> bool result
+val check_contact : bool -> bool -> bool -> path -> contact -> bool result
 
 val check_element : bool -> path -> element -> bool result
 
@@ -1977,7 +2073,11 @@ val with_growths :
   ('a1 -> q -> 'a1) -> 'a1 list -> q list -> 'a1 list -> ('a1 list * q list)
   option
 
+val are_multiples : q list -> q list -> bool
+
 val check_plane : grasp -> options -> unit result
+
+val check_statics0 : grasp -> options -> unit result
 
 val pose : grasp -> options -> posed result
 
@@ -1987,7 +2087,7 @@ type statement = { stated_contacts : Big_int_Z.big_int;
 type shape = { spatial : bool; of_bodies : bool;
                size_of_twist : Big_int_Z.big_int; soft : bool list;
                of_claims : bool; of_margin : bool; of_plane : bool;
-               of_class : bool }
+               of_class : bool; of_statics : bool }
 
 val has_claims : question -> bool
 
@@ -2019,7 +2119,9 @@ val read_tolerances :
 
 val read_inertia : bool -> path -> json -> q list result
 
-val read_plane : path -> json -> (q list * q list) result
+val read_plane : Big_int_Z.big_int -> path -> json -> (q list * q list) result
+
+val names_member : string -> json -> bool
 
 val read_statement : shape -> path -> json -> statement result
 
@@ -2063,8 +2165,6 @@ val read_presses :
   shape -> path -> json -> (Big_int_Z.big_int * q list) result
 
 val read_sticking : shape -> path -> json -> part result
-
-val begins_so : string -> json -> bool
 
 val read_part : shape -> path -> json -> part result
 
@@ -2115,6 +2215,10 @@ val read_load_point : shape -> path -> json -> load_point result
 val read_region : shape -> (string * json) list -> proof result
 
 val read_class : shape -> (string * json) list -> proof result
+
+val read_stand : shape -> path -> json -> (q list * stated_forces) result
+
+val read_statics : shape -> (string * json) list -> proof result
 
 val read_known_format : path -> json -> unit result
 

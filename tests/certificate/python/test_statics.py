@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Statics (FORMAT.md, section 16): check.py against the literal twin of naive_statics.py, on proofs of random small worlds and on these
-with one number changed; and the work of large ones. Where STICKSLIP_CHECK names it, stickslip-check has to say the same."""
+with one number changed; and the work of large ones. Where STICKSLIP_CHECK names it, stickslip-check has to say the same, and so has
+stickslip-proved where STICKSLIP_PROVED does."""
 
 import collections
 import copy
@@ -11,7 +12,7 @@ import unittest
 from fractions import Fraction
 
 import naive_statics as naive
-from support import STICKSLIP_CHECK, Case, check, in_batch, question_of
+from support import STICKSLIP_CHECK, STICKSLIP_PROVED, Case, check, in_batch, question_of
 
 import batch  # noqa: E402
 
@@ -251,10 +252,15 @@ class StaticsCase(Case):
         self.addCleanup(folder.cleanup)
         self.asker = batch.Asker(folder.name)
 
-    def judged(self, file, certificate, options):
+    def judged(self, file, certificate, options, large=False):
         report = self.asker.answer(question_of(file, certificate, options))
         if STICKSLIP_CHECK:
             self.compare(report, in_batch([STICKSLIP_CHECK], file, certificate, options))
+        if STICKSLIP_PROVED and not large:  # its time grows with the square of the number of bodies
+            proved = in_batch([STICKSLIP_PROVED], file, certificate, options)
+            self.compare_proved(report, proved)
+            if report["result"] == "rejected":
+                self.assertEqual((proved["rule"], proved["path"]), (report["rule"], report["path"]))
         return report
 
 
@@ -394,8 +400,8 @@ class LargeTest(StaticsCase):
 
         most = check.MAX_STATIC_DIMENSION // 3
         certificate = certificate_of(free(0), [0] * (3 * most), forces=[])
-        self.assertEqual(self.judged(free(most), certificate, ["--statics=1"])["result"], "accepted")
-        report = self.judged(free(most + 1), certificate, ["--statics=1"])
+        self.assertEqual(self.judged(free(most), certificate, ["--statics=1"], large=True)["result"], "accepted")
+        report = self.judged(free(most + 1), certificate, ["--statics=1"], large=True)
         self.assertEqual((report["result"], "65538" in report["found"]), ("malformed", True), report)
         self.assertEqual(self.judged(free(11), certificate, [])["result"], "malformed")
 

@@ -11,13 +11,10 @@ from fractions import Fraction as F
 
 from bodies_smt import statics as smt
 from test_bodies import arch, contact, force, grasp, random_assembly, text, weight
-from test_cli import CHECK, CHECK_PY, DONE, HERE, UNDECIDED, Case, run, stickslip
+from test_cli import DONE, HERE, UNDECIDED, Case, checkers, run, stickslip
 from test_space import Z3
 
-import sys
-
 ROOT = os.path.join(HERE, "..", "..", "..")
-CHECKERS = ([CHECK], [sys.executable, "-B", CHECK_PY])
 
 
 def near(x):
@@ -37,7 +34,7 @@ class Statics(Case):
         commands = [line[line.index("stickslip-check") + 1:] for line in lines]
         self.assertEqual(bool(commands), code == DONE, text_of)
         for command in commands:
-            for checker in CHECKERS:
+            for checker in checkers(command[1]):
                 code, out, err = run(*checker, *command)
                 self.assertEqual(code, 0, (out, err, command))
         return answer

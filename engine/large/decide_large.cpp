@@ -36,7 +36,7 @@ LargeGrasp large_grasp(const GraspBox& grasp) {
     }
     const UncertainContact& c = grasp.contacts[cone.element];
     const Rational square = dot(c.normal, c.normal);
-    NormalSpring law{0, c.stiffness.low / square};
+    SpringLaw law{0, c.stiffness.low / square};
     if (!c.preload.low.is_zero()) law.preload = c.preload.low / exact_sqrt(square).value();
     result.cone_law.push_back(std::move(law));
     result.frictions.push_back(c.friction.low);

@@ -136,7 +136,7 @@ class ModeEquations {
     RationalRow right;
     for (const Rational& load : grasp_.model.load()) right.push_back(-load);
     const auto press = [&](const SparseRow& edge, const SparseRow& normal,
-                           const NormalSpring& law) {
+                           const SpringLaw& law) {
       for (const auto& [j, entry] : normal) motions[j].add(-law.stiffness * entry, edge);
       for (const auto& [j, entry] : edge) right[j] -= law.preload * entry;
     };
@@ -206,7 +206,7 @@ class ModeEquations {
   }
 
   Rational separation(std::size_t i) const {
-    const NormalSpring& law = grasp_.cone_law[i];
+    const SpringLaw& law = grasp_.cone_law[i];
     return law.preload * height_ - law.stiffness * dot(cones_[i].normal, motion_);
   }
 
@@ -306,7 +306,7 @@ class ModeEquations {
   std::vector<int> ways_;  ///< the sign of friction where a contact slips in the plane
   // Long numbers have one denominator: all is multiplied by it.
   Rational height_;
-  RationalRow motion_;  ///< in the model's coordinates
+  RationalRow motion_;                 ///< in the model's coordinates
   std::vector<RationalRow> friction_;  ///< of contacts that stick, by direction
 };
 

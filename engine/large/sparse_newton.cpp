@@ -38,8 +38,8 @@ double size_of(const DoubleColumn& column) {
   return std::sqrt(square);
 }
 
-/// Friction over a, and the slip, of one contact.
-struct Friction {
+/// SmoothFriction over a, and the slip, of one contact.
+struct SmoothFriction {
   double norm = 0;            ///< of the slip
   double over = 0;            ///< what it is divided by
   std::vector<double> ratio;  ///< the slip over that
@@ -50,10 +50,10 @@ class SmoothGrasp {
   explicit SmoothGrasp(const LargeGrasp& grasp) {
     const statics_detail::StaticsModel& model = grasp.model;
     ConePair pair = model.rounded(model.load());
-    load_ = Eigen::Map<const Vector>(pair.load.data(),
-                                     static_cast<Eigen::Index>(pair.load.size()));
+    load_ =
+        Eigen::Map<const Vector>(pair.load.data(), static_cast<Eigen::Index>(pair.load.size()));
     std::vector<double> answers;
-    const auto add_element = [&](SmoothElement element, const NormalSpring& law) {
+    const auto add_element = [&](SmoothElement element, const SpringLaw& law) {
       element.preload = to_double(law.preload);
       element.stiffness = to_double(law.stiffness);
       const double size = size_of(element.normal);
@@ -94,8 +94,8 @@ class SmoothGrasp {
     return e.preload + (e.is_spring ? 0 : e.stiffness * smooth) -
            e.stiffness * product(e.normal, d);
   }
-  static Friction friction(const SmoothElement& e, const Vector& d, double smooth) {
-    Friction result;
+  static SmoothFriction friction(const SmoothElement& e, const Vector& d, double smooth) {
+    SmoothFriction result;
     for (const DoubleColumn& slip : e.slips) {
       result.ratio.push_back(product(slip, d));
       result.norm = std::hypot(result.norm, result.ratio.back());
@@ -121,7 +121,7 @@ class SmoothGrasp {
     for (const SmoothElement& e : elements_) {
       const double a = separation(e, d, smooth);
       if (!e.is_spring && !(a > 0)) continue;
-      const Friction f = friction(e, d, smooth);
+      const SmoothFriction f = friction(e, d, smooth);
       const bool is_smooth = f.norm < smooth * e.slip_unit;
       add(result, a, e.normal);
       if (derivative != nullptr) put(-e.stiffness, e.normal, e.normal);
@@ -239,9 +239,9 @@ std::optional<LargeProposal> propose(const LargeGrasp& large) {
   for (std::size_t i = 0; i < cones.size(); ++i) {
     const SmoothElement& e = grasp.elements()[i];
     const double a = std::max(0.0, grasp.separation(e, d, smooth));
-    const Friction f = SmoothGrasp::friction(e, d, smooth);
+    const SmoothFriction f = SmoothGrasp::friction(e, d, smooth);
     const bool sticks = f.norm <= smooth * e.slip_unit;
-    result.modes.push_back(!(a > 0)  ? LargeMode::kOpen
+    result.modes.push_back(!(a > 0) ? LargeMode::kOpen
                            : sticks ? LargeMode::kSticks
                                     : LargeMode::kSlips);
     result.most.push_back(a * e.slip_unit);

@@ -13,7 +13,7 @@ namespace stickslip::large_detail {
 
 /// The normal law of a contact, ratchet or spring: a = max(0, preload - stiffness N.d), of a
 /// spring without the maximum.
-struct NormalSpring {
+struct SpringLaw {
   Rational preload;    ///< P'
   Rational stiffness;  ///< k'
 };
@@ -21,12 +21,12 @@ struct NormalSpring {
 /// A grasp of many coordinates: its contacts and ratchets as cones of a model whose joints are
 /// free, and springs with stiffness.
 struct LargeGrasp {
-  statics_detail::StaticsModel model;     ///< statics, without these springs
-  std::vector<NormalSpring> cone_law{};   ///< by cone of the model
-  RationalRow frictions{};                ///< mu, by cone
-  std::vector<SparseRow> springs{};       ///< rows of the springs
-  std::vector<NormalSpring> spring_law{};  ///< by spring
-  bool may_open = true;                   ///< whether contacts may open
+  statics_detail::StaticsModel model;   ///< statics, without these springs
+  std::vector<SpringLaw> cone_law{};    ///< by cone of the model
+  RationalRow frictions{};              ///< mu, by cone
+  std::vector<SparseRow> springs{};     ///< rows of the springs
+  std::vector<SpringLaw> spring_law{};  ///< by spring
+  bool may_open = true;                 ///< whether contacts may open
 };
 
 /// What a contact does.

@@ -154,7 +154,6 @@ HAND = EXAMPLES / "bodies-hand.json"
 
 
 @pytest.mark.parametrize("ask", [
-    lambda a: stickslip.compare(a),
     lambda a: stickslip.region(a),
     lambda a: stickslip.plot_region(a),
     lambda a: stickslip.plot_states(a),

@@ -231,7 +231,7 @@ def test_snapping(tmp_path, grasp, within):
 @pytest.mark.parametrize("name, grasp, options", [
     ("decide", PINCH, {"engine": "branch-and-bound"}), ("decide", PINCH, {"uncertain": "normal=1%"}),
     ("decide", FIG1, {"uncertain": "friction=101%"}), ("margin", FIG1, {"preload": 0, "preload_direction": "scale"}),
-    ("states", PINCH, {}), ("compare", BLOCKS, {"methods": ("form-closure",)}), ("region", BLOCKS, {}),
+    ("compare", BLOCKS, {"methods": ("form-closure",)}), ("region", BLOCKS, {}),
     ("map", FIG1, {"x": "friction=1:0", "y": "load=0:1"}),
     ("map", FIG1, {"x": "load=0:1", "y": "friction=0:1", "uncertain": "wrench=ball:1"})])
 def test_refusals(tmp_path, name, grasp, options):

@@ -141,10 +141,9 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
     throw InputError(
         "", "bodies",
         "bodies and joints have " + std::to_string(motions) + " coordinates together",
-        "margins, and boxes of uncertain numbers, have at most " +
-            std::to_string(kMostCoordinates - 2) +
-            ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there are "
-            "verdicts about one grasp, and statics");
+        "the law of contacts is decided for at most " + std::to_string(kMostCoordinates - 2) +
+            ", 6 for each body in space or 3 in the plane, and 1 for each joint; "
+            "statics of any number is in compare and margin, as the class");
   }
   if (box.mechanism) {
     rotates.clear();

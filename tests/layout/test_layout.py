@@ -29,10 +29,8 @@ PARTS = {
         "search": {"equilibrium", "motion"},
         "planar": {"equilibrium", "motion", "search"},
         "degree": {"equilibrium", "motion", "search", "planar"},
-        "statics": {"equilibrium"},
-        "large": {"equilibrium", "motion", "search", "statics"},
-        "box": {"equilibrium", "motion", "search", "planar", "degree", "large"},
-        "decide": {"equilibrium", "motion", "search", "planar", "degree", "large", "box"},
+        "box": {"equilibrium", "motion", "search", "planar", "degree"},
+        "decide": {"equilibrium", "motion", "search", "planar", "degree", "box"},
     },
     "measures": {
         "margin": set(),
@@ -51,7 +49,7 @@ PARTS = {
     },
 }
 HEADERS_ALONE = {"search_options": "equilibrium", "newton_equilibria": "planar", "near_equilibrium": "search", "reals": "motion",
-                 "box_verdict": "search", "rigid_force": "statics", "preload": "extent"}
+                 "box_verdict": "box", "preload": "extent"}
 
 # Folders that may include the private headers of the engine's parts: "engine/<part>/<name>.hpp". Other modules have none that
 # others include.
@@ -138,7 +136,7 @@ class Layout(unittest.TestCase):
         for included, files in {
                 "<CGAL/": {"arrangement/src/cgal_enumerator.cpp", "measures/resistance/plane_overlay.cpp"},
                 "<Eigen/(QR|SVD)>": {"engine/motion/dense.cpp"},
-                "<Eigen/Sparse": {"lp/src/cone_program.cpp", "engine/large/sparse_newton.cpp"},
+                "<Eigen/Sparse": {"lp/src/cone_program.cpp"},
                 "<nlohmann/": {"core/src/json.cpp"},
                 "<CLI/": {"interfaces/cli/command_line.cpp"},
                 "<httplib": {"interfaces/cli/page/page_server.cpp"},

@@ -72,13 +72,13 @@ std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp, const Sl
 struct StatePlanes {
   /// A contact by the indices of its planes.
   struct Contact {
-    std::optional<std::size_t> normal;
-    std::vector<std::size_t> lines;
+    std::optional<std::size_t> normal;  ///< the plane of N, if the set has one
+    std::vector<std::size_t> lines;     ///< the planes of its lines of slip
   };
-  StateSet set = StateSet::kSlip;
-  std::size_t coordinates = 0;    ///< D
-  std::vector<FacePlane> planes;  ///< N and S of the contacts, one after the other
-  std::vector<Contact> contacts;
+  StateSet set = StateSet::kSlip;  ///< whose states these are
+  std::size_t coordinates = 0;     ///< D
+  std::vector<FacePlane> planes;   ///< N and S of the contacts, one after the other
+  std::vector<Contact> contacts;   ///< the contacts, in order
 
   /// Returns the state of a face as text, contacts with a blank between them: a sign for each
   /// line; "o" for a contact that opens; with StateSet::kOpening "c" for one that is closed;

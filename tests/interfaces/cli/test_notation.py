@@ -26,7 +26,7 @@ def of_one_body(grasp):
 
 class Masses(Case):
     def test_the_answer_says_the_gravity(self):
-        for gravity, shown, text, wrench in ((None, ["0", "-981/100"], "(0, ~-9.81)", ["0", "-981/10", "0"]),
+        for gravity, shown, text, wrench in ((None, ["0", "-981/100"], "(0, -9.81)", ["0", "-981/10", "0"]),
                                              ([1, -10], ["1", "-10"], "(1, -10)", ["10", "-100", "-10"])):
             grasp = self.write("g.json", FLOOR if gravity is None else {**FLOOR, "gravity": gravity})
             answer = self.json("decide", grasp)
@@ -34,7 +34,6 @@ class Masses(Case):
             for command in (("decide",), ("margin", "--direction", "1,0,0"), ("compare",), ("statics",)):
                 code, out, err = stickslip(*command[:1], grasp, *command[1:])
                 self.assertEqual(code, DONE, err)
-                out = out.replace("-981/100", "~-9.81")
                 self.assertIn(f"Gravity, by which masses became forces: {text}.\n", out, command)
         weighed = self.write("w.json", {**FLOOR, "loads": [{"weight": 10, "at": [0, 1]}]})
         self.assertNotIn("gravity", self.json("decide", weighed))

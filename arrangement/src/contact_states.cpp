@@ -16,24 +16,6 @@ Rational squared_length(const RationalRow& v) {
   return dot(v, v);
 }
 
-RationalRow row3(const Vector3& v) {
-  return {v[0], v[1], v[2]};
-}
-
-/// Returns the square root of a number where it is rational.
-std::optional<Rational> rational_root(const Rational& value) {
-  const Integer p = numerator(value);
-  const Integer q = denominator(value);
-  if (mpz_perfect_square_p(p.gmp()) == 0 || mpz_perfect_square_p(q.gmp()) == 0) {
-    return std::nullopt;
-  }
-  Integer root_p;
-  Integer root_q;
-  mpz_sqrt(root_p.mutable_gmp(), p.gmp());
-  mpz_sqrt(root_q.mutable_gmp(), q.gmp());
-  return Rational(root_p, root_q);
-}
-
 /// Returns the square root of a number above 0, off by less than its 2000th part.
 Rational near_root(const Rational& value) {
   // sqrt(p/q) = sqrt(p q s^2) / (q s), and s is so large that the root has 12 bits or more.
@@ -49,29 +31,14 @@ Rational near_root(const Rational& value) {
 
 /// Returns the row of a force in direction v at the contact, as a function of motions.
 Row row_at(const GraspBox& grasp, const UncertainContact& contact, const RationalRow& v) {
-  RationalRow position;
-  for (const Interval& x : contact.position) position.push_back(x.low);
-  RationalRow wrench = v;
-  if (grasp.in_space()) {
-    const Vector3 torque = cross(vector3(position), vector3(v));
-    wrench.insert(wrench.end(), torque.begin(), torque.end());
-  } else {
-    wrench.push_back(position.at(0) * v.at(1) - position.at(1) * v.at(0));
-  }
+  const RationalRow wrench = wrench_at(contact.point(), v);
   if (!grasp.mechanism) return primitive_multiple(wrench);
-  const std::vector<RationalRow> motion =
-      grasp.mechanism->motion_between(contact.of, contact.by);
-  RationalRow row(grasp.mechanism->coordinates());
-  for (std::size_t i = 0; i < wrench.size(); ++i) {
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] += wrench[i] * motion[i][j];
-  }
-  return primitive_multiple(row);
+  return primitive_multiple(
+      moved_by(wrench, grasp.mechanism->motion_between(contact.of, contact.by)));
 }
 
 std::string text_of(const RationalRow& v) {
-  std::string text = "(";
-  for (const Rational& x : v) text += (text.size() > 1 ? ", " : "") + x.str();
-  return text + ")";
+  return NumberText(true)(v);
 }
 
 /// Checks the directions that are given for a contact.
@@ -136,7 +103,7 @@ std::vector<RationalRow> lines_of(const GraspBox& grasp, std::size_t contact,
   try {
     for (const Vector3& v :
          default_slip_lines(of.normal, lines.count == 0 ? 2 : lines.count, lines.snap)) {
-      result.push_back(row3(v));
+      result.emplace_back(v.begin(), v.end());
     }
   } catch (const InputError& error) {
     throw InputError(error.file(), error.place(),
@@ -164,7 +131,7 @@ std::vector<Vector3> default_slip_lines(const RationalRow& normal, std::size_t c
   if (count == 1) return lines;
   // b is |n| times as long as a, so that the direction at an angle is |n| cos a + sin b.
   const Rational square = squared_length(normal);
-  const std::optional<Rational> length = rational_root(square);
+  const std::optional<Rational> length = exact_sqrt(square);
   const bool is_rational = count == 2 || (count == 4 && length);
   if (!is_rational && !snap) {
     throw InputError("", "lines",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip::arrangement_detail {
 namespace {
@@ -27,28 +28,9 @@ int leading_sign(const Row& row) {
 }  // namespace
 
 int rank_of(const std::vector<Row>& rows) {
-  struct Pivot {
-    Row row;
-    std::size_t column;
-  };
-  std::vector<Pivot> pivots;
-  for (Row row : rows) {
-    for (const Pivot& pivot : pivots) {
-      const Integer factor = row[pivot.column];
-      if (factor.is_zero()) continue;
-      const Integer& scale = pivot.row[pivot.column];
-      for (std::size_t j = 0; j < row.size(); ++j) {
-        row[j] = row[j] * scale - factor * pivot.row[j];
-      }
-      row = primitive(std::move(row));
-    }
-    const auto found =
-        std::find_if(row.begin(), row.end(), [](const Integer& x) { return !x.is_zero(); });
-    if (found == row.end()) continue;
-    const auto column = static_cast<std::size_t>(found - row.begin());
-    pivots.push_back({std::move(row), column});
-  }
-  return static_cast<int>(pivots.size());
+  std::vector<RationalRow> rational;
+  for (const Row& row : rows) rational.emplace_back(row.begin(), row.end());
+  return static_cast<int>(stickslip::rank_of(rational));
 }
 
 DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,

@@ -14,6 +14,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -42,11 +44,28 @@ void move_into_plane(std::vector<Row>& vectors, const Row& plane, const Row& lin
 /// Returns the rank modulo a prime, which is at most the rank, of `count` rows of `n` words.
 int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t n);
 
+/// The question whether to go on, which the parts of a walk ask together.
+struct GoOn {
+  explicit GoOn(const FaceOptions& options) : go_on(options.go_on) {}
+
+  /// Adds newly found faces, and asks unless another part is just asking.
+  bool ask(std::uint64_t newly_found) {
+    const std::uint64_t all = found += newly_found;
+    const std::unique_lock<std::mutex> lock(asking, std::try_to_lock);
+    if (lock && go_on && !stopped && !go_on(all)) stopped = true;
+    return !stopped;
+  }
+
+  const std::function<bool(std::uint64_t)>& go_on;
+  std::mutex asking;
+  std::atomic<std::uint64_t> found{0};
+  std::atomic<bool> stopped{false};
+};
+
 /// One of several parts of a walk, which are walked over at the same time.
 struct WalkPart {
   std::size_t number = 0;
   std::size_t parts = 1;
-  std::atomic<bool>* stopped = nullptr;  ///< set and heard by all parts, if it is not null
 };
 
 template <std::size_t words>
@@ -56,10 +75,11 @@ class FaceWalk : public FaceReader {
 
   /// Counts faces; those that are given to `visitor`, if that is not null, one by one.
   FaceWalk(const DistinctPlanes& planes, const FaceOptions& options, const FaceVisitor* visitor,
-           WalkPart part = {})
+           GoOn& go_on, WalkPart part)
       : planes_(planes),
         options_(options),
         visitor_(visitor),
+        go_on_(go_on),
         part_(part),
         outer_(planes, work_),
         inner_(planes, work_) {
@@ -167,16 +187,13 @@ class FaceWalk : public FaceReader {
   void clip(std::vector<Ray>& rays, int& dimension, std::size_t plane) {
     throw_if_cancelled();
     const bool zero_only = planes_.sides[plane] == AllowedSigns::kZero;
-    const Cut cut = cut_at(rays.data(), rays.size(), dimension, plane);
-    if (cut.minus == 0 && (!zero_only || cut.plus == 0)) {
-      stack_.resize(cut.begin);
-      return;
-    }
+    stack_ = rays;
+    const Cut cut = cut_at(0, rays.size(), dimension, plane);
+    if (cut.minus == 0 && (!zero_only || cut.plus == 0)) return;
     const auto begin = stack_.begin() + static_cast<std::ptrdiff_t>(cut.begin);
     const auto zero = begin + static_cast<std::ptrdiff_t>(cut.plus);
     rays.assign(zero_only ? zero : begin,
                 zero + static_cast<std::ptrdiff_t>(cut.zero + cut.fresh));
-    stack_.resize(cut.begin);
     if (zero_only || cut.plus == 0) dimension = dimension_of(rays);
   }
 
@@ -322,7 +339,7 @@ class FaceWalk : public FaceReader {
     }
     constexpr std::uint64_t kSplitsBetweenChecks = 256;
     if (++counts_.splits % kSplitsBetweenChecks == 0) check();
-    const Cut cut = cut_at(nullptr, rays, dimension, cuts.first(), begin);
+    const Cut cut = cut_at(begin, rays, dimension, cuts.first());
     split(cut.begin, cut.plus + cut.zero + cut.fresh, dimension);
     split(cut.begin + cut.plus, cut.zero + cut.fresh, dimension - 1);
     split(cut.begin + cut.plus, cut.zero + cut.fresh + cut.minus, dimension);
@@ -340,20 +357,15 @@ class FaceWalk : public FaceReader {
     std::size_t minus = 0;
   };
 
-  /// Cuts a cone of the dimension whose rays are in the stack at `begin`, or in `list` if that
-  /// is not null.
-  Cut cut_at(const Ray* list, std::size_t rays, int dimension, std::size_t plane,
-             std::size_t begin = 0) {
+  /// Cuts a cone of the dimension whose rays are in the stack at `begin`.
+  Cut cut_at(std::size_t begin, std::size_t rays, int dimension, std::size_t plane) {
     Cut cut;
     cut.begin = stack_.size();
-    const auto ray = [&](std::size_t i) {
-      return list != nullptr ? list[i] : stack_[begin + i];
-    };
     minus_.clear();
     Set positive;
     Set negative;
     for (std::size_t i = 0; i < rays; ++i) {
-      const Ray each = ray(i);
+      const Ray each = stack_[begin + i];
       positive |= store_->positive(each);
       negative |= store_->negative(each);
       if (store_->positive(each).get(plane)) {
@@ -365,7 +377,7 @@ class FaceWalk : public FaceReader {
     cut.plus = stack_.size() - cut.begin;
     cut.minus = minus_.size();
     for (std::size_t i = 0; i < rays; ++i) {
-      const Ray each = ray(i);
+      const Ray each = stack_[begin + i];
       if (store_->zero(each).get(plane)) stack_.push_back(each);
     }
     cut.zero = rays - cut.plus - cut.minus;
@@ -376,7 +388,7 @@ class FaceWalk : public FaceReader {
       const Ray p = stack_[cut.begin + x];
       const Set of_p = store_->zero(p) & facets;
       for (const Ray q : minus_) {
-        if (!all_adjacent && !adjacent(of_p & store_->zero(q), p, q, ray, rays, dimension)) {
+        if (!all_adjacent && !adjacent(of_p & store_->zero(q), p, q, begin, rays, dimension)) {
           continue;
         }
         stack_.push_back(store_->between(p, q, plane));
@@ -389,12 +401,11 @@ class FaceWalk : public FaceReader {
 
   /// Returns whether two rays are adjacent, given the facets of the cone that contain both:
   /// then no other ray is on all of those.
-  template <class RayAt>
-  bool adjacent(const Set& common, Ray p, Ray q, const RayAt& ray, std::size_t rays,
+  bool adjacent(const Set& common, Ray p, Ray q, std::size_t begin, std::size_t rays,
                 int dimension) const {
     if (common.count() < dimension - 2) return false;
     for (std::size_t i = 0; i < rays; ++i) {
-      const Ray each = ray(i);
+      const Ray each = stack_[begin + i];
       if (each != p && each != q && store_->zero(each).contains(common)) return false;
     }
     return true;
@@ -403,10 +414,7 @@ class FaceWalk : public FaceReader {
   /// Ends the walk if that is wanted.
   void check() {
     throw_if_cancelled();
-    if (part_.number == 0 && options_.go_on && !options_.go_on(found_)) stopped_ = true;
-    if (part_.stopped == nullptr) return;
-    if (stopped_) *part_.stopped = true;
-    stopped_ = *part_.stopped;
+    stopped_ = !go_on_.ask(std::exchange(found_, 0)) || stopped_;
   }
 
   void give(int dimension, const Visited& face) {
@@ -430,6 +438,7 @@ class FaceWalk : public FaceReader {
   const DistinctPlanes& planes_;
   FaceOptions options_;
   const FaceVisitor* visitor_;
+  GoOn& go_on_;
   WalkPart part_;
   std::size_t lists_ = 0;  ///< the cones that were given to be split, in all parts
   FaceCounts counts_;
@@ -449,7 +458,7 @@ class FaceWalk : public FaceReader {
   std::vector<Ray> stack_;
   std::vector<Ray> minus_;  ///< used in cut_at() alone
   Visited face_;
-  std::uint64_t found_ = 0;  ///< the number of faces so far
+  std::uint64_t found_ = 0;  ///< the number of faces since go_on_ was asked
   bool stopped_ = false;
 };
 

@@ -5,9 +5,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "face_walk.hpp"
@@ -74,15 +74,19 @@ int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t 
 namespace {
 
 using arrangement_detail::DistinctPlanes;
+using arrangement_detail::FaceWalk;
+using arrangement_detail::GoOn;
 using arrangement_detail::WalkPart;
 
 FaceCounts walk(const DistinctPlanes& planes, const FaceVisitor* visitor,
-                const FaceOptions& options, WalkPart part = {}) {
-  using arrangement_detail::FaceWalk;
+                const FaceOptions& options, GoOn& go_on, WalkPart part = {}) {
+  const auto run = [&](auto words) {
+    return FaceWalk<words>(planes, options, visitor, go_on, part).run();
+  };
   const std::size_t n = planes.size();
-  return n <= 64    ? FaceWalk<1>(planes, options, visitor, part).run()
-         : n <= 128 ? FaceWalk<2>(planes, options, visitor, part).run()
-                    : FaceWalk<kMostFacePlanes / 64>(planes, options, visitor, part).run();
+  return n <= 64    ? run(std::integral_constant<std::size_t, 1>{})
+         : n <= 128 ? run(std::integral_constant<std::size_t, 2>{})
+                    : run(std::integral_constant<std::size_t, kMostFacePlanes / 64>{});
 }
 
 /// Adds the counts of another part of a walk.
@@ -119,22 +123,23 @@ std::uint64_t FaceCounts::total() const {
 
 FaceCounts visit_faces(std::size_t coordinates, const std::vector<FacePlane>& planes,
                        const FaceVisitor& visitor, const FaceOptions& options) {
-  return walk(DistinctPlanes(coordinates, planes), &visitor, options);
+  GoOn go_on(options);
+  return walk(DistinctPlanes(coordinates, planes), &visitor, options, go_on);
 }
 
 FaceCounts count_faces(std::size_t coordinates, const std::vector<FacePlane>& planes,
                        const FaceOptions& options, unsigned threads) {
   const DistinctPlanes distinct(coordinates, planes);
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  if (threads == 1) return walk(distinct, nullptr, options);
+  GoOn go_on(options);
+  if (threads == 1) return walk(distinct, nullptr, options, go_on);
   std::vector<FaceCounts> parts(threads);
-  std::atomic<bool> stopped{false};
   Cancellation* const cancellation = Cancellation::current();
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
       const SharedCancellation shared(cancellation);
-      parts[i] = walk(distinct, nullptr, options, {i, parts.size(), &stopped});
+      parts[i] = walk(distinct, nullptr, options, go_on, {i, parts.size()});
     });
   });
   FaceCounts sum = std::move(parts.front());

@@ -475,6 +475,12 @@ Wrench planar_middle(const WrenchBox& wrench) {
   return {wrench[0].middle(), wrench[1].middle(), wrench[2].middle()};
 }
 
+RationalRow UncertainContact::point() const {
+  RationalRow point;
+  for (const Interval& coordinate : position) point.push_back(coordinate.low);
+  return point;
+}
+
 RationalRow wrench_at(const RationalRow& p, const RationalRow& f) {
   if (p.size() == 2) return {f[0], f[1], p[0] * f[1] - p[1] * f[0]};
   const Vector3 torque = cross(vector3(p), vector3(f));
@@ -511,6 +517,15 @@ GraspBox box_of(const LoadedGrasp& loaded) {
   box.wrench = box_of(loaded.wrench);
   box.description = loaded.grasp.description();
   return box;
+}
+
+const LoadedGrasp& AnyGrasp::loaded() const {
+  require(single() != nullptr, "one grasp in the plane");
+  return *single();
+}
+
+LoadedGrasp AnyGrasp::planar_middle() const {
+  return box() != nullptr ? box()->planar_middle() : *single();
 }
 
 const Mechanism* AnyGrasp::mechanism() const {

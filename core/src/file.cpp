@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace stickslip {
 namespace {
@@ -211,6 +212,18 @@ std::istream& InputFile::stream() {
   return standard_ ? std::cin : file_;
 }
 
+std::string InputFile::read(std::size_t most) {
+  std::istream& in = stream();
+  std::string text;
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (in && text.size() <= most) {
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad()) throw InputError(name_, "", "reading failed", "is it a readable file?");
+  return text;
+}
+
 void protect_inputs() {
   protected_files().inputs = true;
 }
@@ -243,8 +256,8 @@ void make_folder(const std::string& option, const std::string& folder) {
 }
 
 std::string target_of_temporary(std::string_view name) {
-  const bool is_one = remove_end(name, ".tmp") && remove_digits(name) && remove_end(name, "-") &&
-                      remove_digits(name) && remove_end(name, ".");
+  const bool is_one = remove_end(name, ".tmp") && remove_digits(name) &&
+                      remove_end(name, "-") && remove_digits(name) && remove_end(name, ".");
   return is_one ? std::string(name) : std::string();
 }
 

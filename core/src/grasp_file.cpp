@@ -116,8 +116,9 @@ void read_normal(const JsonNode& node, const std::string& path, IntervalReader& 
     contact.normal = direction_at(*contact.angle).vector;
     if (normal.find("slope") == nullptr) return;
   } else {
-    expect_object(normal, place,
-                  in_space ? Names{"direction", "slope"} : Names{"direction", "slope", "angle"});
+    expect_object(
+        normal, place,
+        in_space ? Names{"direction", "slope"} : Names{"direction", "slope", "angle"});
   }
   const char* const form = in_space ? R"(write {"direction": [x, y, z], "slope": E})"
                                     : R"(write {"direction": [x, y], "slope": E})";
@@ -374,8 +375,8 @@ void check_keys(const JsonNode& root, bool version2) {
             std::string("write \"format\": \"") + kVersion3 + "\", which has it");
   }
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
-  for (const char* key : {"units", "outline", "body", "loads", "cases", "max_motion", "gravity",
-                          "friction"}) {
+  for (const char* key :
+       {"units", "outline", "body", "loads", "cases", "max_motion", "gravity", "friction"}) {
     if (version2) allowed.emplace_back(key);
     if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
@@ -533,19 +534,6 @@ void refuse_intervals(const std::string& first, bool version2, Intervals interva
       "only stickslip decide and radius answer for all numbers of an interval: give one here");
 }
 
-std::string read_all(std::istream& in, const std::string& file) {
-  std::string text;
-  std::vector<char> chunk(std::size_t{1} << 16);
-  while (in) {
-    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-    // It is enough to stop here; parse_grasp has the message.
-    if (text.size() > kMaxJsonBytes) break;
-  }
-  if (in.bad()) throw InputError(file, "", "reading failed", "is it a readable file?");
-  return text;
-}
-
 }  // namespace
 
 std::size_t case_named(const std::vector<std::string>& cases,
@@ -572,12 +560,6 @@ GraspFile StreamedGrasp::finish_any(const JsonNode& grasp, Intervals intervals) 
   }
   if (grasp.kind == Kind::kObject && in_space(grasp)) return finish_in_space(grasp, intervals);
   return finish(grasp, intervals);
-}
-
-const LoadedGrasp& GraspFile::loaded() const {
-  const LoadedGrasp* one = content.single();
-  require(one != nullptr, "one grasp in the plane");
-  return *one;
 }
 
 StreamedGrasp::StreamedGrasp() = default;
@@ -707,10 +689,12 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
   }
   contacts_.clear();
   // The requirements on units are Grasp's own.
-  box.description =
-      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_surface(grasp),
-                                gravity_of_masses(grasp, space)})
-          .description();
+  box.description = Grasp({}, GraspDescription{read_name(grasp),
+                                               {},
+                                               read_units(grasp),
+                                               read_surface(grasp),
+                                               gravity_of_masses(grasp, space)})
+                        .description();
   box.check();
   read_max_motion(grasp, box);
   return result;
@@ -757,10 +741,13 @@ GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals interval
   }
   contacts_.clear();
   // The requirements on units are Grasp's own.
-  box.description =
-      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), nullptr,
-                                 gravity_of_masses(grasp, space), std::move(rounded)})
-          .description();
+  box.description = Grasp({}, GraspDescription{read_name(grasp),
+                                               {},
+                                               read_units(grasp),
+                                               nullptr,
+                                               gravity_of_masses(grasp, space),
+                                               std::move(rounded)})
+                        .description();
   box.check();
   read_max_motion(grasp, box);
   return result;
@@ -803,12 +790,12 @@ GraspFile parse_any_grasp(std::string_view text, const std::string& file, Interv
 
 GraspFile read_grasp_file(const std::string& path, Intervals intervals) {
   InputFile file(path, "a grasp file");
-  return parse_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
+  return parse_grasp(file.read(kMaxJsonBytes), file.name(), intervals);
 }
 
 GraspFile read_any_grasp_file(const std::string& path, Intervals intervals) {
   InputFile file(path, "a grasp file");
-  return parse_any_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
+  return parse_any_grasp(file.read(kMaxJsonBytes), file.name(), intervals);
 }
 
 }  // namespace stickslip

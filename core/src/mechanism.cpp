@@ -148,6 +148,16 @@ std::vector<std::string> coordinate_names(const Mechanism& mechanism) {
   return names;
 }
 
+RationalRow moved_by(const RationalRow& row, const std::vector<RationalRow>& motion) {
+  if (motion.empty()) return row;
+  RationalRow result(motion.front().size());
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (row[k].is_zero()) continue;
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] += row[k] * motion[k][j];
+  }
+  return result;
+}
+
 const char* force_name(const Spring& spring) {
   return spring.is_ratchet()                   ? "preload"
          : spring.kind == Spring::Kind::kJoint ? "torque"

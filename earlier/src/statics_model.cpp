@@ -11,12 +11,6 @@
 namespace stickslip::earlier_detail {
 namespace {
 
-RationalRow point_of(const UncertainContact& c) {
-  RationalRow point;
-  for (const Interval& coordinate : c.position) point.push_back(coordinate.low);
-  return point;
-}
-
 /// Returns the vector of a few entries that is `row` but for zeros.
 SparseRow sparse(const RationalRow& row) {
   SparseRow result;
@@ -228,7 +222,7 @@ void StaticsModel::add_contact(const UncertainContact& c, std::size_t element,
                                const Rational& friction_factor) {
   ForceCone& cone = cones_.emplace_back();
   cone.element = element;
-  const RationalRow p = point_of(c);
+  const RationalRow p = c.point();
   cone.normal = row_of(c, wrench_at(p, c.normal));
   const Rational mu = friction_factor * c.friction.low;
   if (mu.is_zero()) return;
@@ -331,7 +325,7 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
   // Springs with stiffness take what is left on the joints that they hold.
   RationalRow left = wrench;
   const auto add_wrench = [&](const RigidForce& force, const UncertainContact& c) {
-    const RationalRow p = point_of(c);
+    const RationalRow p = c.point();
     const auto add = [&](const RationalRow& on_body) {
       stickslip::add_multiple(left, 1, grasp_.mechanism->load_on(c.of, on_body));
       stickslip::add_multiple(left, -1, grasp_.mechanism->load_on(c.by, on_body));

@@ -162,11 +162,6 @@ AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
   return box;
 }
 
-const LoadedGrasp& Question::loaded() const {
-  require(grasp.single() != nullptr, "one grasp in the plane");
-  return *grasp.single();
-}
-
 Question ask(GraspFile file, const QuestionOptions& options) {
   Question question;
   const WrenchBox wrench = wrench_asked(file, options);
@@ -249,9 +244,8 @@ Problem problem_of(const Question& question) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }
   require_certain(question);
-  const LoadedGrasp* one = question.grasp.single();
   // A box that is certain has irrational lengths, at which Problem or contact_rows() throws.
-  const LoadedGrasp point = one != nullptr ? *one : question.box()->planar_middle();
+  const LoadedGrasp point = question.grasp.planar_middle();
   Problem base(point, question.law);
   if (!question.is_margin()) return base;
   Growth growth;

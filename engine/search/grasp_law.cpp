@@ -11,17 +11,6 @@
 namespace stickslip {
 namespace {
 
-/// Returns a row of one body as a row of all coordinates, if the body moves by G.
-RationalRow moved_by(const RationalRow& row, const std::vector<RationalRow>& motion) {
-  if (motion.empty()) return row;
-  RationalRow result(motion.front().size());
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    if (row[k].is_zero()) continue;
-    for (std::size_t j = 0; j < result.size(); ++j) result[j] += row[k] * motion[k][j];
-  }
-  return result;
-}
-
 CornerRow planar_row(const RationalRow& p, const RationalRow& n,
                      const std::vector<RationalRow>& motion) {
   const Contact contact{{p[0], p[1]}, {n[0], n[1]}};

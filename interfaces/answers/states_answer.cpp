@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -93,9 +92,8 @@ StatesQuestion states_question(GraspBox grasp, SlipLines lines, StateSet set) {
 
 std::vector<std::vector<RationalRow>> read_directions(const std::string& file) {
   InputFile input(file, "a file of directions");
-  const std::string text{std::istreambuf_iterator<char>(input.stream()), {}};
   try {
-    const JsonNode root = parse_json(text);
+    const JsonNode root = parse_json(input.read(kMaxJsonBytes));
     constexpr const char* kForm =
         "an array with a list of directions [x, y, z] for each contact";
     expect(root, JsonNode::Kind::kArray, "", kForm);
@@ -180,8 +178,8 @@ std::string motion_text(const StatesQuestion& question, const Face& face) {
 
 std::optional<std::string> near_miss_warning(const StatesQuestion& question,
                                              const FaceCounts& counts) {
-  // Of so many distances between 0 and 1 the least is not so small by chance but once in a
-  // thousand times.
+  // The least of so many distances between 0 and 1 is so small by chance once in a thousand
+  // times.
   constexpr double kChance = 1e-3;
   constexpr double kNear = 1e-4;
   const double distance = counts.near.distance;

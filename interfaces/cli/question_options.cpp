@@ -36,11 +36,8 @@ std::string conventions_text(const Question& question) {
             units->torque() + ".\n";
   }
   if (!about.gravity.empty()) {
-    std::string numbers;
-    for (const Rational& g : about.gravity) {
-      numbers += (numbers.empty() ? "" : ", ") + to_readable_string(g);
-    }
-    text += "Gravity, by which masses became forces: (" + numbers + ").\n";
+    text +=
+        "Gravity, by which masses became forces: " + NumberText(false)(about.gravity) + ".\n";
   }
   if (about.rounded_normals.empty()) return text;
   constexpr std::size_t kMostNamed = 4;
@@ -81,11 +78,6 @@ Question read_contacts(const std::string& file) {
   return as_one_body(ask(std::move(grasp), without_load));
 }
 
-Grasp planar_contacts(const Question& question) {
-  return question.box() != nullptr ? question.box()->planar_middle().grasp
-                                   : question.loaded().grasp;
-}
-
 Grasp read_planar_contacts(const std::string& file) {
   const Question question = read_contacts(file);
   const std::string name = file == "-" ? "<stdin>" : file;
@@ -98,7 +90,7 @@ Grasp read_planar_contacts(const std::string& file) {
     throw InputError(name, first, "the grasp is in space",
                      "this is done in the plane only; stickslip decide answers in space");
   }
-  return planar_contacts(question);
+  return question.grasp.planar_middle().grasp;
 }
 
 void add_grasp_argument(Command& command, std::string& file) {

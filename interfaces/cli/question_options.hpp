@@ -112,11 +112,9 @@ std::string undecided_text(const Undecided& undecided, bool is_box);
 std::string engine_text(const std::string& engine, NormalLaw law);
 
 /// Reads a grasp of which only the contacts matter, under no load; a file of one body alone
-/// becomes that of the body. Throws InputError as read_any_grasp_file() does, and for intervals.
+/// becomes that of the body. Throws InputError as read_any_grasp_file() does, and for
+/// intervals.
 Question read_contacts(const std::string& file);
-
-/// Returns the grasp of one body in the plane.
-Grasp planar_contacts(const Question& question);
 
 /// Reads the contacts of one body in the plane, whatever the load is; the body may be the only
 /// one of a file of version 3. Throws InputError for any other grasp.

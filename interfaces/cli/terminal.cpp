@@ -42,7 +42,7 @@ void Progress::show(const std::string& text) {
   if (now < next_) return;
   next_ = now + std::chrono::milliseconds(200);
   shown_ = true;
-  std::cerr << kClearLine << text << std::flush;
+  std::cerr << kClearLine + text << std::flush;  // one write, which a reader gets whole
 }
 
 }  // namespace stickslip

@@ -278,8 +278,7 @@ class PageAnswer {
       asked_in_centre_.uncertain.clear();
       centre_ = ask_about(asked_in_centre_);
     }
-    const bool names_body =
-        question_.uncertain.ball && !question_.uncertain.ball->body.empty();
+    const bool names_body = question_.uncertain.ball && !question_.uncertain.ball->body.empty();
     if (centre().mechanism() != nullptr && !names_body) centre_ = as_one_body(centre());
   }
 
@@ -393,8 +392,7 @@ class PageAnswer {
   Json states() const {
     refuse_several(centre());
     if (centre().in_space()) refuse_space();
-    const GraspBox* box = centre().box();
-    const Grasp grasp = box != nullptr ? box->planar_middle().grasp : centre().loaded().grasp;
+    const Grasp grasp = centre().grasp.planar_middle().grasp;
     if (grasp.size() > kMostContactsWithCells) {
       throw NotToBeHad{"the cells of " + std::to_string(grasp.size()) +
                        " contacts are too many to show; up to " +

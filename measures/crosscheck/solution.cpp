@@ -39,9 +39,9 @@ Rational size_of(const RationalRow& wrench, const Rational& length) {
 }
 
 ContactGeometry::ContactGeometry(const UncertainContact& contact)
-    : contact_(contact), square_(dot(contact.normal, contact.normal)) {
-  for (const Interval& x : contact.position) point_.push_back(x.low);
-}
+    : contact_(contact),
+      point_(contact.point()),
+      square_(dot(contact.normal, contact.normal)) {}
 
 RationalRow ContactGeometry::wrench_of(const RationalRow& force) const {
   return wrench_at(point_, force);

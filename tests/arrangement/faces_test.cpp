@@ -136,7 +136,7 @@ TEST(Faces, TwelveCoordinates) {
     }
     planes.push_back({row});
   }
-  // Of 3^12 signs of the coordinates those with both + and - have three signs of the sum.
+  // Signs of the coordinates, 3^12, have three signs of the sum where + and - are among them.
   const FaceCounts counts = count_faces(12, planes);
   EXPECT_EQ(counts.total(), 3 * 531441u - 2 * (2 * 4096u - 1));
   expect_euler(counts);
@@ -253,7 +253,15 @@ TEST(Faces, ThreadsShareTheCount) {
   }
   FaceOptions options;
   options.go_on = [](std::uint64_t) { return false; };
-  EXPECT_FALSE(count_faces(6, random_planes(random, 16, 6, 99), options, 2).complete);
+  planes = random_planes(random, 16, 6, 99);
+  EXPECT_FALSE(count_faces(6, planes, options, 2).complete);
+  // The number that is told counts all threads, and never falls.
+  std::uint64_t told = 0;
+  options.go_on = [&](std::uint64_t found) { return std::exchange(told, found) <= found; };
+  const FaceCounts counts = count_faces(6, planes, options, 2);
+  EXPECT_TRUE(counts.complete);
+  EXPECT_GT(told, counts.total() / 2);
+  EXPECT_LE(told, counts.total());
 }
 
 TEST(Faces, WorkCanBeBrokenOff) {

@@ -256,7 +256,7 @@ class StatesWriter {
 int states(const StatesArguments& arguments) {
   const Question question = read_contacts(arguments.file);
   if (question.grasp.is_one_planar_body() && !arguments.beyond_sphere()) {
-    return states_on_sphere(arguments, planar_contacts(question));
+    return states_on_sphere(arguments, question.grasp.planar_middle().grasp);
   }
   const StatesQuestion states = question_of(arguments, question.grasp);
   return StatesWriter(arguments, states).write() ? kDone : kUndecidedWithinLimit;

@@ -98,6 +98,7 @@ std::string spatial_text(SpatialGraspFile grasp) {
 }
 
 const GraspBox& box_in(const GraspFile& grasp) {
+  require(grasp.content.box() != nullptr, "a grasp in space or of several bodies is a box");
   return *grasp.content.box();
 }
 

@@ -124,7 +124,7 @@ StatesQuestion states_question_of(const GraspFile& file, const py::dict& options
     }
   }
   GraspBox grasp = file.content.as_box();
-  if (!grasp.is_point() && !file.content.has_certain_elements()) {
+  if (!file.content.has_certain_elements()) {
     throw InputError("", "grasp", "some number is an interval", "give one grasp");
   }
   StatesQuestion question =

@@ -156,12 +156,14 @@ class States(Case):
         file = self.write("g.json", many)
         master, terminal = pty.openpty()
         with subprocess.Popen([STICKSLIP, "states", file, "--lines", "8", "--snap", "--json"], stdout=subprocess.PIPE,
-                              stderr=terminal) as program:
+                              stderr=terminal,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as program:
             os.close(terminal)
-            shown = os.read(master, 1000)  # progress, after a second
-            self.assertIn(b"states so far", shown)
+            shown = b""
+            while b"states so far" not in shown:  # progress, after a second
+                shown += os.read(master, 1000)
             program.send_signal(signal.SIGINT)
-            out, _ = program.communicate(timeout=60)
+            out, _ = program.communicate()
         os.close(master)
         answer = json.loads(out)
         self.assertEqual((program.returncode, answer["complete"]), (UNDECIDED, False))

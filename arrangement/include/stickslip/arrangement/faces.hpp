@@ -88,7 +88,7 @@ class Face {
   bool negated_;
 };
 
-/// What a Face reads; the enumerator has one for each number of words of bits.
+/// The reader behind a Face; the enumerator has one for each number of words of bits.
 class FaceReader {
  public:
   virtual ~FaceReader() = default;
@@ -144,8 +144,7 @@ FaceCounts visit_faces(std::size_t coordinates, const std::vector<FacePlane>& pl
 
 /// Counts the faces without visiting them: antipodal faces are counted together. `threads`
 /// share the work; 0 is one a core. Each of several computes the lines that it meets, so that
-/// `lines` and `signs` grow with their number; `go_on` is called by one of them, with its own
-/// number of faces.
+/// `lines` and `signs` grow with their number; `go_on` is called by one of them at a time.
 FaceCounts count_faces(std::size_t coordinates, const std::vector<FacePlane>& planes,
                        const FaceOptions& options = {}, unsigned threads = 1);
 

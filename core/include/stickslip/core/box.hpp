@@ -46,6 +46,9 @@ struct UncertainContact {
   BodyIndex of{};
   BodyIndex by{};
   /// \}
+
+  /// Returns the position, the low ends of what is uncertain.
+  RationalRow point() const;
 };
 
 /// A way in which a normal may turn: n becomes n + e direction, with any |e| <= most.
@@ -278,6 +281,11 @@ class AnyGrasp {
   const GraspBox* box() const { return std::get_if<GraspBox>(&kept_); }
   GraspBox* box() { return std::get_if<GraspBox>(&kept_); }
   /// \}
+  /// Returns the single grasp in the plane. Throws ContractError unless it is kept as one.
+  const LoadedGrasp& loaded() const;
+  /// Returns the one grasp in the middle, in the plane, however it is kept. Requires one body
+  /// in the plane. O(m).
+  LoadedGrasp planar_middle() const;
   /// Returns the grasp as a box, however it is kept. O(m).
   GraspBox as_box() const { return box() != nullptr ? *box() : box_of(*single()); }
 

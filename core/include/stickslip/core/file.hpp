@@ -19,7 +19,10 @@ class InputFile {
   /// for a file that cannot be opened. The remedy asks for `expected`, "a grasp file".
   InputFile(const std::string& path, const std::string& expected);
 
-  std::istream& stream();                            ///< the content, from its beginning
+  std::istream& stream();  ///< the content, from its beginning
+  /// Returns the content. Of a file that is longer than `most` bytes it is cut off somewhere
+  /// behind them. Throws InputError if reading fails.
+  std::string read(std::size_t most);
   const std::string& name() const { return name_; }  ///< the name for errors; "<stdin>" for "-"
 
  private:
@@ -62,8 +65,8 @@ void write_whole_file(const std::string& path, std::string_view content);
 /// the temporary name; an empty string for any other name.
 std::string target_of_temporary(std::string_view name);
 
-/// Returns whether a name is `before`, which does not end with a digit, decimal digits, at least
-/// one, and `after`: "line-3.json" is between "line-" and ".json".
+/// Returns whether a name is `before`, which does not end with a digit, decimal digits, at
+/// least one, and `after`: "line-3.json" is between "line-" and ".json".
 bool is_numbered(std::string_view name, std::string_view before, std::string_view after);
 
 /// A file, or several that belong together, are being written while one of these lives. They

@@ -40,7 +40,7 @@ struct GraspFile {
   std::vector<NamedLoad> cases{};
 
   /// Returns the one grasp in the plane. Throws ContractError if `content` is a box.
-  const LoadedGrasp& loaded() const;
+  const LoadedGrasp& loaded() const { return content.loaded(); }
   /// Returns the description of the grasp for people.
   const GraspDescription& description() const { return content.description(); }
 };

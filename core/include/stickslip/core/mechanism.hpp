@@ -119,6 +119,10 @@ struct Mechanism {
 /// Returns the names of all coordinates.
 std::vector<std::string> coordinate_names(const Mechanism& mechanism);
 
+/// Returns a row of one body, as a linear function of its twists, as one of states, if `motion`
+/// gives its twist as a function of states. An empty `motion` leaves the row as it is.
+RationalRow moved_by(const RationalRow& row, const std::vector<RationalRow>& motion);
+
 /// A spring or a ratchet: a force F without friction that acts on the length or angle row.z, so
 /// that its generalised force is F row. F is P - k row.z, of either sign; that of a ratchet
 /// only pushes, and is max(0, P - k row.z).

@@ -85,7 +85,7 @@ struct Question {
   const GraspDescription& description() const { return grasp.description(); }
   /// Returns the grasp of a question about one grasp in the plane. Throws ContractError for any
   /// other.
-  const LoadedGrasp& loaded() const;
+  const LoadedGrasp& loaded() const { return grasp.loaded(); }
   /// Returns the box, or nullptr if the grasp is a LoadedGrasp, a single one in the plane.
   const GraspBox* box() const { return grasp.box(); }
 };

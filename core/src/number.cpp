@@ -293,6 +293,11 @@ std::string to_readable_string(const Rational& value) {
   return readable_decimal(value.sign() < 0, value * value);
 }
 
+std::string to_percent_string(const Rational& share) {
+  const Rational value = 100 * share;
+  return (value.is_zero() ? "0" : readable_decimal(value.sign() < 0, value * value)) + " %";
+}
+
 std::string to_readable_string(const Rational& factor, const Rational& radicand) {
   require(radicand.sign() >= 0, "to_readable_string of the root of a negative number");
   if (const auto root = exact_sqrt(radicand)) return to_readable_string(factor * *root);

@@ -11,7 +11,11 @@ Rational rational_at(const std::string& place, const std::string& text) {
   try {
     return parse_rational(text);
   } catch (const NumberError& error) {
-    throw InputError("", place, error.what(), "write it as 2, -0.25, 1e-3 or 3/5");
+    const bool is_list = text.find_first_of("0123456789") < text.find_last_of(' ') &&
+                         text.find_last_of(' ') < text.find_last_of("0123456789");
+    throw InputError("", place, error.what(),
+                     is_list ? "separate numbers by commas, without blanks, as in 0,1,-3/5"
+                             : "write it as 2, -0.25, 1e-3 or 3/5");
   }
 }
 

@@ -52,7 +52,10 @@ std::string BatchTally::complaint(const std::string& name) const {
   if (unreadable == 0) return "";
   return name + ": " + std::to_string(unreadable) + " of " + std::to_string(results) +
          (results == 1 ? " line" : " lines") + " could not be read, the first is line " +
-         std::to_string(first_unreadable) + "; their results say why";
+         std::to_string(first_unreadable) + "; their results say why" +
+         (results > 1 && unreadable == results
+              ? "; a batch has one grasp a line, while a file of one grasp is decided by itself"
+              : "");
 }
 
 std::optional<FinishedResult> FinishedResults::next() {

@@ -5,6 +5,51 @@
 #include <sstream>
 
 namespace stickslip {
+namespace {
+
+/// Returns the command that was called, of those below `app`.
+const CLI::App& called(const CLI::App& app) {
+  const std::vector<CLI::App*> below = app.get_subcommands();
+  return below.empty() ? app : called(*below.front());
+}
+
+/// Returns its name in full.
+std::string full_name(const CLI::App& command) {
+  const CLI::App* const above = command.get_parent();
+  return (above == nullptr ? "" : full_name(*above) + " ") + command.get_name();
+}
+
+/// Returns what is wrong with the words of a command, and what would be right. The parser's own
+/// sentences name two options with one of these verbs between them.
+std::string in_words(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string said = error.what();
+  const std::string name = full_name(called(app));
+  const std::string help = name + " --help";
+  const auto around = [&](const std::string& verb, const std::string& between,
+                          const std::string& after) {
+    const std::size_t at = said.find(verb);
+    return at == std::string::npos
+               ? said + "; see " + help
+               : said.substr(0, at) + between + said.substr(at + verb.size()) + after;
+  };
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    return around(" excludes ", " and ", " do not go together; leave one of them out");
+  }
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) {
+    return around(" requires ", " needs ", ", too; see " + help);
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    return around(" is required", " is missing", "; " + help + " says what it is");
+  }
+  const std::vector<std::string> rest = app.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty()) {
+    return "\"" + rest.front() + "\" is more than " + name + " takes; leave it out, or see " +
+           help;
+  }
+  return said + "; see " + help;
+}
+
+}  // namespace
 
 CommandOption* CommandOption::description(const std::string& text) {
   parsed_->description(text);
@@ -210,7 +255,7 @@ std::optional<CommandLine::Stopped> CommandLine::run(int argc, const char* const
     parsed_->parse(argc, argv);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return Stopped{false, error.what()};
+    if (error.get_exit_code() != 0) return Stopped{false, in_words(*parsed_, error)};
     std::ostringstream text;
     parsed_->exit(error, text, text);
     return Stopped{true, text.str()};

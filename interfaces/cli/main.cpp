@@ -92,8 +92,7 @@ int main(int argc, char** argv) {
     if (const auto stopped = line.run(argc, argv)) {
       stickslip::refuse_unknown_words(app, {argv + 1, argv + argc}, !stopped->asked_for_help);
       if (!stopped->asked_for_help) {
-        std::cerr << "stickslip: " << stopped->text
-                  << "\nRun with --help for more information.\n";
+        std::cerr << "stickslip: " << stopped->text << '\n';
         return stickslip::kBadInput;
       }
       std::cout << stopped->text;

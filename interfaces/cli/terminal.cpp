@@ -45,4 +45,8 @@ void Progress::show(const std::string& text) {
   std::cerr << kClearLine + text << std::flush;  // one write, which a reader gets whole
 }
 
+void say_nothing_written(const std::string& option, const std::string& why) {
+  std::cerr << "stickslip: " << option << ": nothing is written: " << why << '\n';
+}
+
 }  // namespace stickslip

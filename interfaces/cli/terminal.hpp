@@ -37,4 +37,7 @@ class Progress {
   std::chrono::steady_clock::time_point next_;
 };
 
+/// Says on standard error that an option which names a file or folder wrote nothing, and why.
+void say_nothing_written(const std::string& option, const std::string& why);
+
 }  // namespace stickslip

@@ -58,9 +58,10 @@ class BallSearch {
       starts.emplace_back(patterns_.size(), budget_ / patterns_.size());
     }
     const RationalRow given = preloads_of(grasp_);
-    if (const Rational sum = sum_of(given); !sum.is_zero() && patterns_.are_contacts()) {
-      starts.push_back(given);
-      for (Rational& preload : starts.back()) preload *= budget_ / sum;
+    const std::optional<RationalRow> weights = patterns_.weights(given);
+    if (const Rational sum = sum_of(given); !sum.is_zero() && weights) {
+      starts.push_back(*weights);
+      for (Rational& weight : starts.back()) weight *= budget_ / sum;
     }
     RationalRow best;
     Rational most = 0;

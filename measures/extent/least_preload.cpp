@@ -58,11 +58,10 @@ class LeastSearch {
     const std::size_t count = patterns_.size();
     result_.limit = std::max<Rational>(kMostSizes * size_, 2 * sum_of(given));
     if (!take(RationalRow(count))) {
-      if (patterns_.are_contacts()) take(given);
-      for (Rational all = size_ / 64; count > 0 && !found() && all <= result_.limit; all *= 2) {
-        take(RationalRow(count, all / count));
-      }
-      if (found()) improve();
+      // Those of the file first: what is found is then never more than a multiple of them.
+      const std::optional<RationalRow> weights = patterns_.weights(given);
+      if (weights && !sum_of(given).is_zero()) begin_along(*weights, sum_of(given));
+      if (count > 0) begin_along(RationalRow(count, 1), size_ / 64);
       bound();
     }
     if (found()) {
@@ -134,6 +133,17 @@ class LeastSearch {
     result_.held = std::move(*held);
     report();
     return true;
+  }
+
+  /// Seeks preloads along these weights, of twice a sum again and again while that is less than
+  /// what is known, and others near the first that are found.
+  void begin_along(RationalRow weights, const Rational& least) {
+    const Rational whole = sum_of(weights);
+    for (Rational& weight : weights) weight *= least / whole;
+    while (sum_of(weights) <= (found() ? sum() : result_.limit)) {
+      if (take(weights)) return improve();
+      for (Rational& weight : weights) weight *= 2;
+    }
   }
 
   /// Tries less of all weights or of one, perhaps with a part of that added to another, in ever

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip::extent_detail {
 
@@ -155,6 +156,20 @@ RationalRow PreloadPatterns::preloads(const RationalRow& weights) const {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[k] * patterns_[k][i];
   }
   return sum;
+}
+
+std::optional<RationalRow> PreloadPatterns::weights(const RationalRow& preloads) const {
+  if (are_contacts_) return preloads;
+  LinearProgram program;
+  program.add_variables(size(), VariableKind::kNonNegative);
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    RationalRow row;
+    for (const RationalRow& pattern : patterns_) row.push_back(pattern[i]);
+    program.add_row(std::move(row), Relation::kEqual, preloads[i]);
+  }
+  const LpResult found = solve(program);
+  const auto* optimal = std::get_if<Optimal>(&found);
+  return optimal == nullptr ? std::nullopt : std::optional(optimal->point);
 }
 
 }  // namespace stickslip::extent_detail

@@ -4,6 +4,7 @@
 /// more.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stickslip/core/box.hpp"
@@ -23,6 +24,8 @@ class PreloadPatterns {
   std::size_t size() const { return patterns_.size(); }
   /// Returns the preloads with these weights; their sum is that of the weights.
   RationalRow preloads(const RationalRow& weights) const;
+  /// Returns weights with which these are the preloads; nothing if there are none.
+  std::optional<RationalRow> weights(const RationalRow& preloads) const;
 
  private:
   bool are_contacts_;

@@ -372,6 +372,15 @@ TEST(ReadableString, SpellsShortNumbersInFullAndRoundsOthers) {
   for (const auto& [value, text] : kCases) EXPECT_EQ(to_readable_string(value), text) << value;
 }
 
+TEST(Number, SharesAreDecimalsOfPercent) {
+  EXPECT_EQ(to_percent_string({3, 8}), "37.5 %");
+  EXPECT_EQ(to_percent_string({5, 16}), "31.25 %");
+  EXPECT_EQ(to_percent_string(0), "0 %");
+  EXPECT_EQ(to_percent_string(1), "100 %");
+  EXPECT_EQ(to_percent_string({1, 3}), "~33.3333 %");
+  EXPECT_EQ(to_percent_string({99999999, 100000000}), "~100 %");
+}
+
 TEST(ReadableString, IsExactWithoutTheMarkAndNearestWithIt) {
   Random random(5);
   int exact = 0;

@@ -64,7 +64,7 @@ std::string shares_text(const std::vector<MapCell>& cells, const MapAxis& x, con
   std::size_t verdict = 0;
   for (const char* words : {"stable", "unstable", "", "nothing"}) {
     const Rational share = share_of(cells, verdict++, x, y);
-    if (*words != '\0') rows.push_back({words, to_readable_string(100 * share) + " %"});
+    if (*words != '\0') rows.push_back({words, to_percent_string(share)});
   }
   return format_table(rows);
 }

@@ -115,9 +115,13 @@ QualityFound find(const QualityArguments& arguments) {
 
 int quality(const QualityArguments& arguments) {
   const auto [question, found] = find(arguments);
-  if (!arguments.certificates.empty() && found.stable) {
-    write_proved_files("--certificates", arguments.certificates,
-                       proved_quality(question, found));
+  if (!arguments.certificates.empty()) {
+    if (found.stable) {
+      write_proved_files("--certificates", arguments.certificates,
+                         proved_quality(question, found));
+    } else {
+      say_nothing_written("--certificates", "the load in the centre is not decided");
+    }
   }
   if (arguments.numbers.json) {
     std::cout << finished(quality_json(question, found), arguments.numbers.floats).dump(1)

@@ -114,7 +114,8 @@ void Report::print() {
   } else {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
-  std::cout << text_.note() << conventions_text(asked_.question) << motions_text(asked_.question)
+  std::cout << text_.note() << conventions_text(asked_.question)
+            << motions_text(asked_.question)
             << engine_text(box_engine(asked_.question), asked_.question.law);
 }
 
@@ -149,8 +150,12 @@ int radius(const RadiusArguments& arguments) {
             (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
       });
   progress.clear();
-  if (!arguments.certificates.empty() && found.stable) {
-    write_certificates(asked, found, arguments.certificates);
+  if (!arguments.certificates.empty()) {
+    if (found.stable) {
+      write_certificates(asked, found, arguments.certificates);
+    } else {
+      say_nothing_written("--certificates", "the grasp in the centre is not decided");
+    }
   }
   if (arguments.output.json) {
     const Json json = radius_json(asked.question, found);

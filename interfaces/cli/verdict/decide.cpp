@@ -120,15 +120,18 @@ WarnedAnswer answered(Question question, const DecideArguments& arguments) {
   return found;
 }
 
-/// Writes the certificate if the verdict has one. A fragile box has two others; standard error
-/// says so.
+/// Writes the certificate if the verdict has one, or says on standard error why it has none.
 void write_certificate(const Answer& answer, const std::string& file) {
   if (file.empty()) return;
   if (const auto certificate = certificate_of(answer)) {
     write_whole_file(file, *certificate);
   } else if (std::holds_alternative<Fragile>(answer.verdict)) {
-    std::cerr << "stickslip: --certificate: nothing is written: what proves that a box is "
-                 "fragile is two grasps, each with a certificate; --examples DIR writes them\n";
+    say_nothing_written("--certificate",
+                        "what proves that a box is fragile is two grasps, each with a "
+                        "certificate; --examples DIR writes them");
+  } else {
+    say_nothing_written("--certificate",
+                        "the verdict is undecided, so there is no proof of one");
   }
 }
 
@@ -140,10 +143,10 @@ void write_examples(const Answer& answer, const std::string& folder) {
   if (fragile == nullptr) {
     const GraspBox* box = answer.question.box();
     const bool is_box = box != nullptr && !box->is_point();
-    std::cerr << "stickslip: --examples: nothing is written: "
-              << (is_box ? "the box is " : "the question is about one grasp, which is ")
-              << name_of(answer.verdict)
-              << (is_box ? ", and only one that is fragile has two examples" : "") << '\n';
+    say_nothing_written(
+        "--examples", (is_box ? "the box is " : "the question is about one grasp, which is ") +
+                          std::string(name_of(answer.verdict)) +
+                          (is_box ? ", and only one that is fragile has two examples" : ""));
     return;
   }
   const NormalLaw law = answer.question.law;

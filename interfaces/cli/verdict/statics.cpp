@@ -178,7 +178,10 @@ struct FoundText {
 
 void write_certificates(const StaticsAnswer& answer, const std::string& file,
                         const std::string& grasp, bool tells) {
-  for (const StaticsCertificate& certificate : certificates_of(answer)) {
+  const std::vector<StaticsCertificate> certificates = certificates_of(answer);
+  if (certificates.empty())
+    say_nothing_written("--certificate", "the answer is undecided, so there is no proof of it");
+  for (const StaticsCertificate& certificate : certificates) {
     std::string name = file;
     if (answer.asked.least_friction) {
       const std::size_t dot = name.rfind(".json");

@@ -137,6 +137,12 @@ class Batch(Case):
         self.fails("batch", path, "--inertia", "0,0,1", naming=["--class"])
         self.fails("batch", path, "--class", "--inertia", "0,0,0", naming=["--inertia"])
 
+    def test_a_grasp_on_many_lines(self):
+        path = self.write("g.json", json.dumps(grasp(1), indent=1))
+        self.fails("batch", path, "-o", self.path("out"), naming=["one grasp a line"])
+        path = self.write("g.jsonl", json.dumps(grasp(1)) + "\n{\n")
+        self.assertNotIn("one grasp a line", self.fails("batch", path, "-o", self.path("more")))
+
     def test_every_option_of_a_quality_is_in_the_key(self):
         path, out = self.write("g.jsonl", json.dumps(self.pinch(1)) + "\n"), self.path("out.jsonl")
         questions = [(), ("--class",), ("--class", "--inertia", "0,1,2"), ("--quality",), *(("--quality", *more) for more in (

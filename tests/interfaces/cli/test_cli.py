@@ -185,11 +185,26 @@ class Decide(Case):
         certificate = self.path("c.json")
         words = ("decide", FIG1, "--wrench", "0,11/10,0", "--engine", "branch-and-bound", "--node-limit", "1",
                  "--certificate", certificate)
-        answer = self.json(*words, code=UNDECIDED)
-        self.assertEqual(answer["verdict"], "undecided")
+        code, out, err = stickslip(*words, "--json")
+        answer = json.loads(out)
+        self.assertEqual((code, answer["verdict"]), (UNDECIDED, "undecided"))
         self.assertIn("1 node", answer["limit"])
+        self.assertIn("--certificate: nothing is written", err)
         self.assertEqual(stickslip(*words, "--exit-code")[0], UNDECIDED)
         self.assertEqual(os.listdir(self.folder), [])  # it proves nothing
+
+    def test_words_that_do_not_fit(self):
+        for words, naming in (
+                (("decide", FIG1, "other.json"), ['"other.json" is more than stickslip decide takes']),
+                (("decide",), ["GRASP is missing", "stickslip decide --help"]),
+                (("preload", FIG1, "--hold", "--budget", "3"), ["--hold and --budget do not go together"]),
+                (("plot", "grasp"), ["GRASP is missing", "stickslip plot grasp --help"]),
+                (("decide", FIG1, "--node-limit"), ["--node-limit", "stickslip decide --help"]),
+                (("decide", FIG1, "--wrench", "0 1 0"), ["separate numbers by commas", "0,1,-3/5"]),
+                (("decide", FIG1, "--wrench", "0,x,0"), ['"x" is not a number', "write it as 2"])):
+            error = self.fails(*words, naming=naming)
+            self.assertNotIn("separate" if "x" in words[-1] else "excludes", error)
+            self.assertNotIn("not expected", error)
 
     def test_warnings(self):
         supports = [{"position": [x, 0], "normal": [0, 1], "friction": 1 - abs(x)}

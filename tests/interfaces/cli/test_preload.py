@@ -10,10 +10,11 @@ import unittest
 from fractions import Fraction as F
 
 from preload_smt import fraction, least_sum
-from test_box import EXAMPLES
+from test_box import CORPUS, EXAMPLES
 from test_cli import DONE, UNSTABLE, Case, read, run, stickslip
 
 Z3 = os.environ.get("Z3", "z3")
+VISE = os.path.join(CORPUS, "..", "everyday", "vise.json")
 JAW = os.path.join(EXAMPLES, "jaw.json")
 # The least preloads hold, a little more do not, and much more do.
 GAP = {"format": "stickslip-grasp/2", "wrench": [-1, 2, -2], "contacts": [
@@ -227,6 +228,17 @@ class Preload(Case):
             self.assertLess(F(found["sum"]), F(106, 100) * least, grasp)
             self.assertEqual(found["warnings"], [])
         self.assertGreater(dearer, 2)
+
+    def test_never_more_than_a_multiple_of_those_of_the_file(self):
+        """A local search from equal preloads ends at 8,099.6."""
+        with open(VISE, encoding="utf-8") as file:
+            vise = json.load(file)
+        for case in vise["cases"][2:]:
+            vise["cases"].remove(case)
+        jaws = {**vise, "defaults": {**vise["defaults"], "preload": 2020}}
+        for grasp in (vise, jaws):
+            answer = self.hold(grasp, "--balanced", "--boxes", "20")
+            self.assertLessEqual(F(answer["sum"]), F(8067))
 
     def test_more_breaks_it(self):
         answer = self.hold(GAP)

@@ -522,6 +522,9 @@ inline constexpr char kRounded = '~';
 /// "~0.142857".
 std::string to_readable_string(const Rational& value);
 
+/// Returns a share for people, as "37.5 %": always a decimal, rounded and marked in the same way.
+std::string to_percent_string(const Rational& share);
+
 /// Returns factor * sqrt(radicand) for people, in the same form. Requires radicand >= 0.
 std::string to_readable_string(const Rational& factor, const Rational& radicand);
 

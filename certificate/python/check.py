@@ -541,8 +541,8 @@ class Options(NamedTuple):
     plane: Optional[Tuple[Vector, Vector]] = None     # §12: u and v
     inertia: Optional[Vector] = None                  # §13: the centre of mass and γ²
     statics: Optional[Fraction] = None                # §16: φ
-    states: Optional[str] = None                      # §17: one of STATES
     max_motion: Optional[Vector] = None  # B, or a length and an angle, or () for none; of a question B, or None
+    states: Optional[str] = None                      # §17: one of STATES
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None

@@ -4150,7 +4150,7 @@ def count_states(rows: Sequence[Integers], closed: Sequence[Integers], dimension
             dimension -= 1
             rows, closed = ([[x * plane[p] - row[p] * y for j, (x, y) in enumerate(zip(row, plane)) if j != p]
                              for row in some] for some in (rows, closed))
-            return count_states(rows, closed[k + 1:], dimension, most)
+            return count_states(rows, closed[k + 1:], dimension, most) + [0]
     planes = list(dict.fromkeys(filter(None, map(primitive, rows))))
     found = Flats(planes, most).faces()
     return [0] * (dimension + 1 - len(found)) + found[::-1]
@@ -4162,7 +4162,7 @@ def check_states(question: Question, proof: StatesProof) -> None:
     by_dimension = count_states(rows, closed, len(question.wrench), number)
     if sum(by_dimension) != number:
         raise Rejected("state-complete", f"there are {sum(by_dimension)} states, and {number} are listed")
-    if proof.by_dimension[:len(by_dimension)] != by_dimension or any(proof.by_dimension[len(by_dimension):]):
+    if proof.by_dimension != by_dimension:
         raise Rejected("state-dimension", f"there are {show(tuple(by_dimension))} states of the dimensions 0, 1, ...")
 
 

@@ -4136,7 +4136,7 @@ class Flats:
                     divisor = math.gcd(*reduced_row) or 1
                     matrix[k] = [x // divisor for x in reduced_row]
             pivots.append(c)
-            Work.spend(len(matrix))
+            Work.spend(1 + len(matrix) * len(chosen) // 8)
             Work.multiply(2 * len(matrix) * len(chosen), words(pivot), words(pivot))
         return [chosen[c] for row, c in zip(matrix, pivots) if sum(map(bool, row)) == 1]
 

@@ -165,19 +165,29 @@ std::size_t motion_coordinates(const GraspBox& grasp) {
   return grasp.mechanism ? grasp.mechanism->coordinates() : grasp.in_space() ? 6 : 3;
 }
 
-std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp,
-                                                 const SlipLines& lines) {
+std::vector<std::vector<RationalRow>> slip_directions(const GraspBox& grasp,
+                                                      const SlipLines& lines) {
   if (lines.given && lines.given->size() != grasp.contacts.size()) {
     throw InputError("", "directions",
                      "lists for " + std::to_string(lines.given->size()) + " contacts",
                      "give one for each of the " + std::to_string(grasp.contacts.size()) +
                          " contacts of the grasp");
   }
+  std::vector<std::vector<RationalRow>> directions;
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    directions.push_back(lines_of(grasp, i, lines));
+  }
+  return directions;
+}
+
+std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp,
+                                                 const SlipLines& lines) {
+  const std::vector<std::vector<RationalRow>> directions = slip_directions(grasp, lines);
   std::vector<ContactRows> rows;
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     ContactRows contact;
     contact.normal = row_at(grasp, grasp.contacts[i], grasp.contacts[i].normal);
-    for (const RationalRow& v : lines_of(grasp, i, lines)) {
+    for (const RationalRow& v : directions[i]) {
       contact.lines.push_back(row_at(grasp, grasp.contacts[i], v));
     }
     rows.push_back(std::move(contact));

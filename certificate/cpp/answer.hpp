@@ -42,7 +42,8 @@ struct Standing {
 /// The certificate proves `verdict` about the question.
 struct Accepted {
   Question question;
-  std::string verdict;             ///< "stable", "unstable", "margin", "region" or a class
+  std::string verdict;             ///< "stable", "unstable", "margin", "region", a class, of
+                                   ///< statics or "complete"
   std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, of claims at least
   std::vector<Range> refuted;      ///< of claims: none of these
   std::uint64_t segments = 0;      ///< of a margin by segments
@@ -50,6 +51,8 @@ struct Accepted {
   std::uint64_t stands = 0;        ///< load points of statics, whose sums may stand
   std::uint64_t moves = 0;         ///< twists of statics
   std::optional<Standing> standing = {};
+  std::vector<Integer> by_dimension = {};  ///< numbers of states
+  std::uint64_t listed = 0;                ///< states with a motion
   std::size_t trees = 0;        ///< of a margin, one for each range without a multiple
   std::uint64_t rests = 0;      ///< proofs at rest
   std::uint64_t stickings = 0;  ///< proofs by sticking

@@ -191,6 +191,12 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       options.inertia = parse_inertia(word, value());
     } else if (word == "--statics") {
       options.statics = parse_number(word, value());
+    } else if (word == "--states") {
+      const std::string set = value();
+      if (std::find(kStateSets.begin(), kStateSets.end(), set) == kStateSets.end()) {
+        throw UsageError{"--states: " + quote(set) + " is not slip, full or closed"};
+      }
+      options.states = set;
     } else if (word == "--preload-direction") {
       const std::string growth = value();
       options.preload_direction.emplace();

@@ -42,6 +42,7 @@ Claim CertificateReader::claim() {
   plane_ = claim.asked.plane.has_value();
   rigid_ = claim.asked.rigid();
   statics_ = claim.asked.statics.has_value();
+  states_ = claim.asked.states;
   return claim;
 }
 
@@ -49,7 +50,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !plane_ && !rigid_ && !statics_ && (!margin_ || claims_)) {
+  if (name == "bits" && !states_ && !plane_ && !rigid_ && !statics_ && (!margin_ || claims_)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -60,7 +61,10 @@ std::string CertificateReader::verdict() {
   }
   expect_name(name, "verdict");
   const Value verdict = json_.value();
-  if (plane_) {
+  if (states_) {
+    json_.expect(verdict.is_text("complete"), verdict, "verdict",
+                 "\"complete\", as the question has states");
+  } else if (plane_) {
     json_.expect(verdict.is_text("region"), verdict, "verdict",
                  "\"region\", as the question has a plane");
   } else if (rigid_) {
@@ -117,6 +121,77 @@ std::optional<StandPoint> CertificateReader::next_stand() {
 std::optional<Vector> CertificateReader::next_move() {
   if (!next_element("move")) return std::nullopt;
   return numbers(json_.value(), "move[" + std::to_string(elements_ - 1) + "]", 0, dimension_);
+}
+
+std::vector<std::vector<Vector>> CertificateReader::lines() {
+  std::vector<std::vector<Vector>> result;
+  const Value value = take("lines");
+  const std::string what = "an array of lines, one or more, for each contact";
+  for (const Value& entry : list(value, "lines", what)) {
+    const std::string place = "lines[" + std::to_string(result.size()) + "]";
+    json_.expect(entry.kind == Value::Kind::kArray && !entry.items.empty(), entry, place, what);
+    std::vector<Vector>& lines = result.emplace_back();
+    for (const Value& line : entry.items) {
+      lines.push_back(numbers(line, place, 0, in_space_ ? 3 : 2));
+    }
+    signs_.push_back(lines.size());
+  }
+  return result;
+}
+
+/// STATE.
+std::optional<State> CertificateReader::next_state() {
+  if (!next_element("states")) return std::nullopt;
+  const std::string place = "states[" + std::to_string(elements_ - 1) + "]";
+  const Value value = json_.value();
+  const auto expect = [&](bool good) {
+    if (good) return;
+    json_.expect(false, value, place,
+                 "a string: signs of each contact, a colon, and " + std::to_string(dimension_) +
+                     " integers");
+  };
+  expect(value.kind == Value::Kind::kString);
+  const std::string& text = value.text;
+  std::size_t at = 0;
+  State state;
+  const auto take = [&](char wanted) {
+    expect(at < text.size() && text[at] == wanted);
+    ++at;
+  };
+  const auto take_sign = [&] {
+    expect(at < text.size() && (text[at] == '+' || text[at] == '-' || text[at] == '0'));
+    state.signs += text[at++];
+  };
+  for (const std::size_t count : signs_) {
+    if (has_normal_signs(*states_)) {
+      take_sign();
+      take('|');
+    }
+    for (std::size_t j = 0; j < count; ++j) take_sign();
+    take(' ');
+  }
+  take(':');
+  for (std::size_t j = 0; j < dimension_; ++j) {
+    take(' ');
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::size_t digits = at + (text[at] == '-' ? 1 : 0);
+    expect(digits < end && std::all_of(text.begin() + static_cast<std::ptrdiff_t>(digits),
+                                       text.begin() + static_cast<std::ptrdiff_t>(end),
+                                       [](char c) { return c >= '0' && c <= '9'; }));
+    state.motion.emplace_back(text.substr(at, end - at), 10);
+    at = end;
+  }
+  expect(at == text.size());
+  return state;
+}
+
+std::vector<Integer> CertificateReader::by_dimension() {
+  const Value value = take("by_dimension");
+  json_.expect(value.is_array(dimension_ + 1), value, "by_dimension",
+               "an array of " + std::to_string(dimension_ + 1));
+  std::vector<Integer> result;
+  for (const Value& entry : value.items) result.push_back(index(entry, "by_dimension"));
+  return result;
 }
 
 std::optional<RigidNode> CertificateReader::next_rigid_node() {
@@ -358,6 +433,17 @@ const Value& CertificateReader::member(const Value& value, const std::string& pl
 }
 
 Claim CertificateReader::claim_of(const Value& value) const {
+  if (const Value* states = value.find("states")) {
+    expect_order(value, "question", {"contacts", "states"});
+    Claim claim;
+    claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
+    json_.expect(std::any_of(kStateSets.begin(), kStateSets.end(),
+                             [&](const char* set) { return states->is_text(set); }),
+                 *states, "question.states", "\"slip\", \"full\" or \"closed\"");
+    claim.asked.states = states->text;
+    claim.wrench = Wrench(dimension_);  // as of every question about states
+    return claim;
+  }
   expect_order(value, "question",
                {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction",
                 "plane", "inertia", "statics", "uncertain", "max_motion"});

@@ -14,6 +14,7 @@
 #include "json.hpp"
 #include "margin.hpp"
 #include "rigid.hpp"
+#include "states.hpp"
 #include "statics.hpp"
 #include "tree.hpp"
 #include "witness.hpp"
@@ -35,7 +36,7 @@ class CertificateReader {
   /// All up to the member `question`.
   Claim claim();
   /// "stable", "unstable", "margin" or "region"; or "must move", "must hold", "open" or "may
-  /// stand".
+  /// stand"; or "complete".
   std::string verdict();
   /// Of lengths that are irrational; known with the verdict.
   unsigned bits() const { return bits_; }
@@ -56,6 +57,11 @@ class CertificateReader {
   std::optional<Vector> next_move();
   Vector acceleration();
   std::optional<RigidNode> next_rigid_node();
+
+  // states, in the order of FORMAT.md §17
+  std::vector<std::vector<Vector>> lines();
+  std::optional<State> next_state();
+  std::vector<Integer> by_dimension();
 
   // unstable, region, and margin that is no claims
   std::vector<Interval> resisted();
@@ -115,10 +121,12 @@ class CertificateReader {
   bool claims_;  ///< of a margin, and not segments and a tree
   bool several_;
   Fixed<Contacts> contacts_;
-  bool margin_ = false;   ///< the question has a direction
-  bool plane_ = false;    ///< or a plane
-  bool rigid_ = false;    ///< or an inertia
-  bool statics_ = false;  ///< or a factor of friction
+  bool margin_ = false;                ///< the question has a direction
+  bool plane_ = false;                 ///< or a plane
+  bool rigid_ = false;                 ///< or an inertia
+  bool statics_ = false;               ///< or a factor of friction
+  std::optional<std::string> states_;  ///< or a set of states
+  std::vector<std::size_t> signs_;     ///< how many each contact has in one of these
   unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken
   std::size_t elements_ = 0;

@@ -8,6 +8,7 @@
 #include "margin.hpp"
 #include "plane.hpp"
 #include "rigid.hpp"
+#include "states.hpp"
 #include "statics.hpp"
 #include "work.hpp"
 
@@ -40,6 +41,10 @@ std::string in_words_statics(const std::optional<Rational>& factor) {
   return factor ? "statics with friction times " + show(*factor) : "no statics";
 }
 
+std::string in_words_states(const std::optional<std::string>& set) {
+  return set ? "the states " + *set : "no states";
+}
+
 std::string in_words(const std::map<std::string, Tolerance>& uncertain) {
   std::string text;
   for (const auto& [kind, tolerance] : uncertain) {
@@ -62,6 +67,8 @@ void check_question(const Claim& claim, const Question& question) {
   };
   const Options& said = claim.asked;
   const Options& asked = question.asked;
+  compare("question-states", said.states == asked.states, in_words_states(said.states),
+          in_words_states(asked.states));
   compare("question-contacts", claim.contacts == question.contacts.size(),
           show(Rational(claim.contacts)) + " contacts",
           std::to_string(question.contacts.size()));
@@ -163,12 +170,35 @@ void check_statics(CertificateReader& certificate, const Question& question,
   if (proof && accepted.verdict == "margin") accepted.standing = proof->standing();
 }
 
+/// FORMAT.md §17.
+void check_states(CertificateReader& certificate, const Question& question,
+                  FirstRejection& rejection, Accepted& accepted) {
+  const std::vector<std::vector<Vector>> lines = certificate.lines();
+  std::optional<StatesProof> proof;
+  rejection.unless_rejected([&] { proof.emplace(question, lines); });
+  while (const std::optional<State> state = certificate.next_state()) {
+    rejection.unless_rejected([&] { proof->visit(*state); });
+  }
+  accepted.by_dimension = certificate.by_dimension();
+  rejection.unless_rejected([&] { proof->finish(accepted.by_dimension); });
+  if (proof) accepted.listed = proof->listed();
+}
+
 Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
   rejection.unless_rejected([&] { check_question(claim, question); });
+  // Of a certificate of another kind nothing more has to be read.
+  if (question.asked.states && !claim.asked.states) return *rejection.found;
   Accepted accepted;
   accepted.verdict = certificate.verdict();
+  if (claim.asked.states) {
+    check_states(certificate, question, rejection, accepted);
+    certificate.finish();
+    if (rejection.found) return *rejection.found;
+    accepted.question = std::move(question);
+    return accepted;
+  }
   if (question.is_box) enlarge(question, certificate.bits());
   const bool statics = claim.asked.statics.has_value();
   if (question.asked.statics && !statics) {

@@ -72,6 +72,9 @@ the program that produced the certificate:
   --statics FACTOR         ask whether bodies may stand or must move, with any stiffness and preloads, and
                            all friction multiplied by FACTOR; with --direction which multiples
                            may, with --plane (of as many numbers as two wrenches) which loads
+  --states SET             ask which states there are: the signs of slip along lines across the
+                           normals (slip), with the signs of N.d (full), or of motions on which all
+                           contacts stay closed (closed); without other options but --json
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
@@ -102,7 +105,8 @@ Answers and exit codes:
                  that those are, that those printed as "refuted" are not, and nothing of others;
                  of a region, that exactly the (s, t) in the certificate's pieces are;
                  of statics with a direction or a plane, that those printed as "may stand" may,
-                 that those printed as "must move" must, and nothing of others
+                 that those printed as "must move" must, and nothing of others;
+                 of states, that there are no others than those in the certificate and their opposites
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error; of a
                  batch, a line, where it ends; else its exit code is 0

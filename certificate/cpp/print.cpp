@@ -124,6 +124,12 @@ std::string json_standing(const Standing& standing) {
          "}";
 }
 
+std::string json_integers(const std::vector<Integer>& integers) {
+  std::string text;
+  for (const Integer& x : integers) text += (text.empty() ? "" : ", ") + x.get_str();
+  return "[" + text + "]";
+}
+
 std::string json_intervals(const std::vector<Interval>& intervals) {
   std::string text;
   for (const auto& [low, high] : intervals) {
@@ -146,6 +152,10 @@ std::string json_ranges(const std::vector<Range>& ranges) {
 std::string json_question(const Question& question) {
   const Options& asked = question.asked;
   const auto& growth = asked.preload_direction;
+  if (asked.states) {
+    return R"({"contacts": )" + std::to_string(question.contacts.size()) + R"(, "states": )" +
+           json_string(*asked.states) + "}";
+  }
   return R"({"contacts": )" + std::to_string(question.contacts.size()) + R"(, "wrench": )" +
          json_wrench(question.wrench) + R"(, "preload": )" +
          (asked.preload ? json_string(asked.preload->get_str()) : "null") +
@@ -183,7 +193,22 @@ std::string contacts_of(const Question& question) {
   return text;
 }
 
+/// FORMAT.md §17.
+std::string text_of_states(const Accepted& a) {
+  Integer all = 0;
+  std::string numbers;
+  for (const Integer& f : a.by_dimension) {
+    all += f;
+    numbers += (numbers.empty() ? "" : ", ") + f.get_str();
+  }
+  return "accepted\nverdict     complete: " + all.get_str() + " states, of the set " +
+         *a.question.asked.states + "\ncontacts    " + contacts_of(a.question) +
+         "\ndimensions  " + numbers + "\nproof       motions: " + std::to_string(a.listed) +
+         "\n";
+}
+
 std::string text_of(const Accepted& a) {
+  if (a.question.asked.states) return text_of_states(a);
   const Options& asked = a.question.asked;
   const auto& growth = asked.preload_direction;
   const bool margin = a.verdict == "margin";
@@ -290,7 +315,8 @@ std::string as_json(const Answer& answer) {
   const bool statics = a != nullptr && a->question.asked.statics;
   const bool margin = a != nullptr && a->verdict == "margin" && !statics;
   const bool region = a != nullptr && a->verdict == "region" && !statics;
-  const bool tree = a != nullptr && !statics &&
+  const bool states = a != nullptr && a->question.asked.states;
+  const bool tree = a != nullptr && !statics && !states &&
                     (a->verdict != "stable" || a->rests + a->stickings + a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
   const std::string result = a != nullptr   ? "accepted"
@@ -322,6 +348,7 @@ std::string as_json(const Answer& answer) {
               ? R"(, "points": )" + std::to_string(a->stands) + R"(, "twists": )" +
                     std::to_string(a->moves)
               : "") +
+         (states ? R"(, "by_dimension": )" + json_integers(a->by_dimension) : "") +
          (a != nullptr && a->standing ? R"(, "standing": )" + json_standing(*a->standing)
                                       : "") +
          "}\n";

@@ -69,7 +69,8 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
 
 /// Of what is asked about many loads.
 std::string kind_of(const Options& asked) {
-  return asked.statics   ? "statics"
+  return asked.states    ? "the set of states"
+         : asked.statics ? "statics"
          : asked.plane   ? "a region"
          : asked.inertia ? "a class"
                          : "a margin";
@@ -317,6 +318,34 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
   return box;
 }
 
+/// FORMAT.md §17.
+Question pose_states(Grasp grasp, const Options& options, const std::string& file) {
+  if (options.margin() || options.plane || options.inertia || options.statics ||
+      options.wrench || options.preload || options.bilateral || options.case_name ||
+      !options.uncertain.empty() || options.max_motion) {
+    refuse("states", "another option is given as well, but positions and normals alone count");
+  }
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const Contact contact = grasp.contacts[i];
+    if (!is_contact(contact.sight)) continue;
+    const auto check = [&](const Bounds& bounds, const char* name) {
+      if (bounds.certain()) return;
+      throw Malformed{file, "contacts[" + std::to_string(i) + "]." + name,
+                      "found the interval " + show(bounds) + ", but " + kind_of(options) +
+                          " is that of one grasp; expected a number"};
+    };
+    for (const Bounds& p : contact.position) check(p, "position");
+    check(Bounds(-contact.slope, contact.slope), "normal.slope");
+  }
+  Question question;
+  question.asked = options;
+  question.several = grasp.several;
+  question.in_space = grasp.in_space();
+  question.wrench = Wrench(grasp.dimension());
+  question.contacts = Fixed<Contacts>(std::move(grasp.contacts));
+  return question;
+}
+
 }  // namespace
 
 std::string show(const Tolerance& tolerance) {
@@ -330,6 +359,7 @@ std::string show(const Tolerance& tolerance) {
 }
 
 Question pose(Grasp grasp, const Options& options, const std::string& file) {
+  if (options.states) return pose_states(std::move(grasp), options, file);
   Contacts& contacts = grasp.contacts;
   const std::size_t m = contacts.size();
   check_dimension(grasp, options);

@@ -26,6 +26,9 @@ namespace stickslip_check {
 inline constexpr std::array<const char*, 6> kUncertainKinds{"friction", "stiffness", "preload",
                                                             "position", "normal",    "wrench"};
 
+/// The sets of states (FORMAT.md §17).
+inline constexpr std::array<const char*, 3> kStateSets{"slip", "full", "closed"};
+
 /// The bits of an enclosure, unless a certificate says.
 inline constexpr unsigned kDefaultBits = 128;
 
@@ -62,6 +65,7 @@ struct Options {
   std::optional<std::vector<Vector>> plane;  ///< u and v, of wrenches
   std::optional<Vector> inertia;         ///< of a class: centre of mass and squared gyration
   std::optional<Rational> statics;       ///< of statics: the factor of all friction
+  std::optional<std::string> states;     ///< one of kStateSets: nothing else is asked then
   std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
   std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
   /// B. Of whoever asks also a length and an angle, or for none an empty list, in place of the
@@ -73,7 +77,7 @@ struct Options {
   /// Whether the class of a load under rigid contacts is asked for, and nothing else.
   bool rigid() const { return inertia && !margin() && !plane && !statics; }
   /// Whether it is no verdict, and so about one grasp: a margin, a region, a class or statics.
-  bool family() const { return margin() || plane || inertia || statics; }
+  bool family() const { return margin() || plane || inertia || statics || states; }
 };
 
 /// A list that nobody changes any more; copies are the same list.

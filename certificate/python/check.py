@@ -182,7 +182,7 @@ GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2", "stickslip-grasp/3")
                  1 << 28, 16_384, 16_384, 1 << 16, ("contacts",), re.compile(
                      r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
 CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 4_000, 65_536,
-                       1 << 22, ("segments", "tree", "parts", "intervals", "pieces"),
+                       1 << 22, ("segments", "tree", "parts", "intervals", "pieces", "states"),
                        re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
@@ -384,6 +384,7 @@ class Source:
 LAWS = ("unilateral", "bilateral")
 CLASSES = ("must move", "must hold", "open")  # §13
 STATICS = ("may stand", "must move")  # §16
+STATES = ("slip", "full", "closed")  # §17
 
 
 class Bounds(NamedTuple):
@@ -541,13 +542,15 @@ class Options(NamedTuple):
     inertia: Optional[Vector] = None                  # §13: the centre of mass and γ²
     statics: Optional[Fraction] = None                # §16: φ
     max_motion: Optional[Vector] = None  # B, or a length and an angle, or () for none; of a question B, or None
+    states: Optional[str] = None                      # §17: one of STATES
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
 
     def family(self) -> str:
         """What is about one grasp and many loads or preloads, if that is asked."""
-        return ("statics" if self.statics is not None else
+        return ("the set of states" if self.states else
+                "statics" if self.statics is not None else
                 "a margin" if self.margin() else "a region" if self.plane else
                 "a class" if self.inertia else "")
 
@@ -1209,6 +1212,21 @@ def check_statics(asked: Options) -> None:
         raise Malformed("the question", "statics", problem)
 
 
+def pose_states(grasp_file: str, grasp: Grasp, asked: Options) -> Question:
+    """§17: a question about positions and normals alone."""
+    if asked != Options(states=asked.states):
+        raise Malformed("the question", "states", "another option is given as well")
+    for contact in filter(Contact.is_contact, grasp.contacts):
+        for name, numbers in (("position", contact.position), ("normal", (Bounds(-contact.slope, contact.slope),))):
+            for number in numbers:
+                if not number.certain:
+                    raise Malformed(grasp_file, f"{contact.place}.{name}", f"found {show(number)}, but states are those of "
+                                                                           "one grasp; give a number")
+    wrench = exact_wrench(zeros(grasp.dimension))
+    return Question(asked, wrench, loads_within(wrench), (), grasp.contacts, (), [], False, grasp.space, grasp.names,
+                    bodies=grasp.bodies)
+
+
 def in_full(inertia: Vector) -> Vector:
     """§13: with xy, xz and yz, which may be left out."""
     return inertia + zeros(3) if len(inertia) == 6 else inertia
@@ -1331,6 +1349,8 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options
 def pose(grasp_file: str, asked: Options) -> Question:
     """§1, the table: the question, if it can be asked."""
     grasp = read_grasp(grasp_file, asked.statics is not None)
+    if asked.states:
+        return pose_states(grasp_file, grasp, asked)
     m = len(grasp.contacts)
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
@@ -1636,6 +1656,13 @@ class StaticProof(NamedTuple):
     move: List[Vector] = []
 
 
+class StatesProof(NamedTuple):
+    """§17: lines of slip of each contact, states with a motion each, and their numbers by dimension."""
+    lines: List[List[Vector]]
+    states: List[str]
+    by_dimension: List[int]
+
+
 class Certificate(NamedTuple):
     question: Claim
     verdict: str                # "stable", "unstable", "margin" or "region"
@@ -1649,6 +1676,7 @@ class Certificate(NamedTuple):
     pieces: Optional[List[List[Witness]]] = None  # of "region"
     rigid: Optional[RigidProof] = None  # of a class
     statics: Optional[StaticProof] = None
+    states: Optional[StatesProof] = None
 
     def proofs(self, kind: Type[Proof]) -> List[Proof]:
         """All parts that are not cut, of one kind."""
@@ -1669,7 +1697,11 @@ def read_certificate(name: str, question: Question) -> Certificate:
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    statics = states_statics(claimed.get("question"))
+    statics = states_member(claimed.get("question"), "statics")
+    if states_member(claimed.get("question"), "states"):
+        return read_states(source)
+    if question.asked.states:
+        raise Rejected("question-states", f"the certificate is about no states, asked was {question.asked.states}")
     evidence = {"region": "stand move" if statics else "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
                 "margin": "stand move" if statics else "intervals" if question.claims else "resisted segments tree",
                 "must move": "twist", "may stand": "forces", "must hold": "rest tree",
@@ -1756,9 +1788,34 @@ def read_forces(source: Source, value: Any, place: str) -> List[RigidForce]:
     return forces
 
 
-def states_statics(question: Any) -> bool:
+def states_member(question: Any, name: str) -> bool:
     """Whether the member `question` of a certificate has one of that name."""
-    return type(question) is Members and "statics" in dict(question.pairs)
+    return type(question) is Members and name in dict(question.pairs)
+
+
+def read_states(source: Source) -> Certificate:
+    """§17"""
+    top = source.members(source.root, "", "format producer? question verdict lines states by_dimension", True)
+    if type(top.get("producer", "")) is not str:
+        source.fail("producer", "must be a string")
+    fields = source.members(top["question"], "question", "contacts states", True)
+    kind = source.choice(fields["states"], "question.states", STATES)
+    claim = Claim(source.index(fields["contacts"], "question.contacts"), exact_wrench(zeros(source.dimension)), Options(states=kind))
+    verdict = source.choice(top["verdict"], "verdict", ("complete",))
+    lines = [[source.vector(line, f"lines[{i}][{j}]", source.coordinates)
+              for j, line in enumerate(source.array(lines, f"lines[{i}]"))]
+             for i, lines in enumerate(source.array(top["lines"], "lines"))]
+    for i, some in enumerate(lines):
+        if not some:
+            source.fail(f"lines[{i}]", "must be a line or more")
+    syntax = "".join((r"[-+0]\|" if kind == "full" else "") + f"[-+0]{{{len(some)}}} " for some in lines)
+    state = re.compile(syntax + f":(?: -?[0-9]+){{{source.dimension}}}")
+    for k, text in enumerate(source.array(top["states"], "states")):
+        if type(text) is not str or not state.fullmatch(text):
+            source.fail(f"states[{k}]", f"must be a string: signs of each contact, a colon, and {source.dimension} integers")
+    counts = source.array(top["by_dimension"], "by_dimension", source.dimension + 1)
+    return Certificate(claim, verdict, states=StatesProof(
+        lines, top["states"], [source.index(count, f"by_dimension[{j}]") for j, count in enumerate(counts)]))
 
 
 def read_statics(source: Source, top: Dict[str, Any], numbers: int) -> StaticProof:
@@ -1790,7 +1847,7 @@ def read_rigid_node(source: Source, value: Any, place: str) -> Node:
 
 
 def read_claim(source: Source, value: Any) -> Claim:
-    has_statics = states_statics(value)
+    has_statics = states_member(value, "statics")
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
                            + "plane? " * (has_statics or (not source.space and not source.several))
@@ -2045,7 +2102,8 @@ def read_node(source: Source, value: Any, place: str, more: int) -> Node:
 def check_question(question: Question, claim: Claim) -> None:
     """`question-...`."""
     said, asked = claim.asked, question.asked
-    for rule, found, wanted in (("contacts", claim.contacts, len(question.contacts)),
+    for rule, found, wanted in (("states", said.states, asked.states),
+                                ("contacts", claim.contacts, len(question.contacts)),
                                 ("wrench", claim.wrench, question.wrench),
                                 ("preload", said.preload, asked.preload),
                                 ("law", said.law, asked.law),
@@ -3863,6 +3921,251 @@ def standing(statics: Statics, proof: StaticProof) -> Standing:
     return Standing(stand, below, above, any(base > 0 and not growth for base, growth in works))
 
 
+# ---- §17 States --------------------------------------------------------------------------------
+
+
+class Codes(Dict[str, int]):
+    """The signs of a contact as they are spelled, in the bits of Signs."""
+
+    def __init__(self, first: int, width: int) -> None:
+        super().__init__()
+        self.first, self.width = first, width
+
+    def __missing__(self, signs: str) -> int:
+        code = 0
+        for i, sign_ in enumerate(signs.replace("|", "")):
+            code |= {"+": 3, "0": 2, "-": 0}[sign_] << self.width * (self.first + i + 1) - 2
+        self[signs] = code
+        return code
+
+
+class Signs:
+    """The signs of all rows on a motion, from one product: row i has `width` bits from bit i * width on, where its product
+    is stored plus 2^(width - 1), and so without a sign. Of these the uppermost is the first bit of its sign, whether the
+    product is at least 0; the bit below it says in a code whether it is above 0."""
+
+    def __init__(self, rows: Sequence[Integers], contacts: Sequence[int], width: int) -> None:
+        """Each contact has so many rows; others come after them, and have to be 0."""
+        self.columns = [sum(entry << width * i for i, entry in enumerate(column)) for column in zip(*rows)]
+        self.ones = sum(1 << width * i for i in range(len(rows)))
+        self.tops = self.ones << width - 1
+        firsts = list(itertools.accumulate(contacts, initial=0))
+        self.codes = [Codes(first, width) for first in firsts[:-1]]
+        self.zeros = sum(2 << width * (i + 1) - 2 for i in range(firsts[-1], len(rows)))
+
+    def agree(self, signs: str, motion: Sequence[int]) -> bool:
+        products = sum(map(operator.mul, self.columns, motion)) + self.tops
+        code = products & self.tops | (products - self.ones & self.tops) >> 1
+        return code == self.zeros + sum(map(operator.getitem, self.codes, signs.split()))
+
+
+def state_rows(question: Question, proof: StatesProof) -> Tuple[List[Integers], List[int], List[Integers]]:
+    """`state-line`: the rows in the order of signs, how many each contact has, and the rows that must be 0."""
+    contacts = question.contacts[:question.slipping()]
+    if len(proof.lines) != len(contacts):
+        raise Rejected("state-line", f"lines of {len(proof.lines)} contacts, must be {len(contacts)}")
+    rows: List[Integers] = []
+    counts, closed = [], []
+    for i, (contact, lines) in enumerate(zip(contacts, proof.lines)):
+        point = [p.low for p in contact.position]
+
+        def row(v: Vector) -> Integers:
+            return integers(pulled(contact.motion, at(point, v)))[0]
+
+        counts.append(len(lines) + (question.asked.states == "full"))
+        if question.asked.states == "closed":
+            closed.append(row(contact.normal))
+        elif question.asked.states == "full":
+            rows.append(row(contact.normal))
+        for j, v in enumerate(lines):
+            if not any(v) or dot(v, contact.normal):
+                raise Rejected("state-line", f"{show(v)} must be across the normal, {show(contact.normal)}, and not 0",
+                               f"contact {i}, line {j}")
+            rows.append(row(v))
+    return rows, counts, closed
+
+
+def check_listed(rows: Sequence[Integers], counts: Sequence[int], proof: StatesProof) -> int:
+    """`state-sign`, `state-half`, `state-new` of each state; how many they are with their opposites."""
+    tables: Dict[int, Signs] = {}
+    longest = max((abs(x).bit_length() for row in rows for x in row), default=0) + max(map(len, rows), default=0).bit_length()
+    seen: Set[str] = set()
+    work = 2 + len(rows) // 8
+    number = 0
+    for k, text in enumerate(proof.states):
+        signs, _, numbers = text.partition(":")
+        motion = list(map(int, numbers.split()))
+        length = -(-(longest + max(map(int.bit_length, motion)) + 2) // 32)
+        Work.spend(work * length)
+        if length not in tables:
+            tables[length] = Signs(rows, counts, 32 * length)
+        if not tables[length].agree(signs, motion):
+            raise Rejected("state-sign", f"the motion ({numbers.strip()}) has not the signs {signs.strip()}", f"state {k}")
+        first = signs.lstrip("0| ")[:1]
+        if first == "-":
+            raise Rejected("state-half", "the first sign that is not 0 is -", f"state {k}")
+        if signs in seen:
+            raise Rejected("state-new", "a state before it has the same signs", f"state {k}")
+        seen.add(signs)
+        number += 2 if first else 1
+    return number
+
+
+def primitive(row: Sequence[int]) -> Integers:
+    """The row of a plane: without common divisors, the first entry that is not 0 above 0; () if all are 0."""
+    divisor = math.gcd(*row)
+    if divisor == 0:
+        return ()
+    if next(filter(None, row)) < 0:
+        divisor = -divisor
+    return tuple(x // divisor for x in row)
+
+
+def restricted(rows: Dict[Integers, int], plane: Integers) -> Dict[Integers, int]:
+    """Planes as those of `plane`, in one coordinate less; each has the bits of all that are the same there. Those
+    that contain all of it are left out."""
+    p = next(j for j, x in enumerate(plane) if x)
+    pivot, rest = plane[p], plane[:p] + plane[p + 1:]
+    result: Dict[Integers, int] = {}
+    for row, bits in rows.items():
+        entry = row[p]
+        here = primitive([x * pivot - entry * y for x, y in zip(row[:p] + row[p + 1:], rest)])
+        if here:
+            result[here] = result.get(here, 0) | bits
+    length = words(plane)
+    Work.spend(len(rows))
+    Work.multiply(2 * len(rows) * len(plane), length, length)
+    return result
+
+
+def columns_of(rows: Sequence[Integers]) -> List[int]:
+    """Of coordinates that determine all others of a sum of rows, as few as can be: as many as the rank."""
+    columns: List[int] = []
+    left = {row: 0 for row in rows}
+    names = list(range(len(rows[0]))) if rows else []
+    while left:
+        plane = next(iter(left))
+        p = next(j for j, x in enumerate(plane) if x)
+        columns.append(names.pop(p))
+        left = restricted(left, plane)
+    return columns
+
+
+def members_of(bits: int) -> List[int]:
+    return [i for i in range(bits.bit_length()) if bits >> i & 1]
+
+
+class Flats:
+    """§17, *Computing*: the flats of an arrangement, and the numbers of its faces. A set of planes is an integer, with
+    the bit 2^i for plane i."""
+
+    def __init__(self, planes: Sequence[Integers], most: int) -> None:
+        """Throws if there are more faces than that."""
+        self.planes, self.most, self.found = planes, most, 0
+        self.known: Dict[int, List[int]] = {}
+
+    def faces(self) -> List[int]:
+        """By the codimension of the face, from 0 to the rank."""
+        return [2 * x for x in self.sums((1 << len(self.planes)) - 1, True)] + [1]
+
+    def sums(self, planes: int, counted: bool = False) -> List[int]:
+        """The sum of ±w(Y) over all flats Y of these planes but the least, where the sign is + if their codimensions differ
+        by an odd number. `counted`: those with + alone, each of which is at least a face."""
+        chosen = members_of(planes)
+        columns = columns_of([self.planes[i] for i in chosen])
+        rank = len(columns)
+        rows = {primitive([self.planes[i][j] for j in columns]): 1 << i for i in chosen}
+        total, simple = [0] * rank, [0] * rank  # of flats with as many planes as their codimension, how many there are
+        waiting = [(0, 0, 0, rows)] if rank else []
+
+        def take(flat: int, codimension: int) -> None:
+            odd = (rank - codimension) % 2
+            if counted:
+                self.found += 1
+                if self.found > self.most:
+                    raise Rejected("state-complete", f"there are more states than {self.most}")
+            if counted and not odd:
+                return
+            if bin(flat).count("1") == codimension:
+                simple[codimension] += 1
+                return
+            for c, x in enumerate(self.weights(flat)):
+                total[c] += x if odd else -x
+
+        if rank:
+            take(0, 0)
+        while waiting:
+            flat, codimension, last, rows = waiting.pop()
+            for row, bits in rows.items():
+                first = bits & -bits
+                if first > last and codimension + 1 < rank:
+                    take(flat | bits, codimension + 1)
+                    if codimension + 2 < rank:
+                        waiting.append((flat | bits, codimension + 1, first, restricted(rows, row)))
+            Work.spend(1 + len(rows))
+        for codimension, count in enumerate(simple):
+            for c in range(codimension + 1):
+                total[c] += (1 if (rank - codimension) % 2 else -1) * count * math.comb(codimension, c)
+        return total
+
+    def weights(self, flat: int) -> List[int]:
+        """w_c(Y) for c from 0 to the codimension of the flat Y that these planes, all that contain it, have in common."""
+        free = self.free(members_of(flat))
+        bound = flat & ~sum(1 << i for i in free)
+        if bound not in self.known:
+            self.known[bound] = self.sums(bound) + [1]
+        result = self.known[bound]
+        for _ in free:
+            result = list(map(operator.add, result + [0], [0] + result))
+        return result
+
+    def free(self, chosen: Sequence[int]) -> List[int]:
+        """Which of these planes have rows that are not in the span of those of the others."""
+        matrix = [[self.planes[i][j] for i in chosen] for j in range(len(self.planes[0]))]
+        pivots: List[int] = []
+        for c in range(len(chosen)):
+            top = len(pivots)
+            found = next((k for k in range(top, len(matrix)) if matrix[k][c]), None)
+            if found is None:
+                continue
+            matrix[top], matrix[found] = matrix[found], matrix[top]
+            pivot = matrix[top]
+            for k, row in enumerate(matrix):
+                if k != top and row[c]:
+                    reduced_row = [x * pivot[c] - row[c] * y for x, y in zip(row, pivot)]
+                    divisor = math.gcd(*reduced_row) or 1
+                    matrix[k] = [x // divisor for x in reduced_row]
+            pivots.append(c)
+            Work.spend(1 + len(matrix) * len(chosen) // 8)
+            Work.multiply(2 * len(matrix) * len(chosen), words(pivot), words(pivot))
+        return [chosen[c] for row, c in zip(matrix, pivots) if sum(map(bool, row)) == 1]
+
+
+def count_states(rows: Sequence[Integers], closed: Sequence[Integers], dimension: int, most: int) -> List[int]:
+    """§17: f_0, f_1, …; throws by `state-complete` if there are more than `most` in all."""
+    for k, plane in enumerate(closed):
+        plane = primitive(plane)
+        if plane:
+            p = next(j for j, x in enumerate(plane) if x)
+            dimension -= 1
+            rows, closed = ([[x * plane[p] - row[p] * y for j, (x, y) in enumerate(zip(row, plane)) if j != p]
+                             for row in some] for some in (rows, closed))
+            return count_states(rows, closed[k + 1:], dimension, most) + [0]
+    planes = list(dict.fromkeys(filter(None, map(primitive, rows))))
+    found = Flats(planes, most).faces()
+    return [0] * (dimension + 1 - len(found)) + found[::-1]
+
+
+def check_states(question: Question, proof: StatesProof) -> None:
+    rows, counts, closed = state_rows(question, proof)
+    number = check_listed(rows + closed, counts, proof)
+    by_dimension = count_states(rows, closed, len(question.wrench), number)
+    if sum(by_dimension) != number:
+        raise Rejected("state-complete", f"there are {sum(by_dimension)} states, and {number} are listed")
+    if proof.by_dimension != by_dimension:
+        raise Rejected("state-dimension", f"there are {show(tuple(by_dimension))} states of the dimensions 0, 1, ...")
+
+
 # ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
@@ -3889,6 +4192,7 @@ one of them may be - for standard input. Give the same options as to the program
   --statics FACTOR         ask whether the bodies may stand or must move, whatever stiffness and preloads
                            are, with all friction multiplied by FACTOR; with --direction or --plane (of two
                            wrenches that have a number for each coordinate) which of these loads may or must
+  --states SET             ask which states there are, of the set slip, full or closed
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
@@ -3990,7 +4294,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--torque", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction", "--plane", "--inertia", "--statics", "--uncertain", "--max-motion"):
+                        "--preload-direction", "--plane", "--inertia", "--statics", "--states", "--uncertain", "--max-motion"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
@@ -4011,6 +4315,10 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             options = options._replace(inertia=in_full(values))
         elif name == "--statics":
             options = options._replace(statics=number_option(name, value))
+        elif name == "--states":
+            if value not in STATES:
+                raise UsageError(f"{name}: '{show(value)}' is not slip, full or closed")
+            options = options._replace(states=value)
         elif name == "--torque":
             options = options._replace(wrench=(Fraction(0), Fraction(0), number_option(name, value)))
         elif name == "--case":
@@ -4059,6 +4367,22 @@ def listed_tolerance(tolerance: Union[Tolerance, Ball]) -> Union[str, Dict[str, 
             **({} if tolerance.body is None else {"body": tolerance.body})}
 
 
+def contact_lines(question: Question) -> List[str]:
+    """How many contacts there are; of several bodies, which elements, and the coordinates of motions."""
+    if not question.names:
+        return [f"contacts    {len(question.contacts)}"]
+    contacts, springs = question.slipping(), question.springs()
+    ratchets = len(question.contacts) - contacts - springs
+    return [f"contacts    {contacts}; ratchets: {ratchets}; springs: {springs}",
+            f"coordinates {', '.join(map(printable, question.names))}"]
+
+
+def states_text(proof: StatesProof, question: Question) -> str:
+    return "\n".join(["accepted", f"verdict     complete: {sum(proof.by_dimension)} states, of the set {question.asked.states}",
+                      *contact_lines(question), f"dimensions  {', '.join(map(str, proof.by_dimension))}",
+                      f"proof       motions: {len(proof.states)}", ""])
+
+
 def accepted_text(certificate: Certificate, question: Question, leaves: int, ranges: List[Range],
                   resisted: Sequence[Interval], standing_: Optional[Standing]) -> str:
     static = certificate.statics
@@ -4090,13 +4414,7 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     else:
         lines += [f"verdict     {certificate.verdict}"
                   + ", for every grasp in the box" * question.is_box]
-    if question.names:
-        contacts, springs = question.slipping(), question.springs()
-        ratchets = len(question.contacts) - contacts - springs
-        lines += [f"contacts    {contacts}; ratchets: {ratchets}; springs: {springs}",
-                  f"coordinates {', '.join(map(printable, question.names))}"]
-    else:
-        lines += [f"contacts    {len(question.contacts)}"]
+    lines += contact_lines(question)
     lines.append(f"wrench      ({', '.join(map(str, question.wrench))})")
     if asked.direction is not None:
         lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
@@ -4154,7 +4472,9 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
             check_segments(certificate.segments, certificate.resisted, question)
             ranges = gaps(certificate.resisted)
         standing_ = None
-        if certificate.statics is not None:
+        if certificate.states is not None:
+            check_states(question, certificate.states)
+        elif certificate.statics is not None:
             statics = check_statics_proof(question, certificate, certificate.statics)
             standing_ = standing(statics, certificate.statics) if certificate.verdict == "margin" else None
         elif certificate.rigid is not None:
@@ -4190,6 +4510,10 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
     leaves = sum(node.kind in ("leaf", "held") for node in certificate.trees())
     resisted = certificate.resisted + resisted_ranges(certificate.claims or [])
     asked, growth = question.asked, question.asked.preload_direction
+    if certificate.states is not None:
+        report.update(result="accepted", verdict=certificate.verdict, box=False, by_dimension=certificate.states.by_dimension,
+                      question={"contacts": len(question.contacts), "states": asked.states})
+        return report, states_text(certificate.states, question), 0
     report.update(result="accepted", verdict=certificate.verdict, box=question.is_box, question={
         "contacts": len(question.contacts), "wrench": listed_wrench(question.wrench),
         "preload": None if asked.preload is None else str(asked.preload), "normal_law": asked.law,

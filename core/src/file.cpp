@@ -91,13 +91,24 @@ std::optional<int> standard_stream(const struct stat& file) {
   return std::nullopt;
 }
 
+/// Writes all pieces, and returns whether they are all. In errors the file is `path`.
+bool write_pieces(int descriptor, const std::string& path, const FilePieces& pieces) {
+  return pieces([&](std::string_view piece) {
+    if (!write_all(descriptor, piece)) throw cannot_write(path, errno);
+  });
+}
+
 /// Writes to a device or pipe (/dev/null), which cannot be replaced by renaming.
-void write_into(const std::string& path, std::string_view content) {
+void write_into(const std::string& path, const FilePieces& pieces) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const bool good = descriptor >= 0 && write_all(descriptor, content);
-  const int error = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!good) throw cannot_write(path, error);
+  if (descriptor < 0) throw cannot_write(path, errno);
+  try {
+    write_pieces(descriptor, path, pieces);
+  } catch (...) {
+    ::close(descriptor);
+    throw;
+  }
+  ::close(descriptor);
 }
 
 /// A new file that is open for writing.
@@ -266,19 +277,26 @@ bool is_numbered(std::string_view name, std::string_view before, std::string_vie
 }
 
 void write_whole_file(const std::string& path, std::string_view content) {
+  write_whole_file(path, [content](const FilePiece& write) {
+    write(content);
+    return true;
+  });
+}
+
+void write_whole_file(const std::string& path, const FilePieces& pieces) {
   if (path == "-") {
-    if (!write_all(STDOUT_FILENO, content)) throw cannot_write("<stdout>", errno);
+    write_pieces(STDOUT_FILENO, "<stdout>", pieces);
     return;
   }
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (exists) require_unprotected(old, path);
   if (const auto stream = exists ? standard_stream(old) : std::nullopt) {
-    if (!write_all(*stream, content)) throw cannot_write(path, errno);
+    write_pieces(*stream, path, pieces);
     return;
   }
   if (exists && !S_ISREG(old.st_mode)) {
-    write_into(path, content);
+    write_into(path, pieces);
     return;
   }
 
@@ -286,20 +304,26 @@ void write_whole_file(const std::string& path, std::string_view content) {
   const FileWrite write;
   const auto [name, descriptor] = make_temporary(file, exists);
   if (descriptor < 0) throw cannot_write(path, errno);
-  bool good = write_all(descriptor, content) && (!exists || set_permissions(descriptor, old));
+  bool all = false;
+  try {
+    all = write_pieces(descriptor, path, pieces);
+  } catch (...) {
+    ::close(descriptor);
+    ::unlink(name.c_str());
+    throw;
+  }
+  bool good = !all || !exists || set_permissions(descriptor, old);
   int error = errno;
   if (::close(descriptor) != 0) {
     good = false;
     error = errno;
   }
-  if (good && std::rename(name.c_str(), file.c_str()) != 0) {
+  if (all && good && std::rename(name.c_str(), file.c_str()) != 0) {
     good = false;
     error = errno;
   }
-  if (!good) {
-    ::unlink(name.c_str());
-    throw cannot_write(path, error);
-  }
+  if (!all || !good) ::unlink(name.c_str());
+  if (!good) throw cannot_write(path, error);
 }
 
 }  // namespace stickslip

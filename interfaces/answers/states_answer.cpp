@@ -12,13 +12,13 @@
 namespace stickslip {
 namespace {
 
-/// Appends integers of a motion, each between these marks.
+/// Appends integers of a motion, each between these marks, and `between` them.
 void append_motion(std::string& text, const StatesQuestion& question, const Face& face,
-                   const char* mark) {
+                   const char* mark, const char* between = ", ") {
   std::array<std::int64_t, kMostFaceCoordinates> words{};
   const std::size_t n = question.planes.coordinates;
   const auto append = [&](const std::string& digits, std::size_t j) {
-    if (j > 0) text += ", ";
+    if (j > 0) text += between;
     text += mark + digits + mark;
   };
   if (face.motion_in_words(words.data())) {
@@ -168,6 +168,59 @@ Json states_counts_json(const StatesQuestion& question, const FaceCounts& counts
     json["warnings"] = Json::array({*warning});
   }
   return json;
+}
+
+std::string states_certificate_head(const StatesQuestion& question) {
+  const StateSet set = question.planes.set;
+  if (set == StateSet::kOpening || set == StateSet::kContact) {
+    throw InputError("", "certificate", "modes have no certificate of their own",
+                     "take that of --modes full, which has them all: they are its states in "
+                     "which no contact is pressed, with o for a contact that moves apart");
+  }
+  if (question.faces.least_dimension > 0 ||
+      question.faces.most_dimension < static_cast<int>(question.planes.coordinates)) {
+    throw InputError("", "certificate", "it proves that a list of all states is complete",
+                     "take states of all dimensions");
+  }
+  std::string text =
+      "{\"format\": \"stickslip-certificate/2\",\n \"producer\": \"stickslip " STICKSLIP_VERSION
+      "\",\n \"question\": {\"contacts\": " +
+      std::to_string(question.grasp.elements()) + ", \"states\": \"" + name_of(set) +
+      "\"},\n \"verdict\": \"complete\",\n \"lines\": [";
+  bool first = true;
+  for (const std::vector<RationalRow>& lines :
+       slip_directions(question.grasp, question.lines)) {
+    text += first ? "\n  [" : ",\n  [";
+    first = false;
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+      text += j == 0 ? "[" : ", [";
+      for (std::size_t k = 0; k < lines[j].size(); ++k) {
+        text += (k == 0 ? "\"" : ", \"") + to_string(lines[j][k]) + '"';
+      }
+      text += ']';
+    }
+    text += ']';
+  }
+  return text + "],\n \"states\": [";
+}
+
+std::optional<std::string> state_for_certificate(const StatesQuestion& question,
+                                                 const Face& face) {
+  const StatePlanes& planes = question.planes;
+  std::string text = "\"" + planes.text(face);
+  const std::size_t first = text.find_first_of("+-");
+  if (first != std::string::npos && text[first] == '-') return std::nullopt;
+  text += planes.contacts.empty() ? ": " : " : ";
+  append_motion(text, question, face, "", " ");
+  return text + '"';
+}
+
+std::string states_certificate_end(const FaceCounts& counts) {
+  std::string text = "],\n \"by_dimension\": [";
+  for (std::size_t j = 0; j < counts.by_dimension.size(); ++j) {
+    text += (j == 0 ? "" : ", ") + std::to_string(counts.by_dimension[j]);
+  }
+  return text + "]}\n";
 }
 
 std::string motion_text(const StatesQuestion& question, const Face& face) {

@@ -33,13 +33,16 @@ BOXES = {"plane_box", "space_box", "plane_claims", "space_margin"} | BODIES  # n
 WITNESSES = {"plane", "plane_margin", "plane_claims", "plane_region", "space", "space_margin"} | BODIES
 CLASSES = {"plane_class", "space_class"}
 STATICS = {"plane_statics", "space_statics", "bodies_statics"}
-TREES = ALL - STATICS
+STATES = {"plane_states", "space_states", "bodies_states"}  # about positions and normals alone
+LOADED = ALL - STATES
+TREES = LOADED - STATICS
 CUT = {"plane", "plane_box", "space", "space_box", "bodies", "bodies_space", "bodies_soft"}
 BY_DEGREE = TREES - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
-    **dict.fromkeys(["question-contacts", "question-wrench", "question-preload", "question-law", "question-direction",
-                     "question-preload-direction", "question-uncertain", "question-max-motion"], ALL),
+    "question-contacts": ALL,
+    **dict.fromkeys(["question-wrench", "question-preload", "question-law", "question-direction",
+                     "question-preload-direction", "question-uncertain", "question-max-motion"], LOADED),
     "question-plane": (PLANE | STATICS) - {"plane_margin", "plane_claims"},  # there question-direction fails before
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
     "witness-bound": WITNESSES - {"plane_margin", "plane_region"},  # where no question has a bound
@@ -59,6 +62,7 @@ WHERE = {
     "question-inertia": CLASSES | {"plane_statics", "space_statics"},
     **dict.fromkeys(["class-twist", "class-force", "class-balance", "class-motion", "class-leaf"], CLASSES),
     **dict.fromkeys(["question-statics", "static-point", "static-force", "static-balance", "static-motion"], STATICS),
+    **dict.fromkeys(["question-states", "state-line", "state-sign", "state-half", "state-new", "state-complete", "state-dimension"], STATES),
     "class-slip": {"space_class"},
     **dict.fromkeys(["piece-mode", "held-piece", "held-inside"], {"plane_region"}),
 }
@@ -71,8 +75,8 @@ def names(entry, members):
 
 
 def judged_by_js(entry):
-    """check.js judges no planes of loads, rigid contacts and statics, and does not know the last."""
-    return not names(entry, {"plane", "inertia", "statics"})
+    """check.js judges no planes of loads, rigid contacts, statics and states, and does not know the last two."""
+    return entry.kind not in STATES and not names(entry, {"plane", "inertia", "statics"})
 
 
 def ball_of(content):
@@ -219,18 +223,18 @@ class RulesTest(unittest.TestCase):
                     done = run([command], folder, entry)
                     self.assertEqual((done.returncode, done.stdout), (0, self.check_py[entry[:2]][1]), entry.name)
 
-    def expect_ignorance_of_statics(self, command):
+    def expect_ignorance(self, command, member, kinds):
         """Of a checker that does not judge them: the member is malformed to it, and the option is none of its own."""
-        entries = [entry for entry in self.entries if entry.kind in STATICS and "statics" in entry.certificate["question"]]
+        entries = [entry for entry in self.entries if entry.kind in kinds and member in entry.certificate["question"]]
         without = [entry._replace(options=[]) for entry in entries]
         for entry, answer in zip(without, in_batch([*command, "--batch"], without)):
             self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), (entry.name, answer))
         # Each of these is a process, so there are three.
-        for entry in [next(entry for entry in entries if entry.kind == kind) for kind in sorted(STATICS)]:
+        for entry in [next(entry for entry in entries if entry.kind == kind) for kind in sorted(kinds)]:
             with tempfile.TemporaryDirectory() as folder:
                 done = run(command, folder, entry)
             self.assertEqual((done.returncode, done.stdout), (2, ""), entry.name)
-            self.assertIn("--statics", done.stderr)
+            self.assertIn("--" + member, done.stderr)
 
     def test_every_rule_is_broken(self):
         with open(os.path.join(ROOT, "certificate", "FORMAT.md"), encoding="utf-8") as file:
@@ -244,14 +248,15 @@ class RulesTest(unittest.TestCase):
         for entry in self.entries:
             if entry.rule is None:
                 contacts, several = entry.grasp["contacts"], "bodies" in entry.grasp
-                in_space = bool(contacts) and len(contacts[0]["position"]) == 3 if several else (
-                    len(entry.certificate["question"]["wrench"]) == 6)
+                in_space = bool(contacts) and len(contacts[0]["position"]) == 3 if several or entry.kind in STATES and contacts else (
+                    len(entry.grasp["wrench"] if entry.kind in STATES else entry.certificate["question"]["wrench"]) == 6)
                 kind = ["bodies" if several else None, "space" if in_space else None if several else "plane", {
                     "margin": "claims" if "intervals" in entry.certificate and not several and not in_space else "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
                         entry.certificate["verdict"])]
                 soft = '"torsion"' in json.dumps(entry.grasp)
-                if "statics" in entry.certificate["question"]:
-                    kind, soft = ["bodies" if several else kind[1], "statics"], False
+                for word in ("statics", "states"):
+                    if word in entry.certificate["question"]:
+                        kind, soft = ["bodies" if several else kind[1], word], False
                 self.assertEqual("bodies_soft" if soft else "_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
     def test_check_py(self):
@@ -307,17 +312,20 @@ class RulesTest(unittest.TestCase):
     def test_check_js(self):
         entries = list(filter(judged_by_js, self.entries))
         self.expect(entries, in_batch([*CHECK_JS, "--batch"], entries))
-        self.expect_ignorance_of_statics(CHECK_JS)
+        self.expect_ignorance(CHECK_JS, "statics", STATICS)
+        self.expect_ignorance(CHECK_JS, "states", STATES)
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved(self):
         """It says nothing of paths in trees."""
-        answers = in_batch([batch.PROVED, "--batch"], self.entries)
-        self.expect(self.entries, answers, says=("result", "rule"))
-        statics = [(entry, answer) for entry, answer in zip(self.entries, answers) if str(entry.rule).startswith("static-")]
+        entries = [entry for entry in self.entries if entry.kind not in STATES]
+        answers = in_batch([batch.PROVED, "--batch"], entries)
+        self.expect(entries, answers, says=("result", "rule"))
+        statics = [(entry, answer) for entry, answer in zip(entries, answers) if str(entry.rule).startswith("static-")]
         self.assertGreater(len(statics), 100)
         self.expect(*zip(*statics))
-        self.expect_texts(batch.PROVED, self.entries)
+        self.expect_texts(batch.PROVED, entries)
+        self.expect_ignorance([batch.PROVED], "states", STATES)
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved_on_several(self):

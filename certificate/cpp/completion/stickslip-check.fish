@@ -9,6 +9,7 @@ complete -c stickslip-check -l normal-law -x -a 'unilateral bilateral' -d 'Norma
 complete -c stickslip-check -l preload-direction -x -a 'scale' -d 'Ask for the margin along preloads'
 complete -c stickslip-check -l inertia -x -d 'Ask for the class of rigid contacts'
 complete -c stickslip-check -l statics -x -d 'Ask whether bodies may stand or must move, with friction times this'
+complete -c stickslip-check -l states -x -a 'slip full closed' -d 'Ask which slip states there are'
 complete -c stickslip-check -l plane -x -d 'Ask for the region of this plane'
 complete -c stickslip-check -l uncertain -x -d 'Ask about every grasp in a box'
 complete -c stickslip-check -l max-motion -x -a 'none' -d 'Ask about motions up to these alone'

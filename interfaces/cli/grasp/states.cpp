@@ -12,6 +12,7 @@
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
@@ -32,13 +33,14 @@ struct StatesArguments {
   std::string dimension;
   std::size_t limit = 0;
   unsigned threads = 0;
+  std::string certificate;
   bool list = false;
   bool json = false;
 
   /// Returns whether something is asked that the enumerators of the sphere do not know.
   bool beyond_sphere() const {
     return modes != "slip" || lines > 0 || snap || !directions.empty() || !closed.empty() ||
-           !dimension.empty() || limit > 0;
+           !dimension.empty() || limit > 0 || !certificate.empty();
   }
 };
 
@@ -88,6 +90,9 @@ InputError of_options(const InputError& error) {
     return {error.file(), "--lines", error.problem(),
             error.remedy() + " (--snap, --directions FILE)"};
   }
+  if (place == "certificate") {
+    return {error.file(), "--certificate", error.problem(), error.remedy()};
+  }
   if (place == "dimension")
     return {error.file(), "--dimension", error.problem(), error.remedy()};
   if (place == "at_least_closed") {
@@ -128,6 +133,29 @@ class StatesWriter {
 
   /// Finds and writes. Returns whether nothing ended it before the last state.
   bool write() {
+    if (arguments_.certificate.empty()) return find();
+    const std::string head = head_of_proof();
+    bool complete = false;
+    write_whole_file(arguments_.certificate, [&](const FilePiece& piece) {
+      piece_ = &piece;
+      proof_ = head;
+      complete = find();
+      piece(proof_);
+      return complete;
+    });
+    return complete;
+  }
+
+ private:
+  std::string head_of_proof() const {
+    try {
+      return states_certificate_head(question_);
+    } catch (const InputError& error) {
+      throw of_options(error);
+    }
+  }
+
+  bool find() {
     write_head();
     FaceOptions options = question_.faces;
     options.go_on = [&](std::uint64_t found) {
@@ -137,17 +165,17 @@ class StatesWriter {
     const StatePlanes& planes = question_.planes;
     const InterruptionStop stop([&] { interrupted_ = true; });
     const FaceCounts counts =
-        arguments_.list || arguments_.limit > 0
+        arguments_.list || arguments_.limit > 0 || piece_ != nullptr
             ? visit_faces(
                   planes.coordinates, planes.planes,
                   [&](const Face& face) { return write_state(face); }, options)
             : count_faces(planes.coordinates, planes.planes, options, arguments_.threads);
     progress_.clear();
+    if (piece_ != nullptr) proof_ += states_certificate_end(counts);
     write_counts(counts);
     return counts.complete;
   }
 
- private:
   void write_head() {
     const std::string& name = question_.grasp.description.name;
     if (!arguments_.json) {
@@ -168,7 +196,18 @@ class StatesWriter {
                 << motion_text(question_, face) << '\n';
     }
     ++written_;
+    if (piece_ != nullptr) prove(face);
     return true;
+  }
+
+  void prove(const Face& face) {
+    constexpr std::size_t kPiece = std::size_t{1} << 16;
+    const auto state = state_for_certificate(question_, face);
+    if (!state) return;
+    proof_ += (proved_++ == 0 ? "\n  " : ",\n  ") + *state;
+    if (proof_.size() < kPiece) return;
+    (*piece_)(proof_);
+    proof_.clear();
   }
 
   void write_counts(const FaceCounts& counts) {
@@ -251,12 +290,19 @@ class StatesWriter {
   Progress progress_;
   std::atomic<bool> interrupted_{false};
   std::size_t written_ = 0;
+  const FilePiece* piece_ = nullptr;  ///< where a certificate goes
+  std::string proof_;                 ///< what comes next there
+  std::size_t proved_ = 0;
 };
 
 int states(const StatesArguments& arguments) {
   const Question question = read_contacts(arguments.file);
   if (question.grasp.is_one_planar_body() && !arguments.beyond_sphere()) {
     return states_on_sphere(arguments, question.grasp.planar_middle().grasp);
+  }
+  if (!arguments.certificate.empty() && arguments.limit > 0) {
+    throw InputError("", "--certificate", "it proves that a list of all states is complete",
+                     "leave out --limit");
   }
   const StatesQuestion states = question_of(arguments, question.grasp);
   return StatesWriter(arguments, states).write() ? kDone : kUndecidedWithinLimit;
@@ -315,6 +361,12 @@ void add_states_command(Command& app, int& exit_code) {
       ->capture_default_str();
   add_threads_option(*command, arguments->threads,
                      "Threads that count, in the plane those of the sweep; 0 is one a core");
+  command
+      ->add_option("--certificate", arguments->certificate,
+                   "With --modes slip, full or closed: write a proof for stickslip-check "
+                   "--states MODES that there are no other states (certificate/FORMAT.md, "
+                   "section 17)")
+      ->type_name("FILE");
   command->add_flag("--list", arguments->list,
                     "List the states, in the plane one character a contact: + and - slip, 0 "
                     "stick; in space a character a line of slip, and a motion");

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 from fractions import Fraction
 
-from test_cli import DONE, FIG1, STICKSLIP, UNDECIDED, Case, stickslip
+from test_cli import CHECK, DONE, FIG1, STICKSLIP, UNDECIDED, Case, stickslip
 
 
 def cube(walls, preload=0):
@@ -115,6 +115,27 @@ class States(Case):
             wrong = self.write("wrong.json", content)
             self.fails("states", file, "--directions", wrong, naming=[wrong, *naming])
 
+    def test_a_certificate_is_accepted(self):
+        """Whatever its bodies and lines are."""
+        floor = cube(FLOOR)
+        arm = {"format": "stickslip-grasp/3", "bodies": [{"name": "block"}, {"name": "arm", "hinge": {"at": [0, 0, 0], "axis": [0, 1, 0]}}],
+               "joints": [{"turns": {"arm": 1}}], "defaults": {"friction": 1},
+               "contacts": [{"of": "block", "by": "arm", "position": [1, 0, "1/3"], "normal": [0, 0, 1]},
+                            {"of": "block", "position": [2, 1, 0], "normal": [0, 1, 2]}]}
+        for grasp, *options in ((floor, "slip"), (floor, "full"), (floor, "closed"), (floor, "slip", "--lines", "3", "--snap"), (cube(CORNER), "closed"),
+                                (arm, "full")):
+            file, proof = self.write("g.json", grasp), self.path("proof.json")
+            answer = self.json("states", file, "--certificate", proof, "--modes", *options)
+            judged = subprocess.run([CHECK, file, proof, "--states", options[0], "--json"], capture_output=True, encoding="ascii", check=True)
+            self.assertEqual(json.loads(judged.stdout)["by_dimension"], answer["by_dimension"])
+
+    def test_what_has_no_certificate_writes_none(self):
+        file, proof = self.write("g.json", cube(FLOOR)), self.path("proof.json")
+        for options, says in ((("--modes", "cs"), "--modes full"), (("--modes", "ss"), "--modes full"),
+                              (("--dimension", "3"), "all dimensions"), (("--limit", "3"), "leave out --limit")):
+            self.fails("states", file, "--certificate", proof, *options, naming=["--certificate", says])
+        self.assertEqual(os.listdir(self.folder), ["g.json"])
+
     def test_options_that_do_not_fit(self):
         file = self.write("g.json", cube(FLOOR))
         self.fails("states", file, "--engine", "sweep", naming=["--engine", "in the plane"])
@@ -155,7 +176,7 @@ class States(Case):
         many = cube(CORNER + [(0, 1), (1, 1), (2, 1)])
         file = self.write("g.json", many)
         master, terminal = pty.openpty()
-        with subprocess.Popen([STICKSLIP, "states", file, "--lines", "8", "--snap", "--json"], stdout=subprocess.PIPE,
+        with subprocess.Popen([STICKSLIP, "states", file, "--lines", "8", "--snap", "--json", "--certificate", self.path("proof.json")], stdout=subprocess.PIPE,
                               stderr=terminal,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as program:
             os.close(terminal)
@@ -168,6 +189,7 @@ class States(Case):
         answer = json.loads(out)
         self.assertEqual((program.returncode, answer["complete"]), (UNDECIDED, False))
         self.assertGreater(answer["distinct_states"], 0)
+        self.assertEqual(os.listdir(self.folder), ["g.json"])  # it proves nothing
 
 
 if __name__ == "__main__":

@@ -62,6 +62,11 @@ std::vector<Vector3> default_slip_lines(const RationalRow& normal, std::size_t c
 /// Returns D, the number of coordinates of motions: 3, 6, or that of a mechanism.
 std::size_t motion_coordinates(const GraspBox& grasp);
 
+/// Returns the directions of the lines of slip of each contact of one grasp. Throws InputError
+/// as contact_rows_for_states() does.
+std::vector<std::vector<RationalRow>> slip_directions(const GraspBox& grasp,
+                                                      const SlipLines& lines);
+
 /// Returns the rows of all contacts of one grasp: positions and normals are certain. Throws
 /// InputError if the choice of lines does not suit it: the number of lists, a direction that is
 /// not across its normal, is 0 or is parallel to another, more than one line in the plane

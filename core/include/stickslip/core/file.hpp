@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -60,6 +61,15 @@ void make_folder(const std::string& option, const std::string& folder);
 /// A signal that ends the program in the meantime leaves the temporary file behind, unless the
 /// program waits for the end of the write as the command line does (stop_file_writes).
 void write_whole_file(const std::string& path, std::string_view content);
+
+/// \{ A function that gives content in pieces to its argument, and returns whether that is all.
+using FilePiece = std::function<void(std::string_view)>;
+using FilePieces = std::function<bool(const FilePiece&)>;
+/// \}
+
+/// Writes what `pieces` gives in the same way. If it returns false, or throws, `path` stays as
+/// it was, but for what is written directly.
+void write_whole_file(const std::string& path, const FilePieces& pieces);
 
 /// Returns the name of the file that a temporary file of write_whole_file was to become, given
 /// the temporary name; an empty string for any other name.

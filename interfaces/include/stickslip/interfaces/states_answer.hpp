@@ -62,6 +62,16 @@ Json states_head_json(const StatesQuestion& question);
 std::string state_json(const StatesQuestion& question, const Face& face);
 /// Returns what a JSON answer says after its states: counts.
 Json states_counts_json(const StatesQuestion& question, const FaceCounts& counts);
+/// Returns a certificate (FORMAT.md, section 17) up to its states. Throws InputError with the
+/// place "certificate" if the question is about modes, or about some of the states only.
+std::string states_certificate_head(const StatesQuestion& question);
+/// Returns what a certificate says of a state, without what parts it from others; nothing of
+/// one whose first sign that is not 0 is -, as its opposite is stated.
+std::optional<std::string> state_for_certificate(const StatesQuestion& question,
+                                                 const Face& face);
+/// Returns what a certificate says after its states.
+std::string states_certificate_end(const FaceCounts& counts);
+
 /// Returns a motion of a face as "(1, 0, -2)".
 std::string motion_text(const StatesQuestion& question, const Face& face);
 

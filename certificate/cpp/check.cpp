@@ -5,6 +5,7 @@
 
 #include "certificate.hpp"
 #include "degree.hpp"
+#include "large.hpp"
 #include "margin.hpp"
 #include "plane.hpp"
 #include "rigid.hpp"
@@ -141,7 +142,8 @@ void check_class(CertificateReader& certificate, const Question& question,
 void check_statics(CertificateReader& certificate, const Question& question,
                    FirstRejection& rejection, Accepted& accepted) {
   std::optional<StaticsProof> proof;
-  rejection.unless_rejected([&] { proof.emplace(question); });
+  const Rational factor = question.asked.statics.value_or(1);
+  rejection.unless_rejected([&] { proof.emplace(question, factor); });
   if (accepted.verdict == "must move") {
     const Vector twist = certificate.twist();
     rejection.unless_rejected([&] { proof->check_twist(twist); });
@@ -163,13 +165,38 @@ void check_statics(CertificateReader& certificate, const Question& question,
   if (proof && accepted.verdict == "margin") accepted.standing = proof->standing();
 }
 
+/// FORMAT.md §14, "Many coordinates".
+void check_large(CertificateReader& certificate, const Question& question,
+                 FirstRejection& rejection, Accepted& accepted) {
+  if (accepted.verdict == "stable" && !certificate.has_parts()) {
+    const Witness witness = certificate.witness();
+    rejection.unless_rejected([&] { check_large_witness(question, witness); });
+    return;
+  }
+  std::optional<Node> first;
+  if (accepted.verdict == "stable") {
+    while (certificate.next_part()) {
+    }
+  } else {
+    while (std::optional<Node> node = certificate.next_node()) {
+      if (++accepted.nodes == 1) first = std::move(node);
+    }
+    accepted.leaves = 1;
+  }
+  const bool is_leaf = first && accepted.nodes == 1 && first->kind == NodeKind::kLeaf;
+  rejection.unless_rejected([&] { check_large_leaf(question, is_leaf ? &*first : nullptr); });
+}
+
 Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
   rejection.unless_rejected([&] { check_question(claim, question); });
   Accepted accepted;
   accepted.verdict = certificate.verdict();
-  if (question.is_box) enlarge(question, certificate.bits());
+  const bool large = question.large();
+  // It is rejected, and of more coordinates no other proof is read.
+  if (large && claim.asked.family()) return *rejection.found;
+  if (question.is_box && !large) enlarge(question, certificate.bits());
   const bool statics = claim.asked.statics.has_value();
   if (question.asked.statics && !statics) {
     // It is rejected, and what is read as another proof needs no more than a box.
@@ -184,6 +211,8 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
     check_statics(certificate, question, rejection, accepted);
   } else if (rigid) {
     check_class(certificate, question, rejection, accepted);
+  } else if (large) {
+    check_large(certificate, question, rejection, accepted);
   } else if (accepted.verdict == "stable" && certificate.has_parts()) {
     PartWalk walk(question.asked, question.box);
     while (const std::optional<Part> part = certificate.next_part()) {
@@ -225,7 +254,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else {
     roots = roots_of(question, {{0, 0}});
   }
-  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics) {
+  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics && !large) {
     TreeWalk walk(std::move(roots));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });

@@ -30,10 +30,12 @@ void check_dimension(const Grasp& grasp, const Options& options) {
     check((*options.plane)[1], "plane");
   }
   const std::size_t dimension = grasp.dimension();
-  if (grasp.several && !options.statics && dimension > kMostCoordinates) {
+  if (grasp.several && !options.statics && dimension > kMostCoordinates &&
+      (options.margin() || !options.uncertain.empty())) {
     refuse("bodies", "found " + std::to_string(dimension) +
                          " coordinates of bodies and joints; expected at most " +
-                         std::to_string(kMostCoordinates) + ", but in a question of statics");
+                         std::to_string(kMostCoordinates) +
+                         ", but in a question of statics or the verdict about one grasp");
   }
   if (options.statics) return;
   if (grasp.several && (options.plane || options.inertia)) {
@@ -236,9 +238,13 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
   const auto check = [&](const Bounds& bounds, const auto& place) {
     if (bounds.certain()) return;
     question.is_box = true;
-    if (!question.asked.family()) return;
+    const bool family = question.asked.family();
+    if (!family && !question.large()) return;
     throw Malformed{file, place(),
-                    "found the interval " + show(bounds) + ", but " + kind_of(question.asked) +
+                    "found the interval " + show(bounds) + ", but " +
+                        (family ? kind_of(question.asked)
+                                : "a verdict of more than " + std::to_string(kMostCoordinates) +
+                                      " coordinates") +
                         " is about one grasp; expected a number"};
   };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -377,7 +383,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   }
   question.contacts = Fixed<Contacts>(std::move(contacts));
   question.preload_growth = Fixed<Vector>(std::move(growth));
-  if (!question.is_box && !options.statics) enlarge(question);
+  if (!question.is_box && !options.statics && !question.large()) enlarge(question);
   return question;
 }
 

@@ -187,6 +187,34 @@ void check_large(CertificateReader& certificate, const Question& question,
   rejection.unless_rejected([&] { check_large_leaf(question, is_leaf ? &*first : nullptr); });
 }
 
+/// Of a claim about another question, which is rejected, only the syntax is read.
+void read_proof(CertificateReader& certificate, const std::string& verdict, bool in_ranges) {
+  if (verdict == "stable") {
+    if (!certificate.has_parts()) {
+      certificate.witness();
+      return;
+    }
+    while (certificate.next_part()) {
+    }
+    return;
+  }
+  if (in_ranges) {
+    while (certificate.next_range()) {
+    }
+    return;
+  }
+  if (verdict == "margin") {
+    certificate.resisted();
+    while (certificate.next_segment()) {
+    }
+  } else if (verdict == "region") {
+    while (certificate.next_piece()) {
+    }
+  }
+  while (certificate.next_node()) {
+  }
+}
+
 Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
@@ -194,23 +222,19 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   Accepted accepted;
   accepted.verdict = certificate.verdict();
   const bool large = question.large();
-  // It is rejected, and of more coordinates no other proof is read.
-  if (large && claim.asked.family()) return *rejection.found;
   if (question.is_box && !large) enlarge(question, certificate.bits());
   const bool statics = claim.asked.statics.has_value();
-  if (question.asked.statics && !statics) {
-    // It is rejected, and what is read as another proof needs no more than a box.
-    if (question.dimension() > kMostCoordinates) return *rejection.found;
-    question.load = Load(question.wrench);
-    enlarge(question);
-  }
   const bool in_ranges = accepted.verdict == "margin" && question.claims() && !statics;
   std::vector<Root> roots;
   const bool rigid = claim.asked.rigid();
+  const bool of_another =
+      !statics && (question.asked.statics || (large && claim.asked.family()));
   if (statics) {
     check_statics(certificate, question, rejection, accepted);
   } else if (rigid) {
     check_class(certificate, question, rejection, accepted);
+  } else if (of_another) {
+    read_proof(certificate, accepted.verdict, in_ranges);
   } else if (large) {
     check_large(certificate, question, rejection, accepted);
   } else if (accepted.verdict == "stable" && certificate.has_parts()) {
@@ -254,7 +278,8 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else {
     roots = roots_of(question, {{0, 0}});
   }
-  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics && !large) {
+  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics && !of_another &&
+      !large) {
     TreeWalk walk(std::move(roots));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });

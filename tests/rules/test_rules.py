@@ -261,14 +261,16 @@ class RulesTest(unittest.TestCase):
             self.assertIn("--statics", done.stderr)
 
     def expect_ignorance_of_many_coordinates(self, command):
-        """Of a checker that does not judge verdicts about them: the grasp file is malformed to it."""
-        entries = [entry for entry in self.entries if entry.kind in LARGE]
+        """Of a checker that does not judge verdicts about them: the grasp file is malformed to it. (What it says
+        of options with so many numbers, and of those that check.js does not judge, comes before.)"""
+        entries = [entry for entry in self.entries
+                   if entry.kind in LARGE and not re.search("--(direction|max-motion|plane|inertia)", " ".join(entry.options))]
         self.assertGreater(len(entries), 200)
         for entry, answer in zip(entries, in_batch([*command, "--batch"], entries)):
-            self.assertEqual((answer["result"], answer["rule"], answer["verdict"]), ("malformed", None, None), (entry.name, answer))
+            self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), (entry.name, answer))
         done = self.run_one(command, entries[0])
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("at most 30", done.stderr)
+        self.assertRegex(done.stderr, "30 coordinates|at most 30")
 
     def run_one(self, command, entry):
         with tempfile.TemporaryDirectory() as folder:

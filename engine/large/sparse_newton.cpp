@@ -38,6 +38,13 @@ double size_of(const DoubleColumn& column) {
   return std::sqrt(square);
 }
 
+/// The normal force a of one element, and how it changes with v and with `smooth`.
+struct SmoothNormal {
+  double a = 0;
+  double by_separation = 0;
+  double by_smooth = 0;
+};
+
 /// SmoothFriction over a, and the slip, of one contact.
 struct SmoothFriction {
   double norm = 0;            ///< of the slip
@@ -47,7 +54,8 @@ struct SmoothFriction {
 
 class SmoothGrasp {
  public:
-  explicit SmoothGrasp(const LargeGrasp& grasp) {
+  /// Contacts open where v is within `opening` times what `smooth` presses them by.
+  SmoothGrasp(const LargeGrasp& grasp, double opening) : opening_(opening) {
     const statics_detail::StaticsModel& model = grasp.model;
     ConePair pair = model.rounded(model.load());
     load_ =
@@ -89,6 +97,20 @@ class SmoothGrasp {
   double reach() const { return reach_; }
   Vector rest() const { return Vector::Zero(load_.size()); }
 
+  /// Returns max(0, v) with its edge rounded, and v of a spring.
+  SmoothNormal normal(const SmoothElement& e, const Vector& d, double smooth) const {
+    const double v = separation(e, d, smooth);
+    if (e.is_spring) return {v, 1, 0};
+    const double width = opening_ * e.stiffness * smooth;
+    if (!(width > 0)) return v > 0 ? SmoothNormal{v, 1, e.stiffness} : SmoothNormal{};
+    const double root = std::hypot(v, 2 * width);
+    SmoothNormal result;
+    // The sum of v < 0 and the root would cancel.
+    result.a = v > 0 ? (v + root) / 2 : 2 * width * width / (root - v);
+    result.by_separation = (1 + v / root) / 2;
+    result.by_smooth = e.stiffness * (result.by_separation + 2 * width * opening_ / root);
+    return result;
+  }
   /// Returns v, with all contacts pressed together by `smooth`.
   double separation(const SmoothElement& e, const Vector& d, double smooth) const {
     return e.preload + (e.is_spring ? 0 : e.stiffness * smooth) -
@@ -100,7 +122,7 @@ class SmoothGrasp {
       result.ratio.push_back(product(slip, d));
       result.norm = std::hypot(result.norm, result.ratio.back());
     }
-    result.over = std::max(result.norm, smooth * e.slip_unit);
+    result.over = std::hypot(result.norm, smooth * e.slip_unit);
     for (double& entry : result.ratio) entry /= result.over;
     return result;
   }
@@ -119,23 +141,24 @@ class SmoothGrasp {
       }
     };
     for (const SmoothElement& e : elements_) {
-      const double a = separation(e, d, smooth);
+      const SmoothNormal force = normal(e, d, smooth);
+      const double a = force.a;
       if (!e.is_spring && !(a > 0)) continue;
       const SmoothFriction f = friction(e, d, smooth);
-      const bool is_smooth = f.norm < smooth * e.slip_unit;
+      const double stiffness = e.stiffness * force.by_separation;
+      const double part = smooth * e.slip_unit / f.over;  // of `over`, by `smooth`
       add(result, a, e.normal);
-      if (derivative != nullptr) put(-e.stiffness, e.normal, e.normal);
-      if (change != nullptr && !e.is_spring) add(*change, e.stiffness, e.normal);
+      if (derivative != nullptr) put(-stiffness, e.normal, e.normal);
+      if (change != nullptr) add(*change, force.by_smooth, e.normal);
       for (std::size_t k = 0; k < e.slips.size(); ++k) {
         add(result, -a * f.ratio[k], e.slips[k]);
         if (change != nullptr) {
-          add(*change, (is_smooth ? a / smooth : 0) * f.ratio[k] - e.stiffness * f.ratio[k],
-              e.slips[k]);
+          add(*change, (a / smooth * part * part - force.by_smooth) * f.ratio[k], e.slips[k]);
         }
         if (derivative == nullptr) continue;
-        put(e.stiffness * f.ratio[k], e.slips[k], e.normal);
+        put(stiffness * f.ratio[k], e.slips[k], e.normal);
         put(-a / f.over, e.slips[k], e.slips[k]);
-        for (std::size_t l = 0; !is_smooth && l < e.slips.size(); ++l) {
+        for (std::size_t l = 0; l < e.slips.size(); ++l) {
           put(a / f.over * f.ratio[k] * f.ratio[l], e.slips[k], e.slips[l]);
         }
       }
@@ -155,6 +178,7 @@ class SmoothGrasp {
  private:
   Vector load_;
   std::vector<SmoothElement> elements_;
+  double opening_ = 0;
   double force_ = 0;  ///< a typical force
   double reach_ = 1;  ///< how far it moves a body
 };
@@ -211,10 +235,9 @@ class Balance {
   Eigen::SparseLU<Sparse> solver_;
 };
 
-}  // namespace
-
-std::optional<LargeProposal> propose(const LargeGrasp& large) {
-  const SmoothGrasp grasp(large);
+/// Returns what is found with contacts that open within `opening`.
+std::optional<LargeProposal> propose(const LargeGrasp& large, double opening) {
+  const SmoothGrasp grasp(large, opening);
   Balance balance(grasp);
   constexpr double kLargest = 8;
   constexpr double kSmallest = 1.05;
@@ -238,9 +261,10 @@ std::optional<LargeProposal> propose(const LargeGrasp& large) {
   const auto& cones = large.model.cones();
   for (std::size_t i = 0; i < cones.size(); ++i) {
     const SmoothElement& e = grasp.elements()[i];
-    const double a = std::max(0.0, grasp.separation(e, d, smooth));
+    const double a = std::max(0.0, grasp.separation(e, d, opening > 0 ? 0 : smooth));
     const SmoothFriction f = SmoothGrasp::friction(e, d, smooth);
-    const bool sticks = f.norm <= smooth * e.slip_unit;
+    constexpr double kSticks = 30;  // sizes of slips: friction is then short of all by 1/1800
+    const bool sticks = f.norm <= kSticks * smooth * e.slip_unit;
     result.modes.push_back(!(a > 0) ? LargeMode::kOpen
                            : sticks ? LargeMode::kSticks
                                     : LargeMode::kSlips);
@@ -252,6 +276,16 @@ std::optional<LargeProposal> propose(const LargeGrasp& large) {
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::optional<LargeProposal> propose(const LargeGrasp& grasp) {
+  // Rounded edges are followed faster and nearer to a border. A pile in space may drift apart
+  // along them, as contacts then push from afar.
+  constexpr double kRounded = 0.5;
+  if (auto proposal = propose(grasp, kRounded)) return proposal;
+  return propose(grasp, 0);
 }
 
 }  // namespace stickslip::large_detail

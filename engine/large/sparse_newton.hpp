@@ -47,9 +47,9 @@ struct LargeProposal {
 };
 
 /// Returns what Newton's method finds from rest. Friction is smoothed over slips of a size that
-/// becomes smaller and smaller, and contacts are pressed together by as much at first, as a
-/// pile that nothing presses has no forces at rest. A step factors a sparse matrix of D rows.
-/// Returns nothing if it does not converge.
+/// becomes smaller and smaller, and so is how contacts open; they are pressed together by as
+/// much at first, as a pile that nothing presses has no forces at rest. A step factors a sparse
+/// matrix of D rows. Returns nothing if it does not converge.
 std::optional<LargeProposal> propose(const LargeGrasp& grasp);
 
 }  // namespace stickslip::large_detail

@@ -257,6 +257,13 @@ class Size(Statics):
         self.decided(wall(11, 1, F(1, 20), F(99, 2000)), "stable")
         self.decided(wall(11, 1, F(1, 20), F(101, 2000)), "unstable")
 
+    def test_verdicts_on_both_sides_of_a_border(self):
+        # Twenty stones, 60 coordinates, that are pushed aside: they hold by statics up to 0.28516 of their weight.
+        for lean, verdict in ((F(71, 250), "stable"), (F(143, 500), "unstable")):
+            content = arch(20, F(1, 5), 1)
+            content["loads"] += [force(load["body"], (lean, 0), tuple(map(F, load["at"]))) for load in content["loads"]]
+            self.decided(content, verdict)
+
     def test_margins_have_no_more_coordinates_than_are_searched(self):
         code, out, err = stickslip("margin", self.write("w.json", wall(4, 4, 1, 0)), "--direction", ",".join(["1"] * 48))
         self.assertEqual((code, out), (2, ""))

@@ -249,7 +249,7 @@ class Size(Statics):
             self.assertEqual(code, 0, (out, err))
             code, out, err = run(*checker, file, self.write("wrong.json", wrong))
             self.assertEqual(code, 1, (out, err))
-            self.assertIn("witness-balance" if verdict == "stable" else "static-motion", out)
+            self.assertIn("rule   witness-" if verdict == "stable" else "rule   static-motion", out)
 
     def test_verdicts_of_more_coordinates_than_are_searched(self):
         # 16 bricks, 48 coordinates; and a tower of 11, in which friction carries the lean.

@@ -30,14 +30,14 @@ Vector parse_list(const std::string& option, const std::string& text) {
 }
 
 /// Of the coordinates of a motion.
-Vector parse_wrench(const std::string& option, const std::string& text, std::size_t most) {
+Vector parse_wrench(const std::string& option, const std::string& text) {
   Vector values = parse_list(option, text);
-  if (values.size() > most) {
+  if (values.size() > kMostInFile) {
     throw UsageError{
         option + ": " + quote(text) +
         " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ, or of "
         "several bodies at most " +
-        std::to_string(most) + " numbers"};
+        std::to_string(kMostInFile) + " numbers"};
   }
   return values;
 }
@@ -46,18 +46,18 @@ Vector parse_wrench(const std::string& option, const std::string& text, std::siz
 Vector parse_max_motion(const std::string& option, const std::string& text) {
   if (text == "none") return {};
   Vector values = parse_list(option, text);
-  if (values.size() > kMostCoordinates) {
+  if (values.size() > kMostInFile) {
     throw UsageError{
         option + ": " + quote(text) +
-        " is not LENGTH,ANGLE, such as 1/10,2, or a number for each coordinate, at "
-        "most 30, or the word none"};
+        " is not LENGTH,ANGLE, such as 1/10,2, or a number for each coordinate, at most " +
+        std::to_string(kMostInFile) + ", or the word none"};
   }
   return values;
 }
 
 std::vector<Vector> parse_plane(const std::string& option, const std::string& text) {
   const Vector values = parse_list(option, text);
-  if (values.size() < 2 || values.size() % 2 != 0 || values.size() > 2 * kMostOfStatics) {
+  if (values.size() < 2 || values.size() % 2 != 0 || values.size() > 2 * kMostInFile) {
     throw UsageError{option + ": " + quote(text) +
                      " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0"};
   }
@@ -144,10 +144,6 @@ std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
 Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   bool options_ended = false;
-  const bool statics = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    return word.rfind("--statics", 0) == 0;
-  });
-  const std::size_t most = statics ? kMostOfStatics : kMostCoordinates;
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string word = words[i];
     const bool help = (word == "--help" || word == "-h") && arguments.files.empty();
@@ -170,7 +166,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     };
     Options& options = arguments.options;
     if (word == "--wrench") {
-      options.wrench = parse_wrench(word, value(), most);
+      options.wrench = parse_wrench(word, value());
     } else if (word == "--torque") {
       options.wrench = Vector{0, 0, parse_number(word, value())};
     } else if (word == "--case") {
@@ -184,7 +180,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       }
       options.bilateral = law == "bilateral";
     } else if (word == "--direction") {
-      options.direction = parse_wrench(word, value(), most);
+      options.direction = parse_wrench(word, value());
     } else if (word == "--plane") {
       options.plane = parse_plane(word, value());
     } else if (word == "--inertia") {

@@ -22,8 +22,8 @@ namespace stickslip_check {
 
 inline constexpr std::size_t kPlanar = 3;   ///< of one body: translation x, y and rotation
 inline constexpr std::size_t kSpatial = 6;  ///< translation x, y, z and rotation x, y, z
-inline constexpr std::size_t kMostCoordinates = 30;   ///< the largest D
-inline constexpr std::size_t kMostOfStatics = 65536;  ///< that of statics (FORMAT.md §16)
+inline constexpr std::size_t kMostCoordinates = 30;  ///< of boxes, trees and margins
+inline constexpr std::size_t kMostInFile = 65536;    ///< the largest D (FORMAT.md §14)
 
 /// A row by its entries that are not 0, each with its column, in their order.
 using SparseRow = std::vector<std::pair<std::size_t, Rational>>;

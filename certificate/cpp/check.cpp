@@ -5,6 +5,7 @@
 
 #include "certificate.hpp"
 #include "degree.hpp"
+#include "large.hpp"
 #include "margin.hpp"
 #include "plane.hpp"
 #include "rigid.hpp"
@@ -148,7 +149,8 @@ void check_class(CertificateReader& certificate, const Question& question,
 void check_statics(CertificateReader& certificate, const Question& question,
                    FirstRejection& rejection, Accepted& accepted) {
   std::optional<StaticsProof> proof;
-  rejection.unless_rejected([&] { proof.emplace(question); });
+  const Rational factor = question.asked.statics.value_or(1);
+  rejection.unless_rejected([&] { proof.emplace(question, factor); });
   if (accepted.verdict == "must move") {
     const Vector twist = certificate.twist();
     rejection.unless_rejected([&] { proof->check_twist(twist); });
@@ -184,6 +186,56 @@ void check_states(CertificateReader& certificate, const Question& question,
   if (proof) accepted.listed = proof->listed();
 }
 
+/// FORMAT.md §14, "Many coordinates".
+void check_large(CertificateReader& certificate, const Question& question,
+                 FirstRejection& rejection, Accepted& accepted) {
+  if (accepted.verdict == "stable" && !certificate.has_parts()) {
+    const Witness witness = certificate.witness();
+    rejection.unless_rejected([&] { check_large_witness(question, witness); });
+    return;
+  }
+  std::optional<Node> first;
+  if (accepted.verdict == "stable") {
+    while (certificate.next_part()) {
+    }
+  } else {
+    while (std::optional<Node> node = certificate.next_node()) {
+      if (++accepted.nodes == 1) first = std::move(node);
+    }
+    accepted.leaves = 1;
+  }
+  const bool is_leaf = first && accepted.nodes == 1 && first->kind == NodeKind::kLeaf;
+  rejection.unless_rejected([&] { check_large_leaf(question, is_leaf ? &*first : nullptr); });
+}
+
+/// Of a claim about another question, which is rejected, only the syntax is read.
+void read_proof(CertificateReader& certificate, const std::string& verdict, bool in_ranges) {
+  if (verdict == "stable") {
+    if (!certificate.has_parts()) {
+      certificate.witness();
+      return;
+    }
+    while (certificate.next_part()) {
+    }
+    return;
+  }
+  if (in_ranges) {
+    while (certificate.next_range()) {
+    }
+    return;
+  }
+  if (verdict == "margin") {
+    certificate.resisted();
+    while (certificate.next_segment()) {
+    }
+  } else if (verdict == "region") {
+    while (certificate.next_piece()) {
+    }
+  }
+  while (certificate.next_node()) {
+  }
+}
+
 Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
@@ -199,21 +251,22 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
     accepted.question = std::move(question);
     return accepted;
   }
-  if (question.is_box) enlarge(question, certificate.bits());
+  const bool large = question.large();
+  if (question.is_box && !large) enlarge(question, certificate.bits());
   const bool statics = claim.asked.statics.has_value();
-  if (question.asked.statics && !statics) {
-    // It is rejected, and what is read as another proof needs no more than a box.
-    if (question.dimension() > kMostCoordinates) return *rejection.found;
-    question.load = Load(question.wrench);
-    enlarge(question);
-  }
   const bool in_ranges = accepted.verdict == "margin" && question.claims() && !statics;
   std::vector<Root> roots;
   const bool rigid = claim.asked.rigid();
+  const bool of_another =
+      !statics && (question.asked.statics || (large && claim.asked.family()));
   if (statics) {
     check_statics(certificate, question, rejection, accepted);
   } else if (rigid) {
     check_class(certificate, question, rejection, accepted);
+  } else if (of_another) {
+    read_proof(certificate, accepted.verdict, in_ranges);
+  } else if (large) {
+    check_large(certificate, question, rejection, accepted);
   } else if (accepted.verdict == "stable" && certificate.has_parts()) {
     PartWalk walk(question.asked, question.box);
     while (const std::optional<Part> part = certificate.next_part()) {
@@ -255,7 +308,8 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else {
     roots = roots_of(question, {{0, 0}});
   }
-  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics) {
+  if (accepted.verdict != "stable" && !in_ranges && !rigid && !statics && !of_another &&
+      !large) {
     TreeWalk walk(std::move(roots));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });

@@ -285,8 +285,9 @@ class GraspReader {
   Bounds friction_named(const Named& name, const std::string& place) const {
     const auto found = frictions_.find(name.text);
     if (found == frictions_.end()) {
-      json_.fail(name.line, place + ".friction",
-                 "found " + quote(name.text) + R"(, expected a number, or a name in "friction")");
+      json_.fail(
+          name.line, place + ".friction",
+          "found " + quote(name.text) + R"(, expected a number, or a name in "friction")");
     }
     return found->second;
   }
@@ -556,13 +557,13 @@ class GraspReader {
     }
     const bool in_space = dimension_ == kSpatial;
     const std::size_t dimension = dimension_of(bodies_, all_turns.size(), in_space);
-    if (dimension > kMostOfStatics) {
+    if (dimension > kMostInFile) {
       throw Malformed{json_.file(), "bodies",
                       "found " + std::to_string(dimension) + " coordinates, " +
                           std::to_string(dimension_) +
                           " for each body that is no link and one for each joint; expected "
                           "at most " +
-                          std::to_string(kMostOfStatics)};
+                          std::to_string(kMostInFile)};
     }
     mechanism_ = std::make_shared<const Mechanism>(bodies_, std::move(all_turns), in_space);
     grasp_.wrench = Wrench(dimension);
@@ -796,8 +797,7 @@ class GraspReader {
                          : vector(*direction, place + ".direction", coordinates());
     const std::optional<Rational> length = exact_sqrt(dot(d, d));
     expect(length && *length > 0, direction == nullptr ? load : *direction,
-           place + ".direction",
-           "a vector of rational length, not 0, such as [3, -4]");
+           place + ".direction", "a vector of rational length, not 0, such as [3, -4]");
     for (std::size_t j = 0; j < d.size(); ++j) force[j] = size * d[j] / *length;
     return force;
   }
@@ -895,8 +895,7 @@ class GraspReader {
     if (own_[i] == kAllOwn && named == named_.end()) return;
     Contact contact = grasp_.contacts[i];
     if (named != named_.end()) {
-      contact.friction =
-          friction_named(named->second, "contacts[" + std::to_string(i) + "]");
+      contact.friction = friction_named(named->second, "contacts[" + std::to_string(i) + "]");
     }
     const auto choose = [&](std::size_t k, Bounds& property, const char* otherwise) {
       if (own_[i] >> k & 1U) return;

@@ -13,6 +13,14 @@ namespace {
   throw Malformed{"the question", part, problem};
 }
 
+/// FORMAT.md §14, many coordinates.
+[[noreturn]] void refuse_many(std::size_t dimension) {
+  refuse("bodies", "found " + std::to_string(dimension) +
+                       " coordinates of bodies and joints; expected at most " +
+                       std::to_string(kMostCoordinates) +
+                       ", but in a question of statics or the verdict about one grasp");
+}
+
 /// FORMAT.md §1: as many numbers as the grasp has.
 void check_dimension(const Grasp& grasp, const Options& options) {
   const auto check = [&](const std::optional<Vector>& vector, const char* part) {
@@ -30,10 +38,9 @@ void check_dimension(const Grasp& grasp, const Options& options) {
     check((*options.plane)[1], "plane");
   }
   const std::size_t dimension = grasp.dimension();
-  if (grasp.several && !options.statics && dimension > kMostCoordinates) {
-    refuse("bodies", "found " + std::to_string(dimension) +
-                         " coordinates of bodies and joints; expected at most " +
-                         std::to_string(kMostCoordinates) + ", but in a question of statics");
+  if (grasp.several && !options.statics && dimension > kMostCoordinates &&
+      (options.margin() || !options.uncertain.empty())) {
+    refuse_many(dimension);
   }
   if (options.statics) return;
   if (grasp.several && (options.plane || options.inertia)) {
@@ -237,9 +244,13 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
   const auto check = [&](const Bounds& bounds, const auto& place) {
     if (bounds.certain()) return;
     question.is_box = true;
-    if (!question.asked.family()) return;
+    const bool family = question.asked.family();
+    if (!family && !question.large()) return;
     throw Malformed{file, place(),
-                    "found the interval " + show(bounds) + ", but " + kind_of(question.asked) +
+                    "found the interval " + show(bounds) + ", but " +
+                        (family ? kind_of(question.asked)
+                                : "a verdict of more than " + std::to_string(kMostCoordinates) +
+                                      " coordinates") +
                         " is about one grasp; expected a number"};
   };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -325,6 +336,7 @@ Question pose_states(Grasp grasp, const Options& options, const std::string& fil
       !options.uncertain.empty() || options.max_motion) {
     refuse("states", "another option is given as well, but positions and normals alone count");
   }
+  if (grasp.dimension() > kMostCoordinates) refuse_many(grasp.dimension());
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     const Contact contact = grasp.contacts[i];
     if (!is_contact(contact.sight)) continue;
@@ -407,7 +419,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   }
   question.contacts = Fixed<Contacts>(std::move(contacts));
   question.preload_growth = Fixed<Vector>(std::move(growth));
-  if (!question.is_box && !options.statics) enlarge(question);
+  if (!question.is_box && !options.statics && !question.large()) enlarge(question);
   return question;
 }
 

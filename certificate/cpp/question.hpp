@@ -108,6 +108,8 @@ struct Question {
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 
   std::size_t dimension() const { return wrench.size(); }
+  /// Whether it is a verdict of more coordinates than boxes and trees have (FORMAT.md §14).
+  bool large() const { return !asked.statics && dimension() > kMostCoordinates; }
   /// Whether a margin would be a list of claims (FORMAT.md §5), not all that is resisted.
   bool claims() const { return in_space || several || asked.max_motion || encloses_lengths; }
 };

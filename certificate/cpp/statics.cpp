@@ -9,9 +9,6 @@
 namespace stickslip_check {
 namespace {
 
-/// About what a contact costs in a sum.
-constexpr std::uint64_t kStepsOfContact = 20 * kStepsOfRational;
-
 [[noreturn]] void reject(const char* rule, const std::string& place, const std::string& found) {
   throw Rejected{rule, std::nullopt, place, found};
 }
@@ -35,7 +32,19 @@ Rational gamma_of(const Contact& contact) {
   return contact.torsion * contact.torsion / dot(contact.normal, contact.normal);
 }
 
-/// a N + S^T f of a contact, on the one body, or between the two.
+}  // namespace
+
+MotionAt motion_at(const Contact& contact, const Vector& local) {
+  const Vector p = point_of(contact);
+  const auto points = static_cast<std::ptrdiff_t>(p.size());
+  Vector u(local.begin(), local.begin() + points);
+  Vector turn(local.begin() + points, local.end());
+  add(u, 1,
+      points == 2 ? Vector{Rational(-turn[0] * p[1]), Rational(turn[0] * p[0])}
+                  : cross(turn, p));
+  return {std::move(u), std::move(turn)};
+}
+
 Vector wrench_of(const RigidForce& force, const Contact& contact) {
   const Vector& n = contact.normal;
   Vector f = force.friction;
@@ -48,10 +57,8 @@ Vector wrench_of(const RigidForce& force, const Contact& contact) {
   return wrench;
 }
 
-}  // namespace
-
-StaticsProof::StaticsProof(const Question& question)
-    : question_(question), square_(*question.asked.statics * *question.asked.statics) {
+StaticsProof::StaticsProof(const Question& question, const Rational& factor)
+    : question_(question), square_(factor * factor) {
   Vector& load = loads_.emplace_back();
   for (const Bounds& w : question.wrench) load.push_back(w.low);
   for (std::size_t i = 0; i < question.contacts.size(); ++i) {
@@ -88,7 +95,7 @@ void StaticsProof::check(const StandPoint& stand, const std::string& place) {
   if (h < 0) reject("static-point", place, "h is " + show(h) + ", which is below 0");
   Integer next = 0;
   for (const RigidForce& force : stand.forces) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const std::string name = "contact " + force.contact.get_str();
     if (force.contact < next || force.contact >= question_.contacts.size()) {
       reject("static-force", place, name + " is not there, or out of order");
@@ -101,7 +108,7 @@ void StaticsProof::check(const StandPoint& stand, const std::string& place) {
   Vector total(question_.dimension());
   for (std::size_t k = 0; k < loads_.size(); ++k) add(total, stand.point[k], loads_[k]);
   for (const RigidForce& force : stand.forces) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const Contact contact = question_.contacts[force.contact.get_ui()];
     const Vector wrench =
         is_contact(contact.sight) ? wrench_of(force, contact) : Vector{force.normal};
@@ -137,13 +144,7 @@ bool StaticsProof::opposes(const Contact& contact, const Vector& local) const {
     return is_spring(contact.sight) ? is_held(contact) && local[0] != 0 : local[0] < 0;
   }
   const Vector& n = contact.normal;
-  const Vector p = point_of(contact);
-  const auto points = static_cast<std::ptrdiff_t>(n.size());
-  Vector u(local.begin(), local.begin() + points);
-  const Vector turn(local.begin() + points, local.end());
-  add(u, 1,
-      points == 2 ? Vector{Rational(-turn[0] * p[1]), Rational(turn[0] * p[0])}
-                  : cross(turn, p));
+  const auto [u, turn] = motion_at(contact, local);
   const Rational press = dot(n, u);
   if (press < 0) return true;
   const Rational length = dot(n, n);
@@ -157,7 +158,7 @@ void StaticsProof::check_unopposed(const Vector& twist, const std::string& place
   const Element* seen_last = nullptr;
   Vector local = twist;
   for (std::size_t i = 0; i < question_.contacts.size(); ++i) {
-    spend(kStepsOfContact);
+    spend(kStepsOfSum);
     const Contact contact = question_.contacts[i];
     if (contact.sight.get() != seen_last) {
       local = moved(contact.sight->rows, twist);

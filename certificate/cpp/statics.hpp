@@ -11,6 +11,7 @@
 
 #include "answer.hpp"
 #include "rigid.hpp"
+#include "work.hpp"
 
 namespace stickslip_check {
 
@@ -20,10 +21,24 @@ struct StandPoint {
   std::vector<RigidForce> forces;  ///< friction as F of §2
 };
 
-/// The rules of statics. The question must ask for it. All throw Rejected.
+/// About what a contact costs in a sum.
+inline constexpr std::uint64_t kStepsOfSum = 20 * kStepsOfRational;
+
+/// How the point of a contact moves, and how what it is on turns, with a motion of this.
+struct MotionAt {
+  Vector point;
+  Vector turn;
+};
+MotionAt motion_at(const Contact& contact, const Vector& local);
+
+/// a N + S^T f of a contact, on the one body, or between the two.
+Vector wrench_of(const RigidForce& force, const Contact& contact);
+
+/// The rules of statics. All throw Rejected.
 class StaticsProof {
  public:
-  explicit StaticsProof(const Question& question);
+  /// All friction is multiplied by the factor.
+  StaticsProof(const Question& question, const Rational& factor);
 
   /// `static-point`, `static-force`, `static-balance`
   void check(const StandPoint& stand, const std::string& place);

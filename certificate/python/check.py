@@ -187,7 +187,7 @@ CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
 MAX_CONTACTS = 1_000_000
-MAX_DIMENSION, MAX_STATIC_DIMENSION, GROUND = 30, 65_536, "ground"  # §14
+MAX_DIMENSION, MOST_DIMENSION, GROUND = 30, 65_536, "ground"  # §14
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
 STRING_OR_BRACKET = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
@@ -229,9 +229,9 @@ def count_values(value: Any, most: int) -> int:
 class Source:
     """One JSON file: its content, and errors that name the file and the place in it."""
 
-    def __init__(self, name: str, kind: FileKind, statics: bool = False) -> None:
+    def __init__(self, name: str, kind: FileKind, rowless: bool = False) -> None:
         self.name, self.kind = "<stdin>" if name == "-" else name, kind
-        self.statics = statics  # §16: of a grasp file, is it about that?
+        self.rowless = rowless  # of a grasp file: is it about statics (§16), or of many coordinates (§14)?
         self.uncertain = ""  # where an interval or a slope was found first
         self.dimension = PLANE  # D of a certificate; in a grasp file that of one body
         self.space = False
@@ -457,7 +457,7 @@ class Grasp(NamedTuple):
     bodies: Bodies
     choose: bool              # has a case to be chosen?
     names: Tuple[str, ...] = ()  # §14: of the coordinates, if the grasp is of several bodies
-    motions: Dict[str, Matrix] = {}  # J of each of them, but for statics
+    motions: Dict[str, Matrix] = {}  # J of each of them, unless there are no rows
     joints: int = 0
     max_motion: Optional[Vector] = None  # §1: B
 
@@ -582,7 +582,7 @@ def force_square(f: Vector, gamma: Fraction) -> Fraction:
 
 
 class Question(NamedTuple):
-    """About one grasp, or about a box (§6) or statics (§16), and then without rows."""
+    """About one grasp, or about a box (§6), statics (§16) or many coordinates (§14), and then without rows."""
     asked: Options
     wrench: Wrench            # w, before it is widened
     loads: Loads              # w
@@ -595,6 +595,11 @@ class Question(NamedTuple):
     names: Tuple[str, ...] = ()  # §14: of the coordinates
     claims: bool = False  # §5: is a margin a list of claims?
     bodies: Optional[Bodies] = None
+
+    @property
+    def large(self) -> bool:
+        """§14: has it many coordinates?"""
+        return self.asked.statics is None and len(self.wrench) > MAX_DIMENSION
 
     def slipping(self) -> int:
         """How many are contacts; other elements follow."""
@@ -1165,6 +1170,9 @@ def check_dimension(asked: Options, grasp: Grasp) -> None:
         if vector is not None and len(vector) != grasp.dimension:
             raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
                                                   f"{grasp.dimension} as the grasp has")
+    if asked.statics is None and grasp.dimension > MAX_DIMENSION and (asked.margin() or asked.uncertain or asked.states):
+        raise Malformed("the question", "bodies", f"{grasp.dimension} coordinates, must be at most {MAX_DIMENSION} "
+                                                  "but in a question of statics or the verdict about one grasp")
 
 
 def check_plane(asked: Options, grasp: Grasp) -> None:
@@ -1216,6 +1224,7 @@ def pose_states(grasp_file: str, grasp: Grasp, asked: Options) -> Question:
     """§17: a question about positions and normals alone."""
     if asked != Options(states=asked.states):
         raise Malformed("the question", "states", "another option is given as well")
+    check_dimension(asked, grasp)
     for contact in filter(Contact.is_contact, grasp.contacts):
         for name, numbers in (("position", contact.position), ("normal", (Bounds(-contact.slope, contact.slope),))):
             for number in numbers:
@@ -1315,9 +1324,8 @@ def is_irrational(contact: Contact, grows: bool) -> bool:
     return bool(contact.preload.high or grows) and not rational_root(dot(contact.normal, contact.normal))
 
 
-def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options) -> bool:
+def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options, family: str) -> bool:
     """§6: what cannot be asked of a contact; and whether it makes the question a box."""
-    family = asked.family()
     place = contact.place + "."
     numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
                "preload": contact.preload, "normal": Bounds(-contact.slope, contact.slope),
@@ -1371,18 +1379,20 @@ def pose(grasp_file: str, asked: Options) -> Question:
     wrench = wrench_asked(grasp, asked)
     loads = loads_of(grasp, wrench, (asked.uncertain or {}).get("wrench"))
     is_box = not all(load.certain for load in loads.bounds)
-    if is_box and asked.family():
-        raise Malformed(grasp_file, "wrench", f"found {show(wrench)}, but {asked.family()} is about "
+    large = asked.statics is None and grasp.dimension > MAX_DIMENSION
+    family = asked.family() or f"a verdict of more than {MAX_DIMENSION} coordinates" * large
+    if is_box and family:
+        raise Malformed(grasp_file, "wrench", f"found {show(wrench)}, but {family} is about "
                                               "one grasp; give numbers")
     for contact, grown in zip(contacts, growth):
-        is_box |= check_contact(grasp_file, contact, bool(grown), asked)
+        is_box |= check_contact(grasp_file, contact, bool(grown), asked, family)
     if asked.preload_direction == "scale":
         growth = tuple(contact.preload.low for contact in contacts)
         contacts = [contact._replace(preload=exactly(Fraction(0))) for contact in contacts]
     u = asked.direction or zeros(grasp.dimension)
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
-    rows = [] if is_box or asked.statics is not None else list(map(make_row, contacts, growth))
+    rows = [] if is_box or large or asked.statics is not None else list(map(make_row, contacts, growth))
     claims = (grasp.space or bool(grasp.names) or asked.max_motion is not None
               or any(is_irrational(contact, bool(grown)) for contact, grown in zip(contacts, growth)))
     return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box, grasp.space,
@@ -1456,13 +1466,14 @@ def read_bodies(source: Source, top: Dict[str, Any], joints: Sequence[Dict[str, 
         source.fail("bodies", "must not be empty")
     links, size = {name: body for name, body in bodies.items() if body.turn}, source.dimension
     first = size * (len(bodies) - len(links))  # coordinate of a joint
-    dimension, most = first + len(joints), MAX_STATIC_DIMENSION if source.statics else MAX_DIMENSION
+    dimension = first + len(joints)
+    source.rowless = source.rowless or dimension > MAX_DIMENSION
     turned: Dict[str, Dict[int, Fraction]] = {link: {} for link in links}
     for q, joint in enumerate(joints):
         for link, c in read_over(source, joint["turns"], f"joints[{q}].turns", links).items():
             turned[link][first + q] = c
-    if dimension > most:
-        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {most}")
+    if dimension > MOST_DIMENSION:
+        source.fail("bodies", f"{dimension} coordinates, of bodies and joints; must be at most {MOST_DIMENSION}")
     begin_ = 0
     for k, (name, body) in enumerate(bodies.items()):
         if body.turn is None:
@@ -1506,11 +1517,11 @@ def read_several(source: Source) -> Grasp:
     bodies = read_bodies(source, top, joints)
 
     links = {name: body for name, body in bodies.bodies.items() if body.turn}
-    motions = {} if source.statics else bodies.matrices()
+    motions = {} if source.rowless else bodies.matrices()
 
     def along(one: Contact, row: Dict[int, Fraction]) -> Contact:
-        """With its row as a matrix, but for statics."""
-        return one if source.statics else one._replace(
+        """With its row as a matrix, if there are rows."""
+        return one if source.rowless else one._replace(
             motion=tuple((row.get(q, Fraction(0)),) for q in range(bodies.dimension)))
 
     def over(one: Contact, fields: Dict[str, Any]) -> Contact:
@@ -1531,7 +1542,7 @@ def read_several(source: Source) -> Grasp:
         if of == by:
             source.fail(f"{place}.by", f"must be another body than that of 'of', or '{GROUND}'")
         contact = read_contact(source, fields, place, defaults)._replace(of=of, by=by)
-        elements.append(contact if source.statics else contact._replace(
+        elements.append(contact if source.rowless else contact._replace(
             motion=tuple(plus(a, Fraction(-1), b) for a, b in zip(motions[of], motions[by]))))
     for k, fields in enumerate(lists["ratchets"]):
         place = f"ratchets[{k}]"
@@ -3757,8 +3768,9 @@ class Statics:
     """The forces and twists of a question."""
 
     def __init__(self, question: Question) -> None:
-        assert question.bodies and question.asked.statics is not None
-        self.contacts, self.bodies, self.factor = question.contacts, question.bodies, question.asked.statics
+        assert question.bodies
+        self.contacts, self.bodies = question.contacts, question.bodies
+        self.factor = Fraction(1) if question.asked.statics is None else question.asked.statics
         # Springs that are not locked pull, whatever moves: with their forces w is the load.
         work: Dict[str, List[Fraction]] = {}
         along: Dict[int, List[Fraction]] = {}
@@ -3827,23 +3839,31 @@ class Statics:
         """`static-point`, `static-force`, `static-balance`."""
         if point[0] < 0:
             raise Rejected("static-point", f"h is {show(point[0])}, which is below 0", place)
-        wrenches: Dict[str, List[Vector]] = {}
-        work: Dict[str, List[Fraction]] = {}
-        along: Dict[int, List[Fraction]] = {}
         last = -1
         for i, a, stated in forces:
             if not last < i < len(self.contacts):
                 raise Rejected("static-force", f"contact {show(i)}, which is not there or not in order", place)
             last, contact = i, self.contacts[i]
-            Work.spend(30)
-            point_ = tuple(x.low for x in contact.position)
-            count_words((a, *stated, *contact.normal, *point_, contact.friction.low, contact.torsion, self.factor), 30)
+            count_words((a, *stated, *contact.normal, contact.friction.low, contact.torsion, self.factor), 30)
             if not self.may_push(contact, a, stated):
                 raise Rejected("static-force", f"the force of contact {i} is not one that it may have", place)
+        total = self.total(point, forces)
+        if any(total):
+            raise Rejected("static-balance", f"load and forces add up to {show(total)}, not to 0", place)
+
+    def total(self, point: Vector, forces: Sequence[RigidForce]) -> Vector:
+        """The load of a load point, and forces."""
+        wrenches: Dict[str, List[Vector]] = {}
+        work: Dict[str, List[Fraction]] = {}
+        along: Dict[int, List[Fraction]] = {}
+        for i, a, stated in forces:
+            contact = self.contacts[i]
+            Work.spend(30)
             if not contact.is_contact():
                 self.push_along(contact, a, work, along)
                 continue
-            n = contact.normal
+            point_, n = tuple(x.low for x in contact.position), contact.normal
+            count_words((a, *stated, *n, *point_), 30)
             friction = (-stated[0] * n[1], stated[0] * n[0]) if len(n) == 2 else stated[:3]
             wrench = at(point_, plus(friction, a, n))
             if len(stated) == 4:
@@ -3856,9 +3876,7 @@ class Statics:
         for c, load in zip(point, self.loads):
             count_words((c, *load), len(load))
             terms.append(times(c, load))
-        total = summed(terms)
-        if any(total):
-            raise Rejected("static-balance", f"load and forces add up to {show(total)}, not to 0", place)
+        return summed(terms)
 
     def may_push(self, contact: Contact, a: Fraction, stated: Vector) -> bool:
         if not contact.is_contact():
@@ -3886,6 +3904,101 @@ def check_statics_proof(question: Question, certificate: Certificate, proof: Sta
     for k, y in enumerate(proof.move):
         statics.check_move(y, f"move {k}")
     return statics
+
+
+class LargeForce(NamedTuple):
+    """Of an element: v, its slip and its share of friction."""
+    v: Fraction
+    slip: Vector
+    share: Vector
+
+
+class Large(Statics):
+    """§14, many coordinates: an equilibrium. All is multiplied by h, so that motions are integers."""
+
+    def motion_of(self, contact: Contact, motions: Dict[str, Vector], turned: Dict[str, Fraction], z: Vector,
+                  h: Fraction) -> LargeForce:
+        if not contact.is_contact():
+            terms = [(z[contact.joint],)] if contact.joint >= 0 else []
+            terms += [(turned[name] * r,) for name, r in contact.over.items()]
+            (way,) = summed(terms)
+            return LargeForce(contact.preload.low * h - contact.stiffness.low * way, (), ())
+        d, n, p = plus(motions[contact.of], Fraction(-1), motions[contact.by]), contact.normal, tuple(
+            x.low for x in contact.position)
+        count_words((*d, *n, *p, h), 30)
+        u = plus(d[:2], d[2], (-p[1], p[0])) if len(n) == 2 else plus(d[:3], Fraction(1), cross(d[3:], p))
+        square, press = dot(n, n), dot(n, u)
+        v = -contact.stiffness.low / square * press
+        if contact.preload.low:
+            length = rational_root(square)
+            assert length is not None  # else the question is a box
+            v += contact.preload.low / length * h
+        if len(n) == 2:
+            slip = n[0] * u[1] - n[1] * u[0]
+            return LargeForce(v, (slip,), (Fraction((slip < 0) - (slip > 0)),))
+        slips = plus(u, -press / square, n) + ((dot(n, d[3:]),) if contact.torsion else ())
+        return LargeForce(v, slips, zeros(len(slips)))
+
+    def check_witness(self, question: Question, witness: Witness) -> None:
+        """`witness-...`"""
+        if question.is_box:
+            raise Rejected("witness-box", "an equilibrium of one grasp, but the question is about a box")
+        d = witness.x[:len(question.wrench)]
+        for j, b in enumerate(question.asked.max_motion or ()):
+            if abs(d[j]) > b:
+                raise Rejected("witness-bound", f"motion {j + 1} is {show(d[j])}, beyond {show(b)} h")
+        count_words(d, len(d))
+        numerators, factor = integers(d)
+        z, h = tuple(map(Fraction, numerators)), Fraction(factor)
+        motions, turned = self.bodies.moved(z)
+        forces = [self.motion_of(contact, motions, turned, z, h) for contact in self.contacts]
+        last = -1
+        for i, share in witness.shares:
+            if not last < i < question.slipping():
+                raise Rejected("witness-share", f"contact {show(i)}, which is not there or not in order")
+            contact, last = self.contacts[i], i
+            if any(forces[i].slip):
+                raise Rejected("witness-share", f"contact {i} slips: {show(forces[i].slip)}")
+            count_words(share, 10)
+            longest = dot(contact.normal, contact.normal) if len(share) > 1 else Fraction(1)
+            if force_square(share, contact.gamma) > longest or (len(share) > 1 and dot(share[:3], contact.normal)):
+                raise Rejected("witness-share", f"contact {i}, share {show(share)}")
+            forces[i] = forces[i]._replace(share=share)
+        for i, (contact, force) in enumerate(zip(self.contacts, forces)):
+            if question.asked.law == "bilateral" and force.v < 0 and not contact.spring:
+                raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
+        for i, (contact, force) in enumerate(zip(self.contacts, forces)):
+            if len(force.slip) > 1 and any(force.slip) and contact.friction.low and force.v > 0:
+                against = starred(force.slip, contact.gamma)
+                ratio = rational_root(dot(contact.normal, contact.normal) / dot(against, force.slip))
+                if ratio is None:
+                    raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
+                                                   "ratio of its normal's length to that is irrational")
+                forces[i] = force._replace(share=times(-ratio, against))
+        pushes = [(i, force.v, times(contact.friction.low * force.v, force.share) if contact.is_contact() else
+                   (Fraction(0),)) for i, (contact, force) in enumerate(zip(self.contacts, forces))
+                  if (contact.stiffness.low if contact.spring else force.v > 0)]
+        # What springs without stiffness exert is among the loads.
+        total = self.total((h,), pushes)
+        if any(total):
+            raise Rejected("witness-balance", f"load and forces add up to {show(times(1 / h, total))}, not to 0")
+
+    def check_leaf(self, tree: Sequence[Node]) -> None:
+        """`large-proof`, and `static-motion`."""
+        if len(tree) != 1 or tree[0].kind != "leaf":
+            raise Rejected("large-proof", "neither an equilibrium nor a tree of one leaf")
+        y = times(Fraction(-1), tree[0].numbers)
+        self.check_move(y, "twist")
+        if self.works(y)[0] <= 0:
+            raise Rejected("static-motion", "the load does no work along it", "twist")
+
+
+def check_large(question: Question, certificate: Certificate) -> None:
+    large = Large(question)
+    if certificate.witness:
+        large.check_witness(question, certificate.witness)
+    else:
+        large.check_leaf(certificate.tree)
 
 
 class Standing(NamedTuple):
@@ -4279,8 +4392,6 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
     files: List[str] = []
     options, as_json, ended = Options(), False, False
     waiting = list(reversed(words))
-    # Options are in any order, and with one of them grasps may have more coordinates.
-    most = MAX_STATIC_DIMENSION if any(word.partition("=")[0] == "--statics" for word in words) else MAX_DIMENSION
     while waiting:
         word = waiting.pop()
         is_help = word in ("-h", "--help")
@@ -4301,9 +4412,9 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
                 raise UsageError(f"{name} needs a value")
             value = waiting.pop()
         if name == "--wrench":
-            options = options._replace(wrench=wrench_option(name, value, most))
+            options = options._replace(wrench=wrench_option(name, value, MOST_DIMENSION))
         elif name == "--direction":
-            options = options._replace(direction=wrench_option(name, value, most))
+            options = options._replace(direction=wrench_option(name, value, MOST_DIMENSION))
         elif name == "--plane":
             values = list_option(name, value)
             options = options._replace(plane=(values[:len(values) // 2], values[len(values) // 2:]))
@@ -4331,7 +4442,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
         elif name == "--uncertain":
             options = options._replace(uncertain=tolerances_option(name, value))
         elif name == "--max-motion":
-            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value, most))
+            options = options._replace(max_motion=() if value == "none" else wrench_option(name, value, MOST_DIMENSION))
         elif value in LAWS:
             options = options._replace(law=value)
         else:
@@ -4479,6 +4590,8 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
             standing_ = standing(statics, certificate.statics) if certificate.verdict == "margin" else None
         elif certificate.rigid is not None:
             check_class(question, certificate, certificate.rigid)
+        elif question.large:
+            check_large(question, certificate)
         elif certificate.pieces is not None:
             box = enlarged(question, certificate.bits)
             check_tree(certificate.tree, [root_of(question, box, certificate.pieces)])

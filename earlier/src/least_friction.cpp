@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
-#include "statics_search.hpp"
+#include "engine/statics/statics_search.hpp"
 #include "stickslip/earlier/statics.hpp"
 
 namespace stickslip {
-namespace earlier_detail {
+namespace statics_detail {
 namespace {
 
 const Undecided kBorder{
@@ -90,9 +90,9 @@ class FrictionBracket {
 };
 
 }  // namespace
-}  // namespace earlier_detail
+}  // namespace statics_detail
 
-using namespace earlier_detail;
+using namespace statics_detail;
 
 LoadClass statics(const GraspBox& grasp, const Rational& friction_factor) {
   const StaticsModel model(grasp, friction_factor);

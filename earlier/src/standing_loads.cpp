@@ -4,14 +4,14 @@
 #include <set>
 #include <utility>
 
-#include "few_columns.hpp"
-#include "statics_search.hpp"
+#include "engine/statics/few_columns.hpp"
+#include "engine/statics/statics_search.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/statics.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
-namespace earlier_detail {
+namespace statics_detail {
 namespace {
 
 /// Finds the border of the loads that may stand, along rays from one that may.
@@ -289,9 +289,9 @@ bool LoadSearch::is_inside(const RationalRow& point) const {
 }
 
 }  // namespace
-}  // namespace earlier_detail
+}  // namespace statics_detail
 
-using namespace earlier_detail;
+using namespace statics_detail;
 
 StandingLoads standing_loads(const GraspBox& grasp, const std::vector<RationalRow>& directions,
                              const Rational& friction_factor, const Rational& accuracy) {

@@ -5,6 +5,7 @@
 
 #include "box_prover.hpp"
 #include "engine/degree/prove_stable.hpp"
+#include "engine/large/decide_large.hpp"
 #include "examples.hpp"
 #include "single_grasp.hpp"
 
@@ -158,7 +159,9 @@ std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
 }
 
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options) {
-  if (box.is_point()) return prove_box(box, law, options, 0);
+  if (box.is_point()) {
+    return is_large(box) ? decide_large(box, law) : prove_box(box, law, options, 0);
+  }
   SearchWork work;
   ExampleSearch examples(box, law, options, work);
   BoxDecision decision{Undecided{}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/large/decide_large.hpp"
 #include "stickslip/engine/force_span.hpp"
 #include "stickslip/engine/grasp_law.hpp"
 
@@ -81,12 +82,13 @@ std::optional<Question> second_question(const Question& question, const Verdict&
   constexpr std::size_t kMostContacts = 10000;
   const LoadedGrasp* one = question.grasp.single();
   if (one != nullptr && one->grasp.size() > kMostContacts) return std::nullopt;
+  const GraspBox* box = question.box();
+  if (box != nullptr && is_large(*box)) return std::nullopt;
   if (std::holds_alternative<Fragile>(verdict)) return std::nullopt;
   if (std::holds_alternative<Unstable>(verdict)) return without_rounding(question);
   if (question.is_bounded()) return std::nullopt;
   // A box that is undecided for other reasons takes as long once more.
   const auto* undecided = std::get_if<Undecided>(&verdict);
-  const GraspBox* box = question.box();
   if (undecided != nullptr && box != nullptr && !box->is_point() &&
       undecided->reason != "far") {
     return std::nullopt;

@@ -130,9 +130,10 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
     throw InputError(
         "", "bodies",
         "bodies and joints have " + std::to_string(motions) + " coordinates together",
-        "the law of contacts is decided for at most " + std::to_string(kMostCoordinates - 2) +
-            ", 6 for each body in space or 3 in the plane, and 1 for each joint; "
-            "statics of any number is in compare and margin, as the class");
+        "margins, and boxes of uncertain numbers, have at most " +
+            std::to_string(kMostCoordinates - 2) +
+            ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there are "
+            "verdicts about one grasp, and statics");
   }
   if (box.mechanism) {
     rotates.clear();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/large/decide_large.hpp"
 #include "stickslip/engine/grasp_law.hpp"
 #include "stickslip/lp/exact_system.hpp"
 #include "stickslip/lp/linear_program.hpp"
@@ -76,6 +77,7 @@ std::optional<std::string> balance_on_an_edge(const AnyGrasp& any) {
   if (crowd != nullptr && crowd->grasp.size() > kMostContactsInBalance) return {};
   const GraspBox grasp = any.as_box();
   if (!grasp.springs.empty() || grasp.contacts.size() > kMostContactsInBalance) return {};
+  if (is_large(grasp)) return {};
   const GraspLaw law(grasp, NormalLaw::kUnilateral);
   RationalRow load;
   for (const Interval& w : law.wrench) load.push_back(w.low);

@@ -29,8 +29,10 @@ PARTS = {
         "search": {"equilibrium", "motion"},
         "planar": {"equilibrium", "motion", "search"},
         "degree": {"equilibrium", "motion", "search", "planar"},
-        "box": {"equilibrium", "motion", "search", "planar", "degree"},
-        "decide": {"equilibrium", "motion", "search", "planar", "degree", "box"},
+        "statics": {"equilibrium"},
+        "large": {"equilibrium", "motion", "search", "statics"},
+        "box": {"equilibrium", "motion", "search", "planar", "degree", "large"},
+        "decide": {"equilibrium", "motion", "search", "planar", "degree", "large", "box"},
     },
     "measures": {
         "margin": set(),
@@ -49,7 +51,7 @@ PARTS = {
     },
 }
 HEADERS_ALONE = {"search_options": "equilibrium", "newton_equilibria": "planar", "near_equilibrium": "search", "reals": "motion",
-                 "box_verdict": "box", "preload": "extent"}
+                 "box_verdict": "search", "rigid_force": "statics", "preload": "extent"}
 
 # Folders that may include the private headers of the engine's parts: "engine/<part>/<name>.hpp". Other modules have none that
 # others include.
@@ -136,7 +138,7 @@ class Layout(unittest.TestCase):
         for included, files in {
                 "<CGAL/": {"arrangement/src/cgal_enumerator.cpp", "measures/resistance/plane_overlay.cpp"},
                 "<Eigen/(QR|SVD)>": {"engine/motion/dense.cpp"},
-                "<Eigen/Sparse": {"lp/src/cone_program.cpp"},
+                "<Eigen/Sparse": {"lp/src/cone_program.cpp", "engine/large/sparse_newton.cpp"},
                 "<nlohmann/": {"core/src/json.cpp"},
                 "<CLI/": {"interfaces/cli/command_line.cpp"},
                 "<httplib": {"interfaces/cli/page/page_server.cpp"},

@@ -30,7 +30,11 @@
     const start = performance.now();
     let report;
     try {
-      report = StickslipCheck.check(page.answer.grasp, certificate, question());
+      const most = 30; // coordinates that the checker reads
+      report =
+        JSON.parse(certificate).question.wrench.length > most
+          ? { answer: "not judged", found: "of more than 30 coordinates stickslip-check and check.py judge the proof" }
+          : StickslipCheck.check(page.answer.grasp, certificate, question());
     } catch (error) {
       report = { answer: "not checked", found: String(error) };
     }

@@ -398,7 +398,7 @@ class LargeTest(StaticsCase):
         def free(count):
             return {"format": "stickslip-grasp/3", "bodies": [{"name": str(k)} for k in range(count)], "contacts": []}
 
-        most = check.MAX_STATIC_DIMENSION // 3
+        most = check.MOST_DIMENSION // 3
         certificate = certificate_of(free(0), [0] * (3 * most), forces=[])
         self.assertEqual(self.judged(free(most), certificate, ["--statics=1"], large=True)["result"], "accepted")
         report = self.judged(free(most + 1), certificate, ["--statics=1"], large=True)

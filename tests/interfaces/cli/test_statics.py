@@ -233,8 +233,39 @@ class Size(Statics):
         self.assertEqual(self.kind(content), "may stand")
         self.assertEqual(self.kind(content, "--friction-factor", "0.11"), "must move")
 
-    def test_the_law_of_contacts_is_not_decided_of_so_many(self):
-        code, out, err = stickslip("decide", self.write("w.json", wall(4, 4, 1, 0)))
+    def decided(self, content, verdict):
+        """Checks the verdict, whose proof the checkers accept, and not with a number changed."""
+        file, proof = self.write("w.json", content), self.path("w.certificate.json")
+        code, out, err = stickslip("decide", file, "--json", "--certificate", proof)
+        self.assertEqual((code, json.loads(out)["verdict"]), (DONE, verdict), err)
+        with open(proof, encoding="utf-8") as file_of_proof:
+            wrong = json.load(file_of_proof)
+        if verdict == "stable":
+            wrong["twist"][1] = str(F(wrong["twist"][1]) + 1)
+        else:
+            wrong["tree"][0][1:] = [str(-F(y)) for y in wrong["tree"][0][1:]]
+        for checker in checkers(proof)[:2]:  # stickslip-proved judges 30 coordinates at most
+            code, out, err = run(*checker, file, proof)
+            self.assertEqual(code, 0, (out, err))
+            code, out, err = run(*checker, file, self.write("wrong.json", wrong))
+            self.assertEqual(code, 1, (out, err))
+            self.assertIn("rule   witness-" if verdict == "stable" else "rule   static-motion", out)
+
+    def test_verdicts_of_more_coordinates_than_are_searched(self):
+        # 16 bricks, 48 coordinates; and a tower of 11, in which friction carries the lean.
+        self.decided(wall(4, 4, 1, 0), "stable")
+        self.decided(wall(11, 1, F(1, 20), F(99, 2000)), "stable")
+        self.decided(wall(11, 1, F(1, 20), F(101, 2000)), "unstable")
+
+    def test_verdicts_on_both_sides_of_a_border(self):
+        # Twenty stones, 60 coordinates, that are pushed aside: they hold by statics up to 0.28516 of their weight.
+        for lean, verdict in ((F(71, 250), "stable"), (F(143, 500), "unstable")):
+            content = arch(20, F(1, 5), 1)
+            content["loads"] += [force(load["body"], (lean, 0), tuple(map(F, load["at"]))) for load in content["loads"]]
+            self.decided(content, verdict)
+
+    def test_margins_have_no_more_coordinates_than_are_searched(self):
+        code, out, err = stickslip("margin", self.write("w.json", wall(4, 4, 1, 0)), "--direction", ",".join(["1"] * 48))
         self.assertEqual((code, out), (2, ""))
         self.assertIn("48 coordinates", err)
         self.assertIn("at most 30", err)

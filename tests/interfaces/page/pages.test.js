@@ -113,6 +113,19 @@ test("an unstable grasp in the plane", () => {
   isWhole(openWith(made), made.answer, "unstable");
 });
 
+test("a tower of more coordinates than the checker reads", () => {
+  const names = Array.from({ length: 11 }, (_, k) => "b" + k);
+  const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "page-")), "tower.json");
+  const contacts = names.flatMap((of, k) =>
+    [-1, 1].map((x) => ({ of, by: k ? names[k - 1] : "ground", position: [x, k], normal: [0, 1], friction: 1 })),
+  );
+  const loads = names.map((body, k) => ({ body, weight: 1, at: [0, k] }));
+  fs.writeFileSync(file, JSON.stringify({ format: "stickslip-grasp/3", bodies: names.map((name) => ({ name })), contacts, loads }));
+  const { page } = openWith(pageOf(file));
+  assert.strictEqual(page.answer.decide.verdict, "stable");
+  assert.deepStrictEqual([page.checkProof().answer, page.checkProof().rule], ["not judged", undefined]);
+});
+
 test("a ball of loads", () => {
   const made = pageOf(FIG1, "--wrench", "0,11/10,0");
   const proof = JSON.parse(made.answer.certificate);

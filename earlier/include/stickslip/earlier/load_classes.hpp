@@ -65,18 +65,10 @@
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/engine/rigid_force.hpp"
 #include "stickslip/engine/verdict.hpp"
 
 namespace stickslip {
-
-/// The force of one contact on the object: the normal coefficient a >= 0, and friction. In the
-/// plane friction is one number, the coefficient of T; in space it is f, orthogonal to n.
-struct RigidForce {
-  Rational normal{0};      ///< a, the force over |n|
-  RationalRow friction{};  ///< b, or f
-};
-/// The forces by ContactId.
-using RigidForces = std::vector<RigidForce>;
 
 /// A motion along which the load does positive work, and no admissible contact force does
 /// negative work; so none balances the load.

@@ -11,7 +11,7 @@
 #include "statics_model.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 /// The linear program of forces along the edges of cones, where these are rational.
 class EdgeProgram {
@@ -38,10 +38,12 @@ class EdgeProgram {
 /// or neither, near the border of both.
 using ModelAnswer = std::variant<std::vector<ConeForce>, RationalRow, std::monostate>;
 
+/// Returns a motion that no force opposes and the load goes along, if doubles find one.
+std::optional<RationalRow> unopposed_motion(const StaticsModel& model, const RationalRow& load);
 /// Decides a load, in the model's coordinates.
 ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load);
 /// Does the same; `needs_long` says whether doubles are of no use, and becomes it if they are
 /// not: as when loads or frictions that are asked about come near a border.
 ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load, bool& needs_long);
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

@@ -6,7 +6,7 @@
 
 #include "stickslip/lp/exact_system.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 RationalRow opposite(RationalRow row) {
   for (Rational& entry : row) entry = -entry;
@@ -73,4 +73,4 @@ std::optional<RationalRow> few_columns(const std::vector<RationalRow>& columns,
   return result;
 }
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

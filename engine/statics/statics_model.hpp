@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "stickslip/core/box.hpp"
-#include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/engine/rigid_force.hpp"
 #include "stickslip/lp/cone_program.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 /// The forces of a contact or ratchet: a times `normal` and c_k times `slips[k]`, with a >= 0
 /// and sum c_k^2 squares[k] <= squared_most a^2.
@@ -44,7 +44,10 @@ RationalRow wrench_with_springs(const GraspBox& grasp);
 /// The statics of one grasp, with all friction multiplied by a factor.
 class StaticsModel {
  public:
-  StaticsModel(const GraspBox& grasp, const Rational& friction_factor);
+  /// Springs with stiffness hold joints, unless `springs_hold` is false: then all coordinates
+  /// are free, and these springs are none of the model's.
+  StaticsModel(const GraspBox& grasp, const Rational& friction_factor,
+               bool springs_hold = true);
 
   std::size_t size() const { return size_; }  ///< the number of the model's coordinates
   const std::vector<ForceCone>& cones() const { return cones_; }  ///< the contacts and ratchets
@@ -63,7 +66,9 @@ class StaticsModel {
   /// Returns the factor from z_k of that to the coefficient of column k.
   double scale(const ForceCone& cone, std::size_t column) const;
 
-  /// Returns the motion of the grasp with this one of the model, as coprime integers.
+  /// Returns the motion of the grasp that is this one of the model.
+  RationalRow state_of(const RationalRow& y) const;
+  /// Returns a positive multiple of it, in coprime integers.
   RationalRow motion_of(const RationalRow& y) const;
   /// Returns whether no force of the cone opposes the motion.
   static bool is_unopposed(const ForceCone& cone, const RationalRow& y);
@@ -82,7 +87,7 @@ class StaticsModel {
   SparseRow shifted(SparseRow row) const;
   SparseRow held(SparseRow row) const;
   void find_centres();
-  void hold_joints();
+  void hold_joints(bool springs_hold);
 
   const GraspBox& grasp_;
   std::size_t size_ = 0;
@@ -96,4 +101,4 @@ class StaticsModel {
   std::vector<double> arms_;
 };
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

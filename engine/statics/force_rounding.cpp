@@ -11,7 +11,7 @@
 #include "few_columns.hpp"
 #include "stickslip/core/error.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 ForceRounding::ForceRounding(const StaticsModel& model, const RationalRow& load,
                              const ConeProposal& proposal, int bits, double border)
@@ -211,4 +211,4 @@ bool ForceRounding::push(std::size_t body, std::size_t first, std::size_t rows,
   return true;
 }
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

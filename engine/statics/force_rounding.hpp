@@ -8,7 +8,7 @@
 
 #include "statics_model.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 /// A way in which the force of a cone may change: by a multiple of `change`, whose wrench is
 /// `column`.
@@ -54,4 +54,4 @@ class ForceRounding {
   std::vector<ForceChange> changes_;
 };
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

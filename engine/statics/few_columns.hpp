@@ -8,7 +8,7 @@
 
 #include "stickslip/core/row.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 /// The dimension up to which systems are solved as dense ones.
 inline constexpr std::size_t kMostDense = 60;
@@ -26,4 +26,4 @@ std::optional<RationalRow> few_columns(const std::vector<RationalRow>& columns,
                                        const RationalRow& sum,
                                        const std::vector<double>& units);
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

@@ -8,7 +8,7 @@
 #include "force_rounding.hpp"
 #include "stickslip/core/error.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 
 std::optional<EdgeProgram> EdgeProgram::of(const StaticsModel& model) {
   if (model.size() > kMostDense) return std::nullopt;
@@ -83,6 +83,13 @@ class StaticsSearch {
       }
     }
     return by_program();
+  }
+
+  /// Does the same for motions alone, in doubles.
+  std::optional<RationalRow> motion() const {
+    const ConeSearch search(model_.rounded(load_));
+    const ConeProposal& proposal = search.proposal();
+    return proposal.rests ? std::nullopt : exact_motion(proposal);
   }
 
  private:
@@ -182,6 +189,11 @@ class StaticsSearch {
 
 }  // namespace
 
+std::optional<RationalRow> unopposed_motion(const StaticsModel& model,
+                                            const RationalRow& load) {
+  return StaticsSearch(model, load).motion();
+}
+
 ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load) {
   bool needs_long = false;
   return decide_load(model, load, needs_long);
@@ -191,4 +203,4 @@ ModelAnswer decide_load(const StaticsModel& model, const RationalRow& load, bool
   return StaticsSearch(model, load).run(needs_long);
 }
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

@@ -8,7 +8,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
-namespace stickslip::earlier_detail {
+namespace stickslip::statics_detail {
 namespace {
 
 /// Returns the vector of a few entries that is `row` but for zeros.
@@ -66,13 +66,14 @@ RationalRow wrench_with_springs(const GraspBox& grasp) {
   return wrench;
 }
 
-StaticsModel::StaticsModel(const GraspBox& grasp, const Rational& friction_factor)
+StaticsModel::StaticsModel(const GraspBox& grasp, const Rational& friction_factor,
+                           bool springs_hold)
     : grasp_(grasp) {
   require(grasp.is_point(), "no number is uncertain");
   twist_ = grasp.in_space() ? 6 : 3;
   free_ = grasp.mechanism ? grasp.mechanism->joint_coordinate(0) : twist_;
   find_centres();
-  hold_joints();
+  hold_joints(springs_hold);
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     add_contact(grasp.contacts[i], i, friction_factor);
   }
@@ -135,12 +136,12 @@ void StaticsModel::find_centres() {
 
 /// Joints on which a spring with stiffness acts may exert any force along its row, and only
 /// motions that do not move it are of use.
-void StaticsModel::hold_joints() {
+void StaticsModel::hold_joints(bool springs_hold) {
   size_ = grasp_.wrench.size();
   const std::size_t joints = size_ - free_;
   std::vector<RationalRow> rows;
   for (const Spring& spring : grasp_.springs) {
-    if (spring.is_ratchet() || spring.stiffness.low.is_zero()) continue;
+    if (!springs_hold || spring.is_ratchet() || spring.stiffness.low.is_zero()) continue;
     rows.emplace_back(spring.row.begin() + static_cast<std::ptrdiff_t>(free_),
                       spring.row.end());
   }
@@ -270,7 +271,7 @@ ConePair StaticsModel::rounded(const RationalRow& load) const {
   return pair;
 }
 
-RationalRow StaticsModel::motion_of(const RationalRow& y) const {
+RationalRow StaticsModel::state_of(const RationalRow& y) const {
   RationalRow motion(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(free_));
   for (std::size_t body = 0; body < centres_.size(); ++body) {
     const std::size_t points = centres_[body].size();
@@ -291,7 +292,11 @@ RationalRow StaticsModel::motion_of(const RationalRow& y) const {
       }
     }
   }
-  const Row integers = primitive_multiple(motion);
+  return motion;
+}
+
+RationalRow StaticsModel::motion_of(const RationalRow& y) const {
+  const Row integers = primitive_multiple(state_of(y));
   return {integers.begin(), integers.end()};
 }
 
@@ -367,4 +372,4 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
   return result;
 }
 
-}  // namespace stickslip::earlier_detail
+}  // namespace stickslip::statics_detail

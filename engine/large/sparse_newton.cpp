@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sparse_newton.hpp"
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip::large_detail {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+/// An element in doubles, with lengths of rotations as in StaticsModel::rounded().
+struct SmoothElement {
+  DoubleColumn normal;
+  std::vector<DoubleColumn> slips;  ///< so that friction is at most a for each unit of them
+  double preload = 0;
+  double stiffness = 0;
+  double slip_unit = 1;  ///< the factor from slips to those
+  bool is_spring = false;
+};
+
+double product(const DoubleColumn& column, const Vector& d) {
+  double sum = 0;
+  for (const auto& [j, entry] : column) sum += entry * d[static_cast<Eigen::Index>(j)];
+  return sum;
+}
+
+void add(Vector& to, double factor, const DoubleColumn& column) {
+  for (const auto& [j, entry] : column) to[static_cast<Eigen::Index>(j)] += factor * entry;
+}
+
+double size_of(const DoubleColumn& column) {
+  double square = 0;
+  for (const auto& [j, entry] : column) square += entry * entry;
+  return std::sqrt(square);
+}
+
+/// The normal force a of one element, and how it changes with v and with `smooth`.
+struct SmoothNormal {
+  double a = 0;
+  double by_separation = 0;
+  double by_smooth = 0;
+};
+
+/// SmoothFriction over a, and the slip, of one contact.
+struct SmoothFriction {
+  double norm = 0;            ///< of the slip
+  double over = 0;            ///< what it is divided by
+  std::vector<double> ratio;  ///< the slip over that
+};
+
+class SmoothGrasp {
+ public:
+  /// Contacts open where v is within `opening` times what `smooth` presses them by.
+  SmoothGrasp(const LargeGrasp& grasp, double opening) : opening_(opening) {
+    const statics_detail::StaticsModel& model = grasp.model;
+    ConePair pair = model.rounded(model.load());
+    load_ =
+        Eigen::Map<const Vector>(pair.load.data(), static_cast<Eigen::Index>(pair.load.size()));
+    std::vector<double> answers;
+    const auto add_element = [&](SmoothElement element, const SpringLaw& law) {
+      element.preload = to_double(law.preload);
+      element.stiffness = to_double(law.stiffness);
+      const double size = size_of(element.normal);
+      force_ = std::max(force_, element.preload * size);
+      answers.push_back(element.stiffness * size * size);
+      elements_.push_back(std::move(element));
+    };
+    force_ = load_.norm();
+    for (std::size_t i = 0; i < pair.cones.size(); ++i) {
+      std::vector<DoubleColumn>& columns = pair.cones[i];
+      SmoothElement element;
+      element.normal = std::move(columns.front());
+      element.slips.assign(columns.begin() + 1, columns.end());
+      if (!element.slips.empty()) element.slip_unit = model.scale(model.cones()[i], 1);
+      add_element(std::move(element), grasp.cone_law[i]);
+    }
+    for (std::size_t s = 0; s < grasp.springs.size(); ++s) {
+      SmoothElement element;
+      for (const auto& [j, entry] : grasp.springs[s]) {
+        element.normal.emplace_back(j, to_double(entry) / model.arms()[j]);
+      }
+      element.is_spring = true;
+      add_element(std::move(element), grasp.spring_law[s]);
+    }
+    if (!(force_ > 0)) force_ = 1;
+    auto middle = answers.begin() + static_cast<std::ptrdiff_t>(answers.size() / 2);
+    std::nth_element(answers.begin(), middle, answers.end());
+    reach_ = middle != answers.end() && *middle > 0 ? force_ / *middle : 1;
+  }
+
+  const std::vector<SmoothElement>& elements() const { return elements_; }
+  double force() const { return force_; }
+  double reach() const { return reach_; }
+  Vector rest() const { return Vector::Zero(load_.size()); }
+
+  /// Returns max(0, v) with its edge rounded, and v of a spring.
+  SmoothNormal normal(const SmoothElement& e, const Vector& d, double smooth) const {
+    const double v = separation(e, d, smooth);
+    if (e.is_spring) return {v, 1, 0};
+    const double width = opening_ * e.stiffness * smooth;
+    if (!(width > 0)) return v > 0 ? SmoothNormal{v, 1, e.stiffness} : SmoothNormal{};
+    const double root = std::hypot(v, 2 * width);
+    SmoothNormal result;
+    // The sum of v < 0 and the root would cancel.
+    result.a = v > 0 ? (v + root) / 2 : 2 * width * width / (root - v);
+    result.by_separation = (1 + v / root) / 2;
+    result.by_smooth = e.stiffness * (result.by_separation + 2 * width * opening_ / root);
+    return result;
+  }
+  /// Returns v, with all contacts pressed together by `smooth`.
+  double separation(const SmoothElement& e, const Vector& d, double smooth) const {
+    return e.preload + (e.is_spring ? 0 : e.stiffness * smooth) -
+           e.stiffness * product(e.normal, d);
+  }
+  static SmoothFriction friction(const SmoothElement& e, const Vector& d, double smooth) {
+    SmoothFriction result;
+    for (const DoubleColumn& slip : e.slips) {
+      result.ratio.push_back(product(slip, d));
+      result.norm = std::hypot(result.norm, result.ratio.back());
+    }
+    result.over = std::hypot(result.norm, smooth * e.slip_unit);
+    for (double& entry : result.ratio) entry /= result.over;
+    return result;
+  }
+
+  /// Returns the load and all forces; sets the derivative, and how they change with `smooth`.
+  Vector sum(const Vector& d, double smooth, Sparse* derivative = nullptr,
+             Vector* change = nullptr) const {
+    Vector result = load_;
+    if (change != nullptr) change->setZero(d.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto put = [&](double factor, const DoubleColumn& rows, const DoubleColumn& columns) {
+      for (const auto& [row, left] : rows) {
+        for (const auto& [column, right] : columns) {
+          entries.emplace_back(row, column, factor * left * right);
+        }
+      }
+    };
+    for (const SmoothElement& e : elements_) {
+      const SmoothNormal force = normal(e, d, smooth);
+      const double a = force.a;
+      if (!e.is_spring && !(a > 0)) continue;
+      const SmoothFriction f = friction(e, d, smooth);
+      const double stiffness = e.stiffness * force.by_separation;
+      const double part = smooth * e.slip_unit / f.over;  // of `over`, by `smooth`
+      add(result, a, e.normal);
+      if (derivative != nullptr) put(-stiffness, e.normal, e.normal);
+      if (change != nullptr) add(*change, force.by_smooth, e.normal);
+      for (std::size_t k = 0; k < e.slips.size(); ++k) {
+        add(result, -a * f.ratio[k], e.slips[k]);
+        if (change != nullptr) {
+          add(*change, (a / smooth * part * part - force.by_smooth) * f.ratio[k], e.slips[k]);
+        }
+        if (derivative == nullptr) continue;
+        put(stiffness * f.ratio[k], e.slips[k], e.normal);
+        put(-a / f.over, e.slips[k], e.slips[k]);
+        for (std::size_t l = 0; l < e.slips.size(); ++l) {
+          put(a / f.over * f.ratio[k] * f.ratio[l], e.slips[k], e.slips[l]);
+        }
+      }
+    }
+    if (derivative != nullptr) {
+      // A weak spring holds what nothing else does.
+      constexpr double kWeak = 1e-9;
+      for (Eigen::Index j = 0; j < d.size(); ++j) {
+        entries.emplace_back(j, j, -kWeak * force_ / reach_);
+      }
+      derivative->resize(d.size(), d.size());
+      derivative->setFromTriplets(entries.begin(), entries.end());
+    }
+    return result;
+  }
+
+ private:
+  Vector load_;
+  std::vector<SmoothElement> elements_;
+  double opening_ = 0;
+  double force_ = 0;  ///< a typical force
+  double reach_ = 1;  ///< how far it moves a body
+};
+
+/// Newton's method with friction smooth over slips of one size.
+class Balance {
+ public:
+  explicit Balance(const SmoothGrasp& grasp) : grasp_(grasp) {}
+
+  /// Moves d to where all forces balance; returns whether it could.
+  bool run(Vector& d, double smooth) {
+    constexpr int kMostSteps = 30;
+    constexpr double kBalanced = 1e-10;
+    constexpr double kRounding = 1e-14;  // part of slips, and so of friction over their size
+    Sparse derivative;
+    Vector f = grasp_.sum(d, smooth, &derivative);
+    for (int step = 0; step < kMostSteps; ++step) {
+      const double rounding = kRounding * d.norm() / smooth;
+      if (f.norm() <= (kBalanced + rounding) * grasp_.force()) return true;
+      if (!factor(derivative)) return false;
+      const Vector move = -solver_.solve(f);
+      if (!move.allFinite()) return false;
+      double part = 1;
+      Vector next = d + move;
+      Vector there = grasp_.sum(next, smooth);
+      while (there.norm() > (1 - 1e-4 * part) * f.norm() && part > 1e-4) {
+        part /= 2;
+        next = d + part * move;
+        there = grasp_.sum(next, smooth);
+      }
+      d = next;
+      f = grasp_.sum(d, smooth, &derivative);
+    }
+    return false;
+  }
+
+  /// Returns where d goes as the size becomes another, to first order; d if that is not known.
+  Vector ahead(const Vector& d, double smooth, double next) {
+    Sparse derivative;
+    Vector change;
+    grasp_.sum(d, smooth, &derivative, &change);
+    if (!factor(derivative)) return d;
+    const Vector moved = d - (next - smooth) * solver_.solve(change);
+    return moved.allFinite() ? moved : d;
+  }
+
+ private:
+  bool factor(const Sparse& derivative) {
+    solver_.compute(derivative);
+    return solver_.info() == Eigen::Success;
+  }
+
+  const SmoothGrasp& grasp_;
+  Eigen::SparseLU<Sparse> solver_;
+};
+
+/// Returns what is found with contacts that open within `opening`.
+std::optional<LargeProposal> propose(const LargeGrasp& large, double opening) {
+  const SmoothGrasp grasp(large, opening);
+  Balance balance(grasp);
+  constexpr double kLargest = 8;
+  constexpr double kSmallest = 1.05;
+  constexpr double kLeastSmooth = 1e-7;  // relative to motions
+  Vector d = grasp.rest();
+  double smooth = kLargest * grasp.reach();
+  double factor = kLargest;
+  if (!balance.run(d, smooth)) return std::nullopt;
+  while (smooth > kLeastSmooth * d.norm()) {
+    Vector next = balance.ahead(d, smooth, smooth / factor);
+    if (balance.run(next, smooth / factor)) {
+      d = std::move(next);
+      smooth /= factor;
+      factor = std::min(kLargest, factor * factor);
+      continue;
+    }
+    factor = std::sqrt(factor);
+    if (factor < kSmallest) return std::nullopt;
+  }
+  LargeProposal result;
+  const auto& cones = large.model.cones();
+  for (std::size_t i = 0; i < cones.size(); ++i) {
+    const SmoothElement& e = grasp.elements()[i];
+    const double a = std::max(0.0, grasp.separation(e, d, opening > 0 ? 0 : smooth));
+    const SmoothFriction f = SmoothGrasp::friction(e, d, smooth);
+    constexpr double kSticks = 30;  // sizes of slips: friction is then short of all by 1/1800
+    const bool sticks = f.norm <= kSticks * smooth * e.slip_unit;
+    result.modes.push_back(!(a > 0) ? LargeMode::kOpen
+                           : sticks ? LargeMode::kSticks
+                                    : LargeMode::kSlips);
+    result.most.push_back(a * e.slip_unit);
+    result.spare.push_back(sticks ? a * (1 - f.norm / f.over) * e.slip_unit : 0);
+    auto& friction = result.friction.emplace_back();
+    for (std::size_t k = 0; k < f.ratio.size(); ++k) {
+      friction.push_back(-a * f.ratio[k] * large.model.scale(cones[i], k + 1));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<LargeProposal> propose(const LargeGrasp& grasp) {
+  // Rounded edges are followed faster and nearer to a border. A pile in space may drift apart
+  // along them, as contacts then push from afar.
+  constexpr double kRounded = 0.5;
+  if (auto proposal = propose(grasp, kRounded)) return proposal;
+  return propose(grasp, 0);
+}
+
+}  // namespace stickslip::large_detail

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Equilibria of one grasp of many coordinates by Newton's method, in doubles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/statics/statics_model.hpp"
+
+namespace stickslip::large_detail {
+
+/// The normal law of a contact, ratchet or spring: a = max(0, preload - stiffness N.d), of a
+/// spring without the maximum.
+struct SpringLaw {
+  Rational preload;    ///< P'
+  Rational stiffness;  ///< k'
+};
+
+/// A grasp of many coordinates: its contacts and ratchets as cones of a model whose joints are
+/// free, and springs with stiffness.
+struct LargeGrasp {
+  statics_detail::StaticsModel model;   ///< statics, without these springs
+  std::vector<SpringLaw> cone_law{};    ///< by cone of the model
+  RationalRow frictions{};              ///< mu, by cone
+  std::vector<SparseRow> springs{};     ///< rows of the springs
+  std::vector<SpringLaw> spring_law{};  ///< by spring
+  bool may_open = true;                 ///< whether contacts may open
+};
+
+/// What a contact does.
+enum class LargeMode : std::int8_t {
+  kOpen,
+  kSticks,
+  kFollows,  ///< sticks nearly, as another one with nearly the same slip does
+  kSlips
+};
+
+/// An equilibrium in doubles.
+struct LargeProposal {
+  std::vector<LargeMode> modes{};  ///< by cone; what has no friction sticks if it is closed
+  /// The friction of each cone, as multiples of its directions.
+  std::vector<std::vector<double>> friction{};
+  std::vector<double> most{};   ///< how much there may be, as a force
+  std::vector<double> spare{};  ///< how much more
+};
+
+/// Returns what Newton's method finds from rest. Friction is smoothed over slips of a size that
+/// becomes smaller and smaller, and so is how contacts open; they are pressed together by as
+/// much at first, as a pile that nothing presses has no forces at rest. A step factors a sparse
+/// matrix of D rows. Returns nothing if it does not converge.
+std::optional<LargeProposal> propose(const LargeGrasp& grasp);
+
+}  // namespace stickslip::large_detail

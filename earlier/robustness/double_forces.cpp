@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "earlier/robustness/simplex.hpp"
+#include "stickslip/lp/cone_program.hpp"
 
 namespace stickslip::robustness_detail {
 namespace {
@@ -15,7 +16,9 @@ constexpr double kImbalance = 1e5;
 constexpr int kMostRounds = 24;
 /// Cuts that are kept beside those along the axes.
 constexpr std::size_t kKeptCuts = 10;
-constexpr std::size_t kMostDirections = 40;
+constexpr std::size_t kRoundDirections = 8;
+/// Directions of a contact in one program for one combination.
+constexpr std::size_t kManyDirections = 64;
 
 Doubles plus(Doubles a, double factor, const Doubles& b) {
   for (std::size_t j = 0; j < 6; ++j) a[j] += factor * b[j];
@@ -96,14 +99,16 @@ Doubles column(const std::vector<Doubles>& matrix, std::size_t j) {
 
 }  // namespace
 
-Directions::Directions(const ForceModel& model)
-    : model_(model), exact_(model.contacts.size()), wrenches_(model.contacts.size()) {
+Directions::Directions(const ForceModel& model, std::size_t most)
+    : model_(model), most_(most), exact_(model.contacts.size()), wrenches_(model.contacts.size()) {
   for (std::size_t i = 0; i < exact_.size(); ++i) {
     if (model.coordinates == 3) {
       add(i, {{1}});
       add(i, {{-1}});
     } else {
-      for (int k = 0; k < 8; ++k) add(i, direction_at(k * 0.7853981633974483));
+      for (std::size_t k = 0; k < kRoundDirections; ++k) {
+        add(i, direction_at(static_cast<double>(k) * 0.7853981633974483));
+      }
     }
   }
 }
@@ -120,13 +125,17 @@ void Directions::add(std::size_t contact, const FrictionDirection& direction) {
 }
 
 bool Directions::add_against(std::size_t contact, const Doubles& twist) {
-  if (model_.coordinates == 3 || exact_[contact].size() >= kMostDirections) return false;
+  if (model_.coordinates == 3) return false;
   const ForceContact& c = model_.contacts[contact];
   const double most = most_against(c, twist);
   if (most <= 0) return false;
   double known = 0;
   for (const Doubles& wrench : wrenches_[contact]) known = std::max(known, -dot(wrench, twist));
   if (most <= known * (1 + 1e-6) + 1e-9) return false;
+  if (exact_[contact].size() >= most_) {
+    exact_[contact].erase(exact_[contact].begin() + kRoundDirections);
+    wrenches_[contact].erase(wrenches_[contact].begin() + kRoundDirections);
+  }
   add(contact, direction_at(std::atan2(-dot(c.tangents_double[1], twist),
                                        -dot(c.tangents_double[0], twist))));
   return true;
@@ -186,9 +195,16 @@ LeastStiff least_stiff(const ForceModel& model, const std::vector<SpringState>& 
   return result;
 }
 
-std::optional<double> propose_distance(const ForceModel& model,
-                                       const std::vector<SpringState>& states,
-                                       Directions& directions) {
+ForceProposal propose_forces(const ForceModel& model, const std::vector<SpringState>& states) {
+  struct Column {
+    std::size_t contact;
+    std::size_t index;
+    FrictionDirection direction;
+  };
+  ForceProposal result;
+  result.used.resize(states.size());
+  Directions directions(model, kManyDirections);
+  std::vector<Column> columns;
   const std::size_t n = model.coordinates;
   std::vector<std::size_t> held;
   std::size_t count = 1;
@@ -221,13 +237,16 @@ std::optional<double> propose_distance(const ForceModel& model,
     if (!sticks) {
       add(contact.normal_double);
     } else {
-      for (const Doubles& wrench : directions.wrenches(held[h])) add(wrench);
+      for (std::size_t k = 0; k < directions.of(held[h]).size(); ++k) {
+        columns.push_back({held[h], next, directions.of(held[h])[k]});
+        add(directions.wrenches(held[h])[k]);
+      }
     }
   }
   for (std::size_t j = 0; j < n; ++j) program.set(j, 0, sign[j] * lift[j]);
   for (int round = 0; round < kMostRounds; ++round) {
-    if (!program.maximise()) return std::nullopt;
-    Doubles twist{};
+    if (!program.maximise()) break;
+    Doubles& twist = result.twist;
     for (std::size_t j = 0; j < n; ++j) twist[j] = sign[j] * program.dual(j);
     bool is_new = false;
     for (std::size_t h = 0; h < held.size(); ++h) {
@@ -238,15 +257,51 @@ std::optional<double> propose_distance(const ForceModel& model,
       std::vector<double> entries(program.rows());
       for (std::size_t j = 0; j < n; ++j) entries[j] = sign[j] * wrench[j];
       entries[n + h] = 1;
-      program.add_column(entries, 0);
+      columns.push_back(
+          {held[h], program.add_column(entries, 0), directions.of(held[h]).back()});
     }
     if (!is_new) break;
   }
   const std::vector<double> values = program.values();
-  for (std::size_t j = 0; j < n; ++j) {
-    if (values[program.identity(j)] > 1e-8 * model.most_force_double) return std::nullopt;
+  for (const Column& column : columns) {
+    if (values[column.index] > 0) result.used[column.contact].push_back(column.direction);
   }
-  return values[0];
+  for (std::size_t j = 0; j < n; ++j) {
+    if (values[program.identity(j)] > 1e-8 * model.most_force_double) return result;
+  }
+  result.distance = values[0];
+  return result;
+}
+
+std::optional<Doubles> propose_opening(const ForceModel& model,
+                                       const std::vector<SpringState>& states) {
+  ConePair pair{std::vector<double>(model.coordinates), {}};
+  const auto column_of = [&](const Doubles& wrench, double factor) {
+    DoubleColumn column;
+    for (std::size_t j = 0; j < model.coordinates; ++j) {
+      if (wrench[j] != 0) column.emplace_back(j, factor * wrench[j]);
+    }
+    return column;
+  };
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const ForceContact& contact = model.contacts[i];
+    if (states[i] == SpringState::kDetached) continue;
+    for (std::size_t j = 0; j < model.coordinates; ++j) {
+      pair.load[j] += contact.normal_double[j];
+    }
+    std::vector<DoubleColumn> cone{column_of(contact.normal_double, 1)};
+    if (states[i] == SpringState::kStick) {
+      for (std::size_t k = 0; k < contact.tangents.size(); ++k) {
+        cone.push_back(column_of(contact.tangents_double[k], contact.friction_double));
+      }
+    }
+    pair.cones.push_back(std::move(cone));
+  }
+  const ConeSearch search(pair);
+  if (search.proposal().rests || search.proposal().motion.empty()) return std::nullopt;
+  Doubles twist{};
+  std::copy(search.proposal().motion.begin(), search.proposal().motion.end(), twist.begin());
+  return twist;
 }
 
 /// A state of a contact with a force in it, and how much of it there is.

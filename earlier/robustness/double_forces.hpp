@@ -11,26 +11,26 @@
 
 namespace stickslip::robustness_detail {
 
-/// The directions of friction that programs know, by contact. They grow in space.
+/// The directions of friction that programs know, by contact: both signs in the plane; in space
+/// eight all round, and the latest that were added.
 class Directions {
  public:
-  /// Makes both signs in the plane, and eight directions in space.
-  explicit Directions(const ForceModel& model);
+  /// Knows at most `most` directions of a contact in space, at least nine.
+  explicit Directions(const ForceModel& model, std::size_t most);
 
   /// Returns the directions of a contact.
   const std::vector<FrictionDirection>& of(std::size_t contact) const { return exact_[contact]; }
-  /// Returns the directions of all contacts.
-  const std::vector<std::vector<FrictionDirection>>& all() const { return exact_; }
-  /// Returns the wrench of the force in this direction whose normal part is 1.
+  /// Returns the wrenches of the forces in these directions whose normal part is 1.
   const std::vector<Doubles>& wrenches(std::size_t contact) const { return wrenches_[contact]; }
-  /// Adds the direction in which friction does the most against a twist, if it does much more
-  /// than the others there. Returns whether it was added.
+  /// Adds the direction in which friction does the most against a twist, if it does more than
+  /// the others there. Returns whether it was added; it is the last one then.
   bool add_against(std::size_t contact, const Doubles& twist);
 
  private:
   void add(std::size_t contact, const FrictionDirection& direction);
 
   const ForceModel& model_;
+  std::size_t most_;
   std::vector<std::vector<FrictionDirection>> exact_;
   std::vector<std::vector<Doubles>> wrenches_;
 };
@@ -46,11 +46,21 @@ LeastStiff least_stiff(const ForceModel& model, const std::vector<SpringState>& 
 /// Returns the least eigenvalue of a symmetric matrix of this size, and a unit vector of it.
 LeastStiff least_eigenvalue(std::vector<Doubles> matrix, std::size_t size);
 
-/// Returns the largest least distance of forces in these states; nothing if there are none. In
-/// space it adds directions.
-std::optional<double> propose_distance(const ForceModel& model,
-                                       const std::vector<SpringState>& states,
-                                       Directions& directions);
+/// Forces in doubles.
+struct ForceProposal {
+  std::optional<double> distance{};  ///< the largest least distance; nothing if there are none
+  Doubles twist{};                   ///< the multipliers y of the balance
+  /// By contact: the directions that the forces have friction in.
+  std::vector<std::vector<FrictionDirection>> used{};
+};
+
+/// Returns the best forces in these states.
+ForceProposal propose_forces(const ForceModel& model, const std::vector<SpringState>& states);
+
+/// Returns a twist that all forces in the cones of these states do work along, as far from 0 as
+/// may be; nothing if there seems to be none.
+std::optional<Doubles> propose_opening(const ForceModel& model,
+                                       const std::vector<SpringState>& states);
 
 /// What a linear program says of a node.
 struct NodeProposal {

@@ -46,8 +46,7 @@ Robustness potential_contact_robustness(const GraspBox& grasp,
                                         const RobustnessOptions& options) {
   const ForceModel model(grasp, options);
   const std::vector<SpringState> first = first_combination(model);
-  Directions directions(model);
-  CombinationValue value = value_of(model, first, directions);
+  CombinationValue value = value_of(model, first);
   if (const auto known = known_answer(model, first, value)) return *known;
   Robustness result;
   // A contact without friction has no distance above 0 where it sticks.
@@ -62,8 +61,7 @@ Robustness potential_contact_robustness(const GraspBox& grasp,
 Robustness potential_grasp_robustness(const GraspBox& grasp, const RobustnessOptions& options) {
   const ForceModel model(grasp, options);
   const std::vector<SpringState> first = first_combination(model);
-  Directions directions(model);
-  if (const auto known = known_answer(model, first, value_of(model, first, directions))) {
+  if (const auto known = known_answer(model, first, value_of(model, first))) {
     return *known;
   }
   return RobustnessSearch(model, options).run(first);

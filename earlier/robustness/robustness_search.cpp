@@ -14,6 +14,10 @@ constexpr unsigned kValueBits = 60;
 constexpr unsigned kShortBits = 32;
 constexpr std::array<SpringState, 3> kStates{SpringState::kStick, SpringState::kSlip,
                                              SpringState::kDetached};
+/// The directions of a contact in the programs of nodes, in space.
+constexpr std::size_t kSearchDirections = 20;
+/// The part by which exact forces may be worse than those in doubles.
+constexpr double kFarOff = 1e-5;
 /// How often the lower end of a node's distances is raised.
 constexpr int kMostRaises = 12;
 
@@ -41,13 +45,37 @@ Rational rounded_down(const Rational& value) {
 
 }  // namespace
 
-CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states,
-                          Directions& directions) {
+CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states) {
   CombinationValue result;
   const auto [low, high] = inverse_square(model, states);
-  if (model.coordinates == 6) propose_distance(model, states, directions);
-  const ExactForces forces = exact_forces(model, states, directions.all());
-  const Rational most = greatest_distance(model, states, forces.twist);
+  const ForceProposal proposal = propose_forces(model, states);
+  // In the plane all of friction has two directions, in space those that doubles use will do.
+  Directions directions(model, kSearchDirections);
+  std::vector<std::vector<FrictionDirection>> all;
+  for (std::size_t i = 0; i < states.size(); ++i) all.push_back(directions.of(i));
+  const bool has_proposal = model.coordinates == 6 && proposal.distance;
+  ExactForces forces = exact_forces(model, states, has_proposal ? proposal.used : all);
+  if (has_proposal && (forces.distance.sign() <= 0 ||
+                       to_double(forces.distance) < *proposal.distance * (1 - kFarOff))) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      all[i].insert(all[i].end(), proposal.used[i].begin(), proposal.used[i].end());
+    }
+    forces = exact_forces(model, states, all);
+  }
+  Rational most = greatest_distance(model, states, forces.twist);
+  const auto try_twist = [&](const Doubles& twist) {
+    RationalRow rounded;
+    for (std::size_t j = 0; j < model.coordinates; ++j) {
+      rounded.push_back(rational_in_bits(twist[j], 40));
+    }
+    most = std::min(most, greatest_distance(model, states, rounded));
+  };
+  if (model.coordinates == 6) {
+    try_twist(proposal.twist);
+    if (forces.distance.sign() == 0) {
+      if (const auto twist = propose_opening(model, states)) try_twist(*twist);
+    }
+  }
   result.is_refuted = most.sign() < 0;
   result.is_possible = forces.distance.sign() >= 0;
   if (most.sign() > 0) result.upper = short_sqrt(most * most * high, kValueBits).upper;
@@ -83,7 +111,7 @@ struct RobustnessSearch::Node {
 };
 
 RobustnessSearch::RobustnessSearch(const ForceModel& model, const RobustnessOptions& options)
-    : model_(model), options_(options), directions_(model), programs_(model, directions_) {}
+    : model_(model), options_(options), directions_(model, kSearchDirections), programs_(model, directions_) {}
 
 /// Takes a combination for the best one if doubles say so.
 void RobustnessSearch::propose(const std::vector<SpringState>& states) {
@@ -95,7 +123,7 @@ void RobustnessSearch::propose(const std::vector<SpringState>& states) {
   const double stiff = std::sqrt(least_stiff(model_, states).inverse_square);
   // No distance is above f / 2.
   if (stiff * model_.most_force_double / 2 <= proposed_value_) return;
-  const std::optional<double> distance = propose_distance(model_, states, directions_);
+  const std::optional<double> distance = propose_forces(model_, states).distance;
   if (!distance) return;
   place->second = *distance * stiff;
   if (place->second <= proposed_value_ * (1 + 1e-9)) return;
@@ -123,7 +151,7 @@ void RobustnessSearch::improve() {
 /// Confirms the proposal exactly, and raises the target.
 void RobustnessSearch::confirm() {
   if (proposed_.empty()) return;
-  CombinationValue value = value_of(model_, proposed_, directions_);
+  CombinationValue value = value_of(model_, proposed_);
   leaves_upper_ = std::max(leaves_upper_, value.upper);
   if (value.lower > best_.lower) {
     best_ = std::move(value);
@@ -225,7 +253,7 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
       confirm();
     }
     if (is_leaf) {
-      CombinationValue value = value_of(model_, rounded(node), directions_);
+      CombinationValue value = value_of(model_, rounded(node));
       leaves_upper_ = std::max(leaves_upper_, value.upper);
       if (value.lower > best_.lower) {
         proposed_ = rounded(node);

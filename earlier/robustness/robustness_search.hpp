@@ -24,8 +24,7 @@ struct CombinationValue {
 };
 
 /// Encloses the value of one combination. Requires that no contact without friction sticks.
-CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states,
-                          Directions& directions);
+CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states);
 
 /// The search.
 class RobustnessSearch {

@@ -100,7 +100,10 @@ Doubles column(const std::vector<Doubles>& matrix, std::size_t j) {
 }  // namespace
 
 Directions::Directions(const ForceModel& model, std::size_t most)
-    : model_(model), most_(most), exact_(model.contacts.size()), wrenches_(model.contacts.size()) {
+    : model_(model),
+      most_(most),
+      exact_(model.contacts.size()),
+      wrenches_(model.contacts.size()) {
   for (std::size_t i = 0; i < exact_.size(); ++i) {
     if (model.coordinates == 3) {
       add(i, {{1}});
@@ -117,8 +120,8 @@ void Directions::add(std::size_t contact, const FrictionDirection& direction) {
   const ForceContact& c = model_.contacts[contact];
   Doubles wrench = c.normal_double;
   for (std::size_t k = 0; k < direction.along.size(); ++k) {
-    wrench = plus(wrench, c.friction_double * to_double(direction.along[k]),
-                  c.tangents_double[k]);
+    wrench =
+        plus(wrench, c.friction_double * to_double(direction.along[k]), c.tangents_double[k]);
   }
   exact_[contact].push_back(direction);
   wrenches_[contact].push_back(wrench);
@@ -524,9 +527,9 @@ NodeProposal NodePrograms::bound(const std::vector<StateSet>& sets, double dista
     for (std::size_t i = 0; i < sets.size(); ++i) {
       if (model_.coordinates == 3 || rooms[i] < 0) continue;
       double known = 0;
-      for (const Doubles& w : directions_.wrenches(i)) known = std::max(known, -dot(w, found.twist));
-      excess += rooms[i] *
-                std::max(0.0, most_against(model_.contacts[i], found.twist) - known);
+      for (const Doubles& w : directions_.wrenches(i))
+        known = std::max(known, -dot(w, found.twist));
+      excess += rooms[i] * std::max(0.0, most_against(model_.contacts[i], found.twist) - known);
       if (!directions_.add_against(i, found.twist)) continue;
       has_new = true;
       program.add(stick_point(i, directions_.wrenches(i).back()));

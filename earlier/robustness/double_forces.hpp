@@ -19,7 +19,9 @@ class Directions {
   explicit Directions(const ForceModel& model, std::size_t most);
 
   /// Returns the directions of a contact.
-  const std::vector<FrictionDirection>& of(std::size_t contact) const { return exact_[contact]; }
+  const std::vector<FrictionDirection>& of(std::size_t contact) const {
+    return exact_[contact];
+  }
   /// Returns the wrenches of the forces in these directions whose normal part is 1.
   const std::vector<Doubles>& wrenches(std::size_t contact) const { return wrenches_[contact]; }
   /// Adds the direction in which friction does the most against a twist, if it does more than
@@ -65,9 +67,9 @@ std::optional<Doubles> propose_opening(const ForceModel& model,
 /// What a linear program says of a node.
 struct NodeProposal {
   bool is_solved = false;
-  double square = 0;                         ///< a bound of lambda_min; below 0 if none exists
-  Doubles twist{};                           ///< y
-  std::vector<MatrixTerm> terms{};           ///< Z
+  double square = 0;                ///< a bound of lambda_min; below 0 if none exists
+  Doubles twist{};                  ///< y
+  std::vector<MatrixTerm> terms{};  ///< Z
   std::vector<std::array<double, 3>> share{};  ///< by contact, how much of each state
 };
 

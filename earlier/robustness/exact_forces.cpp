@@ -39,8 +39,7 @@ Rational length_above(const RationalRow& x) {
 /// whose normal part is 1.
 Rational most_against(const ForceContact& contact, const Rational& along_normal,
                       const RationalRow& along_tangents) {
-  const Rational most =
-      contact.friction * length_above(along_tangents) - along_normal;
+  const Rational most = contact.friction * length_above(along_tangents) - along_normal;
   return most.sign() > 0 ? most : Rational(0);
 }
 
@@ -102,8 +101,8 @@ NodeBound node_bound(const ForceModel& model, const std::vector<StateSet>& sets,
       if (!most || value > *most) most = std::move(value);
     };
     if ((sets[i] & only(SpringState::kDetached)) != 0) offer(0);
-    const bool may_slip = (sets[i] & only(SpringState::kSlip)) != 0 &&
-                          2 * distance <= model.most_force;
+    const bool may_slip =
+        (sets[i] & only(SpringState::kSlip)) != 0 && 2 * distance <= model.most_force;
     Rational offset;
     Rational room = -1;
     if ((sets[i] & only(SpringState::kStick)) != 0 && contact.can_stick()) {
@@ -254,8 +253,7 @@ ExactForces exact_forces(const ForceModel& model, const std::vector<SpringState>
     require(force[0] >= found.distance && force[0] + found.distance <= model.most_force,
             "a normal force is too near to its bounds");
     if (states[i] == SpringState::kSlip) continue;
-    const Rational room =
-        contact.friction * force[0] - contact.root.upper * found.distance;
+    const Rational room = contact.friction * force[0] - contact.root.upper * found.distance;
     require(room.sign() >= 0 && friction <= room * room, "a force is too near to its cone");
   }
   require(is_zero(primitive_multiple(balance)), "forces that do not balance the load");

@@ -23,7 +23,8 @@ constexpr int kMostRaises = 12;
 
 std::string word_of(const std::vector<SpringState>& states) {
   std::string word;
-  for (const SpringState state : states) word += static_cast<char>('0' + static_cast<int>(state));
+  for (const SpringState state : states)
+    word += static_cast<char>('0' + static_cast<int>(state));
   return word;
 }
 
@@ -111,7 +112,10 @@ struct RobustnessSearch::Node {
 };
 
 RobustnessSearch::RobustnessSearch(const ForceModel& model, const RobustnessOptions& options)
-    : model_(model), options_(options), directions_(model, kSearchDirections), programs_(model, directions_) {}
+    : model_(model),
+      options_(options),
+      directions_(model, kSearchDirections),
+      programs_(model, directions_) {}
 
 /// Takes a combination for the best one if doubles say so.
 void RobustnessSearch::propose(const std::vector<SpringState>& states) {
@@ -169,13 +173,12 @@ bool RobustnessSearch::bound(Node& node) {
   for (int raise = 0; raise < kMostRaises; ++raise) {
     const double high = to_double(node.high);
     const double root = target_double_ / high;
-    const NodeProposal found = programs_.bound(node.sets, to_double(node.low),
-                                               root * root * (1 - 1e-8), node.share);
+    const NodeProposal found =
+        programs_.bound(node.sets, to_double(node.low), root * root * (1 - 1e-8), node.share);
     if (!found.is_solved) return false;
     if (!found.share.empty()) node.share = found.share;
-    const NodeBound exact =
-        node_bound(model_, node.sets, node.low,
-                   Multipliers(found.twist, found.terms, model_.coordinates));
+    const NodeBound exact = node_bound(
+        model_, node.sets, node.low, Multipliers(found.twist, found.terms, model_.coordinates));
     if (exact.is_empty) return true;
     if (!exact.square) return false;
     const Rational square = rounded_up(*exact.square);
@@ -202,9 +205,9 @@ std::vector<SpringState> RobustnessSearch::rounded(const Node& node) const {
     for (const SpringState state : kStates) {
       if ((node.sets[i] & only(state)) == 0) continue;
       if (state == SpringState::kStick && !model_.contacts[i].can_stick()) continue;
-      if (!most || (!node.share.empty() &&
-                    node.share[i][static_cast<std::size_t>(state)] >
-                        node.share[i][static_cast<std::size_t>(*most)])) {
+      if (!most ||
+          (!node.share.empty() && node.share[i][static_cast<std::size_t>(state)] >
+                                      node.share[i][static_cast<std::size_t>(*most)])) {
         most = state;
       }
     }
@@ -235,9 +238,9 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (!model_.contacts[i].can_stick()) root.sets[i] &= static_cast<StateSet>(~1U);
     }
-    root.upper = short_sqrt(root.high * root.high * inverse_square(model_, first).second,
-                            kShortBits)
-                     .upper;
+    root.upper =
+        short_sqrt(root.high * root.high * inverse_square(model_, first).second, kShortBits)
+            .upper;
     open.push(std::move(root));
   }
   while (!open.empty() && open.top().upper > target_ && result.nodes < options_.node_limit) {
@@ -266,8 +269,9 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
     double least = 2;
     for (std::size_t i = 0; i < node.sets.size(); ++i) {
       if (is_single(node.sets[i])) continue;
-      const double most =
-          node.share.empty() ? 0 : *std::max_element(node.share[i].begin(), node.share[i].end());
+      const double most = node.share.empty()
+                              ? 0
+                              : *std::max_element(node.share[i].begin(), node.share[i].end());
       if (most < least) {
         least = most;
         split = i;

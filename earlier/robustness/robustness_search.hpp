@@ -16,10 +16,10 @@ namespace stickslip::robustness_detail {
 
 /// The value of one combination of states, enclosed.
 struct CombinationValue {
-  Rational lower{0};                   ///< at most the value
-  Rational upper{0};                   ///< at least the value
-  bool is_possible = false;            ///< whether forces with distances of at least 0 are known
-  bool is_refuted = false;             ///< whether it is proved that there are none
+  Rational lower{0};         ///< at most the value
+  Rational upper{0};         ///< at least the value
+  bool is_possible = false;  ///< whether forces with distances of at least 0 are known
+  bool is_refuted = false;   ///< whether it is proved that there are none
   std::optional<RobustForces> best{};  ///< the forces that show `lower`, if that is not 0
 };
 

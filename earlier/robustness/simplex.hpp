@@ -16,8 +16,8 @@ class Simplex {
   /// Makes a program of zeros with these numbers of rows and of columns of A.
   Simplex(std::size_t rows, std::size_t columns);
 
-  std::size_t rows() const { return tableau_.size(); }        ///< the number of rows
-  std::size_t columns() const { return cost_.size(); }        ///< all columns, of A and I
+  std::size_t rows() const { return tableau_.size(); }  ///< the number of rows
+  std::size_t columns() const { return cost_.size(); }  ///< all columns, of A and I
   std::size_t identity(std::size_t row) const { return identity_[row]; }  ///< the column of z
 
   /// \{ Sets an entry of A, of b, or of c. It is for the time before the first solution, and
@@ -35,11 +35,13 @@ class Simplex {
   /// basis. Requires that maximise() has returned true. Returns false if it does not get there.
   bool add_row(const std::vector<double>& entries, double right);
 
-  double objective() const { return -objective_; }    ///< c.x
+  double objective() const { return -objective_; }  ///< c.x
   /// Returns the values of all columns.
   std::vector<double> values() const;
   /// Returns the multiplier of a row: c - (multipliers) A <= 0 at a best basis.
-  double dual(std::size_t row) const { return cost_[identity_[row]] - reduced_[identity_[row]]; }
+  double dual(std::size_t row) const {
+    return cost_[identity_[row]] - reduced_[identity_[row]];
+  }
 
  private:
   void pivot(std::size_t row, std::size_t column);

@@ -20,6 +20,7 @@ std::string Method::word() const {
 const std::vector<Method>& all_methods() {
   constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
   constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
+  constexpr const char* kRobustness = "Prattichizzo et al. 1997";
   static const std::vector<Method> methods{
       {MethodId::kPassive, "passive equilibrium", "Haas-Heger et al. 2018", true, true},
       {MethodId::kFormClosure, "form closure", "Liu 1999", false, true},
@@ -34,6 +35,8 @@ const std::vector<Method>& all_methods() {
        false},
       {MethodId::kFrictionCones, "friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4",
        true, true},
+      {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true},
+      {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true},
   };
   return methods;
 }
@@ -130,8 +133,7 @@ Comparison compare_methods(const Question& question, const CompareOptions& optio
                            NumberText& text) {
   using namespace earlier_detail;
   if (!question.in_space()) {
-    return compare_in_plane(problem_of(without_bound(question)),
-                            question.is_bounded() ? question.box() : nullptr, options, text);
+    return compare_in_plane(problem_of(without_bound(question)), question.grasp, options, text);
   }
   return compare_in_space(point_in_space(question), question.law, options, text);
 }

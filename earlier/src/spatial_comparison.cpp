@@ -80,6 +80,9 @@ class MethodsInSpace {
           return wrench_space();
         case MethodId::kLinearCompliance:
           return linear();
+        case MethodId::kContactRobustness:
+        case MethodId::kGraspRobustness:
+          return robustness_answer(grasp_, method, options_, text_);
         default:
           return cones();
       }

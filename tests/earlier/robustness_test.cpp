@@ -20,7 +20,7 @@ using bench::RandomSource;
 using Matrix = std::vector<RationalRow>;
 
 UncertainContact finger(const RationalRow& p, const RationalRow& n, const Rational& friction,
-                         const Rational& stiffness = 1) {
+                        const Rational& stiffness = 1) {
   UncertainContact c;
   for (const Rational& x : p) c.position.push_back(point_interval(x));
   c.normal = n;
@@ -87,8 +87,8 @@ RationalRow load_of(const GraspBox& grasp, const Rational& length) {
 /// The largest least distance in the plane, or with the friction of a polygon around the disc
 /// in space, by variables that are the forces themselves. Nothing if that is below 0.
 std::optional<Rational> most_distance(const std::vector<Rows>& rows, const RationalRow& load,
-                                      const std::vector<SpringState>& states,
-                                      const Rational& f, bool root_up) {
+                                      const std::vector<SpringState>& states, const Rational& f,
+                                      bool root_up) {
   LinearProgram program;
   const std::size_t d = program.add_variable(VariableKind::kNonNegative);
   std::vector<RationalRow> balance(load.size(), RationalRow(1));
@@ -321,7 +321,7 @@ GraspBox planar_grasp(RandomSource& random, std::size_t m, bool degenerate) {
     p[1] += aside * n[0];
     const Rational mu = random.one_in(8) && degenerate ? Rational(0)
                         : random.one_in(2)             ? Rational(3, 4)
-                                                           : Rational(1, 2);
+                                                       : Rational(1, 2);
     contacts.push_back(finger(p, n, mu, random.one_in(6) ? 3 : 1));
   }
   RationalRow load(3);

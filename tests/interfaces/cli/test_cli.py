@@ -440,7 +440,8 @@ class Compare(Case):
     METHODS = ["passive equilibrium", "form closure", "frictionless stable load",
                "strongly stable load", "weakly stable load", "grasp wrench space, L1",
                "grasp wrench space, Linf", "linear compliance", "three-state compliance",
-               "friction cones alone"]
+               "friction cones alone", "potential contact robustness",
+               "potential grasp robustness"]
 
     def rows(self, *words):
         answer = self.json("compare", *words)

@@ -35,9 +35,10 @@
 /// bounds are right then, too.
 ///
 /// Sources: Bicchi, "On the problem of decomposing grasp and manipulation forces in
-/// multiple whole-limb manipulation", Robotics and Autonomous Systems 13, 1994; Pozzi, Malvezzi,
-/// Prattichizzo, "On grasp quality measures: grasp robustness and contact force distribution in
-/// underactuated and compliant robotic hands", IEEE Robotics and Automation Letters 2(1), 2017.
+/// multiple whole-limb manipulation", Robotics and Autonomous Systems 13, 1994; Pozzi,
+/// Malvezzi, Prattichizzo, "On grasp quality measures: grasp robustness and contact force
+/// distribution in underactuated and compliant robotic hands", IEEE Robotics and Automation
+/// Letters 2(1), 2017.
 #pragma once
 
 #include <cstddef>
@@ -51,10 +52,10 @@ namespace stickslip {
 
 /// What the two measures need besides the grasp, and where their search ends.
 struct RobustnessOptions {
-  Rational length = 1;                ///< L > 0, by which torques are divided
-  Rational most_force = 1;            ///< f > 0, the largest normal force of a contact
-  Rational accuracy = {1, 100};       ///< > 0: the search ends at upper <= (1 + accuracy) lower
-  std::size_t node_limit = 100000;    ///< the most nodes of the search
+  Rational length = 1;              ///< L > 0, by which torques are divided
+  Rational most_force = 1;          ///< f > 0, the largest normal force of a contact
+  Rational accuracy = {1, 100};     ///< > 0: the search ends at upper <= (1 + accuracy) lower
+  std::size_t node_limit = 100000;  ///< the most nodes of the search
 };
 
 /// A combination of states, with the best forces in it.

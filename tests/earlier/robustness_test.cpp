@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <set>
+#include <algorithm>
+#include <cstdlib>
 
 #include "random_source.hpp"
 #include "stickslip/core/error.hpp"
@@ -387,8 +387,124 @@ TEST(Robustness, IsThatOfAllCombinationsInSpace) {
   EXPECT_EQ(positive, 6);
 }
 
-/// Theorem: PGR decides subset sums. Here, for numbers with any sum, it is only that the
-/// reduction's two grasps of the report have different values; see docs/measures.md.
+/// The grasp of docs/measures.md, theorem 3: its PGR is sqrt(1/2) iff some of the numbers add
+/// up to `sum`, which is not 0, and less otherwise.
+GraspBox subset_sum_grasp(const std::vector<int>& numbers, int sum) {
+  const Rational mu(20, 99);
+  const Rational half(sum, 2);
+  std::vector<UncertainContact> contacts{finger({0, half}, {1, 0}, mu),
+                                         finger({0, -half}, {-1, 0}, mu)};
+  int far = 1 + std::abs(sum);
+  for (const int a : numbers) far += std::abs(a);
+  for (const int side : {far, -far}) {
+    contacts.push_back(finger({side, 0}, {0, 1}, mu));
+    contacts.push_back(finger({side, 0}, {0, -1}, mu));
+  }
+  for (const int a : numbers) {
+    contacts.push_back(finger({a, 0}, {0, 1}, mu));
+    contacts.push_back(finger({0, 0}, {0, -1}, mu));
+  }
+  return grasp_of(std::move(contacts), RationalRow(3));
+}
+
+TEST(Robustness, DecidesSubsetSums) {
+  RandomSource random(62);
+  int yes = 0;
+  int no = 0;
+  for (int round = 0; round < 14; ++round) {
+    std::vector<int> numbers{-5, round == 0 ? 2 : 4};
+    int sum = -3;
+    if (round >= 2) {
+      numbers.assign(static_cast<std::size_t>(random.between(1, 3)), 0);
+      for (int& a : numbers) a = random.between(-6, 6);
+      sum = random.between(1, 7);
+    }
+    bool has_subset = false;
+    int size = 1 + std::abs(sum);
+    for (const int a : numbers) size += std::abs(a);
+    size *= 5;  // above the sum of the magnitudes of all torques
+    for (unsigned subset = 1; subset < 1U << numbers.size(); ++subset) {
+      int total = 0;
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if ((subset >> i & 1U) != 0) total += numbers[i];
+      }
+      has_subset = has_subset || total == sum;
+    }
+    SCOPED_TRACE(testing::Message()
+                 << round << ": sum " << sum << " of " << testing::PrintToString(numbers));
+    RobustnessOptions options;
+    options.accuracy = {1, 4 * size};
+    const GraspBox grasp = subset_sum_grasp(numbers, sum);
+    const Robustness found = potential_grasp_robustness(grasp, options);
+    check_evidence(grasp, options, found);
+    EXPECT_TRUE(found.is_complete);
+    const Rational just_below = Rational(1, 2) - Rational(1, 1000000000);
+    EXPECT_EQ(found.lower * found.lower > just_below, has_subset);
+    EXPECT_EQ(found.upper * found.upper >= Rational(1, 2), has_subset);
+    ++(has_subset ? yes : no);
+    if (round < 2) {
+      EXPECT_EQ(has_subset, round == 0);
+    }
+  }
+  EXPECT_GE(yes, 3);
+  EXPECT_GE(no, 3);
+}
+
+/// Returns whether the value is between the bounds, which are near it, to 4 digits.
+void expect_near(const Robustness& found, double value) {
+  EXPECT_TRUE(found.is_complete);
+  EXPECT_LE(to_double(found.lower), value * 1.0005);
+  EXPECT_GE(to_double(found.upper), value * 0.9995);
+}
+
+TEST(Robustness, TheGraspsOfTheDocumentation) {
+  // A jaw, and fingers that immobilise the object, which PCR and PGR like less.
+  const Rational mu(5, 12);
+  const RationalRow none(3);
+  const Robustness jaw = potential_grasp_robustness(
+      grasp_of({finger({2, 1}, {-1, 0}, mu), finger({2, -1}, {-1, 0}, mu),
+                finger({-2, -2}, {1, 0}, mu), finger({-2, 2}, {1, 0}, mu)},
+               none));
+  expect_near(jaw, 5.0 / 9);
+  expect_near(potential_grasp_robustness(
+                  grasp_of({finger({2, 1}, {-1, 0}, mu), finger({-2, 2}, {0, -1}, mu),
+                            finger({1, -2}, {0, 1}, mu), finger({-2, 2}, {1, 0}, mu)},
+                           none)),
+              0.3397);
+  // Another contact does not lower PGR, though with it the grasp is not stable.
+  std::vector<UncertainContact> fingers{finger({0, -2}, {0, -1}, {12, 5}),
+                                        finger({-1, 0}, {-1, 0}, {12, 5})};
+  expect_near(potential_grasp_robustness(grasp_of(fingers, {0, -1, 0})), 0.1198);
+  fingers.push_back(finger({2, -2}, {0, 1}, {12, 5}));
+  const GraspBox more = grasp_of(fingers, {0, -1, 0});
+  const Robustness found = potential_grasp_robustness(more);
+  expect_near(found, 0.1198);
+  ASSERT_TRUE(found.best.has_value());
+  EXPECT_EQ(found.best->states[2], SpringState::kDetached);
+  EXPECT_LT(potential_contact_robustness(more).upper, found.lower);
+}
+
+TEST(Robustness, LimitsAndOrder) {
+  RandomSource random(63);
+  for (int round = 0; round < 6; ++round) {
+    GraspBox grasp = planar_grasp(random, 7, false);
+    RobustnessOptions few;
+    few.node_limit = static_cast<std::size_t>(round);
+    const Robustness cut = potential_grasp_robustness(grasp, few);
+    const Robustness whole = potential_grasp_robustness(grasp);
+    // Bounds of a search that ended early are right, too.
+    EXPECT_LE(cut.lower, whole.upper);
+    EXPECT_GE(cut.upper, whole.lower);
+    EXPECT_EQ(cut.is_complete, cut.upper <= Rational(101, 100) * cut.lower);
+    check_evidence(grasp, few, cut);
+    // The order of contacts does not matter.
+    std::reverse(grasp.contacts.begin(), grasp.contacts.end());
+    const Robustness other = potential_grasp_robustness(grasp);
+    EXPECT_LE(other.lower, whole.upper);
+    EXPECT_GE(other.upper, whole.lower);
+  }
+}
+
 TEST(Robustness, ClosedForms) {
   // Two fingers pinch: with E = ker G the only internal force is along the line, c_n = s. Its
   // distances are min(mu s / sqrt(1 + mu^2), f - s), so d = f / (1 + sqrt(1 + mu^2) / mu), and

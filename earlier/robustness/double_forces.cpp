@@ -232,7 +232,7 @@ ForceProposal propose_forces(const ForceModel& model, const std::vector<SpringSt
     const double offset = sticks ? contact.root_double / contact.friction_double : 1;
     lift = plus(lift, offset, contact.normal_double);
     program.set(n + h, 0, 1 + offset);
-    program.set_right(n + h, model.most_force_double);
+    program.set_right(n + h, contact.most_force_double);
     const auto add = [&](const Doubles& wrench) {
       for (std::size_t j = 0; j < n; ++j) program.set(j, next, sign[j] * wrench[j]);
       program.set(n + h, next++, 1);
@@ -448,7 +448,6 @@ NodePrograms::NodePrograms(const ForceModel& model, Directions& directions)
 NodeProposal NodePrograms::bound(const std::vector<StateSet>& sets, double distance,
                                  double enough,
                                  const std::vector<std::array<double, 3>>& share) {
-  const double f = model_.most_force_double;
   std::vector<Point> points;
   std::vector<std::size_t> first;
   std::vector<double> offsets(sets.size());
@@ -460,6 +459,7 @@ NodeProposal NodePrograms::bound(const std::vector<StateSet>& sets, double dista
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const ForceContact& c = model_.contacts[i];
     const std::size_t begin = points.size();
+    const double f = c.most_force_double;
     if ((sets[i] & only(SpringState::kDetached)) != 0) {
       points.push_back({i, SpringState::kDetached, {}});
     }

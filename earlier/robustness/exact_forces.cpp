@@ -102,13 +102,13 @@ NodeBound node_bound(const ForceModel& model, const std::vector<StateSet>& sets,
     };
     if ((sets[i] & only(SpringState::kDetached)) != 0) offer(0);
     const bool may_slip =
-        (sets[i] & only(SpringState::kSlip)) != 0 && 2 * distance <= model.most_force;
+        (sets[i] & only(SpringState::kSlip)) != 0 && 2 * distance <= contact.most_force;
     Rational offset;
     Rational room = -1;
     if ((sets[i] & only(SpringState::kStick)) != 0 && contact.can_stick()) {
       // The root is rounded down, which allows more forces.
       offset = distance * contact.root.lower / contact.friction;
-      room = model.most_force - distance - offset;
+      room = contact.most_force - distance - offset;
     }
     const bool may_stick = room.sign() >= 0;
     if (may_slip || may_stick) {
@@ -117,7 +117,7 @@ NodeBound node_bound(const ForceModel& model, const std::vector<StateSet>& sets,
       if (may_slip) {
         // The normal force is from distance to f - distance.
         const Rational force =
-            along.sign() >= 0 ? distance : Rational(model.most_force - distance);
+            along.sign() >= 0 ? distance : Rational(contact.most_force - distance);
         offer(square - force * along);
       }
       if (may_stick) {
@@ -158,9 +158,9 @@ Rational greatest_distance(const ForceModel& model, const std::vector<SpringStat
       across.emplace_back(0);
     }
     const Rational against = most_against(contact, along, across);
-    constant += model.most_force * against;
+    constant += contact.most_force * against;
     slope += offset * along + (1 + offset) * against;
-    least = std::min(least, Rational(model.most_force / (1 + offset)));
+    least = std::min(least, Rational(contact.most_force / (1 + offset)));
   }
   if (slope.sign() > 0) return std::min(least, Rational(constant / slope));
   if (constant.sign() < 0) return -1;
@@ -218,8 +218,9 @@ ExactForces exact_forces(const ForceModel& model, const std::vector<SpringState>
   for (std::size_t j = 0; j < size; ++j) {
     program.add_row(rows[j], Relation::kEqual, -model.load[j]);
   }
-  for (const RationalRow& bound : bounds) {
-    program.add_row(bound, Relation::kLessEqual, model.most_force);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!bound_of[i]) continue;
+    program.add_row(bounds[*bound_of[i]], Relation::kLessEqual, model.contacts[i].most_force);
   }
   const LpResult result = solve(program);
   ExactForces found{-1, {}, RationalRow(size)};
@@ -250,7 +251,7 @@ ExactForces exact_forces(const ForceModel& model, const std::vector<SpringState>
       friction += force[k] * force[k];
     }
     if (states[i] == SpringState::kDetached) continue;
-    require(force[0] >= found.distance && force[0] + found.distance <= model.most_force,
+    require(force[0] >= found.distance && force[0] + found.distance <= contact.most_force,
             "a normal force is too near to its bounds");
     if (states[i] == SpringState::kSlip) continue;
     const Rational room = contact.friction * force[0] - contact.root.upper * found.distance;

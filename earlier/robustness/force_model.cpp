@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earlier/robustness/force_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "earlier/src/friction_disc.hpp"
@@ -61,7 +62,8 @@ ForceContact contact_of(const UncertainContact& contact, std::size_t index,
                       t,
                       mu,
                       short_sqrt(1 + mu * mu, kConeRootBits),
-                      contact.stiffness.low};
+                      contact.stiffness.low,
+                      0};
   result.normal_double = doubles_of(result.normal.row());
   for (std::size_t k = 0; k < t.size(); ++k) {
     result.tangents_double[k] = doubles_of(result.tangents[k].row());
@@ -110,13 +112,20 @@ FrictionDirection direction_at(double angle) {
 }
 
 ForceModel::ForceModel(const GraspBox& grasp, const RobustnessOptions& options)
-    : coordinates(grasp.in_space() ? 6 : 3), most_force(options.most_force) {
+    : coordinates(grasp.in_space() ? 6 : 3) {
   require(options.length.sign() > 0, "the characteristic length must be above 0");
-  require(options.most_force.sign() > 0, "the largest force must be above 0");
+  const std::vector<Rational>& forces_allowed = options.most_forces;
+  require(forces_allowed.size() == 1 || forces_allowed.size() == grasp.contacts.size(),
+          "give one largest force, or one for each contact");
   require(options.accuracy.sign() > 0, "the accuracy must be above 0");
   require(grasp.is_point() && !grasp.mechanism, "these measures are of one grasp of one body");
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     contacts.push_back(contact_of(grasp.contacts[i], i, options));
+    const Rational& f = forces_allowed[forces_allowed.size() == 1 ? 0 : i];
+    require(f.sign() > 0, "the largest force must be above 0");
+    contacts[i].most_force = f;
+    contacts[i].most_force_double = to_double(f);
+    most_force = std::max(most_force, f);
     is_uniform = is_uniform && contacts[i].stiffness == contacts[0].stiffness;
   }
   const std::size_t forces = grasp.in_space() ? 3 : 2;

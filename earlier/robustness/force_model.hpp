@@ -49,12 +49,14 @@ struct ForceContact {
   Rational friction;                ///< mu
   ShortRoot root;                   ///< encloses sqrt(1 + mu^2)
   Rational stiffness;
+  Rational most_force;  ///< f
 
   Doubles normal_double{};
   std::array<Doubles, 2> tangents_double{};
   double friction_double = 0;
   double root_double = 1;
   double stiffness_double = 1;
+  double most_force_double = 1;
 
   bool can_stick() const { return !friction.is_zero(); }  ///< whether a distance may be > 0
 };
@@ -65,7 +67,7 @@ struct ForceModel {
   std::vector<ForceContact> contacts;  ///< by ContactId
   RationalRow load;                    ///< w, torques over the length
   Doubles load_double{};
-  Rational most_force;  ///< f
+  Rational most_force{0};  ///< the largest f
   double most_force_double = 1;
   bool is_uniform = true;  ///< whether all stiffnesses are the same
 

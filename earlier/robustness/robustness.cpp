@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "earlier/robustness/rigid_motions.hpp"
 #include "earlier/robustness/robustness_search.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
@@ -65,6 +67,34 @@ Robustness potential_grasp_robustness(const GraspBox& grasp, const RobustnessOpt
     return *known;
   }
   return RobustnessSearch(model, options).run(first);
+}
+
+Robustness rigid_motion_robustness(const GraspBox& grasp, const RobustnessOptions& options) {
+  require(!grasp.in_space(), "rigid motions are enumerated in the plane only");
+  const ForceModel model(grasp, options);
+  const std::vector<SpringState> first = first_combination(model);
+  if (auto known = known_answer(model, first, value_of(model, first))) return *known;
+  Robustness result;
+  for (const std::vector<SpringState>& states : states_of_motions(model)) {
+    bool is_zero = false;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      is_zero = is_zero || (states[i] == SpringState::kStick && !model.contacts[i].can_stick());
+    }
+    if (is_zero || rank_of(model.columns(states)) < model.coordinates) continue;
+    ++result.nodes;
+    // Most combinations are below the best one, which a bound shows.
+    const ForceProposal proposal = propose_forces(model, states);
+    const Rational above = value_above(model, states, proposal.twist);
+    if (above <= result.lower) continue;
+    CombinationValue value = value_of(model, states);
+    result.upper = std::max(result.upper, std::min(value.upper, above));
+    if (value.lower <= result.lower) continue;
+    result.lower = value.lower;
+    result.best = std::move(value.best);
+  }
+  result.upper = std::max(result.upper, result.lower);
+  result.is_complete = result.upper <= (1 + options.accuracy) * result.lower;
+  return result;
 }
 
 }  // namespace stickslip

@@ -96,6 +96,17 @@ CombinationValue value_of(const ForceModel& model, const std::vector<SpringState
   return result;
 }
 
+Rational value_above(const ForceModel& model, const std::vector<SpringState>& states,
+                     const Doubles& twist) {
+  RationalRow rounded;
+  for (std::size_t j = 0; j < model.coordinates; ++j) {
+    rounded.push_back(rational_in_bits(twist[j], 40));
+  }
+  const Rational most = greatest_distance(model, states, rounded);
+  if (most.sign() <= 0) return 0;
+  return short_sqrt(most * most * inverse_square(model, states).second, kShortBits).upper;
+}
+
 /// A set of combinations whose least distance is from `low` to `high`.
 struct RobustnessSearch::Node {
   std::vector<StateSet> sets;

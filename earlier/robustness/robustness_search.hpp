@@ -26,6 +26,11 @@ struct CombinationValue {
 /// Encloses the value of one combination. Requires that no contact without friction sticks.
 CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states);
 
+/// Returns at least the value of a combination, by multipliers in doubles alone, which takes
+/// less time.
+Rational value_above(const ForceModel& model, const std::vector<SpringState>& states,
+                     const Doubles& twist);
+
 /// The search.
 class RobustnessSearch {
  public:

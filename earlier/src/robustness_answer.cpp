@@ -51,7 +51,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
   }
   RobustnessOptions asked;
   asked.length = options.length;
-  asked.most_force = options.most_force;
+  asked.most_forces = options.most_forces;
   asked.accuracy = options.accuracy;
   asked.node_limit = options.node_limit;
   Robustness found;
@@ -61,17 +61,18 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
   } catch (const InputError& error) {
     return not_for(error);
   }
+  const std::string most =
+      asked.most_forces.size() == 1 ? text(asked.most_forces[0]) : text(asked.most_forces);
   Json evidence{{"lower", number_json(found.lower)},
                 {"upper", number_json(found.upper)},
-                {"max_force", number_json(asked.most_force)},
+                {"max_force", number_json(asked.most_forces)},
                 {"complete", found.is_complete},
                 {"nodes", found.nodes}};
   if (!found.has_full_rank) {
     return {"0", "the contacts leave a motion free, even if all stick", std::move(evidence)};
   }
   if (!found.balances) {
-    return {"none",
-            "no forces up to " + text(asked.most_force) + " in the cones balance the load",
+    return {"none", "no forces up to " + most + " in the cones balance the load",
             std::move(evidence)};
   }
   if (found.upper.is_zero()) {
@@ -89,7 +90,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
       states.push_back(kStateNames[static_cast<std::size_t>(found.best->states[i])]);
       forces.push_back(number_json(found.best->forces[i]));
     }
-    why = "forces that a hand makes at will, up to " + text(asked.most_force) + ", are " +
+    why = "forces that a hand makes at will, up to " + most + ", are " +
           text(found.best->distance) + " from breaking a condition (" +
           in_words(found.best->states) + "); quality is of forces that arise passively";
   } else {

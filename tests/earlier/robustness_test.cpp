@@ -87,8 +87,8 @@ RationalRow load_of(const GraspBox& grasp, const Rational& length) {
 /// The largest least distance in the plane, or with the friction of a polygon around the disc
 /// in space, by variables that are the forces themselves. Nothing if that is below 0.
 std::optional<Rational> most_distance(const std::vector<Rows>& rows, const RationalRow& load,
-                                      const std::vector<SpringState>& states, const Rational& f,
-                                      bool root_up) {
+                                      const std::vector<SpringState>& states,
+                                      const std::vector<Rational>& f, bool root_up) {
   LinearProgram program;
   const std::size_t d = program.add_variable(VariableKind::kNonNegative);
   std::vector<RationalRow> balance(load.size(), RationalRow(1));
@@ -116,7 +116,7 @@ std::optional<Rational> most_distance(const std::vector<Rows>& rows, const Ratio
       bounds.push_back({std::move(row), right});
     };
     at_most({{d, 1}, {normal, -1}}, 0);
-    at_most({{d, 1}, {normal, 1}}, f);
+    at_most({{d, 1}, {normal, 1}}, f[f.size() == 1 ? 0 : i]);
     if (!sticks) continue;
     const ShortRoot enclosed = short_sqrt(1 + rows[i].mu * rows[i].mu, 60);
     const Rational root = root_up ? enclosed.upper : enclosed.lower;
@@ -241,7 +241,8 @@ void check_evidence(const GraspBox& grasp, const RobustnessOptions& options,
       continue;
     }
     EXPECT_GE(normal, best.distance);
-    EXPECT_GE(options.most_force - normal, best.distance);
+    EXPECT_GE(options.most_forces[options.most_forces.size() == 1 ? 0 : i] - normal,
+              best.distance);
     if (best.states[i] == SpringState::kSlip) {
       EXPECT_EQ(friction, 0);
       continue;
@@ -291,7 +292,7 @@ bool compare_with_all(const GraspBox& grasp, const RobustnessOptions& options) {
     // With roots rounded down there are more forces, so that the bound is to hold for these
     // nearly.
     const std::optional<Rational> d =
-        most_distance(rows, load, states, options.most_force, true);
+        most_distance(rows, load, states, options.most_forces, true);
     if (!d || d->is_zero()) continue;
     // The value is above the upper bound iff 1/sigma_max^2 > (upper / d)^2.
     EXPECT_FALSE(is_stiffer(rows, states, whole.upper * whole.upper / (*d * *d)));
@@ -338,7 +339,12 @@ TEST(Robustness, IsThatOfAllCombinationsInThePlane) {
     RobustnessOptions options;
     options.accuracy = {1, round % 2 == 0 ? 100 : 10000};
     options.length = round % 3 == 0 ? 2 : 1;
-    options.most_force = round % 5 == 0 ? Rational(3, 2) : Rational(1);
+    if (round % 5 == 0) options.most_forces = {{3, 2}};
+    if (round % 5 == 1) {
+      options.most_forces.clear();
+      for (std::size_t i = 0; i < m; ++i)
+        options.most_forces.emplace_back(random.between(1, 3));
+    }
     if (compare_with_all(planar_grasp(random, m, round % 2 == 0), options)) ++positive;
   }
   EXPECT_GE(positive, 12);
@@ -373,14 +379,14 @@ TEST(Robustness, IsThatOfAllCombinationsInSpace) {
     // The polygon around the disc has more forces by at most 1/cos of half of an angle.
     const std::vector<Rows> rows = rows_of(grasp, 1);
     for (const std::vector<SpringState>& states : combinations(m)) {
-      const std::optional<Rational> d = most_distance(rows, RationalRow(6), states, 1, true);
+      const std::optional<Rational> d = most_distance(rows, RationalRow(6), states, {1}, true);
       if (!d || d->is_zero()) continue;
       const Rational most = whole.upper * Rational(11, 10) / *d;
       EXPECT_FALSE(is_stiffer(rows, states, most * most));
     }
     // And what is found is not above the polygon's.
     const std::optional<Rational> d =
-        most_distance(rows, RationalRow(6), whole.best->states, 1, false);
+        most_distance(rows, RationalRow(6), whole.best->states, {1}, false);
     ASSERT_TRUE(d.has_value());
     EXPECT_LE(whole.best->distance, *d);
   }
@@ -484,6 +490,59 @@ TEST(Robustness, TheGraspsOfTheDocumentation) {
   EXPECT_LT(potential_contact_robustness(more).upper, found.lower);
 }
 
+TEST(Robustness, StatesOfRigidMotions) {
+  // The example of docs/measures.md: two supports and a finger on top that is weak.
+  const GraspBox example =
+      grasp_of({finger({1, -1}, {0, 1}, {3, 4}), finger({-1, -1}, {0, 1}, {3, 4}),
+                finger({0, 1}, {0, -1}, {3, 4})},
+               {0, -1, 0});
+  RobustnessOptions weak;
+  weak.most_forces = {1, 1, {1, 8}};
+  expect_near(potential_contact_robustness(example, weak), 0.07537);
+  expect_near(rigid_motion_robustness(example, weak), 0.2621);
+  RandomSource random(64);
+  int loaded = 0;
+  for (int round = 0; round < 30; ++round) {
+    SCOPED_TRACE(round);
+    const GraspBox grasp =
+        planar_grasp(random, static_cast<std::size_t>(random.between(3, 5)), round % 2 == 0);
+    const Robustness one = potential_contact_robustness(grasp);
+    const Robustness rigid = rigid_motion_robustness(grasp);
+    const Robustness whole = potential_grasp_robustness(grasp);
+    check_evidence(grasp, {}, rigid);
+    EXPECT_GE(rigid.upper, one.lower);
+    EXPECT_LE(rigid.lower, whole.upper);
+    bool has_friction = true;
+    for (const UncertainContact& c : grasp.contacts) {
+      has_friction = has_friction && !c.friction.low.is_zero();
+    }
+    const bool is_loaded = std::any_of(grasp.wrench.begin(), grasp.wrench.end(),
+                                       [](const Interval& w) { return !w.low.is_zero(); });
+    if (is_loaded) {
+      ++loaded;
+    } else if (has_friction) {
+      EXPECT_LE(rigid.lower, one.upper);  // for w = 0 it is PCR
+    }
+    // Motions at random have no other states, and all that are found are among the best.
+    const std::vector<Rows> rows = rows_of(grasp, 1);
+    if (!one.has_full_rank) continue;
+    for (int motion = 0; motion < 20; ++motion) {
+      const RationalRow y{small(random, 2), small(random, 2), small(random, 2)};
+      std::vector<SpringState> states;
+      for (const Rows& r : rows) {
+        states.push_back(dot(r.normal, y).sign() > 0       ? SpringState::kDetached
+                         : dot(r.tangents[0], y).is_zero() ? SpringState::kStick
+                                                           : SpringState::kSlip);
+      }
+      const std::optional<Rational> d =
+          most_distance(rows, load_of(grasp, 1), states, {1}, true);
+      if (!d || d->is_zero()) continue;
+      EXPECT_FALSE(is_stiffer(rows, states, rigid.upper * rigid.upper / (*d * *d)));
+    }
+  }
+  EXPECT_GE(loaded, 5);
+}
+
 TEST(Robustness, LimitsAndOrder) {
   RandomSource random(63);
   for (int round = 0; round < 6; ++round) {
@@ -519,7 +578,7 @@ TEST(Robustness, ClosedForms) {
   EXPECT_LE(found.upper, found.lower * (1 + Rational(1, 1000000000)));
   // Three units of force scale it by three.
   RobustnessOptions strong;
-  strong.most_force = 3;
+  strong.most_forces = {3};
   EXPECT_EQ(potential_contact_robustness(pinch, strong).best->distance, Rational(9, 8));
   // A weight of 1/2 across the pinch leaves friction of 1/4 each: d = (3/4 s - 1/4) 4/5.
   const GraspBox held = grasp_of(

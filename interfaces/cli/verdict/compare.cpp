@@ -120,7 +120,12 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
   const Rational length = positive_length(arguments.length);
-  const Rational most_force = positive_option("--max-force", arguments.max_force);
+  const RationalRow most_forces = rationals_at("--max-force", arguments.max_force);
+  for (const Rational& f : most_forces) {
+    if (f.sign() > 0) continue;
+    throw InputError("", "--max-force", "there is the value " + to_string(f),
+                     "a largest force must be above 0");
+  }
   const Rational accuracy = accuracy_option(arguments.accuracy);
   const Question asked = arguments.question.any_question();
   // A certificate of a class is about a file of one body.
@@ -143,11 +148,16 @@ int compare(const CompareArguments& arguments) {
   try {
     answer.comparison = compare_methods(question,
                                         {arguments.methods, length, answer.inertia,
-                                         verdict ? &*verdict : nullptr, most_force, accuracy},
+                                         verdict ? &*verdict : nullptr, most_forces, accuracy},
                                         text);
   } catch (const InputError& error) {
-    if (error.place() != "methods") throw;
-    throw InputError("", "--" + error.place(), error.problem(), error.remedy());
+    for (const auto& [place, option] :
+         {std::pair("methods", "--methods"), {"max_force", "--max-force"}}) {
+      if (error.place() == place) {
+        throw InputError("", option, error.problem(), error.remedy());
+      }
+    }
+    throw;
   }
   if (arguments.output.json) {
     const Json json = comparison_json(question, length, answer.inertia, answer.comparison);
@@ -188,9 +198,11 @@ void add_compare_command(Command& app, int& exit_code) {
           "the mass; default: 0,0,0 and that square, thrice")
       ->type_name("INERTIA");
   command
-      ->add_option("--max-force", arguments->max_force,
-                   "The largest normal force of a contact, of the two robustnesses")
-      ->type_name("F")
+      ->add_option(
+          "--max-force", arguments->max_force,
+          "The largest normal force, of the two robustnesses: one for all contacts, or one "
+          "for each")
+      ->type_name("F,...")
       ->capture_default_str();
   command
       ->add_option("--accuracy", arguments->accuracy,

@@ -39,9 +39,10 @@ struct CompareOptions {
   Inertia inertia{};  ///< the inertia of strong stability, in as many coordinates as the grasp
   const RigidVerdict* verdict = nullptr;  ///< the verdict on the class of the load, if it is
                                           ///< known; it is not sought again
-  Rational most_force = 1;                ///< the largest normal force, of PCR and PGR
-  Rational accuracy = {1, 100};           ///< how near the bounds of PCR and PGR are to be
-  std::size_t node_limit = 10000;         ///< the most nodes of the search for PGR
+  /// The largest normal force, of PCR and PGR: one for all contacts, or one for each.
+  std::vector<Rational> most_forces{1};
+  Rational accuracy = {1, 100};    ///< how near the bounds of PCR and PGR are to be
+  std::size_t node_limit = 10000;  ///< the most nodes of the search for PGR
 };
 
 /// The answers of the methods.
@@ -59,7 +60,8 @@ std::vector<std::string> method_words();
 
 /// Asks only the methods of `options` about one grasp. Sentences have their numbers from
 /// `text`. They say why a method differs from the passive model only if that is asked, too.
-/// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone;
+/// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone,
+/// and ("max_force") at another number of largest forces;
 /// also throws as problem_of() and point_in_space() do.
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text);

@@ -53,7 +53,8 @@ namespace stickslip {
 /// What the two measures need besides the grasp, and where their search ends.
 struct RobustnessOptions {
   Rational length = 1;              ///< L > 0, by which torques are divided
-  Rational most_force = 1;          ///< f > 0, the largest normal force of a contact
+  /// f > 0, the largest normal force: one for all contacts, or one for each.
+  std::vector<Rational> most_forces{1};
   Rational accuracy = {1, 100};     ///< > 0: the search ends at upper <= (1 + accuracy) lower
   std::size_t node_limit = 100000;  ///< the most nodes of the search
 };
@@ -91,5 +92,13 @@ Robustness potential_contact_robustness(const GraspBox& grasp,
 /// Returns PGR in the same way.
 Robustness potential_grasp_robustness(const GraspBox& grasp,
                                       const RobustnessOptions& options = {});
+
+/// Returns the largest value of the combinations that a rigid motion y allows, of one grasp in
+/// the plane: a contact is detached where N.y > 0, and elsewhere sticks where T.y = 0 and slips
+/// where not. For w = 0 it is PCR, and for any load it is from PCR to PGR. There are O(m^2)
+/// such combinations: one for each face of the arrangement of the planes N.y = 0 and T.y = 0.
+/// Takes O(m^3) operations and as many linear programs as there are combinations. Throws
+/// InputError as the others do.
+Robustness rigid_motion_robustness(const GraspBox& grasp, const RobustnessOptions& options = {});
 
 }  // namespace stickslip

@@ -67,6 +67,7 @@ class MethodsAsked {
         return three_states();
       case MethodId::kContactRobustness:
       case MethodId::kGraspRobustness:
+      case MethodId::kRigidMotionRobustness:
         return robustness_answer(grasp_.as_box(), method, options_, text_);
       default:
         return cones();

@@ -37,6 +37,8 @@ const std::vector<Method>& all_methods() {
        true, true},
       {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true},
       {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true},
+      {MethodId::kRigidMotionRobustness, "robustness of rigid motions",
+       "Haas-Heger et al. 2018", false, false},
   };
   return methods;
 }

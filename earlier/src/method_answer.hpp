@@ -29,6 +29,7 @@ enum class MethodId {
   kFrictionCones,
   kContactRobustness,
   kGraspRobustness,
+  kRigidMotionRobustness,
 };
 
 /// The name of a method, and the question that it asks.

@@ -8,8 +8,10 @@ namespace stickslip {
 namespace earlier_detail {
 namespace {
 
-/// PCR and PGR of more contacts than these are not computed.
+/// \{ PCR and PGR, and that of rigid motions, of more contacts than these are not computed.
 constexpr std::size_t kMostContacts = 64;
+constexpr std::size_t kMostContactsInMotion = 24;
+/// \}
 
 constexpr std::array<const char*, 3> kStateNames{"stick", "slip", "detached"};
 
@@ -45,8 +47,10 @@ std::string in_words(const std::vector<SpringState>& states) {
 
 MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                                const CompareOptions& options, NumberText& text) {
-  if (grasp.contacts.size() > kMostContacts) {
-    const std::string limit = std::to_string(kMostContacts) + " contacts";
+  const std::size_t most_contacts =
+      method == MethodId::kRigidMotionRobustness ? kMostContactsInMotion : kMostContacts;
+  if (grasp.contacts.size() > most_contacts) {
+    const std::string limit = std::to_string(most_contacts) + " contacts";
     return {kNotComputed, "there are more than " + limit, {{"limit", limit}}};
   }
   RobustnessOptions asked;

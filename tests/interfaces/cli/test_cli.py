@@ -441,7 +441,7 @@ class Compare(Case):
                "strongly stable load", "weakly stable load", "grasp wrench space, L1",
                "grasp wrench space, Linf", "linear compliance", "three-state compliance",
                "friction cones alone", "potential contact robustness",
-               "potential grasp robustness"]
+               "potential grasp robustness", "robustness of rigid motions"]
 
     def rows(self, *words):
         answer = self.json("compare", *words)

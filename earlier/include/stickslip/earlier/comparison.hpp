@@ -42,7 +42,7 @@ struct CompareOptions {
   /// The largest normal force, of PCR and PGR: one for all contacts, or one for each.
   std::vector<Rational> most_forces{1};
   Rational accuracy = {1, 100};    ///< how near the bounds of PCR and PGR are to be
-  std::size_t node_limit = 10000;  ///< the most nodes of the search for PGR
+  std::size_t node_limit = 5000;  ///< the most nodes of the search for PGR
 };
 
 /// The answers of the methods.

@@ -69,6 +69,10 @@ class MethodsAsked {
       case MethodId::kGraspRobustness:
       case MethodId::kRigidMotionRobustness:
         return robustness_answer(grasp_.as_box(), method, options_, text_);
+      case MethodId::kGraspMap:
+        return grasp_map_answer(grasp_.as_box(), options_.length, text_);
+      case MethodId::kCentroid:
+        return centroid_answer(grasp_.as_box(), options_.inertia.centre, text_);
       default:
         return cones();
     }

@@ -39,6 +39,9 @@ const std::vector<Method>& all_methods() {
       {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true},
       {MethodId::kRigidMotionRobustness, "robustness of rigid motions",
        "Haas-Heger et al. 2018", false, false},
+      {MethodId::kGraspMap, "least singular value", "Li and Sastry 1988; Kim and Oh 1991",
+       false, true},
+      {MethodId::kCentroid, "distance of the centroid", "Ding et al. 2001", false, true},
   };
   return methods;
 }

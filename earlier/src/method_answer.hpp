@@ -30,6 +30,8 @@ enum class MethodId {
   kContactRobustness,
   kGraspRobustness,
   kRigidMotionRobustness,
+  kGraspMap,
+  kCentroid,
 };
 
 /// The name of a method, and the question that it asks.
@@ -77,7 +79,13 @@ MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text);
 /// as that knows bounds on motions.
 MethodAnswer passive_answer(const GraspBox& grasp, NormalLaw law, NumberText& text);
 
-/// Returns PCR or PGR.
+/// \{ Return the singular values of the grasp map; and the distance of the centroid.
+MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, NumberText& text);
+MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
+                             NumberText& text);
+/// \}
+
+/// Returns PCR or PGR, or the robustness of rigid motions.
 MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                                const CompareOptions& options, NumberText& text);
 

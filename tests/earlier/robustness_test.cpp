@@ -10,6 +10,7 @@
 
 #include "random_source.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/earlier/grasp_map.hpp"
 #include "stickslip/lp/exact_system.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -584,6 +585,48 @@ TEST(Robustness, ClosedForms) {
   const GraspBox held = grasp_of(
       {finger({-1, 0}, {1, 0}, {3, 4}), finger({1, 0}, {-5, 0}, {3, 4})}, {0, {-1, 2}, 0});
   EXPECT_EQ(potential_contact_robustness(held).best->distance, Rational(1, 4));
+}
+
+TEST(GraspMap, SingularValuesAndDeterminant) {
+  RandomSource random(65);
+  int full = 0;
+  for (int round = 0; round < 20; ++round) {
+    const GraspBox grasp =
+        planar_grasp(random, static_cast<std::size_t>(random.between(1, 5)), round % 2 == 0);
+    const Rational length = round % 3 == 0 ? 2 : 1;
+    const GraspMapMeasures found = grasp_map_measures(grasp, length);
+    Matrix square(3, RationalRow(3));
+    for (const Rows& rows : rows_of(grasp, length)) {
+      Matrix columns{rows.normal};
+      if (!rows.mu.is_zero()) columns.push_back(rows.tangents[0]);
+      for (const RationalRow& x : columns) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          for (std::size_t k = 0; k < 3; ++k) square[j][k] += x[j] * x[k];
+        }
+      }
+    }
+    EXPECT_EQ(found.determinant, determinant(square));
+    // Whether all eigenvalues are above `shift`, for the sign 1, or below it, for -1.
+    const auto are_beyond = [&](const Rational& shift, int sign) {
+      Matrix rest = square;
+      for (std::size_t j = 0; j < 3; ++j) {
+        rest[j][j] -= shift;
+        for (std::size_t k = 0; k < 3; ++k) rest[j][k] *= sign;
+      }
+      return is_definite(rest);
+    };
+    const Rational more(1000001, 1000000);
+    EXPECT_FALSE(are_beyond(found.least_square.high * more, 1));
+    EXPECT_TRUE(are_beyond(found.largest_square.high * more, -1));
+    EXPECT_FALSE(are_beyond(found.largest_square.low / more, -1));
+    EXPECT_EQ(found.determinant.is_zero(), found.least_square.high.is_zero());
+    if (found.determinant.is_zero()) continue;
+    ++full;
+    EXPECT_TRUE(are_beyond(found.least_square.low / more, 1));
+    EXPECT_LE(found.least_square.high, found.least_square.low * more);
+    EXPECT_LE(found.largest_square.high, found.largest_square.low * more);
+  }
+  EXPECT_GE(full, 8);
 }
 
 TEST(Robustness, WhatHasNoValue) {

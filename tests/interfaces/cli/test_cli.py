@@ -441,7 +441,8 @@ class Compare(Case):
                "strongly stable load", "weakly stable load", "grasp wrench space, L1",
                "grasp wrench space, Linf", "linear compliance", "three-state compliance",
                "friction cones alone", "potential contact robustness",
-               "potential grasp robustness", "robustness of rigid motions"]
+               "potential grasp robustness", "robustness of rigid motions",
+               "least singular value", "distance of the centroid"]
 
     def rows(self, *words):
         answer = self.json("compare", *words)
@@ -474,7 +475,7 @@ class Compare(Case):
             "contacts": [{"position": [-1, 0], "normal": [1, 0]}, {"position": [1, 0], "normal": [-2, 0]}]})
         for words, force in (((), 1), (("--max-force", "3"), 3), (("--max-force", "3,4", "--accuracy", "1/1000"), 3)):
             rows = self.rows(grasp, *words)
-            for name in self.METHODS[-3:]:
+            for name in self.METHODS[-5:-2]:
                 evidence = rows[name]["evidence"]
                 self.assertEqual((evidence["states"], evidence["complete"]), (["stick", "stick"], True))
                 self.assertEqual(Fraction(evidence["distance"]), Fraction(3 * force, 8))
@@ -487,6 +488,16 @@ class Compare(Case):
                 low, high = (float(x) for x in rows[name]["verdict"].split(" to "))
                 self.assertTrue(low <= lower and upper <= high)
                 self.assertIn("quality is of forces that arise passively", rows[name]["why"])
+            # M = diag(2, 2, 2 / L^2), and the contacts' mean is the origin.
+            self.assertEqual(rows["least singular value"]["evidence"]["determinant"], "8")
+            low, high = map(Fraction, rows["least singular value"]["evidence"]["least"])
+            self.assertTrue(low ** 2 <= 2 <= high ** 2 and high - low < Fraction(1, 10**8))
+            self.assertEqual(rows["distance of the centroid"]["verdict"], "0")
+        long = self.rows(grasp, "--length", "2", "--inertia", "3,4,1")
+        self.assertEqual(long["distance of the centroid"]["verdict"], "5")
+        self.assertEqual(long["least singular value"]["evidence"]["determinant"], "2")
+        low, high = map(Fraction, long["least singular value"]["evidence"]["isotropy"])
+        self.assertTrue(low <= Fraction(1, 2) <= high and high - low < Fraction(1, 10**8))
         heavy = self.rows(grasp, "--wrench", "0,-4,0")["potential grasp robustness"]
         self.assertEqual((heavy["verdict"], heavy["why"]), ("none", "no forces up to 1 in the cones balance the load"))
         for words, name in ((("--max-force", "0"), "--max-force"), (("--max-force", "1,2,3"), "--max-force"),

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip::robustness_detail {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <array>
 
 #include "method_answer.hpp"
 #include "stickslip/earlier/grasp_map.hpp"

@@ -28,9 +28,13 @@ struct Rubbing {
 
 class MethodsAsked {
  public:
-  MethodsAsked(const Problem& problem, const GraspBox* bounded, const CompareOptions& options,
+  MethodsAsked(const Problem& problem, const AnyGrasp& grasp, const CompareOptions& options,
                NumberText& text)
-      : problem_(problem), bounded_(bounded), options_(options), text_(text) {}
+      : problem_(problem),
+        grasp_(grasp),
+        bounded_(grasp.is_bounded() ? grasp.box() : nullptr),
+        options_(options),
+        text_(text) {}
 
   Comparison ask() {
     Comparison result;
@@ -61,6 +65,14 @@ class MethodsAsked {
         return linear();
       case MethodId::kThreeStates:
         return three_states();
+      case MethodId::kContactRobustness:
+      case MethodId::kGraspRobustness:
+      case MethodId::kRigidMotionRobustness:
+        return robustness_answer(grasp_.as_box(), method, options_, text_);
+      case MethodId::kGraspMap:
+        return grasp_map_answer(grasp_.as_box(), options_.length, text_);
+      case MethodId::kCentroid:
+        return centroid_answer(grasp_.as_box(), options_.inertia.centre, text_);
       default:
         return cones();
     }
@@ -354,6 +366,7 @@ class MethodsAsked {
   }
 
   const Problem& problem_;
+  const AnyGrasp& grasp_;
   const GraspBox* bounded_;  ///< set if motions are bounded
   const CompareOptions& options_;
   NumberText& text_;
@@ -365,9 +378,9 @@ class MethodsAsked {
 
 }  // namespace
 
-Comparison earlier_detail::compare_in_plane(const Problem& problem, const GraspBox* bounded,
+Comparison earlier_detail::compare_in_plane(const Problem& problem, const AnyGrasp& grasp,
                                             const CompareOptions& options, NumberText& text) {
-  return MethodsAsked(problem, bounded, options, text).ask();
+  return MethodsAsked(problem, grasp, options, text).ask();
 }
 
 }  // namespace stickslip

@@ -20,6 +20,7 @@ std::string Method::word() const {
 const std::vector<Method>& all_methods() {
   constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
   constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
+  constexpr const char* kRobustness = "Prattichizzo et al. 1997";
   static const std::vector<Method> methods{
       {MethodId::kPassive, "passive equilibrium", "Haas-Heger et al. 2018", true, true},
       {MethodId::kFormClosure, "form closure", "Liu 1999", false, true},
@@ -34,6 +35,13 @@ const std::vector<Method>& all_methods() {
        false},
       {MethodId::kFrictionCones, "friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4",
        true, true},
+      {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true},
+      {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true},
+      {MethodId::kRigidMotionRobustness, "robustness of rigid motions",
+       "Haas-Heger et al. 2018", false, false},
+      {MethodId::kGraspMap, "least singular value", "Li and Sastry 1988; Kim and Oh 1991",
+       false, true},
+      {MethodId::kCentroid, "distance of the centroid", "Ding et al. 2001", false, true},
   };
   return methods;
 }
@@ -129,9 +137,15 @@ std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bo
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text) {
   using namespace earlier_detail;
+  const std::size_t forces = options.most_forces.size();
+  if (forces != 1 && forces != question.grasp.as_box().contacts.size()) {
+    throw InputError(
+        "", "max_force",
+        "there are " + std::to_string(forces) + " numbers, but not as many contacts",
+        "give one for all, or one for each");
+  }
   if (!question.in_space()) {
-    return compare_in_plane(problem_of(without_bound(question)),
-                            question.is_bounded() ? question.box() : nullptr, options, text);
+    return compare_in_plane(problem_of(without_bound(question)), question.grasp, options, text);
   }
   return compare_in_space(point_in_space(question), question.law, options, text);
 }

@@ -27,6 +27,11 @@ enum class MethodId {
   kLinearCompliance,
   kThreeStates,
   kFrictionCones,
+  kContactRobustness,
+  kGraspRobustness,
+  kRigidMotionRobustness,
+  kGraspMap,
+  kCentroid,
 };
 
 /// The name of a method, and the question that it asks.
@@ -74,6 +79,16 @@ MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text);
 /// as that knows bounds on motions.
 MethodAnswer passive_answer(const GraspBox& grasp, NormalLaw law, NumberText& text);
 
+/// \{ Return the singular values of the grasp map; and the distance of the centroid.
+MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, NumberText& text);
+MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
+                             NumberText& text);
+/// \}
+
+/// Returns PCR or PGR, or the robustness of rigid motions.
+MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
+                               const CompareOptions& options, NumberText& text);
+
 /// Returns the answers of those of `among` whose words are given, or of all, and whether they
 /// agree with the first, if that is the passive model. Throws InputError ("methods") at a word
 /// of no method.
@@ -81,9 +96,9 @@ std::vector<MethodRow> asked(const std::vector<Method>& among,
                              const std::vector<std::string>& words,
                              const std::function<MethodAnswer(MethodId)>& answer);
 
-/// \{ Do what compare_methods() does, in the plane and in space. `bounded` is the grasp if
-/// motions are bounded, which the problem does not know; else null.
-Comparison compare_in_plane(const Problem& problem, const GraspBox* bounded,
+/// \{ Do what compare_methods() does, in the plane and in space. The problem does not know a
+/// bound of motions that the grasp has.
+Comparison compare_in_plane(const Problem& problem, const AnyGrasp& grasp,
                             const CompareOptions& options, NumberText& text);
 Comparison compare_in_space(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
                             NumberText& text);

@@ -80,6 +80,13 @@ class MethodsInSpace {
           return wrench_space();
         case MethodId::kLinearCompliance:
           return linear();
+        case MethodId::kContactRobustness:
+        case MethodId::kGraspRobustness:
+          return robustness_answer(grasp_, method, options_, text_);
+        case MethodId::kGraspMap:
+          return grasp_map_answer(grasp_, options_.length, text_);
+        case MethodId::kCentroid:
+          return centroid_answer(grasp_, options_.inertia.centre, text_);
         default:
           return cones();
       }

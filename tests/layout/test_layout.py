@@ -122,6 +122,7 @@ class Layout(unittest.TestCase):
     def test_private_headers_declare_in_a_namespace_of_their_own(self):
         # Those of the engine that others use as well stand in `stickslip`.
         folders = [(os.path.join(module, "src"), module) for module in ("core", "lp", "arrangement", "earlier")]
+        folders.append(("earlier/robustness", "robustness"))
         folders += [(os.path.join(module, part), part) for module in PARTS for part in PARTS[module] if part not in ("cli", "python")]
         for folder, name in folders:
             for path, text in sources(folder):

@@ -9,6 +9,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
+#include "stickslip/interfaces/option_text.hpp"
 #include "terminal.hpp"
 #include "verdict/statics.hpp"
 
@@ -20,6 +21,8 @@ struct CompareArguments {
   std::vector<std::string> methods;
   std::string length = "1";
   std::string inertia;
+  std::string max_force = "1";
+  std::string accuracy = "1%";
   std::string certificate;
   NumberOptions output;
 };
@@ -101,7 +104,9 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
   for (const auto& [is_given, option] :
        {std::pair(!arguments.methods.empty(), "--methods"),
         {!arguments.inertia.empty(), "--inertia"},
-        {arguments.length != CompareArguments().length, "--length"}}) {
+        {arguments.length != CompareArguments().length, "--length"},
+        {arguments.max_force != CompareArguments().max_force, "--max-force"},
+        {arguments.accuracy != CompareArguments().accuracy, "--accuracy"}}) {
     if (!is_given) continue;
     throw InputError("", option, "the grasp is of several bodies",
                      "leave it out: of them the class alone is computed");
@@ -115,6 +120,13 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
   const Rational length = positive_length(arguments.length);
+  const RationalRow most_forces = rationals_at("--max-force", arguments.max_force);
+  for (const Rational& f : most_forces) {
+    if (f.sign() > 0) continue;
+    throw InputError("", "--max-force", "there is the value " + to_string(f),
+                     "a largest force must be above 0");
+  }
+  const Rational accuracy = accuracy_option(arguments.accuracy);
   const Question asked = arguments.question.any_question();
   // A certificate of a class is about a file of one body.
   const Question question = arguments.certificate.empty() ? as_one_body(asked) : asked;
@@ -134,12 +146,18 @@ int compare(const CompareArguments& arguments) {
     }
   }
   try {
-    answer.comparison = compare_methods(
-        question, {arguments.methods, length, answer.inertia, verdict ? &*verdict : nullptr},
-        text);
+    answer.comparison = compare_methods(question,
+                                        {arguments.methods, length, answer.inertia,
+                                         verdict ? &*verdict : nullptr, most_forces, accuracy},
+                                        text);
   } catch (const InputError& error) {
-    if (error.place() != "methods") throw;
-    throw InputError("", "--" + error.place(), error.problem(), error.remedy());
+    for (const auto& [place, option] :
+         {std::pair("methods", "--methods"), {"max_force", "--max-force"}}) {
+      if (error.place() == place) {
+        throw InputError("", option, error.problem(), error.remedy());
+      }
+    }
+    throw;
   }
   if (arguments.output.json) {
     const Json json = comparison_json(question, length, answer.inertia, answer.comparison);
@@ -181,6 +199,18 @@ void add_compare_command(Command& app, int& exit_code) {
       ->type_name("INERTIA");
   command
       ->add_option(
+          "--max-force", arguments->max_force,
+          "The largest normal force, of the two robustnesses: one for all contacts, or one "
+          "for each")
+      ->type_name("F,...")
+      ->capture_default_str();
+  command
+      ->add_option("--accuracy", arguments->accuracy,
+                   "How near the bounds of the two robustnesses are to be")
+      ->type_name("A")
+      ->capture_default_str();
+  command
+      ->add_option(
           "--certificate", arguments->certificate,
           "Write a proof of the class for stickslip-check --inertia, whichever methods "
           "are asked (certificate/FORMAT.md)")
@@ -195,7 +225,11 @@ void add_compare_command(Command& app, int& exit_code) {
       "and\n"
       "tangents; three-state compliance, the same with each contact stuck, slipping without\n"
       "friction or detached; and friction cones alone, the passive model without maximum\n"
-      "dissipation. A method that would take too long is not computed.\n"
+      "dissipation; and potential contact robustness (PCR) and potential grasp robustness\n"
+      "(PGR), how far the best internal forces of a hand keep contacts from breaking a\n"
+      "condition, between two bounds; the robustness of rigid motions, the best of the states\n"
+      "that these allow; the least singular value of the grasp map; and the distance of the\n"
+      "centroid of the contacts from the centre of mass. A method that would take too long is not computed.\n"
       "Motions are bounded of passive equilibrium alone.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"

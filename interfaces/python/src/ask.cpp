@@ -327,6 +327,13 @@ Work compare_asked(const Given& given) {
   CompareOptions options;
   options.methods = given.as<std::vector<std::string>>("methods");
   options.length = given.positive("length", "a characteristic length must be above 0");
+  options.most_forces = numbers(given["max_force"], 1, "max_force");
+  for (const Rational& f : options.most_forces) {
+    if (f.sign() > 0) continue;
+    throw InputError("", "max_force", "there is the value " + to_string(f),
+                     "a largest force must be above 0");
+  }
+  options.accuracy = given.positive("accuracy", "give a number above 0, such as 1/100");
   options.inertia = given["inertia"].is_none() ? Inertia::of_length(options.length, space)
                                                : given.inertia(space);
   return [&given, options, space, proves = given.as<bool>("certificate")]() mutable {

@@ -467,7 +467,7 @@ def plot_states(grasp: Grasp) -> Picture:
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
     methods: Sequence[str] = (), length: Any = 1, inertia: Any = None, certificate: bool = False,
-    max_motion: Any = None,
+    max_motion: Any = None, max_force: Any = 1, accuracy: Any = "1/100",
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
@@ -482,13 +482,17 @@ def compare(
             and xx, yy, zz, and perhaps xy, xz, yz, of the tensor of inertia about it, over the mass.
         max_motion: as of ``decide``, of passive equilibrium alone: the other methods know no bound.
         certificate: prove the class of the load, for ``check`` with this inertia.
+        max_force: the largest normal force, of the two robustnesses: a number, or one for each
+            contact.
+        accuracy: how near the bounds of these are to be, as a part of them.
 
     Raises:
         LimitReached: the class, of which a certificate is wanted, is not known.
     """
     about, snapped = _asked(grasp, preload)
     if isinstance(about, Assembly):
-        for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length != 1)):
+        for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length != 1),
+                               ("max_force", np.ndim(max_force) > 0 or max_force != 1)):
             if is_given:
                 raise InputError("", name, "the grasp is of several bodies",
                                  "leave it out: of them the class alone is computed")
@@ -497,6 +501,7 @@ def compare(
     answer = _ask(
         "compare", about, wrench, preload, normal_law, 0, max_motion, methods=list(methods),
         length=as_number(length, "length"), certificate=bool(certificate),
+        max_force=as_numbers(max_force, "max_force", len(about)), accuracy=as_number(accuracy, "accuracy"),
         inertia=None if inertia is None else as_inertia(inertia, about._coordinates))
     rows = tuple(Method(row["method"], row["source"], row["about"] == "load", row["verdict"],
                         row["agrees"], row["why"], json.loads(row["evidence"]))

@@ -455,7 +455,9 @@ class Compare(Case):
     METHODS = ["passive equilibrium", "form closure", "frictionless stable load",
                "strongly stable load", "weakly stable load", "grasp wrench space, L1",
                "grasp wrench space, Linf", "linear compliance", "three-state compliance",
-               "friction cones alone"]
+               "friction cones alone", "potential contact robustness",
+               "potential grasp robustness", "robustness of rigid motions",
+               "least singular value", "distance of the centroid"]
 
     def rows(self, *words):
         answer = self.json("compare", *words)
@@ -480,6 +482,42 @@ class Compare(Case):
         self.assertTrue(low < Fraction(1, 3) < high)
         longer = self.rows(FIG1, "--length", "2")["grasp wrench space, L1"]["evidence"]
         self.assertNotEqual(longer["facet"], l1["facet"])
+
+    def test_robustness(self):
+        """A pinch has the distance f / (1 + sqrt(1 + mu^2) / mu) = 3 f / 8, and M = diag(2, 2, 2)."""
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": "3/4"},
+            "contacts": [{"position": [-1, 0], "normal": [1, 0]}, {"position": [1, 0], "normal": [-2, 0]}]})
+        for words, force in (((), 1), (("--max-force", "3"), 3), (("--max-force", "3,4", "--accuracy", "1/1000"), 3)):
+            rows = self.rows(grasp, *words)
+            for name in self.METHODS[-5:-2]:
+                evidence = rows[name]["evidence"]
+                self.assertEqual((evidence["states"], evidence["complete"]), (["stick", "stick"], True))
+                self.assertEqual(Fraction(evidence["distance"]), Fraction(3 * force, 8))
+                lower, upper = Fraction(evidence["lower"]), Fraction(evidence["upper"])
+                square = 2 * Fraction(3 * force, 8) ** 2
+                self.assertTrue(lower ** 2 <= square <= upper ** 2)
+                self.assertLessEqual(upper, lower * Fraction(1001 if "--accuracy" in words else 1010, 1000))
+                forces = [[Fraction(x) for x in f] for f in evidence["forces"]]
+                self.assertEqual([sum(f) for f in zip(*forces)], [0, 0])
+                low, high = (float(x) for x in rows[name]["verdict"].split(" to "))
+                self.assertTrue(low <= lower and upper <= high)
+                self.assertIn("quality is of forces that arise passively", rows[name]["why"])
+            # M = diag(2, 2, 2 / L^2), and the contacts' mean is the origin.
+            self.assertEqual(rows["least singular value"]["evidence"]["determinant"], "8")
+            low, high = map(Fraction, rows["least singular value"]["evidence"]["least"])
+            self.assertTrue(low ** 2 <= 2 <= high ** 2 and high - low < Fraction(1, 10**8))
+            self.assertEqual(rows["distance of the centroid"]["verdict"], "0")
+        long = self.rows(grasp, "--length", "2", "--inertia", "3,4,1")
+        self.assertEqual(long["distance of the centroid"]["verdict"], "5")
+        self.assertEqual(long["least singular value"]["evidence"]["determinant"], "2")
+        low, high = map(Fraction, long["least singular value"]["evidence"]["isotropy"])
+        self.assertTrue(low <= Fraction(1, 2) <= high and high - low < Fraction(1, 10**8))
+        heavy = self.rows(grasp, "--wrench", "0,-4,0")["potential grasp robustness"]
+        self.assertEqual((heavy["verdict"], heavy["why"]), ("none", "no forces up to 1 in the cones balance the load"))
+        for words, name in ((("--max-force", "0"), "--max-force"), (("--max-force", "1,2,3"), "--max-force"),
+                            (("--accuracy", "0"), "--accuracy"), (("--max-force", "x"), "--max-force")):
+            self.fails("compare", grasp, *words, naming=[name])
 
     def test_irrational_normals(self):
         grasp = self.write("g.json", {

@@ -47,6 +47,22 @@ def test_ranges_are_those_of_the_program(tmp_path, grasp, load):
             for row in said]
 
 
+def test_robustness_has_evidence():
+    """A pinch has the distance 3 f / 8 for friction 3/4, and M = diag(2, 2, 2)."""
+    pinch = Grasp([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], "3/4", wrench=(0, 0, 0))
+    for force, least in ((1, 1), (3, 3), ((3, 4), 3)):
+        found = stickslip.compare(pinch, max_force=force, accuracy="1/1000")
+        for method in ("potential contact robustness", "potential grasp robustness"):
+            evidence = found[method].evidence
+            assert Fraction(evidence["distance"]) == Fraction(3 * least, 8)
+            lower, upper = Fraction(evidence["lower"]), Fraction(evidence["upper"])
+            assert lower ** 2 <= 2 * Fraction(3 * least, 8) ** 2 <= upper ** 2 and upper <= lower * Fraction(1001, 1000)
+    for words, place in (({"max_force": 0}, "max_force"), ({"max_force": (1, 2, 3)}, "max_force"), ({"accuracy": 0}, "accuracy")):
+        with pytest.raises(InputError) as caught:
+            stickslip.compare(pinch, **words)
+        assert caught.value.place == place
+
+
 def test_errors(block):
     for call, place in ((lambda: stickslip.class_margin(block, (1, 0)), "direction"),
                         (lambda: stickslip.class_margin(block, (1, 0, 0), inertia=(0, 0, 0)), "inertia"),

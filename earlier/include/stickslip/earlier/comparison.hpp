@@ -19,9 +19,10 @@ struct MethodRow {
   std::string source;           ///< who proposed it
   bool about_the_load = false;  ///< whether it asks about the load; else it asks about the
                                 ///< grasp alone
-  std::string verdict;          ///< in the method's own terms, or kNotComputed
-  std::string why;              ///< one line, from the evidence
-  Json evidence;                ///< the evidence, to be finished
+  /// In the method's own terms, or kNotComputed; of a measure its bounds.
+  std::string verdict;
+  std::string why;  ///< one line, from the evidence
+  Json evidence;    ///< the evidence, to be finished
   /// Whether the method says of the load what the passive model says. Nothing for the passive
   /// model itself, for a method that asks about the grasp and not the load, and for one without
   /// an answer.
@@ -38,6 +39,10 @@ struct CompareOptions {
   Inertia inertia{};  ///< the inertia of strong stability, in as many coordinates as the grasp
   const RigidVerdict* verdict = nullptr;  ///< the verdict on the class of the load, if it is
                                           ///< known; it is not sought again
+  /// The largest normal force, of PCR and PGR: one for all contacts, or one for each.
+  std::vector<Rational> most_forces{1};
+  Rational accuracy = {1, 100};    ///< how near the bounds of PCR and PGR are to be
+  std::size_t node_limit = 5000;  ///< the most nodes of the search for PGR
 };
 
 /// The answers of the methods.
@@ -55,7 +60,8 @@ std::vector<std::string> method_words();
 
 /// Asks only the methods of `options` about one grasp. Sentences have their numbers from
 /// `text`. They say why a method differs from the passive model only if that is asked, too.
-/// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone;
+/// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone,
+/// and ("max_force") at another number of largest forces;
 /// also throws as problem_of() and point_in_space() do.
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text);

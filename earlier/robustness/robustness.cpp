@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/earlier/robustness.hpp"
+
+#include <algorithm>
+
+#include "earlier/robustness/rigid_motions.hpp"
+#include "earlier/robustness/robustness_search.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/lp/exact_system.hpp"
+
+namespace stickslip {
+
+using namespace robustness_detail;
+
+namespace {
+
+/// Returns an answer without a search, if there is one: G has not full rank, or forces do not
+/// balance the load, or have no distance above 0 where each contact with friction sticks and
+/// every other slips. No combination is better then, because the forces of another one, and
+/// small internal forces where it detaches contacts, would be better there, too.
+std::optional<Robustness> known_answer(const ForceModel& model,
+                                       const std::vector<SpringState>& first,
+                                       const CombinationValue& value) {
+  Robustness result;
+  if (rank_of(model.columns(first)) < model.coordinates) {
+    result.has_full_rank = false;
+    return result;
+  }
+  if (value.is_refuted) {
+    result.balances = false;
+    return result;
+  }
+  if (value.upper.is_zero()) return result;
+  return std::nullopt;
+}
+
+std::vector<SpringState> first_combination(const ForceModel& model) {
+  std::vector<SpringState> first;
+  for (const ForceContact& contact : model.contacts) {
+    first.push_back(contact.can_stick() ? SpringState::kStick : SpringState::kSlip);
+  }
+  return first;
+}
+
+}  // namespace
+
+Robustness potential_contact_robustness(const GraspBox& grasp,
+                                        const RobustnessOptions& options) {
+  const ForceModel model(grasp, options);
+  const std::vector<SpringState> first = first_combination(model);
+  CombinationValue value = value_of(model, first);
+  if (const auto known = known_answer(model, first, value)) return *known;
+  Robustness result;
+  // A contact without friction has no distance above 0 where it sticks.
+  if (std::find(first.begin(), first.end(), SpringState::kSlip) != first.end()) return result;
+  result.lower = value.lower;
+  result.upper = value.upper;
+  result.best = std::move(value.best);
+  result.is_complete = result.upper <= (1 + options.accuracy) * result.lower;
+  return result;
+}
+
+Robustness potential_grasp_robustness(const GraspBox& grasp, const RobustnessOptions& options) {
+  const ForceModel model(grasp, options);
+  const std::vector<SpringState> first = first_combination(model);
+  if (const auto known = known_answer(model, first, value_of(model, first))) {
+    return *known;
+  }
+  return RobustnessSearch(model, options).run(first);
+}
+
+Robustness rigid_motion_robustness(const GraspBox& grasp, const RobustnessOptions& options) {
+  require(!grasp.in_space(), "rigid motions are enumerated in the plane only");
+  const ForceModel model(grasp, options);
+  const std::vector<SpringState> first = first_combination(model);
+  if (auto known = known_answer(model, first, value_of(model, first))) return *known;
+  Robustness result;
+  for (const std::vector<SpringState>& states : states_of_motions(model)) {
+    bool is_zero = false;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      is_zero = is_zero || (states[i] == SpringState::kStick && !model.contacts[i].can_stick());
+    }
+    if (is_zero || rank_of(model.columns(states)) < model.coordinates) continue;
+    ++result.nodes;
+    // Most combinations are below the best one, which a bound shows.
+    const ForceProposal proposal = propose_forces(model, states);
+    const Rational above = value_above(model, states, proposal.twist);
+    if (above <= result.lower) continue;
+    CombinationValue value = value_of(model, states);
+    result.upper = std::max(result.upper, std::min(value.upper, above));
+    if (value.lower <= result.lower) continue;
+    result.lower = value.lower;
+    result.best = std::move(value.best);
+  }
+  result.upper = std::max(result.upper, result.lower);
+  result.is_complete = result.upper <= (1 + options.accuracy) * result.lower;
+  return result;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earlier/robustness/robustness_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "stickslip/core/error.hpp"
+#include "stickslip/lp/exact_system.hpp"
+
+namespace stickslip::robustness_detail {
+namespace {
+
+constexpr unsigned kValueBits = 60;
+constexpr unsigned kShortBits = 32;
+constexpr std::array<SpringState, 3> kStates{SpringState::kStick, SpringState::kSlip,
+                                             SpringState::kDetached};
+/// The directions of a contact in the programs of nodes, in space.
+constexpr std::size_t kSearchDirections = 20;
+/// The part by which exact forces may be worse than those in doubles.
+constexpr double kFarOff = 1e-5;
+/// How often the lower end of a node's distances is raised.
+constexpr int kMostRaises = 12;
+
+std::string word_of(const std::vector<SpringState>& states) {
+  std::string word;
+  for (const SpringState state : states)
+    word += static_cast<char>('0' + static_cast<int>(state));
+  return word;
+}
+
+bool is_single(StateSet set) {
+  return (set & (set - 1)) == 0;
+}
+
+/// Returns a number near `value` >= 0 that is at least that, of few bits unless that is tiny.
+Rational rounded_up(const Rational& value) {
+  const Rational above = rational_in_bits(to_double(value) * (1 + 0x1p-42), 46);
+  return above >= value ? above : value;
+}
+
+/// Returns such a number that is at most `value`.
+Rational rounded_down(const Rational& value) {
+  const Rational below = rational_in_bits(to_double(value) * (1 - 0x1p-42), 46);
+  return below <= value ? below : value;
+}
+
+}  // namespace
+
+CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states) {
+  CombinationValue result;
+  const auto [low, high] = inverse_square(model, states);
+  const ForceProposal proposal = propose_forces(model, states);
+  // In the plane all of friction has two directions, in space those that doubles use will do.
+  Directions directions(model, kSearchDirections);
+  std::vector<std::vector<FrictionDirection>> all;
+  for (std::size_t i = 0; i < states.size(); ++i) all.push_back(directions.of(i));
+  const bool has_proposal = model.coordinates == 6 && proposal.distance;
+  ExactForces forces = exact_forces(model, states, has_proposal ? proposal.used : all);
+  if (has_proposal && (forces.distance.sign() <= 0 ||
+                       to_double(forces.distance) < *proposal.distance * (1 - kFarOff))) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      all[i].insert(all[i].end(), proposal.used[i].begin(), proposal.used[i].end());
+    }
+    forces = exact_forces(model, states, all);
+  }
+  Rational most = greatest_distance(model, states, forces.twist);
+  const auto try_twist = [&](const Doubles& twist) {
+    RationalRow rounded;
+    for (std::size_t j = 0; j < model.coordinates; ++j) {
+      rounded.push_back(rational_in_bits(twist[j], 40));
+    }
+    most = std::min(most, greatest_distance(model, states, rounded));
+  };
+  if (model.coordinates == 6) {
+    try_twist(proposal.twist);
+    if (forces.distance.sign() == 0) {
+      if (const auto twist = propose_opening(model, states)) try_twist(*twist);
+    }
+  }
+  result.is_refuted = most.sign() < 0;
+  result.is_possible = forces.distance.sign() >= 0;
+  if (most.sign() > 0) result.upper = short_sqrt(most * most * high, kValueBits).upper;
+  if (forces.distance.sign() <= 0 || low.is_zero()) return result;
+  result.lower = short_sqrt(forces.distance * forces.distance * low, kValueBits).lower;
+  RobustForces best{states, {}, forces.distance, low};
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const ForceContact& contact = model.contacts[i];
+    RationalRow force(contact.n.size());
+    add_multiple(force, forces.at[i][0], contact.n);
+    for (std::size_t k = 0; k < contact.t.size(); ++k) {
+      add_multiple(force, forces.at[i][k + 1], contact.t[k]);
+    }
+    best.forces.push_back(std::move(force));
+  }
+  result.best = std::move(best);
+  return result;
+}
+
+Rational value_above(const ForceModel& model, const std::vector<SpringState>& states,
+                     const Doubles& twist) {
+  RationalRow rounded;
+  for (std::size_t j = 0; j < model.coordinates; ++j) {
+    rounded.push_back(rational_in_bits(twist[j], 40));
+  }
+  const Rational most = greatest_distance(model, states, rounded);
+  if (most.sign() <= 0) return 0;
+  return short_sqrt(most * most * inverse_square(model, states).second, kShortBits).upper;
+}
+
+/// A set of combinations whose least distance is from `low` to `high`.
+struct RobustnessSearch::Node {
+  std::vector<StateSet> sets;
+  Rational low;
+  Rational high;
+  Rational upper;  ///< no value in the node is above
+  std::vector<std::array<double, 3>> share;
+  std::size_t depth = 0;
+
+  /// Orders nodes by their bounds, and equal ones by their depth.
+  friend bool operator<(const Node& a, const Node& b) {
+    return a.upper < b.upper || (a.upper == b.upper && a.depth < b.depth);
+  }
+};
+
+RobustnessSearch::RobustnessSearch(const ForceModel& model, const RobustnessOptions& options)
+    : model_(model),
+      options_(options),
+      directions_(model, kSearchDirections),
+      programs_(model, directions_) {}
+
+/// Takes a combination for the best one if doubles say so.
+void RobustnessSearch::propose(const std::vector<SpringState>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i] == SpringState::kStick && !model_.contacts[i].can_stick()) return;
+  }
+  const auto [place, is_new] = known_.emplace(word_of(states), 0);
+  if (!is_new) return;
+  const double stiff = std::sqrt(least_stiff(model_, states).inverse_square);
+  // No distance is above f / 2.
+  if (stiff * model_.most_force_double / 2 <= proposed_value_) return;
+  const std::optional<double> distance = propose_forces(model_, states).distance;
+  if (!distance) return;
+  place->second = *distance * stiff;
+  if (place->second <= proposed_value_ * (1 + 1e-9)) return;
+  proposed_value_ = place->second;
+  proposed_ = states;
+}
+
+/// Changes the state of one contact after another while that helps.
+void RobustnessSearch::improve() {
+  constexpr int kMostRounds = 3;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double before = proposed_value_;
+    for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
+      for (const SpringState state : kStates) {
+        std::vector<SpringState> states = proposed_;
+        if (states[i] == state) continue;
+        states[i] = state;
+        propose(states);
+      }
+    }
+    if (proposed_value_ <= before) return;
+  }
+}
+
+/// Confirms the proposal exactly, and raises the target.
+void RobustnessSearch::confirm() {
+  if (proposed_.empty()) return;
+  CombinationValue value = value_of(model_, proposed_);
+  leaves_upper_ = std::max(leaves_upper_, value.upper);
+  if (value.lower > best_.lower) {
+    best_ = std::move(value);
+    target_ = rounded_down((1 + options_.accuracy) * best_.lower);
+    target_square_ = target_ * target_;
+    target_double_ = to_double(target_);
+  }
+  proposed_value_ = to_double(best_.lower);
+  if (best_.best) proposed_ = best_.best->states;
+}
+
+/// Bounds a node, and raises the lower end of its distances while that helps. Returns true if
+/// nothing in it is above the target.
+bool RobustnessSearch::bound(Node& node) {
+  for (int raise = 0; raise < kMostRaises; ++raise) {
+    const double high = to_double(node.high);
+    const double root = target_double_ / high;
+    const NodeProposal found =
+        programs_.bound(node.sets, to_double(node.low), root * root * (1 - 1e-8), node.share);
+    if (!found.is_solved) return false;
+    if (!found.share.empty()) node.share = found.share;
+    const NodeBound exact = node_bound(
+        model_, node.sets, node.low, Multipliers(found.twist, found.terms, model_.coordinates));
+    if (exact.is_empty) return true;
+    if (!exact.square) return false;
+    const Rational square = rounded_up(*exact.square);
+    node.upper = std::min(
+        node.upper, rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper));
+    if (node.upper <= target_) return true;
+    if (square.is_zero()) return true;
+    // Nothing with distances up to this one is above the target.
+    const Rational low = rational_in_bits(
+        to_double(short_sqrt(target_square_ / square, kShortBits).lower) * (1 - 0x1p-30), 34);
+    if (low * low * square > target_square_) return false;
+    if (low >= node.high) return true;
+    const bool helps = low > node.low * Rational(1001, 1000);
+    if (low > node.low) node.low = low;
+    if (!helps) return false;
+  }
+  return false;
+}
+
+std::vector<SpringState> RobustnessSearch::rounded(const Node& node) const {
+  std::vector<SpringState> states;
+  for (std::size_t i = 0; i < node.sets.size(); ++i) {
+    std::optional<SpringState> most;
+    for (const SpringState state : kStates) {
+      if ((node.sets[i] & only(state)) == 0) continue;
+      if (state == SpringState::kStick && !model_.contacts[i].can_stick()) continue;
+      if (!most ||
+          (!node.share.empty() && node.share[i][static_cast<std::size_t>(state)] >
+                                      node.share[i][static_cast<std::size_t>(*most)])) {
+        most = state;
+      }
+    }
+    states.push_back(most.value_or(SpringState::kDetached));
+  }
+  return states;
+}
+
+Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
+  Robustness result;
+  proposed_ = first;
+  proposed_value_ = 0;
+  confirm();
+  if (best_.lower.is_zero()) {
+    // Only in space, where the cones are round, may it be unknown whether that is the value.
+    result.upper = short_sqrt(model_.most_force * model_.most_force / 4 *
+                                  inverse_square(model_, first).second,
+                              kValueBits)
+                       .upper;
+    result.is_complete = false;
+    return result;
+  }
+  improve();
+  confirm();
+  std::priority_queue<Node> open;
+  {
+    Node root{std::vector<StateSet>(first.size(), kAllStates), 0, model_.most_force / 2, 0, {}};
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (!model_.contacts[i].can_stick()) root.sets[i] &= static_cast<StateSet>(~1U);
+    }
+    root.upper =
+        short_sqrt(root.high * root.high * inverse_square(model_, first).second, kShortBits)
+            .upper;
+    open.push(std::move(root));
+  }
+  while (!open.empty() && open.top().upper > target_ && result.nodes < options_.node_limit) {
+    Node node = open.top();
+    open.pop();
+    ++result.nodes;
+    if (bound(node)) continue;
+    const bool is_leaf = std::all_of(node.sets.begin(), node.sets.end(), is_single);
+    const double before = proposed_value_;
+    propose(rounded(node));
+    if (proposed_value_ > before) {
+      improve();
+      confirm();
+    }
+    if (is_leaf) {
+      CombinationValue value = value_of(model_, rounded(node));
+      leaves_upper_ = std::max(leaves_upper_, value.upper);
+      if (value.lower > best_.lower) {
+        proposed_ = rounded(node);
+        confirm();
+      }
+      continue;
+    }
+    // The contact to split is the one that is farthest from one state.
+    std::size_t split = 0;
+    double least = 2;
+    for (std::size_t i = 0; i < node.sets.size(); ++i) {
+      if (is_single(node.sets[i])) continue;
+      const double most = node.share.empty()
+                              ? 0
+                              : *std::max_element(node.share[i].begin(), node.share[i].end());
+      if (most < least) {
+        least = most;
+        split = i;
+      }
+    }
+    const Rational widest = least > 0.999 ? Rational(51, 50) : Rational(21, 20);
+    ++node.depth;
+    if (node.high > widest * node.low) {
+      const Rational middle = rational_in_bits(
+          node.low.is_zero() ? to_double(node.high) / 2
+                             : std::sqrt(to_double(node.low) * to_double(node.high)),
+          30);
+      Node lower = node;
+      lower.high = middle;
+      lower.upper = rounded_up(node.upper * middle / node.high);
+      node.low = middle;
+      open.push(std::move(lower));
+      open.push(std::move(node));
+      continue;
+    }
+    for (const SpringState state : kStates) {
+      if ((node.sets[split] & only(state)) == 0) continue;
+      Node child = node;
+      child.sets[split] = only(state);
+      open.push(std::move(child));
+    }
+  }
+  result.lower = best_.lower;
+  result.best = best_.best;
+  result.upper = std::max(target_, leaves_upper_);
+  if (!open.empty()) result.upper = std::max(result.upper, open.top().upper);
+  result.is_complete = result.upper <= (1 + options_.accuracy) * result.lower;
+  return result;
+}
+
+}  // namespace stickslip::robustness_detail

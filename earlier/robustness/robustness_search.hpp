@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The branch and bound that encloses PGR, over states of contacts and the least distance of
+/// their forces.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "earlier/robustness/double_forces.hpp"
+#include "earlier/robustness/exact_forces.hpp"
+
+namespace stickslip::robustness_detail {
+
+/// The value of one combination of states, enclosed.
+struct CombinationValue {
+  Rational lower{0};         ///< at most the value
+  Rational upper{0};         ///< at least the value
+  bool is_possible = false;  ///< whether forces with distances of at least 0 are known
+  bool is_refuted = false;   ///< whether it is proved that there are none
+  std::optional<RobustForces> best{};  ///< the forces that show `lower`, if that is not 0
+};
+
+/// Encloses the value of one combination. Requires that no contact without friction sticks.
+CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states);
+
+/// Returns at least the value of a combination, by multipliers in doubles alone, which takes
+/// less time.
+Rational value_above(const ForceModel& model, const std::vector<SpringState>& states,
+                     const Doubles& twist);
+
+/// The search.
+class RobustnessSearch {
+ public:
+  RobustnessSearch(const ForceModel& model, const RobustnessOptions& options);
+
+  /// Encloses PGR. `first` is the combination in which each contact with friction sticks and
+  /// every other slips.
+  Robustness run(const std::vector<SpringState>& first);
+
+ private:
+  struct Node;
+
+  void propose(const std::vector<SpringState>& states);
+  void improve();
+  void confirm();
+  bool bound(Node& node);
+  std::vector<SpringState> rounded(const Node& node) const;
+
+  const ForceModel& model_;
+  const RobustnessOptions& options_;
+  Directions directions_;
+  NodePrograms programs_;
+  std::map<std::string, double> known_;  ///< proposed values of combinations
+  std::vector<SpringState> proposed_;    ///< the best of them
+  double proposed_value_ = 0;
+  CombinationValue best_;     ///< the best that is confirmed
+  Rational target_;           ///< no combination that was left out is above this
+  Rational target_square_;    ///< its square
+  double target_double_ = 0;  ///< near it
+  Rational leaves_upper_;     ///< at least the values of the combinations that were looked at
+};
+
+}  // namespace stickslip::robustness_detail

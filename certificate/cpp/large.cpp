@@ -96,7 +96,8 @@ void take_shares(const Question& question, const Witness& witness,
     require(!force.slips(), "it slips");
     const bool in_space = share.size() > 1;
     const Vector across(share.begin(), share.begin() + (in_space ? 3 : 1));
-    require(!in_space || dot(across, contact.normal) == 0, "its share is not across its normal");
+    require(!in_space || dot(across, contact.normal) == 0,
+            "its share is not across its normal");
     require(share_square(contact, share) <=
                 (in_space ? dot(contact.normal, contact.normal) : Rational(1)),
             "its share is too long");

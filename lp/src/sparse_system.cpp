@@ -18,7 +18,9 @@ using Word = std::uint64_t;
 constexpr Word kPrime = (Word{1} << 31U) - 1;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-Word residue(const Integer& value) { return mpz_fdiv_ui(value.gmp(), kPrime); }
+Word residue(const Integer& value) {
+  return mpz_fdiv_ui(value.gmp(), kPrime);
+}
 
 Word power(Word base, Word exponent) {
   Word result = 1;
@@ -28,10 +30,14 @@ Word power(Word base, Word exponent) {
   return result;
 }
 
-Word inverse(Word x) { return power(x, kPrime - 2); }
+Word inverse(Word x) {
+  return power(x, kPrime - 2);
+}
 
 /// Subtracts factor x from one of several residues.
-void take(Word& from, Word factor, Word x) { from = (from + (kPrime - factor) * x) % kPrime; }
+void take(Word& from, Word factor, Word x) {
+  from = (from + (kPrime - factor) * x) % kPrime;
+}
 
 /// Returns the fraction n / d = x modulo m with |n| and d of at most `most`, if there is one.
 std::optional<std::pair<Integer, Integer>> fraction_of(const Integer& x, const Integer& m,

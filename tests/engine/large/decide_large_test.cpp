@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verdicts of grasps of many coordinates: by closed forms, and where there are few, as the search
-// decides them.
+// Verdicts of grasps of many coordinates: by closed forms, and where there are few, as the
+// search decides them.
 #include "engine/large/decide_large.hpp"
 
 #include <gtest/gtest.h>
@@ -41,9 +41,9 @@ struct Tower {
     loads += R"(, {"body": "b)" + std::to_string(boxes - 1) + R"(", "force": [")" + push +
              R"(", 0], "at": [0, ")" + std::to_string(2 * boxes - 1) + R"(/2"]})";
     return parse_any_grasp(R"({"format": "stickslip-grasp/3", "bodies": [)" + bodies +
-                                      R"(], "defaults": {"friction": ")" + friction +
-                                      R"("}, "contacts": [)" + contacts + R"(], "loads": [)" +
-                                      loads + "]" + more + "}",
+                               R"(], "defaults": {"friction": ")" + friction +
+                               R"("}, "contacts": [)" + contacts + R"(], "loads": [)" + loads +
+                               "]" + more + "}",
                            "a tower")
         .content.as_box();
   }
@@ -56,8 +56,7 @@ TEST(DecideLarge, ATowerSinksByWhatIsAbove) {
   ASSERT_TRUE(is_large(grasp));
   const BoxDecision decision = decide_large(grasp, NormalLaw::kBilateral);
   ASSERT_TRUE(std::holds_alternative<Stable>(decision.verdict));
-  const auto& witness =
-      std::get<ShareWitness>(std::get<Stable>(decision.verdict).proof);
+  const auto& witness = std::get<ShareWitness>(std::get<Stable>(decision.verdict).proof);
   RationalRow motion;
   Rational sunk = 0;
   for (int k = 0; k < tower.boxes; ++k) {

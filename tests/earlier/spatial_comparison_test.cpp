@@ -400,9 +400,10 @@ TEST(CompareInSpace, ALengthThatIsIrrationalIsSaid) {
   const Comparison all =
       compare_methods(Question{grasp}, {{}, 1, Inertia::of_length(1, true)}, text);
   for (const MethodRow& row : all.methods) {
-    const bool needs = row.method == "grasp wrench space, L1" ||
-                       row.method == "linear compliance" ||
-                       row.method == "friction cones alone";
+    const bool needs =
+        row.method == "grasp wrench space, L1" || row.method == "linear compliance" ||
+        row.method == "friction cones alone" || row.method == "potential contact robustness" ||
+        row.method == "potential grasp robustness" || row.method == "least singular value";
     EXPECT_EQ(row.verdict == kNotComputed, needs) << row.method;
     EXPECT_EQ(row.why.find("contacts[1].normal") != std::string::npos, needs) << row.why;
   }

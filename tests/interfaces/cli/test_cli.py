@@ -799,7 +799,7 @@ class Region(Case):
 class Floats(Case):
     """--json --floats: every member X of exact numbers has a member X_float beside it."""
 
-    WORDS = {"name", "slip", "closed", "claimed_slip", "states", "saved"}  # may look like numbers
+    WORDS = {"name", "slip", "closed", "claimed_slip", "states", "saved", "verdict"}  # may look like numbers
 
     def numbers(self, value):
         """The nearest doubles to the exact numbers that a member is, or None if it is not such."""

@@ -114,7 +114,7 @@ class FirstRejection {
   std::optional<Answer> found;
 };
 
-/// Of a claim about another question, which is rejected, only the syntax is read.
+/// FORMAT.md §13. Reads the syntax alone of a claim about another question, which is rejected.
 void check_class(CertificateReader& certificate, const Question& question,
                  FirstRejection& rejection, Accepted& accepted) {
   const std::size_t dimension = question.dimension();
@@ -208,7 +208,7 @@ void check_large(CertificateReader& certificate, const Question& question,
   rejection.unless_rejected([&] { check_large_leaf(question, is_leaf ? &*first : nullptr); });
 }
 
-/// Of a claim about another question, which is rejected, only the syntax is read.
+/// Reads the syntax alone of a claim about another question, which is rejected.
 void read_proof(CertificateReader& certificate, const std::string& verdict, bool in_ranges) {
   if (verdict == "stable") {
     if (!certificate.has_parts()) {
@@ -240,7 +240,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
   rejection.unless_rejected([&] { check_question(claim, question); });
-  // Of a certificate of another kind nothing more has to be read.
+  // Nothing more has to be read of a certificate of another kind.
   if (question.asked.states && !claim.asked.states) return *rejection.found;
   Accepted accepted;
   accepted.verdict = certificate.verdict();

@@ -18,7 +18,7 @@ std::string name_of(const Integer& contact) {
   return "contact " + show(Rational(contact)) + ": ";
 }
 
-/// What follows of one element from a motion.
+/// The force of one element, as it follows from a motion.
 struct LargeForce {
   Rational v;
   Vector slip;   ///< T.d or S d; none of what is no contact

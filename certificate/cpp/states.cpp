@@ -58,7 +58,7 @@ bool operator<(const Trace& a, const Trace& b) {
   return a.row < b.row;
 }
 
-/// Those in a plane of the flat, but for those that contain all of it.
+/// The traces in a plane of the flat, but for those that contain all of it.
 std::vector<Trace> restricted(const std::vector<Trace>& traces, const Form& plane) {
   const std::size_t p = first_entry(plane);
   std::vector<Trace> all;
@@ -114,7 +114,7 @@ class Flats {
   /// The rows are those of planes that differ.
   Flats(std::vector<Form> rows, const Integer& most) : rows_(std::move(rows)), most_(most) {}
 
-  /// By codimension, from 0 to the rank.
+  /// The numbers of faces by codimension, from 0 to the rank.
   std::vector<Integer> faces() {
     Planes all(rows_.size());
     std::iota(all.begin(), all.end(), 0U);
@@ -220,7 +220,7 @@ class Flats {
     return result;
   }
 
-  /// Which of these planes have rows that are not in the span of those of the others.
+  /// Tells which planes have rows that are not in the span of those of the others.
   std::vector<bool> which_are_free(const Planes& planes) const {
     std::vector<Form> matrix(rows_[0].size());
     for (std::size_t j = 0; j < matrix.size(); ++j) {
@@ -260,7 +260,7 @@ class Flats {
   std::map<Planes, std::vector<Integer>> known_;
 };
 
-/// What a sum of kMostCoordinates products may be, divided by these.
+/// The most that each of kMostCoordinates products may be, so that their sum is a word.
 constexpr std::int64_t kMostProduct = std::int64_t{1} << 57;
 
 /// Whether its size is at most that, which is a word.

@@ -52,7 +52,7 @@ LeastStiff least_eigenvalue(std::vector<Doubles> matrix, std::size_t size);
 struct ForceProposal {
   std::optional<double> distance{};  ///< the largest least distance; nothing if there are none
   Doubles twist{};                   ///< the multipliers y of the balance
-  /// By contact: the directions that the forces have friction in.
+  /// The directions that the forces have friction in, by contact.
   std::vector<std::vector<FrictionDirection>> used{};
 };
 
@@ -64,7 +64,7 @@ ForceProposal propose_forces(const ForceModel& model, const std::vector<SpringSt
 std::optional<Doubles> propose_opening(const ForceModel& model,
                                        const std::vector<SpringState>& states);
 
-/// What a linear program says of a node.
+/// The bound of a linear program for a node.
 struct NodeProposal {
   bool is_solved = false;
   double square = 0;                ///< a bound of lambda_min; below 0 if none exists

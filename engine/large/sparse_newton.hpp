@@ -29,7 +29,7 @@ struct LargeGrasp {
   bool may_open = true;                 ///< whether contacts may open
 };
 
-/// What a contact does.
+/// The state of a contact near an equilibrium.
 enum class LargeMode : std::int8_t {
   kOpen,
   kSticks,

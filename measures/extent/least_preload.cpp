@@ -58,7 +58,7 @@ class LeastSearch {
     const std::size_t count = patterns_.size();
     result_.limit = std::max<Rational>(kMostSizes * size_, 2 * sum_of(given));
     if (!take(RationalRow(count))) {
-      // Those of the file first: what is found is then never more than a multiple of them.
+      // The search begins with those of the file, and so finds no more than a multiple of them.
       const std::optional<RationalRow> weights = patterns_.weights(given);
       if (weights && !sum_of(given).is_zero()) begin_along(*weights, sum_of(given));
       if (count > 0) begin_along(RationalRow(count, 1), size_ / 64);

@@ -50,9 +50,9 @@
 
 namespace stickslip {
 
-/// What the two measures need besides the grasp, and where their search ends.
+/// The numbers that the two measures need besides the grasp, and the limits of their search.
 struct RobustnessOptions {
-  Rational length = 1;              ///< L > 0, by which torques are divided
+  Rational length = 1;  ///< L > 0, by which torques are divided
   /// f > 0, the largest normal force: one for all contacts, or one for each.
   std::vector<Rational> most_forces{1};
   Rational accuracy = {1, 100};     ///< > 0: the search ends at upper <= (1 + accuracy) lower
@@ -99,6 +99,7 @@ Robustness potential_grasp_robustness(const GraspBox& grasp,
 /// such combinations: one for each face of the arrangement of the planes N.y = 0 and T.y = 0.
 /// Takes O(m^3) operations and as many linear programs as there are combinations. Throws
 /// InputError as the others do.
-Robustness rigid_motion_robustness(const GraspBox& grasp, const RobustnessOptions& options = {});
+Robustness rigid_motion_robustness(const GraspBox& grasp,
+                                   const RobustnessOptions& options = {});
 
 }  // namespace stickslip

@@ -2,6 +2,7 @@
 #include "stickslip/earlier/robustness.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "earlier/robustness/rigid_motions.hpp"
 #include "earlier/robustness/robustness_search.hpp"
@@ -63,10 +64,9 @@ Robustness potential_contact_robustness(const GraspBox& grasp,
 Robustness potential_grasp_robustness(const GraspBox& grasp, const RobustnessOptions& options) {
   const ForceModel model(grasp, options);
   const std::vector<SpringState> first = first_combination(model);
-  if (const auto known = known_answer(model, first, value_of(model, first))) {
-    return *known;
-  }
-  return RobustnessSearch(model, options).run(first);
+  CombinationValue value = value_of(model, first);
+  if (const auto known = known_answer(model, first, value)) return *known;
+  return RobustnessSearch(model, options).run(first, std::move(value));
 }
 
 Robustness rigid_motion_robustness(const GraspBox& grasp, const RobustnessOptions& options) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
@@ -164,10 +165,8 @@ void RobustnessSearch::improve() {
   }
 }
 
-/// Confirms the proposal exactly, and raises the target.
-void RobustnessSearch::confirm() {
-  if (proposed_.empty()) return;
-  CombinationValue value = value_of(model_, proposed_);
+/// Takes the exact value of the proposal, and raises the target.
+void RobustnessSearch::confirm(CombinationValue value) {
   leaves_upper_ = std::max(leaves_upper_, value.upper);
   if (value.lower > best_.lower) {
     best_ = std::move(value);
@@ -228,11 +227,12 @@ std::vector<SpringState> RobustnessSearch::rounded(const Node& node) const {
   return states;
 }
 
-Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
+Robustness RobustnessSearch::run(const std::vector<SpringState>& first,
+                                 CombinationValue of_first) {
   Robustness result;
   proposed_ = first;
   proposed_value_ = 0;
-  confirm();
+  confirm(std::move(of_first));
   if (best_.lower.is_zero()) {
     // Only in space, where the cones are round, may it be unknown whether that is the value.
     result.upper = short_sqrt(model_.most_force * model_.most_force / 4 *
@@ -243,7 +243,7 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
     return result;
   }
   improve();
-  confirm();
+  confirm(value_of(model_, proposed_));
   std::priority_queue<Node> open;
   {
     Node root{std::vector<StateSet>(first.size(), kAllStates), 0, model_.most_force / 2, 0, {}};
@@ -265,14 +265,14 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first) {
     propose(rounded(node));
     if (proposed_value_ > before) {
       improve();
-      confirm();
+      confirm(value_of(model_, proposed_));
     }
     if (is_leaf) {
       CombinationValue value = value_of(model_, rounded(node));
       leaves_upper_ = std::max(leaves_upper_, value.upper);
       if (value.lower > best_.lower) {
         proposed_ = rounded(node);
-        confirm();
+        confirm(std::move(value));
       }
       continue;
     }

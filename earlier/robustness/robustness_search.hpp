@@ -37,15 +37,15 @@ class RobustnessSearch {
   RobustnessSearch(const ForceModel& model, const RobustnessOptions& options);
 
   /// Encloses PGR. `first` is the combination in which each contact with friction sticks and
-  /// every other slips.
-  Robustness run(const std::vector<SpringState>& first);
+  /// every other slips, and `of_first` its value.
+  Robustness run(const std::vector<SpringState>& first, CombinationValue of_first);
 
  private:
   struct Node;
 
   void propose(const std::vector<SpringState>& states);
   void improve();
-  void confirm();
+  void confirm(CombinationValue value);
   bool bound(Node& node);
   std::vector<SpringState> rounded(const Node& node) const;
 

@@ -258,22 +258,36 @@ def solve(residual, x, rounding, steps):
     return x, np.sqrt(least)
 
 
-def equilibria(grasp, starts, rng, near=1e-9):
-    """From how many random starts an equilibrium is found, whose residual is at most `near` times the load and preloads;
-    and of those, how many are found again after each of three small changes of the load, as no tie would be."""
-    mechanics = Mechanics(grasp)
-    if mechanics.size == 0:
-        return starts, starts
-    residual = Residual(mechanics)
+NEAR = 1e-9  # the residual of an equilibrium is at most this times the load and preloads
+
+
+def from_random(residual, starts, rng):
+    """The equilibria that are found from random starts."""
     x = rng.normal(size=(starts, residual.n)) * rng.choice([0.01, 0.1, 1, 10, 100], size=(starts, 1))
     roundest = 8.0 ** rng.uniform(-6, 1, size=starts)
     for most in 8.0 ** -np.arange(-1, 6):
         x, _ = solve(residual, x, np.minimum(roundest, most), 8)
     x, off = solve(residual, x, np.zeros(starts), 40)
-    x = x[off < near]
+    return x[off < NEAR]
+
+
+def finds(grasp, starts=60, seed=1):
+    """Whether an equilibrium is found from one of these many starts. A few are tried first, as one is enough."""
+    mechanics, rng, few = Mechanics(grasp), np.random.default_rng(seed), min(6, starts)
+    return mechanics.size == 0 or any(count and len(from_random(Residual(mechanics), count, rng)) for count in (few, starts - few))
+
+
+def equilibria(grasp, starts, rng):
+    """From how many random starts an equilibrium is found, and of those, how many are found again after each of three small
+    changes of the load, as no tie would be."""
+    mechanics = Mechanics(grasp)
+    if mechanics.size == 0:
+        return starts, starts
+    residual = Residual(mechanics)
+    x = from_random(residual, starts, rng)
     stays, load = np.ones(len(x), dtype=bool), mechanics.load
     for _ in range(3 if len(x) else 0):
-        mechanics.load = load + 100 * near * mechanics.size * rng.normal(size=len(load)) * (load != 0)
-        stays &= solve(residual, x, np.zeros(len(x)), 40)[1] < near
+        mechanics.load = load + 100 * NEAR * mechanics.size * rng.normal(size=len(load)) * (load != 0)
+        stays &= solve(residual, x, np.zeros(len(x)), 40)[1] < NEAR
     mechanics.load = load
     return len(x), int(np.sum(stays))

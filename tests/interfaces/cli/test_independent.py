@@ -10,7 +10,7 @@ import unittest
 from fractions import Fraction as F
 
 import numpy as np
-from bodies_newton import Mechanics, Residual, equilibria, solve
+from bodies_newton import Mechanics, Residual, finds, solve
 from scipy.optimize import linprog
 from test_bodies import contact, force, grasp, random_assembly, weight
 from test_cli import DONE, UNDECIDED, UNSTABLE, Case, stickslip
@@ -30,11 +30,6 @@ def as_bodies(content, **changes):
     """A file about one body, as Mechanics reads it."""
     contacts = [{**content.get("defaults", {}), **c, "of": "it"} for c in content["contacts"]]
     return {"format": "stickslip-grasp/3", "bodies": [{"name": "it"}], "contacts": contacts, "wrench": content["wrench"], **changes}
-
-
-def finds(content, starts=60, seed=1):
-    """Whether Newton's method finds an equilibrium."""
-    return equilibria(content, starts, np.random.default_rng(seed))[0] > 0
 
 
 def in_statics(content, outside, capacity=None):

@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
       "share/doc/stickslip, and certificate/FORMAT.md is share/stickslip/FORMAT.md.\n",
       stickslip::kExitCodesWithLimit +
           ", 70 internal error;\n"
-          "decide --exit-code and crosscheck have others of their own",
+          "decide --exit-code, crosscheck, margin --least and preload have others of their own",
       "stickslip decide grasp.json --certificate proof.json\n"
       "  $ stickslip-check grasp.json proof.json"));
   int exit_code = stickslip::kDone;

@@ -85,9 +85,10 @@ void add_snap_command(Command& app, int& exit_code) {
       ->capture_default_str();
   arguments->numbers.add_to(*command);
   command->footer(footer_text(
-      "A preloaded contact needs a normal of rational length, which that of (1, 1) "
-      "is not\n(docs/grasp_file.md). The report, how far each normal moved, goes to "
-      "standard error\nif the grasp goes to standard output.\n",
+      "In the plane the forces of preloaded contacts, exact margins, regions and pictures need\n"
+      "normals of rational length; that of (1, 1) is irrational (docs/grasp_file.md). The\n"
+      "report, how far each normal moved, goes to standard error if the grasp goes to standard\n"
+      "output.\n",
       kExitCodes, "stickslip snap grasp.json -o snapped.json"));
   command->callback([arguments, &exit_code] {
     snap(*arguments);

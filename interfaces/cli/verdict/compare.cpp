@@ -224,8 +224,8 @@ void add_compare_command(Command& app, int& exit_code) {
       "each, closed if it holds a ball about 0; linear compliance, by springs along normals "
       "and\n"
       "tangents; three-state compliance, the same with each contact stuck, slipping without\n"
-      "friction or detached; and friction cones alone, the passive model without maximum\n"
-      "dissipation; and potential contact robustness (PCR) and potential grasp robustness\n"
+      "friction or detached; friction cones alone, the passive model without maximum\n"
+      "dissipation; potential contact robustness (PCR) and potential grasp robustness\n"
       "(PGR), how far the best internal forces of a hand keep contacts from breaking a\n"
       "condition, between two bounds; the robustness of rigid motions, the best of the states\n"
       "that these allow; the least singular value of the grasp map; and the distance of the\n"
@@ -235,9 +235,8 @@ void add_compare_command(Command& app, int& exit_code) {
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
       "In space cones are round: of the grasp wrench space, L1, there are bounds of the "
       "largest\n"
-      "ball, and Linf and three-state compliance are not done. Of several bodies only the "
-      "class\n"
-      "is: must move, or may stand (stickslip statics).\n",
+      "ball, and Linf, three-state compliance and the robustness of rigid motions are not\n"
+      "done. Of several bodies only the class is: must move, or may stand (stickslip statics).\n",
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));

@@ -124,8 +124,9 @@ RationalRow bound_of(const GraspBox& box, const MotionBound& asked) {
   }
   if (numbers.size() != motions) {
     refuse_bound(
-        "there are " + std::to_string(numbers.size()) + " numbers for " +
-            std::to_string(motions) + " coordinates of motions",
+        (numbers.size() == 1 ? "there is 1 number"
+                             : "there are " + std::to_string(numbers.size()) + " numbers") +
+            " for " + std::to_string(motions) + " coordinates of motions",
         "give one for each" + std::string(has_joints ? "" : ", or two: a length and an angle"));
   }
   return numbers;

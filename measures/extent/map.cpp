@@ -398,11 +398,13 @@ void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
   const auto turns_wrench = [](const MapAxis& axis) {
     return axis.kind == AxisKind::kDirection || axis.kind == AxisKind::kWrench;
   };
-  const bool of_one_number =
-      x_axis.kind == AxisKind::kAlong
-          ? are_parallel(x_axis, y_axis)
-          : x_axis.index == y_axis.index || !x_axis.index || !y_axis.index;
-  const bool clash = same_kind ? of_one_number : turns_wrench(x_axis) && turns_wrench(y_axis);
+  const auto are_of_one_number = [&] {  // of the same kind
+    return x_axis.kind == AxisKind::kAlong
+               ? are_parallel(x_axis, y_axis)
+               : x_axis.index == y_axis.index || !x_axis.index || !y_axis.index;
+  };
+  const bool clash =
+      same_kind ? are_of_one_number() : turns_wrench(x_axis) && turns_wrench(y_axis);
   if (clash) {
     throw InputError("", y_axis.place, "both axes vary " + x_axis.name,
                      "choose two numbers that do not depend on each other");

@@ -82,7 +82,7 @@ TEST(MotionBound, IsSpelledInFourWays) {
 
 TEST(MotionBound, SaysWhatIsWrong) {
   EXPECT_EQ(problem_with("0,1"), "a bound of motions is 0");
-  EXPECT_EQ(problem_with("1"), "there are 1 numbers for 3 coordinates of motions");
+  EXPECT_EQ(problem_with("1"), "there is 1 number for 3 coordinates of motions");
   EXPECT_EQ(problem_with("1,2,3,4"), "there are 4 numbers for 3 coordinates of motions");
   EXPECT_EQ(problem_with("0x"), "the factor is 0");
   EXPECT_NE(problem_with("much"), "");

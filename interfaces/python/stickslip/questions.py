@@ -379,7 +379,11 @@ def slip_states(
     """
     engine = one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
     threads = as_count("threads", threads, 1024)
-    return answer_of(SlipStates, _core.ask(_require_grasp(grasp)._planar(), "states", {
+    about = _require_grasp(grasp)
+    if not isinstance(about, Assembly) and about.in_space:
+        raise InputError("", "grasp", "the grasp is in space",
+                         "find_states counts and lists its slip states")
+    return answer_of(SlipStates, _core.ask(about._planar(), "states", {
         "engine": engine, "list": bool(list_states), "threads": threads}), grasp=grasp)
 
 

@@ -901,7 +901,8 @@ class Comparison(Answer):
         raise KeyError(method)
 
     def __repr__(self) -> str:
-        return "\n".join(f"{row.method}: {row.verdict}; {row.why}" for row in self.methods)
+        known = [] if self.methods else [f"load class: {self.load_class}"]
+        return "\n".join(known + [f"{row.method}: {row.verdict}; {row.why}" for row in self.methods])
 
     def _repr_html_(self) -> str:
         agrees = {True: "yes", False: "no", None: ""}

@@ -169,6 +169,9 @@ class Map(Case):
         # Fig. 1 resists (s, t) exactly if t <= max(0, 1 - |s|/2).
         cells = self.cells(FIG1, "--preload", "1", "--wrench", "0,0,0", "--x", "1,0,0=-3:3", "--y", "0,1,0=-1/2:3/2",
                            "--depth", "4")
+        # The other axis may be of another kind; with t = 0 it holds for all these s.
+        mixed = self.cells(FIG1, "--preload", "1", "--wrench", "0,0,0", "--x", "1,0,0=-1:1", "--y", "stiffness=1:2", "--depth", "2")
+        self.assertEqual({verdict for _, _, verdict in mixed}, {"stable"})
         for x, y, verdict in cells:
             inside = [t <= max(0, 1 - abs(s) / 2) for s in x for t in y]
             if verdict != "undecided":

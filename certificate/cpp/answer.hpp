@@ -43,7 +43,7 @@ struct Standing {
 struct Accepted {
   Question question;
   std::string verdict;             ///< "stable", "unstable", "margin", "region", a class, of
-                                   ///< statics or "complete"
+                                   ///< statics, "complete" or "bounds"
   std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, of claims at least
   std::vector<Range> refuted;      ///< of claims: none of these
   std::uint64_t segments = 0;      ///< of a margin by segments
@@ -53,6 +53,7 @@ struct Accepted {
   std::optional<Standing> standing = {};
   std::vector<Integer> by_dimension = {};  ///< numbers of states
   std::uint64_t listed = 0;                ///< states with a motion
+  std::optional<Bounds> bounds = {};       ///< of a robustness
   std::size_t trees = 0;        ///< of a margin, one for each range without a multiple
   std::uint64_t rests = 0;      ///< proofs at rest
   std::uint64_t stickings = 0;  ///< proofs by sticking

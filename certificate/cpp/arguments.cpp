@@ -193,6 +193,16 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
         throw UsageError{"--states: " + quote(set) + " is not slip, full or closed"};
       }
       options.states = set;
+    } else if (word == "--robustness") {
+      const std::string kind = value();
+      if (std::find(kRobustnesses.begin(), kRobustnesses.end(), kind) == kRobustnesses.end()) {
+        throw UsageError{"--robustness: " + quote(kind) + " is not contact or grasp"};
+      }
+      options.robustness = kind;
+    } else if (word == "--length") {
+      options.length = parse_number(word, value());
+    } else if (word == "--max-force") {
+      options.max_force = parse_list(word, value());
     } else if (word == "--preload-direction") {
       const std::string growth = value();
       options.preload_direction.emplace();

@@ -43,6 +43,7 @@ Claim CertificateReader::claim() {
   rigid_ = claim.asked.rigid();
   statics_ = claim.asked.statics.has_value();
   states_ = claim.asked.states;
+  robust_ = claim.asked.robustness.has_value();
   return claim;
 }
 
@@ -50,7 +51,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !states_ && !plane_ && !rigid_ && !statics_ && (!margin_ || claims_)) {
+  if (name == "bits" && !states_ && !robust_ && !plane_ && !rigid_ && !statics_ && (!margin_ || claims_)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -64,6 +65,9 @@ std::string CertificateReader::verdict() {
   if (states_) {
     json_.expect(verdict.is_text("complete"), verdict, "verdict",
                  "\"complete\", as the question has states");
+  } else if (robust_) {
+    json_.expect(verdict.is_text("bounds"), verdict, "verdict",
+                 "\"bounds\", as the question has a robustness");
   } else if (plane_) {
     json_.expect(verdict.is_text("region"), verdict, "verdict",
                  "\"region\", as the question has a plane");
@@ -192,6 +196,58 @@ std::vector<Integer> CertificateReader::by_dimension() {
   std::vector<Integer> result;
   for (const Value& entry : value.items) result.push_back(index(entry, "by_dimension"));
   return result;
+}
+
+Rational CertificateReader::bound(const char* name) {
+  return number(take(name), name);
+}
+
+std::optional<RobustCombination> CertificateReader::combination() {
+  const std::string place = "combination";
+  const Value value = take(place);
+  if (value.kind == Value::Kind::kNull) return std::nullopt;
+  json_.expect(value.kind == Value::Kind::kObject, value, place, "null or an object {...}");
+  expect_order(value, place, {"distance", "inverse_square", "forces"});
+  RobustCombination result{number(member(value, place, "distance"), place),
+                           number(member(value, place, "inverse_square"), place),
+                           {}};
+  for (const Value& entry :
+       list(member(value, place, "forces"), place, "an array of forces")) {
+    json_.expect(entry.is_array(3) &&
+                     (entry.items[1].is_text("stick") || entry.items[1].is_text("slip")),
+                 entry, place, "a contact, \"stick\" or \"slip\", and a force");
+    result.forces.push_back({index(entry.items[0], place), entry.items[1].is_text("stick"),
+                             numbers(entry.items[2], place, 0, in_space_ ? 3 : 2)});
+  }
+  return result;
+}
+
+std::optional<RobustNode> CertificateReader::next_robust_node() {
+  if (!next_element("tree")) return std::nullopt;
+  const Value value = json_.value();
+  const std::string place = "tree[" + std::to_string(elements_ - 1) + "]";
+  const auto is = [&](const char* kind, std::size_t size) {
+    return value.is_array(1 + size) && value.items[0].is_text(kind);
+  };
+  const std::size_t n = dimension_;
+  if (is("state", 1)) return RobustNode{RobustNodeKind::kState, index(value.items[1], place)};
+  if (is("distance", 1)) {
+    return RobustNode{RobustNodeKind::kDistance, 0, number(value.items[1], place)};
+  }
+  const std::size_t triangle = n * (n + 1) / 2;
+  const bool leaf = is("leaf", n + triangle);
+  const bool combination = is("combination", 2 * n);
+  json_.expect(leaf || combination || is("none", n), value, place,
+               R"(["state", i], ["distance", a], ["leaf", y, Z], ["combination", y, z] or )"
+               R"(["none", y])");
+  RobustNode node{leaf          ? RobustNodeKind::kLeaf
+                  : combination ? RobustNodeKind::kCombination
+                                : RobustNodeKind::kNone};
+  const Vector all = numbers(value, place, 1, value.items.size() - 1);
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n);
+  node.y.assign(all.begin(), middle);
+  node.z.assign(middle, all.end());
+  return node;
 }
 
 std::optional<RigidNode> CertificateReader::next_rigid_node() {
@@ -442,6 +498,27 @@ Claim CertificateReader::claim_of(const Value& value) const {
                  *states, "question.states", "\"slip\", \"full\" or \"closed\"");
     claim.asked.states = states->text;
     claim.wrench = Wrench(dimension_);  // as of every question about states
+    return claim;
+  }
+  if (const Value* robustness = value.find("robustness")) {
+    expect_order(value, "question",
+                 {"contacts", "wrench", "robustness", "length", "max_force"});
+    Claim claim;
+    claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
+    for (const Rational& w : numbers(member(value, "question", "wrench"), "question.wrench", 0,
+                                     dimension_)) {
+      claim.wrench.emplace_back(w);
+    }
+    json_.expect(std::any_of(kRobustnesses.begin(), kRobustnesses.end(),
+                             [&](const char* kind) { return robustness->is_text(kind); }),
+                 *robustness, "question.robustness", R"("contact" or "grasp")");
+    claim.asked.robustness = robustness->text;
+    claim.asked.length = number(member(value, "question", "length"), "question.length");
+    const Value& most = member(value, "question", "max_force");
+    claim.asked.max_force.emplace();
+    for (const Value& f : list(most, "question.max_force", "an array of numbers")) {
+      claim.asked.max_force->push_back(number(f, "question.max_force"));
+    }
     return claim;
   }
   expect_order(value, "question",

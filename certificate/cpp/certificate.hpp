@@ -14,6 +14,7 @@
 #include "json.hpp"
 #include "margin.hpp"
 #include "rigid.hpp"
+#include "robustness.hpp"
 #include "states.hpp"
 #include "statics.hpp"
 #include "tree.hpp"
@@ -36,7 +37,7 @@ class CertificateReader {
   /// All up to the member `question`.
   Claim claim();
   /// "stable", "unstable", "margin" or "region"; or "must move", "must hold", "open" or "may
-  /// stand"; or "complete".
+  /// stand"; or "complete" or "bounds".
   std::string verdict();
   /// Of lengths that are irrational; known with the verdict.
   unsigned bits() const { return bits_; }
@@ -62,6 +63,11 @@ class CertificateReader {
   std::vector<std::vector<Vector>> lines();
   std::optional<State> next_state();
   std::vector<Integer> by_dimension();
+
+  // bounds, in the order of FORMAT.md §18
+  Rational bound(const char* name);
+  std::optional<RobustCombination> combination();
+  std::optional<RobustNode> next_robust_node();
 
   // unstable, region, and margin that is no claims
   std::vector<Interval> resisted();
@@ -126,6 +132,7 @@ class CertificateReader {
   bool rigid_ = false;                 ///< or an inertia
   bool statics_ = false;               ///< or a factor of friction
   std::optional<std::string> states_;  ///< or a set of states
+  bool robust_ = false;                ///< or asks for a robustness
   std::vector<std::size_t> signs_;     ///< how many each contact has in one of these
   unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken

@@ -9,6 +9,7 @@
 #include "margin.hpp"
 #include "plane.hpp"
 #include "rigid.hpp"
+#include "robustness.hpp"
 #include "states.hpp"
 #include "statics.hpp"
 #include "work.hpp"
@@ -46,6 +47,12 @@ std::string in_words_states(const std::optional<std::string>& set) {
   return set ? "the states " + *set : "no states";
 }
 
+std::string in_words_robustness(const Options& options) {
+  if (!options.robustness) return "no robustness";
+  return "the robustness of the " + *options.robustness + " with length " +
+         show(*options.length) + " and forces up to " + show(*options.max_force);
+}
+
 std::string in_words(const std::map<std::string, Tolerance>& uncertain) {
   std::string text;
   for (const auto& [kind, tolerance] : uncertain) {
@@ -70,6 +77,10 @@ void check_question(const Claim& claim, const Question& question) {
   const Options& asked = question.asked;
   compare("question-states", said.states == asked.states, in_words_states(said.states),
           in_words_states(asked.states));
+  compare("question-robustness",
+          said.robustness == asked.robustness && said.length == asked.length &&
+              said.max_force == asked.max_force,
+          in_words_robustness(said), in_words_robustness(asked));
   compare("question-contacts", claim.contacts == question.contacts.size(),
           show(Rational(claim.contacts)) + " contacts",
           std::to_string(question.contacts.size()));
@@ -186,6 +197,27 @@ void check_states(CertificateReader& certificate, const Question& question,
   if (proof) accepted.listed = proof->listed();
 }
 
+/// FORMAT.md §18.
+void check_robustness(CertificateReader& certificate, const Question& question,
+                      FirstRejection& rejection, Accepted& accepted) {
+  const Rational lower = certificate.bound("lower");
+  const Rational upper = certificate.bound("upper");
+  const std::optional<RobustCombination> combination = certificate.combination();
+  std::optional<RobustnessProof> proof;
+  rejection.unless_rejected([&] {
+    proof.emplace(question, lower, upper);
+    proof->check(combination);
+  });
+  while (const std::optional<RobustNode> node = certificate.next_robust_node()) {
+    rejection.unless_rejected([&] { proof->visit(*node); });
+  }
+  rejection.unless_rejected([&] { proof->finish(); });
+  if (!proof) return;
+  accepted.bounds = Bounds(lower, upper);
+  accepted.nodes = proof->nodes();
+  accepted.leaves = proof->leaves();
+}
+
 /// FORMAT.md §14, "Many coordinates".
 void check_large(CertificateReader& certificate, const Question& question,
                  FirstRejection& rejection, Accepted& accepted) {
@@ -241,11 +273,15 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   const Claim claim = certificate.claim();
   rejection.unless_rejected([&] { check_question(claim, question); });
   // Nothing more has to be read of a certificate of another kind.
-  if (question.asked.states && !claim.asked.states) return *rejection.found;
+  if ((question.asked.states && !claim.asked.states) ||
+      (question.asked.robustness && !claim.asked.robustness)) {
+    return *rejection.found;
+  }
   Accepted accepted;
   accepted.verdict = certificate.verdict();
-  if (claim.asked.states) {
-    check_states(certificate, question, rejection, accepted);
+  if (claim.asked.states || claim.asked.robustness) {
+    (claim.asked.states ? check_states : check_robustness)(certificate, question, rejection,
+                                                           accepted);
     certificate.finish();
     if (rejection.found) return *rejection.found;
     accepted.question = std::move(question);

@@ -75,6 +75,10 @@ the program that produced the certificate:
   --states SET             ask which states there are: the signs of slip along lines across the
                            normals (slip), with the signs of N.d (full), or of motions on which all
                            contacts stay closed (closed); without other options but --json
+  --robustness MEASURE     ask for bounds of the potential contact robustness (contact) or the
+                           potential grasp robustness (grasp), for a load at most
+  --length L               the length by which torques are divided there; 1 unless given
+  --max-force F,...        the largest normal force there, of all contacts or of each; 1 unless given
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
@@ -106,7 +110,8 @@ Answers and exit codes:
                  of a region, that exactly the (s, t) in the certificate's pieces are;
                  of statics with a direction or a plane, that those printed as "may stand" may,
                  that those printed as "must move" must, and nothing of others;
-                 of states, that there are no others than those in the certificate and their opposites
+                 of states, that there are no others than those in the certificate and their opposites;
+                 of a robustness, that it is not below and not above the bounds printed
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error; of a
                  batch, a line, where it ends; else its exit code is 0

@@ -156,6 +156,13 @@ std::string json_question(const Question& question) {
     return R"({"contacts": )" + std::to_string(question.contacts.size()) + R"(, "states": )" +
            json_string(*asked.states) + "}";
   }
+  if (asked.robustness) {
+    return R"({"contacts": )" + std::to_string(question.contacts.size()) + R"(, "wrench": )" +
+           json_wrench(question.wrench) + R"(, "robustness": )" +
+           json_string(*asked.robustness) + R"(, "length": )" +
+           json_string(asked.length->get_str()) + R"(, "max_force": )" +
+           list(*asked.max_force, "[", "]", true) + "}";
+  }
   return R"({"contacts": )" + std::to_string(question.contacts.size()) + R"(, "wrench": )" +
          json_wrench(question.wrench) + R"(, "preload": )" +
          (asked.preload ? json_string(asked.preload->get_str()) : "null") +
@@ -207,8 +214,20 @@ std::string text_of_states(const Accepted& a) {
          "\n";
 }
 
+/// FORMAT.md §18.
+std::string text_of_robustness(const Accepted& a) {
+  const Options& asked = a.question.asked;
+  return "accepted\nrobustness  of the " + *asked.robustness + ", from " +
+         a.bounds->low.get_str() + " to " + a.bounds->high.get_str() + "\ncontacts    " +
+         contacts_of(a.question) + "\nwrench      " + text_of(a.question.wrench) +
+         "\nlength      " + asked.length->get_str() + "\nmax force   " +
+         list(*asked.max_force, "(", ")", false) + "\nproof       forces, and a tree of " +
+         std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves\n";
+}
+
 std::string text_of(const Accepted& a) {
   if (a.question.asked.states) return text_of_states(a);
+  if (a.question.asked.robustness) return text_of_robustness(a);
   const Options& asked = a.question.asked;
   const auto& growth = asked.preload_direction;
   const bool margin = a.verdict == "margin";
@@ -347,6 +366,9 @@ std::string as_json(const Answer& answer) {
          (statics && (a->verdict == "margin" || a->verdict == "region")
               ? R"(, "points": )" + std::to_string(a->stands) + R"(, "twists": )" +
                     std::to_string(a->moves)
+              : "") +
+         (a != nullptr && a->bounds
+              ? R"(, "bounds": )" + list({a->bounds->low, a->bounds->high}, "[", "]", true)
               : "") +
          (states ? R"(, "by_dimension": )" + json_integers(a->by_dimension) : "") +
          (a != nullptr && a->standing ? R"(, "standing": )" + json_standing(*a->standing)

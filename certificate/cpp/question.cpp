@@ -77,6 +77,7 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
 /// Of what is asked about many loads.
 std::string kind_of(const Options& asked) {
   return asked.states    ? "the set of states"
+         : asked.robustness ? "a robustness"
          : asked.statics ? "statics"
          : asked.plane   ? "a region"
          : asked.inertia ? "a class"
@@ -109,6 +110,47 @@ void check_statics(const Options& options) {
   }
 }
 
+/// FORMAT.md §18: with the numbers that were not given.
+void check_robustness(const Grasp& grasp, Options& options) {
+  const std::size_t m = grasp.contacts.size();
+  if (!options.robustness) {
+    if (!options.length && !options.max_force) return;
+    refuse(options.length ? "length" : "max_force", "expected none without a robustness");
+  }
+  if (options.margin() || options.plane || options.inertia || options.statics ||
+      options.preload || options.bilateral || !options.uncertain.empty()) {
+    refuse("robustness", "another option is given as well; expected a load at most");
+  }
+  if (grasp.several) refuse("robustness", "the grasp is of several bodies; expected one");
+  if (!options.length) options.length = 1;
+  if (!options.max_force) options.max_force = {1};
+  Vector& most = *options.max_force;
+  if (most.size() == 1) most.resize(m, most[0]);
+  if (*options.length <= 0) refuse("length", "found " + show(*options.length));
+  if (most.size() != m ||
+      std::any_of(most.begin(), most.end(), [](const Rational& f) { return f <= 0; })) {
+    refuse("max_force", "found " + show(most) + ", expected a number above 0, or one for each "
+                        "of " + std::to_string(m) + " contacts");
+  }
+}
+
+/// FORMAT.md §18: what a robustness is not about.
+void check_fingers(const Question& question, const Contacts& contacts,
+                   const std::string& file) {
+  if (!question.asked.robustness) return;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact contact = contacts[i];
+    const std::string place = "contacts[" + std::to_string(i) + "].";
+    if (contact.torsion != 0) {
+      throw Malformed{file, place + "torsion", "a robustness is about contacts without it"};
+    }
+    if (exact_sqrt(dot(contact.normal, contact.normal))) continue;
+    throw Malformed{file, place + "normal",
+                    "its length is irrational; run stickslip snap GRASP -o FILE, and ask about "
+                    "FILE"};
+  }
+}
+
 /// FORMAT.md §13.
 void check_inertia(const Grasp& grasp, const Options& options) {
   if (!options.inertia) return;
@@ -138,11 +180,11 @@ void check_inertia(const Grasp& grasp, const Options& options) {
 /// FORMAT.md §1, *max motion*: B, if motions are bounded.
 std::optional<Vector> max_motion_asked(const Grasp& grasp, const Options& options) {
   const std::optional<Vector>& given = options.max_motion;
-  if (options.statics && !given) return std::nullopt;
+  if ((options.statics || options.robustness) && !given) return std::nullopt;
   const auto refuse_bound = [](const std::string& problem) { refuse("max_motion", problem); };
   std::optional<Vector> bound = given ? given : grasp.max_motion;
   if (!bound || bound->empty()) return std::nullopt;
-  if (options.plane || options.inertia || options.statics) {
+  if (options.plane || options.inertia || options.statics || options.robustness) {
     refuse_bound("motions are bounded, but " + kind_of(options) + " is about all motions; " +
                  (given ? "expected one of the two"
                         : "to leave the bound of the grasp file out, give --max-motion none"));
@@ -333,6 +375,7 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
 Question pose_states(Grasp grasp, const Options& options, const std::string& file) {
   if (options.margin() || options.plane || options.inertia || options.statics ||
       options.wrench || options.preload || options.bilateral || options.case_name ||
+      options.robustness ||
       !options.uncertain.empty() || options.max_motion) {
     refuse("states", "another option is given as well, but positions and normals alone count");
   }
@@ -370,7 +413,9 @@ std::string show(const Tolerance& tolerance) {
   return text + (ball.body ? ":body=" + *ball.body : "");
 }
 
-Question pose(Grasp grasp, const Options& options, const std::string& file) {
+Question pose(Grasp grasp, const Options& given, const std::string& file) {
+  Options options = given;
+  check_robustness(grasp, options);
   if (options.states) return pose_states(std::move(grasp), options, file);
   Contacts& contacts = grasp.contacts;
   const std::size_t m = contacts.size();
@@ -404,6 +449,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
     }
   }
   check_uncertain(question, contacts, growth, file);
+  check_fingers(question, contacts, file);
   for (std::size_t i = 0; scaled && i < m; ++i) {
     Contact contact = contacts[i];
     growth.push_back(contact.preload.low);

@@ -29,6 +29,9 @@ inline constexpr std::array<const char*, 6> kUncertainKinds{"friction", "stiffne
 /// The sets of states (FORMAT.md §17).
 inline constexpr std::array<const char*, 3> kStateSets{"slip", "full", "closed"};
 
+/// Of contacts, and of a grasp: PCR and PGR (FORMAT.md §18).
+inline constexpr std::array<const char*, 2> kRobustnesses{"contact", "grasp"};
+
 /// The bits of an enclosure, unless a certificate says.
 inline constexpr unsigned kDefaultBits = 128;
 
@@ -66,6 +69,10 @@ struct Options {
   std::optional<Vector> inertia;         ///< of a class: centre of mass and squared gyration
   std::optional<Rational> statics;       ///< of statics: the factor of all friction
   std::optional<std::string> states;     ///< one of kStateSets: nothing else is asked then
+  /// One of kRobustnesses; with it a length, and f, of a question one for each contact.
+  std::optional<std::string> robustness;
+  std::optional<Rational> length;
+  std::optional<Vector> max_force;
   std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
   std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
   /// B. Of whoever asks also a length and an angle, or for none an empty list, in place of the
@@ -77,7 +84,9 @@ struct Options {
   /// Whether the class of a load under rigid contacts is asked for, and nothing else.
   bool rigid() const { return inertia && !margin() && !plane && !statics; }
   /// Whether it is no verdict, and so about one grasp: a margin, a region, a class or statics.
-  bool family() const { return margin() || plane || inertia || statics || states; }
+  bool family() const {
+    return margin() || plane || inertia || statics || states || robustness;
+  }
 };
 
 /// A list that nobody changes any more; copies are the same list.

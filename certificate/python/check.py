@@ -22,7 +22,7 @@ import re
 import signal
 import sys
 from fractions import Fraction
-from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Set, TextIO, Tuple,
+from typing import (Any, Callable, Dict, Iterable, List, NamedTuple, NoReturn, Optional, Sequence, Set, TextIO, Tuple,
                     Type, TypeVar, Union)
 
 Vector = Tuple[Fraction, ...]
@@ -385,6 +385,7 @@ LAWS = ("unilateral", "bilateral")
 CLASSES = ("must move", "must hold", "open")  # §13
 STATICS = ("may stand", "must move")  # §16
 STATES = ("slip", "full", "closed")  # §17
+ROBUSTNESSES = ("contact", "grasp")  # §18
 
 
 class Bounds(NamedTuple):
@@ -543,6 +544,9 @@ class Options(NamedTuple):
     statics: Optional[Fraction] = None                # §16: φ
     max_motion: Optional[Vector] = None  # B, or a length and an angle, or () for none; of a question B, or None
     states: Optional[str] = None                      # §17: one of STATES
+    robustness: Optional[str] = None                  # §18: one of ROBUSTNESSES
+    length: Optional[Fraction] = None                 # §18: L
+    max_force: Optional[Vector] = None                # §18: f, of a question of each contact
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
@@ -550,6 +554,7 @@ class Options(NamedTuple):
     def family(self) -> str:
         """What is about one grasp and many loads or preloads, if that is asked."""
         return ("the set of states" if self.states else
+                "a robustness" if self.robustness else
                 "statics" if self.statics is not None else
                 "a margin" if self.margin() else "a region" if self.plane else
                 "a class" if self.inertia else "")
@@ -1236,6 +1241,31 @@ def pose_states(grasp_file: str, grasp: Grasp, asked: Options) -> Question:
                     bodies=grasp.bodies)
 
 
+def robustness_asked(asked: Options, grasp: Grasp) -> Options:
+    """§18: with the numbers that were left out."""
+    given = asked._replace(robustness=None, length=None, max_force=None, wrench=None, case=None)
+    m, length, most = len(grasp.contacts), asked.length, asked.max_force
+    if asked.robustness:
+        length = Fraction(1) if length is None else length
+        most = (Fraction(1),) * m if most is None else most * m if len(most) == 1 else most
+    problem = ("another option is given as well" if asked.robustness and given != Options() else
+               "the grasp is of several bodies" if asked.robustness and grasp.names else
+               "there is no robustness" if not asked.robustness and (length, most) != (None, None) else
+               "the length is not > 0" if length is not None and length <= 0 else
+               f"expected {m} largest forces > 0" if most is not None and (len(most) != m or any(f <= 0 for f in most)) else "")
+    if problem:
+        raise Malformed("the question", "robustness", problem)
+    return asked._replace(length=length, max_force=most)
+
+
+def check_finger(grasp_file: str, contact: Contact) -> None:
+    """§18: what a robustness is not about."""
+    problem = ("has torsion" if contact.torsion else "has a normal of irrational length; run stickslip snap GRASP -o FILE"
+               if rational_root(dot(contact.normal, contact.normal)) is None else "")
+    if problem:
+        raise Malformed(grasp_file, contact.place, "it " + problem)
+
+
 def in_full(inertia: Vector) -> Vector:
     """§13: with xy, xz and yz, which may be left out."""
     return inertia + zeros(3) if len(inertia) == 6 else inertia
@@ -1243,7 +1273,7 @@ def in_full(inertia: Vector) -> Vector:
 
 def max_motion_asked(asked: Options, grasp: Grasp) -> Optional[Vector]:
     """§1, max motion: B, or None if motions are not bounded."""
-    if asked.statics is not None:
+    if asked.statics is not None or asked.robustness:
         return None  # that of a file plays no part
     of_option = asked.max_motion is not None
     bound = asked.max_motion if of_option else grasp.max_motion
@@ -1357,6 +1387,7 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options
 def pose(grasp_file: str, asked: Options) -> Question:
     """§1, the table: the question, if it can be asked."""
     grasp = read_grasp(grasp_file, asked.statics is not None)
+    asked = robustness_asked(asked, grasp)
     if asked.states:
         return pose_states(grasp_file, grasp, asked)
     m = len(grasp.contacts)
@@ -1386,6 +1417,8 @@ def pose(grasp_file: str, asked: Options) -> Question:
                                               "one grasp; give numbers")
     for contact, grown in zip(contacts, growth):
         is_box |= check_contact(grasp_file, contact, bool(grown), asked, family)
+        if asked.robustness:
+            check_finger(grasp_file, contact)
     if asked.preload_direction == "scale":
         growth = tuple(contact.preload.low for contact in contacts)
         contacts = [contact._replace(preload=exactly(Fraction(0))) for contact in contacts]
@@ -1674,6 +1707,24 @@ class StatesProof(NamedTuple):
     by_dimension: List[int]
 
 
+class RobustForce(NamedTuple):
+    """§18: of a contact that is not detached."""
+    contact: int
+    state: str  # "stick" or "slip"
+    force: Vector
+
+
+class RobustProof(NamedTuple):
+    """§18: the bounds; d, c and forces, if there is a combination; and nodes."""
+    lower: Fraction
+    upper: Fraction
+    combination: Optional[Tuple[Fraction, Fraction, List[RobustForce]]]
+    tree: List[Tuple[str, Vector]]  # each a kind and numbers
+
+    def leaves(self) -> int:
+        return sum(kind in ROBUST_LEAVES for kind, _ in self.tree)
+
+
 class Certificate(NamedTuple):
     question: Claim
     verdict: str                # "stable", "unstable", "margin" or "region"
@@ -1688,6 +1739,7 @@ class Certificate(NamedTuple):
     rigid: Optional[RigidProof] = None  # of a class
     statics: Optional[StaticProof] = None
     states: Optional[StatesProof] = None
+    robust: Optional[RobustProof] = None
 
     def proofs(self, kind: Type[Proof]) -> List[Proof]:
         """All parts that are not cut, of one kind."""
@@ -1713,6 +1765,10 @@ def read_certificate(name: str, question: Question) -> Certificate:
         return read_states(source)
     if question.asked.states:
         raise Rejected("question-states", f"the certificate is about no states, asked was {question.asked.states}")
+    if states_member(claimed.get("question"), "robustness"):
+        return read_robustness(source)
+    if question.asked.robustness:
+        raise Rejected("question-robustness", f"the certificate is about none, asked was {question.asked.robustness}")
     evidence = {"region": "stand move" if statics else "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
                 "margin": "stand move" if statics else "intervals" if question.claims else "resisted segments tree",
                 "must move": "twist", "may stand": "forces", "must hold": "rest tree",
@@ -1827,6 +1883,46 @@ def read_states(source: Source) -> Certificate:
     counts = source.array(top["by_dimension"], "by_dimension", source.dimension + 1)
     return Certificate(claim, verdict, states=StatesProof(
         lines, top["states"], [source.index(count, f"by_dimension[{j}]") for j, count in enumerate(counts)]))
+
+
+ROBUST_LEAVES = ("leaf", "combination", "none")
+
+
+def read_robustness(source: Source) -> Certificate:
+    """§18"""
+    top = source.members(source.root, "", "format producer? question verdict lower upper combination tree", True)
+    if type(top.get("producer", "")) is not str:
+        source.fail("producer", "must be a string")
+    fields = source.members(top["question"], "question", "contacts wrench robustness length max_force", True)
+    n = source.dimension
+    claim = Claim(source.index(fields["contacts"], "question.contacts"),
+                  exact_wrench(source.vector(fields["wrench"], "question.wrench", n)),
+                  Options(robustness=source.choice(fields["robustness"], "question.robustness", ROBUSTNESSES),
+                          length=source.number(fields["length"], "question.length"),
+                          max_force=source.vector(fields["max_force"], "question.max_force")))
+    verdict = source.choice(top["verdict"], "verdict", ("bounds",))
+    combination = None
+    if top["combination"] is not None:
+        parts = source.members(top["combination"], "combination", "distance inverse_square forces", True)
+        forces = []
+        for k, entry in enumerate(source.array(parts["forces"], "combination.forces")):
+            place = f"combination.forces[{k}]"
+            contact, state, force = source.array(entry, place, 3)
+            forces.append(RobustForce(source.index(contact, place), source.choice(state, place, ("stick", "slip")),
+                                      source.vector(force, place, source.coordinates)))
+        combination = (source.number(parts["distance"], "combination.distance"),
+                       source.number(parts["inverse_square"], "combination.inverse_square"), forces)
+    sizes = {"state": 1, "distance": 1, "leaf": n + n * (n + 1) // 2, "combination": 2 * n, "none": n}
+    tree = []
+    for k, entry in enumerate(source.array(top["tree"], "tree")):
+        kind, *rest = source.array(entry, f"tree[{k}]") or [None]
+        if type(kind) is not str or len(rest) != sizes.get(kind):
+            source.fail(f"tree[{k}]", f"must be one of {', '.join(sizes)} with {', '.join(map(str, sizes.values()))} numbers")
+        if kind == "state":
+            source.index(rest[0], f"tree[{k}]")
+        tree.append((kind, source.vector(rest, f"tree[{k}]")))
+    return Certificate(claim, verdict, robust=RobustProof(
+        source.number(top["lower"], "lower"), source.number(top["upper"], "upper"), combination, tree))
 
 
 def read_statics(source: Source, top: Dict[str, Any], numbers: int) -> StaticProof:
@@ -2114,6 +2210,8 @@ def check_question(question: Question, claim: Claim) -> None:
     """`question-...`."""
     said, asked = claim.asked, question.asked
     for rule, found, wanted in (("states", said.states, asked.states),
+                                ("robustness", (said.robustness, said.length, said.max_force),
+                                 (asked.robustness, asked.length, asked.max_force)),
                                 ("contacts", claim.contacts, len(question.contacts)),
                                 ("wrench", claim.wrench, question.wrench),
                                 ("preload", said.preload, asked.preload),
@@ -4279,6 +4377,260 @@ def check_states(question: Question, proof: StatesProof) -> None:
         raise Rejected("state-dimension", f"there are {show(tuple(by_dimension))} states of the dimensions 0, 1, ...")
 
 
+# ---- §18 Robustness ---------------------------------------------------------------------------
+
+
+def work_of(count: int, *vectors: Sequence[Fraction]) -> None:
+    """So many products of numbers of these vectors."""
+    longest = sorted((max((max(x.numerator.bit_length(), x.denominator.bit_length()) for x in vector), default=0) >> 6) + 1
+                     for vector in vectors)
+    Work.spend(2 * count)
+    Work.divide(8 * count, longest[0], longest[-1])
+
+
+def rank_of_semidefinite(matrix: List[List[Fraction]]) -> Optional[int]:
+    """The rank; None if the symmetric matrix is not positive semidefinite. Rows are taken off from the last one on."""
+    a, rank = [list(row) for row in matrix], 0
+    while a:
+        last = a.pop()
+        pivot = last.pop()
+        if pivot < 0 or (pivot == 0 and any(last)):
+            return None
+        for row in a:
+            x = row.pop()
+            if x:
+                work_of(2 * len(row), row, last)
+                row[:] = [y - x * z / pivot for y, z in zip(row, last)]
+        rank += pivot > 0
+    return rank
+
+
+def mixed(terms: Iterable[Tuple[Fraction, Vector]], n: int) -> List[List[Fraction]]:
+    """The sum of factors times v vᵀ."""
+    total = [[Fraction(0)] * n for _ in range(n)]
+    for factor, v in terms:
+        work_of(n * n, v, v)
+        for j in range(n):
+            for k in range(n):
+                total[j][k] += factor * v[j] * v[k]
+    return total
+
+
+def image(matrix: List[List[Fraction]], v: Vector) -> Vector:
+    work_of(len(v) ** 2, v, *matrix)
+    return tuple(dot(row, v) for row in matrix)
+
+
+class Finger:
+    """A contact of §18."""
+
+    def __init__(self, contact: Contact, most: Fraction, length: Fraction) -> None:
+        self.point, self.length, self.most = tuple(p.low for p in contact.position), length, most
+        norm = rational_root(dot(contact.normal, contact.normal))
+        assert norm is not None
+        self.normal = times(1 / norm, contact.normal)
+        self.mu, self.k = contact.friction.low, contact.stiffness.low
+        self.o = root_bounds(1 + self.mu ** 2, 128).low / self.mu if self.mu else Fraction(0)
+        size = len(self.point)
+        self.pressed = (self.wrench(self.normal),)
+        self.held = tuple(self.wrench(unit(size, j)) for j in range(size))
+        Work.spend(50)
+
+    def wrench(self, force: Vector) -> Vector:
+        size = len(force)
+        whole = at(self.point, force)
+        return whole[:size] + tuple(torque / self.length for torque in whole[size:])
+
+    def squares(self, state: str) -> Sequence[Vector]:
+        """The vectors whose squares are its part of M."""
+        return {"stick": self.held, "slip": self.pressed, "detached": ()}[state]
+
+    def offset(self, state: str) -> Fraction:
+        return self.o if state == "stick" else Fraction(1)
+
+    def works(self, y: Vector, state: str) -> Tuple[Fraction, Fraction]:
+        """α and h."""
+        work_of(40, y, self.pressed[0])
+        alpha = dot(y, self.pressed[0])
+        beta = Fraction(0)
+        if state == "stick":
+            beta = root_bounds(sum(dot(y, axis) ** 2 for axis in self.held) - alpha ** 2, 128).high
+        return alpha, max(Fraction(0), self.mu * beta - alpha)
+
+
+class Robustness:
+    def __init__(self, question: Question, proof: RobustProof) -> None:
+        asked = question.asked
+        assert asked.length is not None and asked.max_force is not None
+        self.proof, self.of_grasp = proof, asked.robustness == "grasp"
+        self.fingers = [Finger(contact, f, asked.length) for contact, f in zip(question.contacts, asked.max_force)]
+        size = 3 if question.space else 2
+        w = question.w()
+        self.load = w[:size] + tuple(torque / asked.length for torque in w[size:])
+        self.equal = len({finger.k for finger in self.fingers}) < 2
+
+    def forms(self, states: Sequence[str]) -> Tuple[List[List[Fraction]], List[List[Fraction]]]:
+        """P and Q."""
+        n = len(self.load)
+        held = [(finger, v) for finger, state in zip(self.fingers, states) for v in finger.squares(state)]
+        if self.equal:
+            return mixed(((Fraction(1), v) for _, v in held), n), [[Fraction(j == k) for k in range(n)] for j in range(n)]
+        a = mixed(((finger.k, v) for finger, v in held), n)
+        return [list(image(a, tuple(row))) for row in a], mixed(((finger.k ** 2, v) for finger, v in held), n)
+
+    def check_combination(self) -> None:
+        """Of the lower bound."""
+        proof, n = self.proof, len(self.load)
+        if proof.lower < 0 or proof.upper < 0 or (proof.combination is None and proof.lower):
+            raise Rejected("robust-lower", f"the bounds are {show(proof.lower)} and {show(proof.upper)}")
+        if proof.combination is None:
+            return
+        d, c, forces = proof.combination
+        if d <= 0:
+            raise Rejected("robust-distance", f"the distance is {show(d)}")
+        states, total, before = ["detached"] * len(self.fingers), list(self.load), -1
+        for i, state, force in forces:
+            place = f"contact {i}"
+            if i <= before or i >= len(self.fingers):
+                raise Rejected("robust-forces", "it is not there, or out of order", place)
+            before, finger = i, self.fingers[i]
+            states[i] = state
+            work_of(50, force, finger.pressed[0])
+            pressing = dot(finger.normal, force)
+            across = tuple(x - pressing * n for x, n in zip(force, finger.normal))
+            square = dot(across, across)
+            if state == "slip" and (square or not self.of_grasp):
+                raise Rejected("robust-forces", "it slips, and has friction or is to stick", place)
+            if not d <= pressing <= finger.most - d:
+                raise Rejected("robust-distance", f"the normal force is {show(pressing)}", place)
+            if state == "stick" and not is_sum_within(finger.mu * pressing, square, d * d * (1 + finger.mu ** 2)):
+                raise Rejected("robust-distance", "the force is too near to its cone", place)
+            total = [x + y for x, y in zip(total, finger.wrench(force))]
+        if not self.of_grasp and "detached" in states:
+            raise Rejected("robust-forces", "a contact does not stick")
+        if any(total):
+            raise Rejected("robust-balance", f"load and forces are {show(tuple(total))} together")
+        flat = mixed(((Fraction(1), v) for finger, state in zip(self.fingers, states) for v in finger.squares(state)), n)
+        p, q = self.forms(states)
+        rest = [[x - c * y for x, y in zip(*rows)] for rows in zip(p, q)]
+        if c < 0 or rank_of_semidefinite(flat) != n or rank_of_semidefinite(rest) is None:
+            raise Rejected("robust-stiffness", f"M has not full rank, or {show(c)} is below 0 or above 1/σ²")
+        if proof.lower ** 2 > d * d * c:
+            raise Rejected("robust-lower", f"{show(proof.lower)} is above the value of the combination")
+
+    def is_mixture(self, y: Vector, triangle: Vector, sets: Sequence[Tuple[str, ...]], low: Fraction, high: Fraction) -> bool:
+        """`robust-leaf`, of `leaf`."""
+        n = len(y)
+        rows = iter(triangle)
+        half = [[next(rows) for _ in range(j, n)] for j in range(n)]
+        z = [[half[min(j, k)][abs(j - k)] for k in range(n)] for j in range(n)]
+        if rank_of_semidefinite(z) is None:
+            return False
+        psi = -dot(y, self.load)
+        for finger, states in zip(self.fingers, sets):
+            values = []
+            for state in states:
+                o = finger.offset(state)
+                room = finger.most - low * (1 + o)
+                if state == "detached":
+                    values.append(Fraction(0))
+                elif room >= 0:
+                    alpha, h = finger.works(y, state)
+                    # Without friction h is max(0, -α).
+                    values.append(sum((dot(image(z, v), v) for v in finger.squares(state)), room * h - low * o * alpha))
+            if not values:
+                return True
+            psi += max(values)
+        trace = sum(z[j][j] for j in range(n))
+        return psi < 0 or (trace > 0 and high ** 2 * psi <= self.proof.upper ** 2 * trace)
+
+    def reach(self, y: Vector, states: Sequence[str]) -> Tuple[Fraction, Fraction, Fraction]:
+        """C, S and the least f / (1 + o), of contacts that are there."""
+        constant, slope, least = -dot(y, self.load), Fraction(0), max((f.most for f in self.fingers), default=Fraction(0)) / 2
+        for finger, state in zip(self.fingers, states):
+            if state != "detached":
+                o = finger.offset(state)
+                alpha, h = finger.works(y, state)
+                constant += finger.most * h
+                slope += o * alpha + (1 + o) * h
+                least = min(least, finger.most / (1 + o))
+        return constant, slope, least
+
+    def is_bounded(self, y: Vector, z: Vector, sets: Sequence[Tuple[str, ...]], high: Fraction) -> bool:
+        """`robust-leaf`, of `combination`."""
+        if not all(sets):
+            return all(len(states) < 2 for states in sets)
+        if any(len(states) > 1 for states in sets):
+            return False
+        states = [state for state, in sets]
+        constant, slope, least = self.reach(y, states)
+        if constant < 0:
+            return True
+        e = min(high, least, constant / slope if slope > 0 else high)
+        p, q = self.forms(states)
+        return any(z) and e * e * dot(image(p, z), z) <= self.proof.upper ** 2 * dot(image(q, z), z)
+
+    def is_none(self, y: Vector) -> bool:
+        """`robust-leaf`, of `none`."""
+        constant, slope, _ = self.reach(y, ["stick" if finger.mu else "slip" for finger in self.fingers])
+        return constant < 0 or (constant == 0 and slope > 0)
+
+    def check_tree(self) -> None:
+        """Each node that is waiting is known by the step to it from the one above, which is the depth of the path."""
+        sets = [("stick",) * (finger.mu > 0) + ("slip", "detached") * self.of_grasp for finger in self.fingers]
+        low, high = Fraction(0), max((finger.most for finger in self.fingers), default=Fraction(0)) / 2
+        names: List[str] = []
+        undo: List[Tuple[int, Any]] = []  # what was before each step
+        waiting: List[Tuple[int, str, int, Any]] = [(0, "", -2, None)]
+        for k, (kind, numbers) in enumerate(self.proof.tree):
+            if not waiting:
+                raise Rejected("tree-long", "everything was complete before this", node=k)
+            Work.spend(10)
+            depth, name, i, change = waiting.pop()
+            while len(names) > depth:
+                names.pop()
+                j, before = undo.pop()
+                if j < 0:
+                    low, high = before
+                else:
+                    sets[j] = before
+            if i != -2:
+                names.append(name)
+                undo.append((i, (low, high) if i < 0 else sets[i]))
+                if i < 0:
+                    low, high = change
+                else:
+                    sets[i] = change
+            depth, path = len(names), ", ".join(names) or "root"
+            if kind == "state":
+                i = int(numbers[0])
+                if i >= len(sets) or len(sets[i]) < 2:
+                    raise Rejected("robust-split", f"contact {i} has no choice of states", path, k)
+                waiting += [(depth, f"state {i} {state}", i, (state,)) for state in reversed(sets[i])]
+                continue
+            if kind == "distance":
+                if not low < numbers[0] < high:
+                    raise Rejected("robust-split", f"{show(numbers[0])} is not between {show(low)} and {show(high)}", path, k)
+                waiting += [(depth, "distance above", -1, (numbers[0], high)), (depth, "distance below", -1, (low, numbers[0]))]
+                continue
+            n = len(self.load)
+            y, rest = numbers[:n], numbers[n:]
+            if not (self.is_mixture(y, rest, sets, low, high) if kind == "leaf" else
+                    self.is_bounded(y, rest, sets, high) if kind == "combination" else
+                    k == 0 and self.of_grasp and self.is_none(y)):
+                raise Rejected("robust-leaf", f"it does not show that nothing has a value above {show(self.proof.upper)}", path, k)
+        if waiting:
+            depth, name, *_ = waiting[-1]
+            path = ", ".join([*names[:depth], name]) or "root"
+            raise Rejected("tree-short", "the list ends before this node", path, len(self.proof.tree))
+
+
+def is_sum_within(x: Fraction, square: Fraction, other: Fraction) -> bool:
+    """Is √square + √other at most x?"""
+    left = x * x - square - other
+    return x >= 0 and left >= 0 and left * left >= 4 * square * other
+
+
 # ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
@@ -4306,6 +4658,10 @@ one of them may be - for standard input. Give the same options as to the program
                            are, with all friction multiplied by FACTOR; with --direction or --plane (of two
                            wrenches that have a number for each coordinate) which of these loads may or must
   --states SET             ask which states there are, of the set slip, full or closed
+  --robustness MEASURE     ask for bounds of the potential contact robustness (contact) or the potential
+                           grasp robustness (grasp)
+  --length L               the length by which torques are divided there; 1 if left out
+  --max-force F,...        the largest normal force there, of all contacts or each; 1 if left out
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
@@ -4405,7 +4761,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--torque", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction", "--plane", "--inertia", "--statics", "--states", "--uncertain", "--max-motion"):
+                        "--preload-direction", "--plane", "--inertia", "--statics", "--states", "--robustness",
+                        "--length", "--max-force", "--uncertain", "--max-motion"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
@@ -4430,6 +4787,14 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             if value not in STATES:
                 raise UsageError(f"{name}: '{show(value)}' is not slip, full or closed")
             options = options._replace(states=value)
+        elif name == "--robustness":
+            if value not in ROBUSTNESSES:
+                raise UsageError(f"{name}: '{show(value)}' is not contact or grasp")
+            options = options._replace(robustness=value)
+        elif name == "--length":
+            options = options._replace(length=number_option(name, value))
+        elif name == "--max-force":
+            options = options._replace(max_force=list_option(name, value))
         elif name == "--torque":
             options = options._replace(wrench=(Fraction(0), Fraction(0), number_option(name, value)))
         elif name == "--case":
@@ -4492,6 +4857,14 @@ def states_text(proof: StatesProof, question: Question) -> str:
     return "\n".join(["accepted", f"verdict     complete: {sum(proof.by_dimension)} states, of the set {question.asked.states}",
                       *contact_lines(question), f"dimensions  {', '.join(map(str, proof.by_dimension))}",
                       f"proof       motions: {len(proof.states)}", ""])
+
+
+def robustness_text(proof: RobustProof, question: Question) -> str:
+    asked = question.asked
+    return "\n".join(["accepted", f"robustness  of the {asked.robustness}, from {proof.lower} to {proof.upper}", *contact_lines(question),
+                      f"wrench      ({', '.join(map(str, question.w()))})", f"length      {asked.length}",
+                      f"max force   ({', '.join(map(str, asked.max_force or ()))})",
+                      f"proof       forces, and a tree of {len(proof.tree)} nodes: {proof.leaves()} leaves", ""])
 
 
 def accepted_text(certificate: Certificate, question: Question, leaves: int, ranges: List[Range],
@@ -4585,6 +4958,10 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         standing_ = None
         if certificate.states is not None:
             check_states(question, certificate.states)
+        elif certificate.robust is not None:
+            robust = Robustness(question, certificate.robust)
+            robust.check_combination()
+            robust.check_tree()
         elif certificate.statics is not None:
             statics = check_statics_proof(question, certificate, certificate.statics)
             standing_ = standing(statics, certificate.statics) if certificate.verdict == "margin" else None
@@ -4627,6 +5004,13 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         report.update(result="accepted", verdict=certificate.verdict, box=False, by_dimension=certificate.states.by_dimension,
                       question={"contacts": len(question.contacts), "states": asked.states})
         return report, states_text(certificate.states, question), 0
+    if certificate.robust is not None:
+        proof = certificate.robust
+        report.update(result="accepted", verdict=certificate.verdict, box=False, nodes=len(proof.tree), leaves=proof.leaves(),
+                      bounds=[str(proof.lower), str(proof.upper)],
+                      question={"contacts": len(question.contacts), "wrench": listed_wrench(question.wrench),
+                                "robustness": asked.robustness, "length": str(asked.length), "max_force": listed(asked.max_force)})
+        return report, robustness_text(proof, question), 0
     report.update(result="accepted", verdict=certificate.verdict, box=question.is_box, question={
         "contacts": len(question.contacts), "wrench": listed_wrench(question.wrench),
         "preload": None if asked.preload is None else str(asked.preload), "normal_law": asked.law,

@@ -443,6 +443,78 @@ std::string statics_certificate_text(const Question& question, const StaticsAske
 
 namespace {
 
+/// Writes a node of a tree of FORMAT.md, section 18.
+struct RobustnessNodeText {
+  std::string operator()(const StateSplit& node) const {
+    return "[\"state\"," + std::to_string(node.contact) + "]";
+  }
+  std::string operator()(const DistanceSplit& node) const {
+    return "[\"distance\"," + number(node.distance) + "]";
+  }
+  std::string operator()(const MixtureLeaf& node) const {
+    // Twist and matrix may have a common factor.
+    RationalRow all = node.twist;
+    for (std::size_t j = 0; j < node.matrix.size(); ++j) {
+      const RationalRow& row = node.matrix[j];
+      all.insert(all.end(), row.begin() + static_cast<std::ptrdiff_t>(j), row.end());
+    }
+    return "[\"leaf\"," + list(primitive_multiple(all)) + "]";
+  }
+  std::string operator()(const CombinationLeaf& node) const {
+    return "[\"combination\"," + list(primitive_multiple(node.twist)) + "," +
+           list(primitive_multiple(node.direction)) + "]";
+  }
+  std::string operator()(const NoDistanceLeaf& node) const {
+    return "[\"none\"," + list(primitive_multiple(node.twist)) + "]";
+  }
+};
+
+}  // namespace
+
+std::string robustness_certificate_text(const Question& question, RobustnessKind kind,
+                                        const RobustnessOptions& options,
+                                        const Robustness& found, const std::string& producer) {
+  require(!question.is_margin(), "a robustness is about one load");
+  const GraspBox& grasp = question.grasp.as_box();
+  std::vector<Rational> forces = options.most_forces;
+  if (forces.size() == 1) forces.assign(grasp.contacts.size(), forces[0]);
+  std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
+                     Json(producer).dump() + ",\n \"question\": {\"contacts\": " +
+                     std::to_string(grasp.contacts.size()) + ", \"wrench\": [" +
+                     wrench_text(question.grasp.wrench()) + "], \"robustness\": \"" +
+                     (kind == RobustnessKind::kContact ? "contact" : "grasp") +
+                     "\", \"length\": " + number(options.length) + ", \"max_force\": [" +
+                     list(forces) + "]},\n " + kVerdict + "\"bounds\", \"lower\": " +
+                     number(found.lower) + ", \"upper\": " + number(found.upper) +
+                     ",\n \"combination\": ";
+  if (found.best) {
+    text += "{\"distance\": " + number(found.best->distance) +
+            ", \"inverse_square\": " + number(found.best->inverse_square) +
+            ", \"forces\": [";
+    std::string separator = "\n  ";
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const SpringState state = found.best->states[i];
+      if (state == SpringState::kDetached) continue;
+      text += separator + "[" + std::to_string(i) + ",\"" +
+              (state == SpringState::kStick ? "stick" : "slip") + "\",[" +
+              list(found.best->forces[i]) + "]]";
+      separator = ",\n  ";
+    }
+    text += "]}";
+  } else {
+    text += "null";
+  }
+  text += ",\n \"tree\": [";
+  std::string separator = "\n  ";
+  for (const RobustnessNode& node : found.proof) {
+    text += separator + std::visit(RobustnessNodeText{}, node);
+    separator = ",\n  ";
+  }
+  return text + "]}\n";
+}
+
+namespace {
+
 struct ClaimText {
   std::string operator()(const ResistedMultiples& claim) const {
     return ends("stable", claim) + std::visit(*this, claim.proof) + "]";

@@ -154,6 +154,20 @@ LeastStiff least_eigenvalue(std::vector<Doubles> matrix, std::size_t size) {
   return {matrix[least][least], column(vectors, least)};
 }
 
+Doubles least_stretched(const ForceModel& model, const std::vector<SpringState>& states) {
+  std::vector<Doubles> sum(6);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const ForceContact& contact = model.contacts[i];
+    if (states[i] == SpringState::kDetached) continue;
+    add_square(sum, 1, contact.normal_double);
+    if (states[i] == SpringState::kSlip) continue;
+    for (std::size_t t = 0; t < contact.tangents.size(); ++t) {
+      add_square(sum, 1, contact.tangents_double[t]);
+    }
+  }
+  return least_eigenvalue(std::move(sum), model.coordinates).direction;
+}
+
 LeastStiff least_stiff(const ForceModel& model, const std::vector<SpringState>& states) {
   const std::size_t n = model.coordinates;
   std::vector<Doubles> a(6);

@@ -45,6 +45,9 @@ struct LeastStiff {
 /// Returns it for a combination of states.
 LeastStiff least_stiff(const ForceModel& model, const std::vector<SpringState>& states);
 
+/// Returns a unit vector of the least eigenvalue of M(s).
+Doubles least_stretched(const ForceModel& model, const std::vector<SpringState>& states);
+
 /// Returns the least eigenvalue of a symmetric matrix of this size, and a unit vector of it.
 LeastStiff least_eigenvalue(std::vector<Doubles> matrix, std::size_t size);
 

@@ -90,6 +90,16 @@ Rational Multipliers::square(const ScaledRow& a) const {
   return matrix_unit_ * a.factor * a.factor * Rational(sum);
 }
 
+MixtureLeaf Multipliers::leaf() const {
+  MixtureLeaf leaf;
+  for (const Integer& x : twist_) leaf.twist.push_back(twist_unit_ * Rational(x));
+  for (const Row& row : matrix_) {
+    RationalRow& scaled = leaf.matrix.emplace_back();
+    for (const Integer& x : row) scaled.push_back(matrix_unit_ * Rational(x));
+  }
+  return leaf;
+}
+
 NodeBound node_bound(const ForceModel& model, const std::vector<StateSet>& sets,
                      const Rational& distance, const Multipliers& multipliers) {
   const bool has_matrix = multipliers.trace().sign() > 0;
@@ -297,10 +307,10 @@ Rational quadratic(const Matrix& a, const RationalRow& z) {
 
 }  // namespace
 
-std::pair<Rational, Rational> inverse_square(const ForceModel& model,
-                                             const std::vector<SpringState>& states) {
+InverseSquare inverse_square(const ForceModel& model, const std::vector<SpringState>& states) {
   const std::size_t n = model.coordinates;
-  if (rank_of(model.columns(states)) < n) return {0, 0};
+  const std::vector<RationalRow> none = null_space(matrix_of(model.columns(states), n));
+  if (!none.empty()) return {0, 0, none.front()};
   // 1/sigma_max^2 is the least z.P z / z.Q z. Here P = M and Q = 1 if all stiffnesses are k;
   // else, for A = G K G^T and B = G K^2 G^T, P = A^2 and Q = B, since B <= sigma_max^2 A^2.
   Matrix p(n, RationalRow(n));
@@ -336,9 +346,9 @@ std::pair<Rational, Rational> inverse_square(const ForceModel& model,
     const Rational lower = upper * (1 - rational_in_bits(part, 10));
     Matrix rest = p;
     for (std::size_t j = 0; j < n; ++j) add_multiple(rest[j], -lower, q[j]);
-    if (is_positive_semidefinite(std::move(rest))) return {lower, upper};
+    if (is_positive_semidefinite(std::move(rest))) return {lower, upper, z};
   }
-  return {0, upper};
+  return {0, upper, z};
 }
 
 }  // namespace stickslip::robustness_detail

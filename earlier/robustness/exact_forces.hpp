@@ -5,7 +5,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "earlier/robustness/force_model.hpp"
@@ -39,6 +38,7 @@ class Multipliers {
   /// Returns a.Z a.
   Rational square(const ScaledRow& a) const;
   const Rational& trace() const { return trace_; }  ///< tr Z
+  MixtureLeaf leaf() const;                         ///< y and Z
 
  private:
   Row twist_;
@@ -78,10 +78,15 @@ struct ExactForces {
 ExactForces exact_forces(const ForceModel& model, const std::vector<SpringState>& states,
                          const std::vector<std::vector<FrictionDirection>>& directions);
 
-/// Returns two numbers between which 1/sigma_max^2 of these states lies; 0 twice if G has not
-/// full rank.
-std::pair<Rational, Rational> inverse_square(const ForceModel& model,
-                                             const std::vector<SpringState>& states);
+/// Two numbers between which 1/sigma_max^2 of a combination lies; 0 twice if G has not full
+/// rank.
+struct InverseSquare {
+  Rational low;
+  Rational high;
+  RationalRow direction;  ///< z, which shows `high` (CombinationLeaf)
+};
+/// Returns it for these states.
+InverseSquare inverse_square(const ForceModel& model, const std::vector<SpringState>& states);
 
 /// Returns whether a symmetric matrix is positive semidefinite.
 bool is_positive_semidefinite(std::vector<RationalRow> matrix);

@@ -73,8 +73,8 @@ GraspMapMeasures grasp_map_measures(const GraspBox& grasp, const Rational& lengt
   for (const RationalRow& x : model.columns(states)) {
     for (std::size_t j = 0; j < x.size(); ++j) add_multiple(square[j], x[j], x);
   }
-  const auto [low, high] = inverse_square(model, states);
-  return {{low, high}, largest_eigenvalue(square), determinant_of(square)};
+  const InverseSquare least = inverse_square(model, states);
+  return {{least.low, least.high}, largest_eigenvalue(square), determinant_of(square)};
 }
 
 Rational squared_distance_of_centroid(const GraspBox& grasp, const RationalRow& point) {

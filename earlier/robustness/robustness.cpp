@@ -23,16 +23,26 @@ std::optional<Robustness> known_answer(const ForceModel& model,
                                        const std::vector<SpringState>& first,
                                        const CombinationValue& value) {
   Robustness result;
-  if (rank_of(model.columns(first)) < model.coordinates) {
+  const CombinationLeaf& leaf = value.leaf;
+  const std::size_t n = model.coordinates;
+  if (rank_of(model.columns(first)) < n) {
     result.has_full_rank = false;
+    std::vector<RationalRow> square(n, RationalRow(n));
+    for (std::size_t j = 0; j < n; ++j) {
+      add_multiple(square[j], leaf.direction[j], leaf.direction);
+    }
+    result.proof = {MixtureLeaf{RationalRow(n), std::move(square)}};
     return result;
   }
   if (value.is_refuted) {
     result.balances = false;
+    result.proof = {
+        MixtureLeaf{leaf.twist, std::vector<RationalRow>(n, RationalRow(n))}};
     return result;
   }
-  if (value.upper.is_zero()) return result;
-  return std::nullopt;
+  if (!value.upper.is_zero()) return std::nullopt;
+  result.proof = {NoDistanceLeaf{leaf.twist}};
+  return result;
 }
 
 std::vector<SpringState> first_combination(const ForceModel& model) {
@@ -50,8 +60,11 @@ Robustness potential_contact_robustness(const GraspBox& grasp,
   const ForceModel model(grasp, options);
   const std::vector<SpringState> first = first_combination(model);
   CombinationValue value = value_of(model, first);
-  if (const auto known = known_answer(model, first, value)) return *known;
-  Robustness result;
+  auto known = known_answer(model, first, value);
+  Robustness result = known ? std::move(*known) : Robustness();
+  // One leaf is enough, even where a contact without friction has no state.
+  result.proof = {value.leaf};
+  if (known) return result;
   // A contact without friction has no distance above 0 where it sticks.
   if (std::find(first.begin(), first.end(), SpringState::kSlip) != first.end()) return result;
   result.lower = value.lower;
@@ -67,6 +80,12 @@ Robustness potential_grasp_robustness(const GraspBox& grasp, const RobustnessOpt
   CombinationValue value = value_of(model, first);
   if (const auto known = known_answer(model, first, value)) return *known;
   return RobustnessSearch(model, options).run(first, std::move(value));
+}
+
+Robustness potential_robustness(RobustnessKind kind, const GraspBox& grasp,
+                                const RobustnessOptions& options) {
+  return kind == RobustnessKind::kContact ? potential_contact_robustness(grasp, options)
+                                          : potential_grasp_robustness(grasp, options);
 }
 
 Robustness rigid_motion_robustness(const GraspBox& grasp, const RobustnessOptions& options) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <queue>
 #include <utility>
 
@@ -50,7 +51,8 @@ Rational rounded_down(const Rational& value) {
 
 CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states) {
   CombinationValue result;
-  const auto [low, high] = inverse_square(model, states);
+  const auto [low, high, direction] = inverse_square(model, states);
+  result.leaf.direction = direction;
   const ForceProposal proposal = propose_forces(model, states);
   // In the plane all of friction has two directions, in space those that doubles use will do.
   Directions directions(model, kSearchDirections);
@@ -66,12 +68,16 @@ CombinationValue value_of(const ForceModel& model, const std::vector<SpringState
     forces = exact_forces(model, states, all);
   }
   Rational most = greatest_distance(model, states, forces.twist);
+  result.leaf.twist = forces.twist;
   const auto try_twist = [&](const Doubles& twist) {
     RationalRow rounded;
     for (std::size_t j = 0; j < model.coordinates; ++j) {
       rounded.push_back(rational_in_bits(twist[j], 40));
     }
-    most = std::min(most, greatest_distance(model, states, rounded));
+    Rational distance = greatest_distance(model, states, rounded);
+    if (distance >= most) return;
+    most = std::move(distance);
+    result.leaf.twist = std::move(rounded);
   };
   if (model.coordinates == 6) {
     try_twist(proposal.twist);
@@ -106,7 +112,7 @@ Rational value_above(const ForceModel& model, const std::vector<SpringState>& st
   }
   const Rational most = greatest_distance(model, states, rounded);
   if (most.sign() <= 0) return 0;
-  return short_sqrt(most * most * inverse_square(model, states).second, kShortBits).upper;
+  return short_sqrt(most * most * inverse_square(model, states).high, kShortBits).upper;
 }
 
 /// A set of combinations whose least distance is from `low` to `high`.
@@ -115,7 +121,9 @@ struct RobustnessSearch::Node {
   Rational low;
   Rational high;
   Rational upper;  ///< no value in the node is above
-  std::vector<std::array<double, 3>> share;
+  std::shared_ptr<const Multipliers> shown;  ///< what shows `upper`
+  std::size_t place = 0;                     ///< that of the node in the proof
+  std::vector<std::array<double, 3>> share{};
   std::size_t depth = 0;
 
   /// Orders nodes by their bounds, and equal ones by their depth.
@@ -178,8 +186,28 @@ void RobustnessSearch::confirm(CombinationValue value) {
   if (best_.best) proposed_ = best_.best->states;
 }
 
+/// Adds a child to a node of the proof. Returns its place.
+std::size_t RobustnessSearch::grow(std::size_t parent) {
+  grown_.push_back({});
+  grown_[parent].children.push_back(grown_.size() - 1);
+  return grown_.size() - 1;
+}
+
+/// Returns the nodes of the proof in preorder.
+std::vector<RobustnessNode> RobustnessSearch::proof() const {
+  std::vector<RobustnessNode> result;
+  std::vector<std::size_t> open{0};
+  while (!open.empty()) {
+    const Growing& next = grown_[open.back()];
+    open.pop_back();
+    result.push_back(next.node);
+    open.insert(open.end(), next.children.rbegin(), next.children.rend());
+  }
+  return result;
+}
+
 /// Bounds a node, and raises the lower end of its distances while that helps. Returns true if
-/// nothing in it is above the target.
+/// nothing in it is above the target; it is a leaf of the proof then.
 bool RobustnessSearch::bound(Node& node) {
   for (int raise = 0; raise < kMostRaises; ++raise) {
     const double high = to_double(node.high);
@@ -188,22 +216,41 @@ bool RobustnessSearch::bound(Node& node) {
         programs_.bound(node.sets, to_double(node.low), root * root * (1 - 1e-8), node.share);
     if (!found.is_solved) return false;
     if (!found.share.empty()) node.share = found.share;
-    const NodeBound exact = node_bound(
-        model_, node.sets, node.low, Multipliers(found.twist, found.terms, model_.coordinates));
-    if (exact.is_empty) return true;
+    const auto tried =
+        std::make_shared<const Multipliers>(found.twist, found.terms, model_.coordinates);
+    const NodeBound exact = node_bound(model_, node.sets, node.low, *tried);
+    const auto is_leaf = [&] {
+      grown_[node.place].node = node.shown->leaf();
+      return true;
+    };
+    if (exact.is_empty) {
+      node.shown = tried;
+      return is_leaf();
+    }
     if (!exact.square) return false;
     const Rational square = rounded_up(*exact.square);
-    node.upper = std::min(
-        node.upper, rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper));
-    if (node.upper <= target_) return true;
-    if (square.is_zero()) return true;
+    Rational upper =
+        rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper);
+    if (upper < node.upper) {
+      node.upper = std::move(upper);
+      node.shown = tried;
+    }
+    if (node.upper <= target_) return is_leaf();
     // Nothing with distances up to this one is above the target.
     const Rational low = rational_in_bits(
         to_double(short_sqrt(target_square_ / square, kShortBits).lower) * (1 - 0x1p-30), 34);
     if (low * low * square > target_square_) return false;
-    if (low >= node.high) return true;
+    if (low >= node.high) {
+      node.shown = tried;
+      return is_leaf();
+    }
+    if (low <= node.low) return false;
     const bool helps = low > node.low * Rational(1001, 1000);
-    if (low > node.low) node.low = low;
+    node.low = low;
+    grown_[node.place].node = DistanceSplit{low};
+    const std::size_t below = grow(node.place);
+    grown_[below].node = tried->leaf();
+    node.place = grow(node.place);
     if (!helps) return false;
   }
   return false;
@@ -233,28 +280,31 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first,
   proposed_ = first;
   proposed_value_ = 0;
   confirm(std::move(of_first));
+  Node root{std::vector<StateSet>(first.size(), kAllStates), 0, model_.most_force / 2, 0, {}};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!model_.contacts[i].can_stick()) root.sets[i] &= static_cast<StateSet>(~1U);
+  }
+  // No combination has a larger lambda_min than the first one.
+  root.shown = std::make_shared<const Multipliers>(
+      Doubles{}, std::vector<MatrixTerm>{{1, least_stretched(model_, first)}},
+      model_.coordinates);
+  root.upper = rounded_up(
+      short_sqrt(root.high * root.high *
+                     node_bound(model_, root.sets, root.low, *root.shown).square.value(),
+                 kShortBits)
+          .upper);
+  grown_ = {{root.shown->leaf()}};
   if (best_.lower.is_zero()) {
     // Only in space, where the cones are round, may it be unknown whether that is the value.
-    result.upper = short_sqrt(model_.most_force * model_.most_force / 4 *
-                                  inverse_square(model_, first).second,
-                              kValueBits)
-                       .upper;
+    result.upper = root.upper;
+    result.proof = proof();
     result.is_complete = false;
     return result;
   }
   improve();
   confirm(value_of(model_, proposed_));
   std::priority_queue<Node> open;
-  {
-    Node root{std::vector<StateSet>(first.size(), kAllStates), 0, model_.most_force / 2, 0, {}};
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      if (!model_.contacts[i].can_stick()) root.sets[i] &= static_cast<StateSet>(~1U);
-    }
-    root.upper =
-        short_sqrt(root.high * root.high * inverse_square(model_, first).second, kShortBits)
-            .upper;
-    open.push(std::move(root));
-  }
+  open.push(std::move(root));
   while (!open.empty() && open.top().upper > target_ && result.nodes < options_.node_limit) {
     Node node = open.top();
     open.pop();
@@ -270,6 +320,7 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first,
     if (is_leaf) {
       CombinationValue value = value_of(model_, rounded(node));
       leaves_upper_ = std::max(leaves_upper_, value.upper);
+      grown_[node.place].node = value.leaf;
       if (value.lower > best_.lower) {
         proposed_ = rounded(node);
         confirm(std::move(value));
@@ -300,13 +351,18 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first,
       lower.high = middle;
       lower.upper = rounded_up(node.upper * middle / node.high);
       node.low = middle;
+      grown_[node.place].node = DistanceSplit{middle};
+      lower.place = grow(node.place);
+      node.place = grow(node.place);
       open.push(std::move(lower));
       open.push(std::move(node));
       continue;
     }
+    grown_[node.place].node = StateSplit{split};
     for (const SpringState state : kStates) {
       if ((node.sets[split] & only(state)) == 0) continue;
       Node child = node;
+      child.place = grow(node.place);
       child.sets[split] = only(state);
       open.push(std::move(child));
     }
@@ -315,6 +371,8 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first,
   result.best = best_.best;
   result.upper = std::max(target_, leaves_upper_);
   if (!open.empty()) result.upper = std::max(result.upper, open.top().upper);
+  for (; !open.empty(); open.pop()) grown_[open.top().place].node = open.top().shown->leaf();
+  result.proof = proof();
   result.is_complete = result.upper <= (1 + options_.accuracy) * result.lower;
   return result;
 }

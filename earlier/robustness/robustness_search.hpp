@@ -20,6 +20,7 @@ struct CombinationValue {
   Rational upper{0};         ///< at least the value
   bool is_possible = false;  ///< whether forces with distances of at least 0 are known
   bool is_refuted = false;   ///< whether it is proved that there are none
+  CombinationLeaf leaf{};    ///< shows `upper`, or the refutation
   std::optional<RobustForces> best{};  ///< the forces that show `lower`, if that is not 0
 };
 
@@ -42,11 +43,18 @@ class RobustnessSearch {
 
  private:
   struct Node;
+  /// A node of the proof as it grows, a leaf until it has children.
+  struct Growing {
+    RobustnessNode node;
+    std::vector<std::size_t> children{};
+  };
 
   void propose(const std::vector<SpringState>& states);
   void improve();
   void confirm(CombinationValue value);
   bool bound(Node& node);
+  std::size_t grow(std::size_t parent);
+  std::vector<RobustnessNode> proof() const;
   std::vector<SpringState> rounded(const Node& node) const;
 
   const ForceModel& model_;
@@ -61,6 +69,7 @@ class RobustnessSearch {
   Rational target_square_;    ///< its square
   double target_double_ = 0;  ///< near it
   Rational leaves_upper_;     ///< at least the values of the combinations that were looked at
+  std::vector<Growing> grown_;  ///< the proof, from its root
 };
 
 }  // namespace stickslip::robustness_detail

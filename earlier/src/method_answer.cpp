@@ -132,18 +132,26 @@ std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bo
   return std::nullopt;
 }
 
+void check_forces(const Question& question, const CompareOptions& options) {
+  const std::size_t forces = options.most_forces.size();
+  if (forces == 1 || forces == question.grasp.as_box().contacts.size()) return;
+  throw InputError("", "max_force",
+                   "there are " + std::to_string(forces) + " numbers, but not as many contacts",
+                   "give one for all, or one for each");
+}
+
+GraspBox point_grasp(const Question& question) {
+  if (question.in_space()) return point_in_space(question);
+  problem_of(without_bound(question));
+  return question.grasp.as_box();
+}
+
 }  // namespace earlier_detail
 
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text) {
   using namespace earlier_detail;
-  const std::size_t forces = options.most_forces.size();
-  if (forces != 1 && forces != question.grasp.as_box().contacts.size()) {
-    throw InputError(
-        "", "max_force",
-        "there are " + std::to_string(forces) + " numbers, but not as many contacts",
-        "give one for all, or one for each");
-  }
+  check_forces(question, options);
   if (!question.in_space()) {
     return compare_in_plane(problem_of(without_bound(question)), question.grasp, options, text);
   }

@@ -85,6 +85,13 @@ MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
                              NumberText& text);
 /// \}
 
+/// Throws InputError ("max_force") unless there is one largest force, or one for each contact.
+void check_forces(const Question& question, const CompareOptions& options);
+
+/// Returns the grasp of a question in the plane or in space. Throws as problem_of() and
+/// point_in_space() do.
+GraspBox point_grasp(const Question& question);
+
 /// Returns PCR or PGR, or the robustness of rigid motions.
 MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                                const CompareOptions& options, NumberText& text);

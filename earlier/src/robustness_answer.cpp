@@ -6,7 +6,9 @@
 #include "stickslip/earlier/robustness.hpp"
 
 namespace stickslip {
-namespace earlier_detail {
+
+using namespace earlier_detail;
+
 namespace {
 
 /// \{ PCR and PGR, and that of rigid motions, of more contacts than these are not computed;
@@ -14,6 +16,41 @@ namespace {
 constexpr std::size_t kMostContacts = 64;
 constexpr std::size_t kMostContactsInMotion = 24;
 /// \}
+
+}  // namespace
+
+std::optional<RobustnessKind> CompareOptions::only_robustness() const {
+  for (const Method& method : all_methods()) {
+    if (methods != std::vector<std::string>{method.word()}) continue;
+    if (method.id == MethodId::kContactRobustness) return RobustnessKind::kContact;
+    if (method.id == MethodId::kGraspRobustness) return RobustnessKind::kGrasp;
+  }
+  return std::nullopt;
+}
+
+RobustnessOptions CompareOptions::for_robustness() const {
+  RobustnessOptions result;
+  result.length = length;
+  result.most_forces = most_forces;
+  result.accuracy = accuracy;
+  result.node_limit = node_limit;
+  return result;
+}
+
+Robustness robustness_to_prove(const Question& question, RobustnessKind kind,
+                               const CompareOptions& options) {
+  check_forces(question, options);
+  const std::size_t count = question.grasp.as_box().contacts.size();
+  if (count > kMostContacts) {
+    throw InputError("", "contacts", "there are " + std::to_string(count),
+                     "a robustness is computed of " + std::to_string(kMostContacts) +
+                         " at most");
+  }
+  return potential_robustness(kind, point_grasp(question), options.for_robustness());
+}
+
+namespace earlier_detail {
+namespace {
 
 constexpr std::array<const char*, 3> kStateNames{"stick", "slip", "detached"};
 
@@ -71,15 +108,19 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
   const std::size_t most_contacts =
       method == MethodId::kRigidMotionRobustness ? kMostContactsInMotion : kMostContacts;
   if (grasp.contacts.size() > most_contacts) return too_many(most_contacts);
-  RobustnessOptions asked;
-  asked.length = options.length;
-  asked.most_forces = options.most_forces;
-  asked.accuracy = options.accuracy;
-  asked.node_limit = options.node_limit;
+  const RobustnessOptions asked = options.for_robustness();
   Robustness found;
   try {
-    found = method == MethodId::kContactRobustness ? potential_contact_robustness(grasp, asked)
-                                                   : potential_grasp_robustness(grasp, asked);
+    if (options.robustness != nullptr) {
+      found = *options.robustness;
+    } else if (method == MethodId::kRigidMotionRobustness) {
+      found = rigid_motion_robustness(grasp, asked);
+    } else {
+      found = potential_robustness(method == MethodId::kContactRobustness
+                                       ? RobustnessKind::kContact
+                                       : RobustnessKind::kGrasp,
+                                   grasp, asked);
+    }
   } catch (const InputError& error) {
     return not_for(error);
   }

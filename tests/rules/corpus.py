@@ -35,10 +35,11 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 KINDS = ("plane", "plane_box", "plane_margin", "plane_claims", "plane_region", "plane_class", "space", "space_box", "space_margin", "space_class",
          "bodies", "bodies_margin", "bodies_space", "bodies_soft",  # of several bodies: boxes too; bodies_soft: margins too
          "plane_states", "space_states", "bodies_states",
+         "plane_robustness", "space_robustness",
          "bodies_large",  # verdicts of more than 30 coordinates, of the plane, of space and soft
          "plane_statics", "space_statics", "bodies_statics")  # margins and regions too; bodies_statics: of the plane, of space and soft
 QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "inertia", "statics",
-            "states", "uncertain", "max_motion")
+            "states", "robustness", "length", "max_force", "uncertain", "max_motion")
 
 # `rule` is None of a proof; `node` and `path` as checkers report them; `says` and `prints` are of proofs.
 Entry = collections.namedtuple("Entry", "kind name rule node path says prints options grasp certificate")

@@ -137,19 +137,28 @@ int compare(const CompareArguments& arguments) {
       arguments.inertia.empty()
           ? Inertia::of_length(length, in_space)
           : inertia_of("--inertia", rationals_at("--inertia", arguments.inertia), in_space)};
+  CompareOptions options{arguments.methods, length, answer.inertia, nullptr, most_forces,
+                         accuracy};
   std::optional<RigidVerdict> verdict;
-  if (!arguments.certificate.empty()) {
+  Robustness robustness;
+  const std::optional<RobustnessKind> kind = options.only_robustness();
+  if (!arguments.certificate.empty() && kind) {
+    robustness = robustness_to_prove(question, *kind, options);
+    options.robustness = &robustness;
+    write_whole_file(
+        arguments.certificate,
+        robustness_certificate_text(question, *kind, options.for_robustness(), robustness,
+                                    "stickslip " STICKSLIP_VERSION));
+  } else if (!arguments.certificate.empty()) {
     const Question of_all = without_bound(question);  // classes are about all motions
     verdict = rigid_verdict(of_all, answer.inertia);
     if (!writes_certificate(arguments.certificate, of_all, answer.inertia, *verdict)) {
       return kUndecidedWithinLimit;
     }
+    options.verdict = &*verdict;
   }
   try {
-    answer.comparison = compare_methods(question,
-                                        {arguments.methods, length, answer.inertia,
-                                         verdict ? &*verdict : nullptr, most_forces, accuracy},
-                                        text);
+    answer.comparison = compare_methods(question, options, text);
   } catch (const InputError& error) {
     for (const auto& [place, option] :
          {std::pair("methods", "--methods"), {"max_force", "--max-force"}}) {
@@ -212,8 +221,9 @@ void add_compare_command(Command& app, int& exit_code) {
   command
       ->add_option(
           "--certificate", arguments->certificate,
-          "Write a proof of the class for stickslip-check --inertia, whichever methods "
-          "are asked (certificate/FORMAT.md)")
+          "Write a proof of the class for stickslip-check --inertia; or, if one of the two "
+          "robustnesses is the only method, of its bounds, for stickslip-check --robustness "
+          "(certificate/FORMAT.md)")
       ->type_name("FILE");
   arguments->output.add_to(*command,
                            "Print one JSON object with all evidence; rationals are strings");

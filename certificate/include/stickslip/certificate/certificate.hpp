@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/earlier/robustness.hpp"
 #include "stickslip/earlier/statics.hpp"
 #include "stickslip/engine/decide.hpp"
 #include "stickslip/measures/margin.hpp"
@@ -50,6 +51,13 @@ std::string region_certificate_text(const Question& question, const WrenchPlane&
 /// for Undecided, and unless the question is about one load of one grasp.
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer);
+
+/// Returns the certificate of the bounds of PCR or PGR of the question's grasp (FORMAT.md,
+/// section 18). Preloads, the normal law and the bound of motions play no part. Throws
+/// ContractError unless the question is about one load of one grasp.
+std::string robustness_certificate_text(const Question& question, RobustnessKind kind,
+                                        const RobustnessOptions& options,
+                                        const Robustness& found, const std::string& producer);
 
 /// A question of statics beside its grasp and load (FORMAT.md, section 16).
 struct StaticsAsked {

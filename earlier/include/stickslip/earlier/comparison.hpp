@@ -10,6 +10,7 @@
 
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/earlier/robustness.hpp"
 
 namespace stickslip {
 
@@ -43,6 +44,13 @@ struct CompareOptions {
   std::vector<Rational> most_forces{1};
   Rational accuracy = {1, 100};    ///< how near the bounds of PCR and PGR are to be
   std::size_t node_limit = 5000;  ///< the most nodes of the search for PGR
+  /// The value of the only method, if that is PCR or PGR and known; it is not sought again.
+  const Robustness* robustness = nullptr;
+
+  /// Returns which of PCR and PGR is the only method, if one is.
+  std::optional<RobustnessKind> only_robustness() const;
+  /// Returns what PCR and PGR need of these.
+  RobustnessOptions for_robustness() const;
 };
 
 /// The answers of the methods.
@@ -65,5 +73,10 @@ std::vector<std::string> method_words();
 /// also throws as problem_of() and point_in_space() do.
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text);
+
+/// Returns PCR or PGR of one grasp, to be proved. Throws InputError as compare_methods() does,
+/// and where that does not compute it.
+Robustness robustness_to_prove(const Question& question, RobustnessKind kind,
+                               const CompareOptions& options);
 
 }  // namespace stickslip

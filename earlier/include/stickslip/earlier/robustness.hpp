@@ -24,12 +24,14 @@
 /// node of the search fixes some states and an interval [lo, hi] of the least distance d. For a
 /// positive semidefinite Z and a twist y
 ///
-///     tr(Z) lambda_min(M(s)) <= <Z, M(s)> + y.(G l + w) <= psi(Z, y),
+///     tr(Z) lambda_min(M(s)) <= <Z, M(s)> - y.(G l + w) <= psi(Z, y),
 ///
 /// psi being the sum over contacts of the largest that a state and a force at a distance of lo
 /// give. So no combination of the node has a value above hi sqrt(psi / tr Z), and none exists
 /// if psi < 0 for Z = 0. Linear programs in doubles propose Z and y; psi is computed exactly,
 /// with roots rounded up. The value of the combination that is found is confirmed exactly, too.
+/// What proves the upper bound is kept as a tree, for a certificate (certificate/FORMAT.md,
+/// section 18).
 ///
 /// PGR is NP-hard, so that the search may take long; it ends early at a limit of nodes, and its
 /// bounds are right then, too.
@@ -43,6 +45,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "stickslip/core/box.hpp"
@@ -70,6 +73,37 @@ struct RobustForces {
   Rational inverse_square{};
 };
 
+/// \{ The nodes of the proof of an upper bound. A node is a set of combinations, some of the
+/// states of each contact, and an interval of the least distance; the root has all of both.
+/// It splits the states of a contact, with a child for each of them, or the distances, with a
+/// child for those below.
+struct StateSplit {
+  std::size_t contact;
+};
+struct DistanceSplit {
+  Rational distance;
+};
+/// A leaf that y and Z refute as above.
+struct MixtureLeaf {
+  RationalRow twist;                ///< y
+  std::vector<RationalRow> matrix;  ///< Z
+};
+/// A leaf of one combination: y bounds its distance, and z its 1/sigma_max^2 by the quotient
+/// z.P z / z.Q z. P = M(s) and Q = 1 if all stiffnesses are the same; else P = A^2 and Q = B
+/// for A = G K G^T and B = G K^2 G^T.
+struct CombinationLeaf {
+  RationalRow twist{};
+  RationalRow direction{};  ///< z
+};
+/// The only node of a proof that PGR is 0: no forces have a distance above 0 where each contact
+/// with friction sticks and every other slips, as y shows.
+struct NoDistanceLeaf {
+  RationalRow twist;
+};
+/// \}
+using RobustnessNode =
+    std::variant<StateSplit, DistanceSplit, MixtureLeaf, CombinationLeaf, NoDistanceLeaf>;
+
 /// A measure between two bounds.
 struct Robustness {
   Rational lower{0};  ///< at most the measure
@@ -82,7 +116,12 @@ struct Robustness {
   bool has_full_rank = true;  ///< whether G has full rank; if not, both bounds are 0
   bool is_complete = true;    ///< whether the bounds are as near as was asked for
   std::size_t nodes = 0;      ///< the nodes of the search
+  /// Proves `upper`: nodes in preorder. That of rigid motions has none.
+  std::vector<RobustnessNode> proof{};
 };
+
+/// The two measures that are proved: PCR and PGR.
+enum class RobustnessKind { kContact, kGrasp };
 
 /// Returns PCR of one grasp, in the plane or in space, without uncertain numbers and of one
 /// body. Throws InputError ("contacts[i].normal") at a normal of irrational length.
@@ -92,6 +131,10 @@ Robustness potential_contact_robustness(const GraspBox& grasp,
 /// Returns PGR in the same way.
 Robustness potential_grasp_robustness(const GraspBox& grasp,
                                       const RobustnessOptions& options = {});
+
+/// Returns one of the two.
+Robustness potential_robustness(RobustnessKind kind, const GraspBox& grasp,
+                                const RobustnessOptions& options = {});
 
 /// Returns the largest value of the combinations that a rigid motion y allows, of one grasp in
 /// the plane: a contact is detached where N.y > 0, and elsewhere sticks where T.y = 0 and slips

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "both_checkers.hpp"
 #include "random_source.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/grasp_map.hpp"
 #include "stickslip/lp/exact_system.hpp"
@@ -260,6 +262,23 @@ void check_evidence(const GraspBox& grasp, const RobustnessOptions& options,
   EXPECT_TRUE(is_stiffer(rows, best.states, best.inverse_square * Rational(999999, 1000000)));
 }
 
+/// Has the checkers accept both bounds. All prunes of the search are leaves of the certificate.
+void expect_proved(const GraspBox& grasp, RobustnessKind kind, const RobustnessOptions& options,
+                   const Robustness& found) {
+  std::string forces;
+  for (const Rational& f : options.most_forces) {
+    forces += (forces.empty() ? "" : ",") + to_string(f);
+  }
+  test::CheckerInput input;
+  input.grasp = write_grasp(AnyGrasp(grasp));
+  input.certificate = robustness_certificate_text(ask(parse_any_grasp(input.grasp, "grasp")),
+                                                  kind, options, found, "tests");
+  input.robustness = {"--robustness", kind == RobustnessKind::kContact ? "contact" : "grasp",
+                      "--length",     to_string(options.length),
+                      "--max-force",  forces};
+  test::expect_accepted_by_both(input);
+}
+
 /// The combinations of states of m contacts.
 std::vector<std::vector<SpringState>> combinations(std::size_t m) {
   std::vector<std::vector<SpringState>> result{{}};
@@ -283,6 +302,8 @@ bool compare_with_all(const GraspBox& grasp, const RobustnessOptions& options) {
   const Robustness whole = potential_grasp_robustness(grasp, options);
   check_evidence(grasp, options, contact);
   check_evidence(grasp, options, whole);
+  expect_proved(grasp, RobustnessKind::kContact, options, contact);
+  expect_proved(grasp, RobustnessKind::kGrasp, options, whole);
   EXPECT_TRUE(contact.is_complete);
   EXPECT_TRUE(whole.is_complete);
   EXPECT_LE(whole.upper, (1 + options.accuracy) * whole.lower);
@@ -349,6 +370,17 @@ TEST(Robustness, IsThatOfAllCombinationsInThePlane) {
     if (compare_with_all(planar_grasp(random, m, round % 2 == 0), options)) ++positive;
   }
   EXPECT_GE(positive, 12);
+  // Stiff contacts with a short lever take all of a torque, so that the grasp is less robust with
+  // them: 1/sigma^2 does not grow with contacts where stiffnesses differ.
+  const Rational mu(3, 4);
+  const GraspBox lever =
+      grasp_of({finger({-1, 0}, {1, 0}, mu), finger({1, 0}, {-1, 0}, mu),
+                finger({0, Rational(-1, 10)}, {0, 1}, mu, 10000),
+                finger({0, Rational(1, 10)}, {0, -1}, mu, 10000)},
+               RationalRow(3));
+  EXPECT_TRUE(compare_with_all(lever, {}));
+  const Robustness stuck = potential_contact_robustness(lever);
+  EXPECT_LT(stuck.upper * Rational(5, 2), potential_grasp_robustness(lever).lower);
 }
 
 TEST(Robustness, IsThatOfAllCombinationsInSpace) {
@@ -374,6 +406,8 @@ TEST(Robustness, IsThatOfAllCombinationsInSpace) {
     const Robustness one = potential_contact_robustness(grasp);
     check_evidence(grasp, {}, whole);
     check_evidence(grasp, {}, one);
+    expect_proved(grasp, RobustnessKind::kGrasp, {}, whole);
+    expect_proved(grasp, RobustnessKind::kContact, {}, one);
     EXPECT_TRUE(whole.is_complete);
     EXPECT_LE(one.upper, one.lower * Rational(100001, 100000));
     EXPECT_LE(one.lower, whole.upper);
@@ -444,6 +478,7 @@ TEST(Robustness, DecidesSubsetSums) {
     const GraspBox grasp = subset_sum_grasp(numbers, sum);
     const Robustness found = potential_grasp_robustness(grasp, options);
     check_evidence(grasp, options, found);
+    expect_proved(grasp, RobustnessKind::kGrasp, options, found);
     EXPECT_TRUE(found.is_complete);
     const Rational just_below = Rational(1, 2) - Rational(1, 1000000000);
     EXPECT_EQ(found.lower * found.lower > just_below, has_subset);
@@ -557,6 +592,7 @@ TEST(Robustness, LimitsAndOrder) {
     EXPECT_GE(cut.upper, whole.lower);
     EXPECT_EQ(cut.is_complete, cut.upper <= Rational(101, 100) * cut.lower);
     check_evidence(grasp, few, cut);
+    expect_proved(grasp, RobustnessKind::kGrasp, few, cut);
     // The order of contacts does not matter.
     std::reverse(grasp.contacts.begin(), grasp.contacts.end());
     const Robustness other = potential_grasp_robustness(grasp);

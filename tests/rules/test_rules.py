@@ -35,21 +35,24 @@ WITNESSES = {"plane", "plane_margin", "plane_claims", "plane_region", "space", "
 CLASSES = {"plane_class", "space_class"}
 STATICS = {"plane_statics", "space_statics", "bodies_statics"}
 STATES = {"plane_states", "space_states", "bodies_states"}  # about positions and normals alone
-LOADED = ALL - STATES
+ROBUST = {"plane_robustness", "space_robustness"}
+LOADED = ALL - STATES - ROBUST
 TREES = LOADED - STATICS - LARGE
 CUT = {"plane", "plane_box", "space", "space_box", "bodies", "bodies_space", "bodies_soft"}
 BY_DEGREE = TREES - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
     "question-contacts": ALL,
-    **dict.fromkeys(["question-wrench", "question-preload", "question-law", "question-direction",
+    "question-wrench": LOADED | ROBUST,
+    **dict.fromkeys(["question-preload", "question-law", "question-direction",
                      "question-preload-direction", "question-uncertain", "question-max-motion"], LOADED),
     "question-plane": (PLANE | STATICS) - {"plane_margin", "plane_claims"},  # there question-direction fails before
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
     "witness-bound": WITNESSES - {"plane_margin", "plane_region"},  # where no question has a bound
     "witness-root": {"space", "space_margin", "bodies_space", "bodies_soft"} | LARGE,
     "witness-box": BOXES | LARGE,
-    **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], TREES),
+    **dict.fromkeys(["node-depth", "node-contact"], TREES),
+    **dict.fromkeys(["tree-short", "tree-long"], TREES | ROBUST),
     "leaf-bound": TREES - CLASSES,
     "node-certain": BOXES,
     **dict.fromkeys(["part-contact", "part-inside"], CUT),
@@ -66,6 +69,8 @@ WHERE = {
     **dict.fromkeys(["question-statics", "static-motion"], STATICS | LARGE),
     "large-proof": LARGE,
     **dict.fromkeys(["question-states", "state-line", "state-sign", "state-half", "state-new", "state-complete", "state-dimension"], STATES),
+    **dict.fromkeys(["question-robustness", "robust-forces", "robust-distance", "robust-balance", "robust-stiffness", "robust-lower",
+                     "robust-split", "robust-leaf"], ROBUST),
     "class-slip": {"space_class"},
     **dict.fromkeys(["piece-mode", "held-piece", "held-inside"], {"plane_region"}),
 }
@@ -78,8 +83,9 @@ def names(entry, members):
 
 
 def judged_by_js(entry):
-    """check.js judges no planes of loads, rigid contacts, verdicts of many coordinates, statics and states, and does not know the last two."""
-    return entry.kind not in LARGE | STATES and not names(entry, {"plane", "inertia", "statics"})
+    """check.js judges no planes of loads, rigid contacts, verdicts of many coordinates, statics, states and robustness, and does not know
+    the last three."""
+    return entry.kind not in LARGE | STATES | ROBUST and not names(entry, {"plane", "inertia", "statics"})
 
 
 def ball_of(content):
@@ -298,7 +304,7 @@ class RulesTest(unittest.TestCase):
                     "margin": "claims" if "intervals" in entry.certificate and not several and not in_space else "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
                         entry.certificate["verdict"])]
                 soft = '"torsion"' in json.dumps(entry.grasp)
-                for word in ("statics", "states"):
+                for word in ("statics", "states", "robustness"):
                     if word in entry.certificate["question"]:
                         kind, soft = ["bodies" if several else kind[1], word], False
                 if len(entry.certificate["question"].get("wrench", [])) > 30 and "statics" not in entry.certificate["question"]:
@@ -380,12 +386,13 @@ class RulesTest(unittest.TestCase):
         self.expect(entries, in_batch([*CHECK_JS, "--batch"], entries))
         self.expect_ignorance(CHECK_JS, "statics", STATICS)
         self.expect_ignorance(CHECK_JS, "states", STATES)
+        self.expect_ignorance(CHECK_JS, "robustness", ROBUST)
         self.expect_ignorance_of_many_coordinates(CHECK_JS)
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved(self):
         """It says nothing of paths in trees."""
-        entries = [entry for entry in self.entries if entry.kind not in STATES | LARGE]
+        entries = [entry for entry in self.entries if entry.kind not in STATES | ROBUST | LARGE]
         answers = in_batch([batch.PROVED, "--batch"], entries)
         self.expect(entries, answers, says=("result", "rule"))
         statics = [(entry, answer) for entry, answer in zip(entries, answers) if str(entry.rule).startswith("static-")]
@@ -393,6 +400,7 @@ class RulesTest(unittest.TestCase):
         self.expect(*zip(*statics))
         self.expect_texts(batch.PROVED, entries)
         self.expect_ignorance([batch.PROVED], "states", STATES)
+        self.expect_ignorance([batch.PROVED], "robustness", ROBUST)
         self.expect_ignorance_of_many_coordinates([batch.PROVED])
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")

@@ -102,10 +102,10 @@ def check_proved(lines):
     return len(wrong)
 
 
-def about_statics(line):
-    """Which check.js knows nothing of."""
+def is_about(word, line):
+    """Of statics check.js knows nothing, of robustness stickslip-proved neither."""
     question = json.loads(line)
-    return '"statics"' in question["certificate"] or any(word.startswith("--statics") for word in question["options"])
+    return f'"{word}"' in question["certificate"] or any(option.startswith("--" + word) for option in question["options"])
 
 
 def check_spool(folder, asker):
@@ -117,9 +117,10 @@ def check_spool(folder, asker):
             for line in file:
                 count += 1
                 lines[line] = None
+    judged = [line for line in lines if not is_about("robustness", line)]
     with concurrent.futures.ThreadPoolExecutor() as pool:
-        others = [pool.submit(check_js, [line for line in lines if not about_statics(line)])] if NODE else []
-        others += [pool.submit(check_proved, list(lines))] if PROVED else []
+        others = [pool.submit(check_js, [line for line in judged if not is_about("statics", line)])] if NODE else []
+        others += [pool.submit(check_proved, judged)] if PROVED else []
         for line in lines:
             question = json.loads(line)
             answer = asker.answer(question)

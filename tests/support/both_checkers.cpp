@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "arguments.hpp"
 #include "check.hpp"
 #include "spool.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -50,6 +51,7 @@ std::string json_line(const CheckerInput& input, const std::string& expected) {
     const auto& [u, v] = *input.plane;
     words.insert(words.end(), {"--plane", with_commas(u) + "," + with_commas(v)});
   }
+  words.insert(words.end(), input.robustness.begin(), input.robustness.end());
   return spool_line(input.grasp, input.certificate, words, expected);
 }
 
@@ -131,6 +133,11 @@ std::string describe(const CheckerInput& input) {
 
 CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
   stickslip_check::Options options;
+  if (!input.robustness.empty()) {
+    std::vector<std::string> words{"grasp", "certificate"};
+    words.insert(words.end(), input.robustness.begin(), input.robustness.end());
+    options = stickslip_check::parse_arguments(words).options;
+  }
   if (input.options.wrench) options.wrench = checker_vector(*input.options.wrench);
   if (input.options.direction) options.direction = checker_vector(*input.options.direction);
   if (const auto& growth = input.options.preload_direction) {

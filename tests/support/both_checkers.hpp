@@ -29,6 +29,7 @@ struct CheckerInput {
   std::string certificate;
   QuestionOptions options;
   std::optional<LoadDirections> plane = std::nullopt;
+  std::vector<std::string> robustness{};  ///< the words that ask for one
 };
 
 struct CheckerAnswer {

@@ -341,13 +341,23 @@ Work compare_asked(const Given& given) {
     const Question question = space ? given.in_box() : question_of(given.grasp, given.asked());
     std::optional<RigidVerdict> verdict;
     const Question of_all = without_bound(question);  // classes are about all motions
-    if (proves) verdict = rigid_verdict(of_all, options.inertia);
+    const std::optional<RobustnessKind> kind = options.only_robustness();
+    Robustness robustness;
+    if (proves && kind) {
+      robustness = robustness_to_prove(question, *kind, options);
+      options.robustness = &robustness;
+    }
+    if (proves && !kind) verdict = rigid_verdict(of_all, options.inertia);
     options.verdict = verdict ? &*verdict : nullptr;
     const Comparison found = compare_methods(question, options, readable);
     Json json = comparison_json(question, options.length, options.inertia, found);
     for (std::size_t i = 0; i < found.methods.size(); ++i) {
       // The numbers of evidence are strings, as the command prints them.
       json["methods"][i]["evidence"] = finished(found.methods[i].evidence, false).dump();
+    }
+    if (proves && kind) {
+      json["certificate"] = robustness_certificate_text(
+          question, *kind, options.for_robustness(), robustness, kProducer);
     }
     if (!verdict) return json;
     if (const auto* undecided = std::get_if<Undecided>(&*verdict)) throw LimitError(*undecided);

@@ -58,6 +58,7 @@ struct ToDict {
           py::make_tuple(wrench((*q.asked.plane)[0]), wrench((*q.asked.plane)[1]));
       result["pieces"] = a.pieces;
     }
+    if (a.bounds) result["bounds"] = py::make_tuple(number(a.bounds->low), number(a.bounds->high));
     if (q.asked.margin() && !q.asked.statics) {
       py::list resisted;
       for (const stickslip_check::Interval& interval : a.resisted) {
@@ -87,7 +88,8 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& direction, const py::object& preload_direction,
                const py::object& plane, const py::object& inertia, const std::string& uncertain,
                const std::string& max_motion, const std::string& grasp_name,
-               const std::string& certificate_name, const py::object& statics) {
+               const std::string& certificate_name, const py::object& statics,
+               const std::vector<std::string>& robustness) {
   const QuestionOptions asked = question_options(
       py::dict("preload"_a = preload, "preload_direction"_a = preload_direction));
   stickslip_check::Options options;
@@ -120,6 +122,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   std::vector<std::string> spelled;
   if (!uncertain.empty()) spelled.insert(spelled.end(), {"--uncertain", uncertain});
   if (!max_motion.empty()) spelled.insert(spelled.end(), {"--max-motion", max_motion});
+  spelled.insert(spelled.end(), robustness.begin(), robustness.end());
   if (!spelled.empty()) {
     spelled.insert(spelled.end(), {"grasp", "certificate"});
     try {
@@ -127,6 +130,9 @@ py::dict check(const std::string& grasp, const std::string& certificate,
           stickslip_check::parse_arguments(spelled).options;
       options.uncertain = read_here.uncertain;
       options.max_motion = read_here.max_motion;
+      options.robustness = read_here.robustness;
+      options.length = read_here.length;
+      options.max_force = read_here.max_force;
     } catch (const stickslip_check::UsageError& error) {
       throw InputError("", "", error.problem, "");
     }

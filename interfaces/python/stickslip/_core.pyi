@@ -96,7 +96,7 @@ def check(
     grasp: bytes, certificate: bytes, wrench: Optional[List[Any]], preload: Any, bilateral: bool,
     direction: Optional[List[Any]], preload_direction: Union[str, List[Any], None],
     plane: Optional[List[List[Any]]], inertia: Optional[List[Any]], uncertain: str, max_motion: str,
-    grasp_name: bytes, certificate_name: bytes, statics: Any
+    grasp_name: bytes, certificate_name: bytes, statics: Any, robustness: List[str]
 ) -> Dict[str, Any]: ...
 
 class BatchTally:

@@ -485,7 +485,8 @@ def compare(
             strong stability needs; (0, 0, length**2) if None. In space (6,) or (9,): the centre
             and xx, yy, zz, and perhaps xy, xz, yz, of the tensor of inertia about it, over the mass.
         max_motion: as of ``decide``, of passive equilibrium alone: the other methods know no bound.
-        certificate: prove the class of the load, for ``check`` with this inertia.
+        certificate: prove the class of the load, for ``check`` with this inertia; or, if PCR or PGR is
+            the only method, its bounds, for ``check`` with this robustness.
         max_force: the largest normal force, of the two robustnesses: a number, or one for each
             contact.
         accuracy: how near the bounds of these are to be, as a part of them.
@@ -739,6 +740,9 @@ def check(
     statics: Any = None,
     uncertain: Union[str, Mapping[str, Number]] = "",
     max_motion: Any = None,
+    robustness: str = "",
+    length: Any = 1,
+    max_force: Any = 1,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -756,6 +760,8 @@ def check(
         statics: of ``statics``, whose certificate this then is: the factor of all friction.
         uncertain: as of ``decide``, of a box.
         max_motion: numbers as of ``decide``, or "none".
+        robustness: "contact" or "grasp", of the potential contact robustness or that of the grasp,
+            whose certificate this then is; with length and max_force as of ``compare``.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -792,7 +798,17 @@ def check(
         grasp_name,
         name,
         as_number_or_none(statics, "statics"),
+        _robustness_words(robustness, length, max_force) if robustness else [],
     ))
+
+
+def _robustness_words(robustness: str, length: Any, max_force: Any) -> List[str]:
+    def spelled(value: Any, name: str) -> str:
+        number = as_number(value, name)
+        return number if isinstance(number, str) else str(Fraction(number))
+    forces = [max_force] if np.ndim(max_force) == 0 else list(max_force)
+    return ["--robustness", robustness, "--length", spelled(length, "length"),
+            "--max-force", ",".join(spelled(f, "max_force") for f in forces)]
 
 
 def _region(

@@ -75,7 +75,7 @@ class Proof(NamedTuple):
             self.grasp.encode(), self.certificate.encode(), None, None,
             self.normal_law == "bilateral", None,
             list(along) if isinstance(along, tuple) else along, None, None, self.uncertain,
-            "", b"<grasp>", b"<certificate>", None))
+            "", b"<grasp>", b"<certificate>", None, []))
 
     def __repr__(self) -> str:
         return f"Proof({len(self.certificate)} characters)"
@@ -200,7 +200,7 @@ class Decision(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral", None, None, None, None,
-            "", _as_option(self.max_motion), b"<grasp>", b"<certificate>", None))
+            "", _as_option(self.max_motion), b"<grasp>", b"<certificate>", None, []))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if _is_shown(self.grasp) else None
@@ -631,7 +631,7 @@ class Region(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.origin),
             self.preload, self.normal_law == "bilateral", None, None,
-            [list(self.u), list(self.v)], None, "", "", b"<grasp>", b"<certificate>", None))
+            [list(self.u), list(self.v)], None, "", "", b"<grasp>", b"<certificate>", None, []))
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
@@ -691,7 +691,7 @@ class Margin(Answer):
             self.preload, self.normal_law == "bilateral",
             None if self.direction is None else list(self.direction),
             list(along) if isinstance(along, tuple) else along, None, None, "",
-            _as_option(self.max_motion), b"<grasp>", b"<certificate>", None))
+            _as_option(self.max_motion), b"<grasp>", b"<certificate>", None, []))
 
     @property
     def least(self) -> Optional[Fraction]:
@@ -931,6 +931,8 @@ class CheckResult(Answer):
     # Of a region: exactly the wrenches of the plane in so many pieces of the certificate are.
     plane: Optional[Tuple[Vector, Vector]] = None
     pieces: Optional[int] = None
+    # Of a robustness: it is not below the first and not above the second.
+    bounds: Optional[Tuple[Fraction, Fraction]] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
     rule: Optional[str] = None
     node: Optional[int] = None

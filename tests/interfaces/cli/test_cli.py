@@ -508,6 +508,20 @@ class Compare(Case):
             low, high = map(Fraction, rows["least singular value"]["evidence"]["least"])
             self.assertTrue(low ** 2 <= 2 <= high ** 2 and high - low < Fraction(1, 10**8))
             self.assertEqual(rows["distance of the centroid"]["verdict"], "0")
+            for name, kind in zip(self.METHODS[-5:-3], ("contact", "grasp")):
+                code, _, err = stickslip("compare", grasp, *words, "--methods", name.replace(" ", "-"), "--certificate", self.path("c.json"))
+                self.assertEqual((code, err), (DONE, ""))
+                asked = ["--robustness", kind, "--max-force", words[1] if words else "1"]
+                for more, result in (([], 0), (["--length", "2"], 1)):
+                    for checker in ([CHECK], [sys.executable, "-B", CHECK_PY]):
+                        self.assertEqual(run(*checker, grasp, self.path("c.json"), *asked, *more)[0], result)
+        # A third finger is weak. Without load no rigid motion leaves it.
+        with open(grasp, encoding="utf-8") as file:
+            content = json.load(file)
+        content["contacts"].append({"position": [0, -1], "normal": [0, 1]})
+        rows = self.rows(self.write("g3.json", content), "--max-force", "1,1,1/100")
+        contact, whole, rigid = ([Fraction(rows[name]["evidence"][end]) for end in ("lower", "upper")] for name in self.METHODS[-5:-2])
+        self.assertTrue(whole[0] > 50 * contact[1] and rigid[0] <= contact[1] and contact[0] <= rigid[1])
         long = self.rows(grasp, "--length", "2", "--inertia", "3,4,1")
         self.assertEqual(long["distance of the centroid"]["verdict"], "5")
         self.assertEqual(long["least singular value"]["evidence"]["determinant"], "2")

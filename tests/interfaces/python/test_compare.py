@@ -56,6 +56,10 @@ def test_robustness_has_evidence():
             evidence = found[method].evidence
             assert Fraction(evidence["distance"]) == Fraction(3 * least, 8)
             lower, upper = Fraction(evidence["lower"]), Fraction(evidence["upper"])
+            proved = stickslip.compare(pinch, max_force=force, accuracy="1/1000", certificate=True, methods=[method.replace(" ", "-")])
+            result = stickslip.check(pinch, proved.certificate, robustness=method.split()[1], max_force=force)
+            assert (result.accepted, result.verdict, result.bounds) == (True, "bounds", (lower, upper))
+            assert stickslip.check(pinch, proved.certificate, robustness=method.split()[1], max_force=7).rule == "question-robustness"
             assert lower ** 2 <= 2 * Fraction(3 * least, 8) ** 2 <= upper ** 2 and upper <= lower * Fraction(1001, 1000)
     for words, place in (({"max_force": 0}, "max_force"), ({"max_force": (1, 2, 3)}, "max_force"), ({"accuracy": 0}, "accuracy")):
         with pytest.raises(InputError) as caught:

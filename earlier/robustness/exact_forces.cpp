@@ -293,6 +293,20 @@ namespace {
 
 using Matrix = std::vector<RationalRow>;
 
+}  // namespace
+
+Rational semidefinite_multiple(const Matrix& p, const Matrix& q, const Rational& above) {
+  for (double part = 0x1p-40; part < 1; part *= 64) {
+    Rational c = above * (1 - rational_in_bits(part, 10));
+    Matrix rest = p;
+    for (std::size_t j = 0; j < p.size(); ++j) add_multiple(rest[j], -c, q[j]);
+    if (is_positive_semidefinite(std::move(rest))) return c;
+  }
+  return 0;
+}
+
+namespace {
+
 void add_square(Matrix& to, const Rational& factor, const RationalRow& x) {
   for (std::size_t j = 0; j < x.size(); ++j) {
     add_multiple(to[j], factor * x[j], x);
@@ -341,14 +355,7 @@ InverseSquare inverse_square(const ForceModel& model, const std::vector<SpringSt
   for (std::size_t j = 0; j < n; ++j) z.push_back(rational_in_bits(vector[j], 40));
   if (is_zero(primitive_multiple(z))) z[0] = 1;
   const Rational upper = quadratic(p, z) / quadratic(q, z);
-  // A lower bound is one for which P minus its multiple of Q is positive semidefinite.
-  for (double part = 0x1p-40; part < 1; part *= 64) {
-    const Rational lower = upper * (1 - rational_in_bits(part, 10));
-    Matrix rest = p;
-    for (std::size_t j = 0; j < n; ++j) add_multiple(rest[j], -lower, q[j]);
-    if (is_positive_semidefinite(std::move(rest))) return {lower, upper, z};
-  }
-  return {0, upper, z};
+  return {semidefinite_multiple(p, q, upper), upper, z};
 }
 
 }  // namespace stickslip::robustness_detail

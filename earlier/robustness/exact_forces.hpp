@@ -91,4 +91,10 @@ InverseSquare inverse_square(const ForceModel& model, const std::vector<SpringSt
 /// Returns whether a symmetric matrix is positive semidefinite.
 bool is_positive_semidefinite(std::vector<RationalRow> matrix);
 
+/// Returns a number c >= 0 for which P - c Q is positive semidefinite. `above` >= 0 is a number
+/// that none of these exceeds; c is as near to it as a few tries show, and 0 if they show none.
+/// P has to be positive semidefinite.
+Rational semidefinite_multiple(const std::vector<RationalRow>& p,
+                               const std::vector<RationalRow>& q, const Rational& above);
+
 }  // namespace stickslip::robustness_detail

@@ -44,18 +44,17 @@ Interval largest_eigenvalue(const Matrix& a) {
   RationalRow image;
   for (const RationalRow& row : a) image.push_back(dot(row, z));
   const Rational low = dot(z, image) / dot(z, z);
-  Rational trace = 0;
-  for (std::size_t j = 0; j < n; ++j) trace += a[j][j];
-  for (double part = 0x1p-40; part < 1; part *= 64) {
-    const Rational high = low * (1 + rational_in_bits(part, 10));
-    Matrix rest(n, RationalRow(n));
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t k = 0; k < n; ++k) rest[j][k] = -a[j][k];
-      rest[j][j] += high;
-    }
-    if (is_positive_semidefinite(std::move(rest))) return {low, std::min(high, trace)};
+  Rational high = 0;  // the trace, unless less is known
+  Matrix unit(n, RationalRow(n));
+  for (std::size_t j = 0; j < n; ++j) {
+    unit[j][j] = 1;
+    high += a[j][j];
   }
-  return {low, trace};
+  if (low.is_zero()) return {low, high};
+  // The inverse of the eigenvalue is the largest c for which 1 - c A is semidefinite.
+  const Rational c = semidefinite_multiple(unit, a, 1 / low);
+  if (!c.is_zero()) high = std::min(high, Rational(1 / c));
+  return {low, high};
 }
 
 }  // namespace

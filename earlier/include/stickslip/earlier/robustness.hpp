@@ -73,15 +73,15 @@ struct RobustForces {
   Rational inverse_square{};
 };
 
-/// \{ The nodes of the proof of an upper bound. A node is a set of combinations, some of the
-/// states of each contact, and an interval of the least distance; the root has all of both.
-/// It splits the states of a contact, with a child for each of them, or the distances, with a
-/// child for those below.
+/// A node of the proof of an upper bound that splits the states of a contact, with a child for
+/// each of them. A node is a set of combinations, some of the states of each contact, and an
+/// interval of the least distance; the root has all of both.
 struct StateSplit {
-  std::size_t contact;
+  std::size_t contact;  ///< its index
 };
+/// A node that splits the distances: a child has those up to a number, another those from it on.
 struct DistanceSplit {
-  Rational distance;
+  Rational distance;  ///< the number
 };
 /// A leaf that y and Z refute as above.
 struct MixtureLeaf {
@@ -92,15 +92,15 @@ struct MixtureLeaf {
 /// z.P z / z.Q z. P = M(s) and Q = 1 if all stiffnesses are the same; else P = A^2 and Q = B
 /// for A = G K G^T and B = G K^2 G^T.
 struct CombinationLeaf {
-  RationalRow twist{};
+  RationalRow twist{};      ///< y
   RationalRow direction{};  ///< z
 };
 /// The only node of a proof that PGR is 0: no forces have a distance above 0 where each contact
 /// with friction sticks and every other slips, as y shows.
 struct NoDistanceLeaf {
-  RationalRow twist;
+  RationalRow twist;  ///< y
 };
-/// \}
+/// A node of a proof.
 using RobustnessNode =
     std::variant<StateSplit, DistanceSplit, MixtureLeaf, CombinationLeaf, NoDistanceLeaf>;
 

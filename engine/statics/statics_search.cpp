@@ -97,7 +97,10 @@ class StaticsSearch {
 
   std::optional<std::vector<ConeForce>> exact_forces(const ConeSearch& search) const {
     for (const double border : kBorders) {
+      const double depth = least_depth(search.proposal(), border);
       for (const int bits : {16, 32, 52}) {
+        // A grid that is as wide as forces are deep does not leave them in their cones.
+        if (bits < 52 && std::ldexp(1.0, -bits) > depth) continue;
         ForceRounding rounding(model_, load_, search.proposal(), bits, border);
         if (bits == 52) {
           rounding.refine(search, 80);
@@ -108,6 +111,21 @@ class StaticsSearch {
       }
     }
     return std::nullopt;
+  }
+
+  /// Returns how deep forces are in their cones, but those that will be put on the border, over
+  /// the largest.
+  static double least_depth(const ConeProposal& proposal, double border) {
+    double largest = 0;
+    for (const auto& z : proposal.forces) largest = std::max(largest, z[0]);
+    double least = largest;
+    for (const auto& z : proposal.forces) {
+      double tail = 0;
+      for (std::size_t k = 1; k < z.size(); ++k) tail = std::hypot(tail, z[k]);
+      const double depth = z[0] - tail;
+      if (z[0] > border * largest && depth > border * z[0]) least = std::min(least, depth);
+    }
+    return largest > 0 ? least / largest : 0;
   }
 
   bool is_proof(const RationalRow& y) const {

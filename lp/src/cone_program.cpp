@@ -166,6 +166,21 @@ class InteriorPoint final : public ConePath {
     x_ = Vector::Zero(rows_);
   }
 
+  /// Goes on where the path of the same pair in shorter numbers has come to.
+  template <class Other>
+  void begin_at(const InteriorPoint<Other>& other) {
+    x_ = other.x_.template cast<Real>();
+    tau_ = other.tau_;
+    kappa_ = other.kappa_;
+    for (std::size_t i = 0; i < s_.size(); ++i) {
+      s_[i] = other.s_[i].template cast<Real>();
+      z_[i] = other.z_[i].template cast<Real>();
+    }
+  }
+
+  /// Ends the path where products are smaller than what the ends are by this factor.
+  void end_at(Real close) { close_ = close; }
+
   void run() override {
     constexpr int kMostSteps = 100;
     for (; this->proposal_.steps < kMostSteps && !is_done(); ++this->proposal_.steps) {
@@ -188,6 +203,9 @@ class InteriorPoint final : public ConePath {
   }
 
  private:
+  template <class Other>
+  friend class InteriorPoint;
+
   struct Block {
     std::vector<Eigen::Index> rows{};
     Columns matrix{};
@@ -235,7 +253,7 @@ class InteriorPoint final : public ConePath {
   /// products; or whether x solves (2) well inside of all cones.
   bool is_done() const {
     const Real most = std::max(tau_, kappa_);
-    if (mean_product() <= kClose * most * most) return true;
+    if (mean_product() <= close_ * most * most) return true;
     if (kappa_ < tau_ || !(w_.dot(x_) > kappa_ / 2)) return false;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       if (depth(seen(blocks_[i], x_)) < depth(s_[i]) / 2) return false;
@@ -244,7 +262,6 @@ class InteriorPoint final : public ConePath {
   }
   static Real depth(const Part& part) { return part[0] - part.tail(part.size() - 1).norm(); }
 
-  static constexpr Real kClose = 450 * std::numeric_limits<Real>::epsilon();
 
   /// Finds the places of the entries of sum A W^-2 A^T.
   void find_places() {
@@ -421,13 +438,20 @@ class InteriorPoint final : public ConePath {
   Eigen::SimplicialLDLT<Sparse> solver_;
   Vector x1_;
   Parts z1_;
+  Real close_ = 450 * std::numeric_limits<Real>::epsilon();
 };
 
 }  // namespace lp_detail
 
 ConeSearch::ConeSearch(const ConePair& pair, bool is_long) {
   if (is_long) {
-    path_ = std::make_unique<lp_detail::InteriorPoint<long double>>(pair);
+    lp_detail::InteriorPoint<double> rough(pair);
+    constexpr double kRough = 1e-9;
+    rough.end_at(kRough);
+    rough.run();
+    auto path = std::make_unique<lp_detail::InteriorPoint<long double>>(pair);
+    path->begin_at(rough);
+    path_ = std::move(path);
   } else {
     path_ = std::make_unique<lp_detail::InteriorPoint<double>>(pair);
   }

@@ -54,7 +54,8 @@ struct ConeProposal {
 /// there.
 class ConeSearch {
  public:
-  /// Follows the path in doubles, or in long doubles, which take about ten times as long.
+  /// Follows the path in doubles, or to its end in long doubles, whose steps take about four
+  /// times as long.
   explicit ConeSearch(const ConePair& pair, bool is_long = false);
   ConeSearch(const ConeSearch&) = delete;
   ConeSearch& operator=(const ConeSearch&) = delete;

@@ -48,7 +48,8 @@ std::optional<LoadedGrasp> random_load(RandomSource& random) {
                          random.between(-20, 20)};
   const Rational part(random.between(50, 120), 100);
   if (direction == Wrench{}) return std::nullopt;
-  const auto found = find_margin(Problem(loaded, NormalLaw::kUnilateral).along({direction}));
+  const auto found =
+      find_margin(Problem(loaded, NormalLaw::kUnilateral).along({row_of(direction)}));
   const auto& resisted = std::get<Margin>(found).resisted;
   const bool is_interval = !resisted.empty() && resisted[0].low.is_zero() && resisted[0].high &&
                            !resisted[0].high->is_zero();

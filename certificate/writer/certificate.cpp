@@ -113,7 +113,7 @@ std::string head(const Question& question, const std::string& wrench, const std:
   text += ", \"normal_law\": \"" + std::string(to_string(question.law)) + "\"" + member;
   if (const auto& growth = question.preload_direction) {
     text += ", \"preload_direction\": " +
-            (growth->scale ? "\"scale\"" : "[" + list(growth->rates) + "]");
+            (growth->scale ? "\"scale\"" : "[" + list(growth->preloads) + "]");
   }
   if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
   if (question.is_bounded()) {

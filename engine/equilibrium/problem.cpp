@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -45,7 +46,7 @@ Problem Problem::along(const Growth& growth) const {
   require(growth.preloads.empty() || growth.preloads.size() == size(),
           "the preloads of all contacts grow, or of none");
   Problem family = *this;
-  family.load_growth_ = growth.load;
+  if (!growth.load.empty()) family.load_growth_ = wrench_of(growth.load);
   for (std::size_t i = 0; i < growth.preloads.size(); ++i) {
     const Rational& rate = growth.preloads[i];
     require(rate.sign() >= 0, "preloads grow, and do not fall");

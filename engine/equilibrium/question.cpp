@@ -114,21 +114,21 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
 std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
                                      const PreloadDirection& direction, std::size_t pushing) {
   if (direction.scale) return preloads;
-  if (direction.rates.size() != preloads.size()) {
+  if (direction.preloads.size() != preloads.size()) {
     throw InputError("", "preload_direction",
-                     "there are " + std::to_string(direction.rates.size()) + " numbers for " +
+                     "there are " + std::to_string(direction.preloads.size()) + " numbers for " +
                          std::to_string(preloads.size()) +
                          (pushing < preloads.size() ? " contacts and springs" : " contacts"),
                      "give one for each, or the word scale for all in proportion");
   }
   for (std::size_t i = 0; i < pushing; ++i) {
-    if (direction.rates[i].sign() >= 0) continue;
+    if (direction.preloads[i].sign() >= 0) continue;
     throw InputError(
         "", "preload_direction",
-        "the number of contact " + std::to_string(i) + " is " + to_string(direction.rates[i]),
+        "the number of contact " + std::to_string(i) + " is " + to_string(direction.preloads[i]),
         "preloads grow, and do not fall: give 0 or more");
   }
-  return direction.rates;
+  return direction.preloads;
 }
 
 void require_growth(bool load_grows, const std::vector<Rational>& growth,
@@ -249,7 +249,7 @@ Problem problem_of(const Question& question) {
   Problem base(point, question.law);
   if (!question.is_margin()) return base;
   Growth growth;
-  if (question.direction) growth.load = wrench_of(*question.direction);
+  if (question.direction) growth.load = *question.direction;
   if (!question.preload_growth.empty()) {
     const Grasp growing = point.grasp.with_preloads(question.preload_growth);
     for (const ContactRow& row : contact_rows(growing)) growth.preloads.push_back(row.preload);

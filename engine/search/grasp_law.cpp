@@ -121,7 +121,7 @@ void GraspLaw::add_spring(const Spring& spring, const Rational& rate) {
 }
 
 GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
-                   const std::optional<GrowthRates>& margin) {
+                   const std::optional<Growth>& margin) {
   in_space_ = box.in_space();
   one_body_ = !box.mechanism;
   parameters_ = parameters_of(box);
@@ -147,7 +147,7 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
   if (box.ball) ball = BallPart::all_of(box);
   normal_law = law;
   max_motion = box.max_motion;
-  const GrowthRates rates = margin.value_or(GrowthRates{});
+  const Growth rates = margin.value_or(Growth{});
   // (A box of many contacts is not copied for a verdict.)
   far_motion = (margin ? natural_bound(grown(box, rates.load, rates.preloads), kFarMotion)
                        : natural_bound(box, kFarMotion))
@@ -315,9 +315,9 @@ std::pair<GraspLaw, GraspLaw> GraspLaw::halves(const PartSplit& split) const {
 }
 
 GraspLaw law_of(const Question& question, unsigned bits) {
-  std::optional<GrowthRates> growth;
+  std::optional<Growth> growth;
   if (question.is_margin()) {
-    growth = GrowthRates{question.direction.value_or(RationalRow{}), question.preload_growth};
+    growth = Growth{question.direction.value_or(RationalRow{}), question.preload_growth};
   }
   return GraspLaw(*question.box(), question.law, bits, growth);
 }

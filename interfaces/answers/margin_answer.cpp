@@ -43,7 +43,7 @@ void add_ends(Json& json, const std::vector<MarginInterval>& resisted) {
 }  // namespace
 
 Json preload_direction_json(const PreloadDirection& direction) {
-  return direction.scale ? Json("scale") : number_json(direction.rates);
+  return direction.scale ? Json("scale") : number_json(direction.preloads);
 }
 
 std::optional<SecondMargin> margin_within(

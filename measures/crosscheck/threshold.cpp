@@ -178,7 +178,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
   options.node_limit = node_limit;
   /// Returns the margin, or nothing at the limit.
   const auto margin = [&](const Problem& base, const Wrench& direction) {
-    auto found = find_margin(base.along({direction}), options);
+    auto found = find_margin(base.along({row_of(direction)}), options);
     if (auto* undecided = std::get_if<Undecided>(&found)) {
       result.limit = std::move(undecided->limit);
       return std::optional<Margin>();

@@ -29,8 +29,8 @@ std::vector<MarginInterval> common(const std::vector<MarginInterval>& some,
 std::optional<PreloadMargin> margin_of(const GraspBox& load, NormalLaw law,
                                        const SearchOptions& options) {
   PreloadDirection growth;
-  growth.rates = preloads_of(load);
-  growth.rates.resize(load.elements());
+  growth.preloads = preloads_of(load);
+  growth.preloads.resize(load.elements());
   QuestionOptions asked;
   asked.law = law;
   asked.preload_direction = std::move(growth);

@@ -21,7 +21,7 @@ std::optional<double> distance(const Examples& examples, const Place& place) {
   const GraspLaw law(examples.at(place), examples.law());
   const Problem problem = box_detail::planar_problem(law.middle());
   if (problem.wrench() == Wrench{}) return std::nullopt;
-  const auto found = find_margin(problem.with_wrench({}).along({problem.wrench()}), {2000});
+  const auto found = find_margin(problem.with_wrench({}).along({row_of(problem.wrench())}), {2000});
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr) return std::nullopt;
   std::optional<double> nearest;

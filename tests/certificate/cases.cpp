@@ -164,7 +164,7 @@ std::vector<CommittedCertificate> committed_certificates() {
         growth.scale = asked["preload_direction"] == "scale";
         if (!growth.scale) {
           for (const auto& rate : asked["preload_direction"]) {
-            growth.rates.emplace_back(rate.get<int>());
+            growth.preloads.emplace_back(rate.get<int>());
           }
         }
       }

@@ -17,7 +17,7 @@ using test::RandomSource;
 
 std::vector<ClassRange> classes(const Grasp& grasp, const Wrench& w, const Wrench& u,
                                 const Inertia& inertia = {}) {
-  const Problem family = Problem({grasp, w}, NormalLaw::kUnilateral).along({u});
+  const Problem family = Problem({grasp, w}, NormalLaw::kUnilateral).along({row_of(u)});
   auto result = class_margin(family, inertia);
   return std::get<std::vector<ClassRange>>(std::move(result));
 }

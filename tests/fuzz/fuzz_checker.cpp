@@ -73,7 +73,7 @@ std::string truth(const Input& input, const Options& options) {
   if (const auto& growth = options.preload_direction) {
     asked.preload_direction = stickslip::PreloadDirection{growth->scale, {}};
     for (const Rational& rate : growth->values) {
-      asked.preload_direction->rates.push_back(core_number(rate));
+      asked.preload_direction->preloads.push_back(core_number(rate));
     }
   }
   if (options.wrench) asked.wrench = core_wrench(*options.wrench);

@@ -142,7 +142,7 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
   if (input.options.direction) options.direction = checker_vector(*input.options.direction);
   if (const auto& growth = input.options.preload_direction) {
     options.preload_direction =
-        stickslip_check::PreloadDirection{growth->scale, checker_vector(growth->rates)};
+        stickslip_check::PreloadDirection{growth->scale, checker_vector(growth->preloads)};
   }
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
   if (input.plane) {
@@ -218,7 +218,7 @@ std::vector<std::string> command_line(const QuestionOptions& options) {
   }
   if (const auto& growth = options.preload_direction) {
     words.insert(words.end(),
-                 {"--preload-direction", growth->scale ? "scale" : with_commas(growth->rates)});
+                 {"--preload-direction", growth->scale ? "scale" : with_commas(growth->preloads)});
   }
   std::string uncertain;
   for (const auto& [kind, tolerance] : given(options.uncertain)) {

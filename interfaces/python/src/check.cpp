@@ -26,7 +26,7 @@ stickslip_check::Rational for_checker(const Rational& value) {
 
 stickslip_check::PreloadDirection for_checker(const PreloadDirection& growth) {
   stickslip_check::PreloadDirection result{growth.scale, {}};
-  for (const Rational& rate : growth.rates) result.values.push_back(for_checker(rate));
+  for (const Rational& rate : growth.preloads) result.values.push_back(for_checker(rate));
   return result;
 }
 

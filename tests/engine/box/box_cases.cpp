@@ -16,7 +16,7 @@ Wrench any_direction(RandomSource& random) {
 /// The least multiple of the load beyond which none is resisted for a while; 1 if there is
 /// none.
 Rational first_threshold(const Grasp& grasp, const Wrench& direction, NormalLaw law) {
-  const Problem family = Problem({grasp, {}}, law).along({direction});
+  const Problem family = Problem({grasp, {}}, law).along({row_of(direction)});
   const auto found = find_margin(family);
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr || margin->resisted.empty()) return 1;

@@ -83,7 +83,7 @@ TEST(AtRest, IsProvedUpToWhereTheLeastFrictionEnds) {
         Newton(rounded.at(rounded.middle())).solve_from(3);
     ASSERT_FALSE(found.empty());
     const auto margin = [&](const GraspBox& at_0, int growth, const MultipleRange& range) {
-      return GraspLaw(at_0, kLaw, kDefaultBits, GrowthRates{{0, growth, 0}, {}}).within(range);
+      return GraspLaw(at_0, kLaw, kDefaultBits, Growth{{0, growth, 0}, {}}).within(range);
     };
     for (const GraspLaw& law :
          {GraspLaw(pads(load - part, load), kLaw), margin(pads(0, 0), -1, {load - part, load}),

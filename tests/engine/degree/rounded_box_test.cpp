@@ -246,7 +246,7 @@ TEST(AnsweringForces, GrowWithTheMultiple) {
   GraspBox box = test::random_law_box(random, false);
   for (UncertainContact& c : box.contacts) c.slope = 0;
   box = box.middle();
-  GrowthRates growth{{1, 2, 3}, std::vector<Rational>(box.contacts.size(), 5)};
+  Growth growth{{1, 2, 3}, std::vector<Rational>(box.contacts.size(), 5)};
   const GraspLaw law(box, NormalLaw::kUnilateral, kDefaultBits, growth);
   const Rational multiple(3, 2);
   const degree_detail::WrenchRange loads = degree_detail::loads_at(law, multiple);

@@ -139,11 +139,11 @@ Problem random_problem(RandomSource& random) {
 
 Problem random_family(RandomSource& random) {
   for (;;) {
-    Growth growth{test::small_wrench(random)};
-    if (growth.load == Wrench{}) growth.load.y = 1;
+    Wrench load = test::small_wrench(random);
+    if (load == Wrench{}) load.y = 1;
     MultipleRange range{Rational(random.between(0, 3), 2), std::nullopt, random.one_in(2)};
     if (random.one_in(2)) range.high = range.low + Rational(random.between(1, 4), 3);
-    return random_problem(random).along(growth).within(range);
+    return random_problem(random).along({row_of(load)}).within(range);
   }
 }
 

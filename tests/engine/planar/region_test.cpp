@@ -172,16 +172,18 @@ void split_at_random(RandomSource& random, const Problem& problem, Region& regio
 /// With growing loads, growing preloads or both, and a range of any sort.
 Problem random_family(RandomSource& random, const Problem& problem) {
   Growth growth;
-  if (random.one_in(2)) growth.load = test::small_wrench(random);
+  Wrench load{};
+  if (random.one_in(2)) load = test::small_wrench(random);
   if (random.one_in(2)) {
     for (std::size_t i = 0; i < problem.size(); ++i) {
       growth.preloads.emplace_back(random.between(0, 2));
     }
   }
   const bool grows =
-      !(growth.load == Wrench{}) || std::any_of(growth.preloads.begin(), growth.preloads.end(),
-                                                [](const Rational& p) { return !p.is_zero(); });
-  if (!grows) growth.load.x = 1;
+      !(load == Wrench{}) || std::any_of(growth.preloads.begin(), growth.preloads.end(),
+                                         [](const Rational& p) { return !p.is_zero(); });
+  if (!grows) load.x = 1;
+  growth.load = row_of(load);
   MultipleRange range{Rational(random.between(0, 3), 2), std::nullopt, random.one_in(2)};
   if (random.one_in(2)) range.high = range.low + Rational(random.between(1, 4), 3);
   return problem.along(growth).within(range);

@@ -143,8 +143,8 @@ TEST(AgainstZ3, MarginsAlongLoadsAndPreloads) {
     if (!direction || random.one_in(2)) {
       growth.emplace();
       for (std::size_t i = 0; i < contacts; ++i)
-        growth->rates.emplace_back(random.between(0, 2));
-      growth->rates.front() += 1;
+        growth->preloads.emplace_back(random.between(0, 2));
+      growth->preloads.front() += 1;
     } else if (*direction == Wrench{}) {
       direction->y = 1;
     }

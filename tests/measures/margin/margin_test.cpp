@@ -209,8 +209,8 @@ PreloadDirection random_growth(RandomSource& random, const Grasp& grasp) {
   Rational sum = 0;
   for (const Contact& c : grasp.contacts()) {
     const bool may = exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y).has_value();
-    growth.rates.emplace_back(may ? random.between(sum.is_zero() ? 1 : 0, 2) : 0);
-    sum += growth.rates.back();
+    growth.preloads.emplace_back(may ? random.between(sum.is_zero() ? 1 : 0, 2) : 0);
+    sum += growth.preloads.back();
   }
   return sum.is_zero() ? kScale : growth;
 }

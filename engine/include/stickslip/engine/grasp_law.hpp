@@ -20,14 +20,6 @@
 
 namespace stickslip {
 
-/// The growth of load and preloads per unit of a margin's multiple.
-struct GrowthRates {
-  RationalRow load{};  ///< u; empty: 0
-  /// P^u, the growth of the preload P of each contact, and then of the force of each spring;
-  /// empty: none grows.
-  std::vector<Rational> preloads{};
-};
-
 /// Returns the parameters of the grasps in a box: those of each contact, then those of each
 /// spring, and then the components of the wrench, or of a load in the ball if there is one.
 /// Those whose interval is one number are among them.
@@ -41,7 +33,7 @@ class GraspLaw : public Law {
   /// requires that the box is one grasp. Throws InputError if motions have more than 30
   /// coordinates.
   GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits,
-           const std::optional<GrowthRates>& margin = {});
+           const std::optional<Growth>& margin = {});
 
   /// Returns the interval of a parameter. Requires that the law has it.
   const Interval& interval(const ParameterId& id) const;

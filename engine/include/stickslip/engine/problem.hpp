@@ -28,6 +28,7 @@
 
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/core/row.hpp"
 #include "stickslip/core/twist.hpp"
 
 namespace stickslip {
@@ -40,12 +41,12 @@ struct MultipleRange {
   bool has_low = true;                          ///< whether low is asked about
 };
 
-/// The growth of a family: the load and preloads that it adds for each unit of the multiple.
+/// The growth of a margin: the load and preloads that it adds for each unit of the multiple.
 struct Growth {
-  Wrench load;  ///< u
-  /// P^u, the growth of ContactRow::preload, by contact, each >= 0; empty if preloads do not
-  /// grow.
-  std::vector<Rational> preloads = {};
+  RationalRow load{};  ///< u; empty: 0
+  /// P^u, the growth of the preload of each contact, and then of the force of each spring;
+  /// empty: none grows. For a Problem they are those of ContactRow::preload, each >= 0.
+  std::vector<Rational> preloads{};
 };
 
 /// Contact rows, a load, a normal law, and perhaps a family: all that an engine needs.

@@ -13,16 +13,14 @@
 
 namespace stickslip {
 
-/// The growth of preloads with the multiple of a margin: all in proportion, or each at a rate
-/// of its own.
+/// How preloads grow with the multiple of a margin: all in proportion, or each at a rate of its
+/// own.
 struct PreloadDirection {
   /// Whether preloads and forces of springs scale: at multiple l each is l times the given one,
   /// so that there is none at 0.
   bool scale = false;
-  /// The rate of the preload of each contact, and then of the force of each spring: at multiple
-  /// l it is the given one plus l times the rate. Rates are >= 0 for contacts and ratchets.
-  /// There are none if `scale` is set.
-  std::vector<Rational> rates{};
+  /// Growth::preloads, each >= 0 for contacts and ratchets; empty if `scale` is set.
+  std::vector<Rational> preloads{};
 };
 
 /// The options of a question: the numbers to replace, none by default, and the directions of a
@@ -58,8 +56,7 @@ struct Question {
   std::vector<ContactId> assumed_stiffness{};
   std::optional<RationalRow> direction{};               ///< the direction of a margin's load
   std::optional<PreloadDirection> preload_direction{};  ///< the direction of its preloads
-  /// P^u, the rate at which each preload grows per unit of l, which follows from
-  /// preload_direction. Contacts come first, then springs; empty without a preload_direction.
+  /// Growth::preloads, which follow from preload_direction; empty without one.
   std::vector<Rational> preload_growth{};
   std::string case_name{};                     ///< the case whose wrench this is; may be empty
   Tolerances uncertain{};                      ///< the tolerances that were asked for

@@ -72,6 +72,12 @@ struct Rejected {
   std::string found;
 };
 
+/// Throws a Rejected that is of no tree; `place` is its path.
+[[noreturn]] inline void reject(const char* rule, const std::string& place,
+                                const std::string& found) {
+  throw Rejected{rule, std::nullopt, place, found};
+}
+
 /// The grasp or the certificate cannot be read, or the question cannot be asked. Also thrown
 /// inside the checker.
 struct Malformed {

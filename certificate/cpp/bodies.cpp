@@ -32,7 +32,10 @@ Matrix unit_matrix(std::size_t size) {
   return unit;
 }
 
-SparseRow plus(const SparseRow& to, const Rational& factor, const SparseRow& row) {
+namespace {
+
+/// to += factor row
+void add_row(SparseRow& to, const Rational& factor, const SparseRow& row) {
   SparseRow sum;
   auto a = to.begin();
   auto b = row.begin();
@@ -44,42 +47,98 @@ SparseRow plus(const SparseRow& to, const Rational& factor, const SparseRow& row
     if (from_b) entry += factor * b++->second;
     if (entry != 0) sum.emplace_back(column, std::move(entry));
   }
+  to = std::move(sum);
+}
+
+Rational product(const SparseRow& row, const Vector& d) {
+  spend(kStepsOfRational * (row.size() + 1));
+  Rational sum;
+  for (const auto& [j, entry] : row) sum += entry * d[j];
   return sum;
 }
 
-Mechanism::Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space)
-    : joints_(std::move(joints)), dimension_(dimension_of(bodies, joints_.size(), in_space)) {
-  ground_ = {dimension_, std::vector<SparseRow>(in_space ? kSpatial : kPlanar)};
-  std::size_t next = 0;  // column
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Body& body = bodies[b];
-    Matrix own = body.way ? motion(body.on) : ground_;
-    for (std::size_t k = 0; k < own.rows.size(); ++k) {
-      if (body.way) {
-        own.rows[k] = plus(own.rows[k], 1, row({{b, (*body.way)[k]}}));
-      } else {
-        own.rows[k].emplace_back(next++, 1);
-      }
-    }
-    motions_.push_back(std::move(own));
+}  // namespace
+
+Mechanism::Mechanism(std::vector<Body> bodies, const std::vector<Turns>& joints, bool in_space)
+    : bodies_(std::move(bodies)),
+      turns_(bodies_.size()),
+      size_(in_space ? kSpatial : kPlanar),
+      joints_(joints.size()),
+      dimension_(dimension_of(bodies_, joints.size(), in_space)) {
+  std::size_t next = 0;
+  for (const Body& body : bodies_) {
+    first_.push_back(body.way ? 0 : next);
+    if (!body.way) next += size_;
+  }
+  for (std::size_t q = 0; q < joints.size(); ++q) {
+    for (const auto& [link, c] : joints[q]) turns_[link].emplace_back(next + q, c);
   }
 }
 
+Matrix Mechanism::motion(std::optional<std::size_t> body) const {
+  Matrix own{dimension_, std::vector<SparseRow>(size_)};
+  for (; body; body = bodies_[*body].on) {
+    for (std::size_t k = 0; k < size_; ++k) {
+      if (bodies_[*body].way) {
+        add_row(own.rows[k], (*bodies_[*body].way)[k], turns_[*body]);
+      } else {
+        add_row(own.rows[k], 1, {{first_[*body] + k, 1}});
+      }
+    }
+  }
+  return own;
+}
+
+Matrix Mechanism::motion_between(std::size_t of, std::optional<std::size_t> by) const {
+  Matrix rows = motion(of);
+  const Matrix under = motion(by);
+  for (std::size_t k = 0; k < size_; ++k) add_row(rows.rows[k], -1, under.rows[k]);
+  return rows;
+}
+
 SparseRow Mechanism::row_of_joint(std::size_t q) const {
-  return {{dimension_ - joints_.size() + q, 1}};
+  return {{dimension_ - joints_ + q, 1}};
 }
 
 SparseRow Mechanism::row(const Turns& over) const {
   SparseRow row;
-  for (std::size_t q = 0; q < joints_.size(); ++q) {
-    Rational sum;
-    for (const auto& [link, r] : over) {
-      const auto c = joints_[q].find(link);
-      if (c != joints_[q].end()) sum += r * c->second;
-    }
-    if (sum != 0) row.emplace_back(dimension_ - joints_.size() + q, std::move(sum));
-  }
+  for (const auto& [link, r] : over) add_row(row, r, turns_[link]);
   return row;
+}
+
+std::vector<Vector> Mechanism::moved(const Vector& d) const {
+  std::vector<Vector> motions;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = bodies_[b];
+    spend(kStepsOfRational * size_);
+    if (!body.way) {
+      const auto first = d.begin() + static_cast<std::ptrdiff_t>(first_[b]);
+      motions.emplace_back(first, first + static_cast<std::ptrdiff_t>(size_));
+      continue;
+    }
+    Vector motion = body.on ? motions[*body.on] : Vector(size_);
+    add(motion, product(turns_[b], d), *body.way);
+    motions.push_back(std::move(motion));
+  }
+  return motions;
+}
+
+void Mechanism::add_pulled(std::vector<Vector> wrenches, Vector& to) const {
+  for (std::size_t b = wrenches.size(); b-- > 0;) {
+    const Vector wrench = std::move(wrenches[b]);
+    if (wrench.empty()) continue;
+    spend(kStepsOfRational * (size_ + turns_[b].size()));
+    const Body& body = bodies_[b];
+    if (!body.way) {
+      for (std::size_t k = 0; k < size_; ++k) to[first_[b] + k] += wrench[k];
+      continue;
+    }
+    const Rational work = dot(wrench, *body.way);
+    for (const auto& [q, c] : turns_[b]) to[q] += work * c;
+    if (!body.on) continue;
+    wrenches[*body.on].resize(size_);
+    add(wrenches[*body.on], 1, wrench);
+  }
 }
 
 Vector at_point(const Vector& p, const Vector& f) {
@@ -106,29 +165,47 @@ Vector bound_of(const Rational& length, const Rational& angle, std::size_t dimen
 
 Vector combined(const Matrix& matrix, const Vector& factors) {
   Vector result(matrix.columns);
-  add_combined(result, matrix, factors);
-  return result;
-}
-
-void add_combined(Vector& to, const Matrix& matrix, const Vector& factors) {
   for (std::size_t k = 0; k < factors.size(); ++k) {
     spend(kStepsOfRational * (matrix.rows[k].size() + 1));
-    for (const auto& [j, entry] : matrix.rows[k]) to[j] += factors[k] * entry;
-  }
-}
-
-Vector moved(const Matrix& matrix, const Vector& motion) {
-  Vector result;
-  for (const SparseRow& row : matrix.rows) {
-    spend(kStepsOfRational * (row.size() + 1));
-    Rational& sum = result.emplace_back();
-    for (const auto& [j, entry] : row) sum += entry * motion[j];
+    for (const auto& [j, entry] : matrix.rows[k]) result[j] += factors[k] * entry;
   }
   return result;
 }
 
 Vector seen(const Sight& sight, const Vector& row) {
   return sight ? combined(sight->rows, row) : row;
+}
+
+BodyMotions::BodyMotions(const Mechanism* mechanism, Vector d) : d_(std::move(d)) {
+  if (mechanism != nullptr) motions_ = mechanism->moved(d_);
+}
+
+Vector BodyMotions::seen_by(const Sight& sight) const {
+  if (!sight) return d_;
+  if (!is_contact(sight)) return {product(sight->rows.rows[0], d_)};
+  Vector motion = motions_[sight->of];
+  if (sight->by) stickslip_check::add(motion, -1, motions_[*sight->by]);
+  return motion;
+}
+
+void BodyForces::add(const Sight& sight, const Vector& row) {
+  if (!sight) return stickslip_check::add(sum_, 1, row);
+  if (!is_contact(sight)) {
+    for (const auto& [j, entry] : sight->rows.rows[0]) sum_[j] += row[0] * entry;
+    return;
+  }
+  const auto on_body = [&](std::size_t body, int sign) {
+    if (wrenches_.size() <= body) wrenches_.resize(body + 1);
+    wrenches_[body].resize(row.size());
+    stickslip_check::add(wrenches_[body], sign, row);
+  };
+  on_body(sight->of, 1);
+  if (sight->by) on_body(*sight->by, -1);
+}
+
+Vector BodyForces::total() {
+  if (mechanism_ != nullptr) mechanism_->add_pulled(std::move(wrenches_), sum_);
+  return std::move(sum_);
 }
 
 }  // namespace stickslip_check

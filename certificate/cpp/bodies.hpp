@@ -36,9 +36,6 @@ struct Matrix {
 
 /// The matrix that leaves vectors of `size` numbers as they are.
 Matrix unit_matrix(std::size_t size);
-/// to + factor row
-SparseRow plus(const SparseRow& to, const Rational& factor, const SparseRow& row);
-
 /// A body as the grasp file gives it.
 struct Body {
   std::string name;
@@ -59,24 +56,33 @@ std::size_t dimension_of(const std::vector<Body>& bodies, std::size_t joints, bo
 
 class Mechanism {
  public:
-  Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space);
+  Mechanism(std::vector<Body> bodies, const std::vector<Turns>& joints, bool in_space);
 
   std::size_t dimension() const { return dimension_; }
-  std::size_t joints() const { return joints_.size(); }
+  std::size_t joints() const { return joints_; }
+  /// The first column of a body that is no link.
+  std::size_t first_of(std::size_t body) const { return first_[body]; }
   /// J_b; nothing is the ground.
-  const Matrix& motion(std::optional<std::size_t> body) const {
-    return body ? motions_[*body] : ground_;
-  }
+  Matrix motion(std::optional<std::size_t> body) const;
+  /// G = J_of - J_by
+  Matrix motion_between(std::size_t of, std::optional<std::size_t> by) const;
   /// e_q.
   SparseRow row_of_joint(std::size_t q) const;
   /// That of `over`.
   SparseRow row(const Turns& over) const;
 
+  /// J_b d of all bodies, in time linear in what the file says of them.
+  std::vector<Vector> moved(const Vector& d) const;
+  /// Adds J_b^T times the wrench on b, for all bodies; one may be empty for 0. Likewise.
+  void add_pulled(std::vector<Vector> wrenches, Vector& to) const;
+
  private:
-  std::vector<Turns> joints_;
+  std::vector<Body> bodies_;
+  std::vector<std::size_t> first_;  ///< by body; 0 of a link
+  std::vector<SparseRow> turns_;    ///< by body: c_bq, by columns of joints
+  std::size_t size_;                ///< of a motion of one body
+  std::size_t joints_;
   std::size_t dimension_;
-  Matrix ground_;
-  std::vector<Matrix> motions_;
 };
 
 /// What makes a contact one of several bodies; or what an element is that is no contact.
@@ -84,9 +90,12 @@ struct Element {
   enum class Kind : std::int8_t { kContact, kRatchet, kSpring };
 
   Kind kind;
-  Matrix rows;          ///< G of a contact; of the others the one row
+  /// G of a contact, unless there are more than 30 coordinates; of the others the one row.
+  Matrix rows;
   std::string place;    ///< of the others in the grasp file, such as joints[0],
   std::string preload;  ///< and the name that P' has there
+  std::size_t of = 0;   ///< the bodies of a contact
+  std::optional<std::size_t> by = {};
 };
 /// Nothing for a contact of the one body of versions 1 and 2.
 using Sight = std::shared_ptr<const Element>;
@@ -108,12 +117,36 @@ Vector bound_of(const Rational& length, const Rational& angle, std::size_t dimen
 
 /// The sum of the rows of a matrix, each by its factor.
 Vector combined(const Matrix& matrix, const Vector& factors);
-/// Adds that sum, in as many steps as the matrix has entries.
-void add_combined(Vector& to, const Matrix& matrix, const Vector& factors);
-/// The products of the rows with a motion.
-Vector moved(const Matrix& matrix, const Vector& motion);
 
 /// G^T row.
 Vector seen(const Sight& sight, const Vector& row);
+
+/// A motion as elements see it, G d, in memory linear in the number of bodies.
+class BodyMotions {
+ public:
+  /// Without a mechanism there is one body.
+  BodyMotions(const Mechanism* mechanism, Vector d);
+
+  Vector seen_by(const Sight& sight) const;
+
+ private:
+  Vector d_;
+  std::vector<Vector> motions_;
+};
+
+/// The sum of G^T row of many elements and rows, likewise.
+class BodyForces {
+ public:
+  BodyForces(const Mechanism* mechanism, std::size_t dimension)
+      : mechanism_(mechanism), sum_(dimension) {}
+
+  void add(const Sight& sight, const Vector& row);
+  Vector total();
+
+ private:
+  const Mechanism* mechanism_;
+  Vector sum_;
+  std::vector<Vector> wrenches_;  ///< by body
+};
 
 }  // namespace stickslip_check

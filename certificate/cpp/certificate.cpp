@@ -17,6 +17,7 @@ CertificateReader::CertificateReader(std::istream& in, const std::string& file,
                                      const Question& question)
     : json_(in, file, kCertificateLimits),
       dimension_(question.dimension()),
+      limits_(question.limits),
       in_space_(question.in_space),
       claims_(question.claims()),
       several_(question.several),
@@ -90,7 +91,7 @@ std::string CertificateReader::verdict() {
 }
 
 Vector CertificateReader::twist() {
-  return numbers(take("twist"), "twist", 0, dimension_);
+  return numbers(take("twist"), "twist", 0, dimension_ + limits_);
 }
 
 Vector CertificateReader::acceleration() {
@@ -124,7 +125,8 @@ std::optional<StandPoint> CertificateReader::next_stand() {
 
 std::optional<Vector> CertificateReader::next_move() {
   if (!next_element("move")) return std::nullopt;
-  return numbers(json_.value(), "move[" + std::to_string(elements_ - 1) + "]", 0, dimension_);
+  return numbers(json_.value(), "move[" + std::to_string(elements_ - 1) + "]", 0,
+                 dimension_ + limits_);
 }
 
 std::vector<std::vector<Vector>> CertificateReader::lines() {

@@ -123,6 +123,7 @@ class CertificateReader {
 
   JsonReader json_;
   std::size_t dimension_;
+  std::size_t limits_;
   bool in_space_;
   bool claims_;  ///< of a margin, and not segments and a tree
   bool several_;

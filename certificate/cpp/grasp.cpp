@@ -195,6 +195,7 @@ class GraspReader {
     check(loaded || version_ == 3, "the member \"wrench\" is missing");
     check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
     if (newer_ && version_ < 2) json_.fail(newer_->first, newer_->second, kNeeds2);
+    if (limited_ && version_ < 3) json_.fail(limited_->first, limited_->second, kNeeds3);
     if (soft_ && (version_ < 3 || dimension_ == kPlanar)) {
       json_.fail(
           soft_->first, soft_->second,
@@ -250,11 +251,13 @@ class GraspReader {
     } else if (key == "max_motion") {
       grasp_.max_motion = read_max_motion(value, key.c_str());
     } else if (key == "defaults") {
-      expect_object(value, key.c_str(), {"friction", "stiffness", "preload", "torsion"});
+      expect_object(value, key.c_str(),
+                    {"friction", "stiffness", "preload", "torsion", "max_force"});
       std::optional<Named> name;
       defaults_ = properties(value, key.c_str(), name);
       if (name) defaults_[0] = friction_named(*name, "defaults");
       default_torsion_ = read_torsion(value, key.c_str());
+      default_limit_ = read_limit(value, key.c_str(), "max_force");
     }
   }
 
@@ -478,19 +481,28 @@ class GraspReader {
   Wrench sum_of_loads(const Value& value, const Where& place) {
     expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
     Wrench sum(load_numbers());
+    std::vector<Vector> on_links(bodies_.size());
     for (std::size_t k = 0; k < value.items.size(); ++k) {
       const Value& load = value.items[k];
       if (mechanism_) {
-        add_load_on_body(sum, load, place[k]);
+        add_load_on_body(sum, on_links, load, place[k]);
       } else {
         add(sum, wrench_of(load, place[k]));
       }
     }
+    if (!mechanism_) return sum;
+    Vector pulled(sum.size());
+    mechanism_->add_pulled(std::move(on_links), pulled);
+    for (std::size_t j = 0; j < sum.size(); ++j) {
+      sum[j].low += pulled[j];
+      sum[j].high += pulled[j];
+    }
     return sum;
   }
 
-  /// FORMAT.md §14, `loads`: J_b^T times the wrench.
-  void add_load_on_body(Wrench& sum, Value load, const Where& place) {
+  /// FORMAT.md §14, `loads`: what acts on a link, whose wrench is certain, is kept by body.
+  void add_load_on_body(Wrench& sum, std::vector<Vector>& on_links, Value load,
+                        const Where& place) {
     expect(load.kind == Value::Kind::kObject, load, place, "an object {...}");
     const auto name = std::find(load.keys.begin(), load.keys.end(), "body");
     if (name == load.keys.end()) member(load, place, "body");
@@ -510,13 +522,15 @@ class GraspReader {
     } else {
       wrench = wrench_of(load, place);
     }
-    // Where the wrench may be uncertain, J_b has ones alone.
-    const Matrix& motion = mechanism_->motion(b);
+    if (bodies_[b].way) on_links[b].resize(wrench.size());
     for (std::size_t k = 0; k < wrench.size(); ++k) {
-      for (const auto& [j, entry] : motion.rows[k]) {
-        sum[j].low += entry * wrench[k].low;
-        sum[j].high += entry * wrench[k].high;
+      if (bodies_[b].way) {
+        on_links[b][k] += wrench[k].low;
+        continue;
       }
+      Bounds& component = sum[mechanism_->first_of(b) + k];
+      component.low += wrench[k].low;
+      component.high += wrench[k].high;
     }
   }
 
@@ -544,7 +558,7 @@ class GraspReader {
     for (std::size_t q = 0; q < joints.items.size(); ++q) {
       const Value& joint = joints.items[q];
       const Where place = in_joints[q];
-      expect_object(joint, place, {"turns", "name", "stiffness", "torque"});
+      expect_object(joint, place, {"turns", "name", "stiffness", "torque", "max_torque"});
       read_name(joint, place);
       all_turns.push_back(read_turns(member(joint, place, "turns"), place + ".turns"));
     }
@@ -565,16 +579,20 @@ class GraspReader {
                           "at most " +
                           std::to_string(kMostInFile)};
     }
-    mechanism_ = std::make_shared<const Mechanism>(bodies_, std::move(all_turns), in_space);
+    mechanism_ = std::make_shared<const Mechanism>(bodies_, all_turns, in_space);
     grasp_.wrench = Wrench(dimension);
     name_coordinates(joints);
     read_over(take("ratchets"), "ratchets", Element::Kind::kRatchet, "preload");
     for (std::size_t q = 0; q < joints.items.size(); ++q) {
       const Value& joint = joints.items[q];
-      if (joint.find("stiffness") == nullptr && joint.find("torque") == nullptr) continue;
+      if (joint.find("stiffness") == nullptr && joint.find("torque") == nullptr &&
+          joint.find("max_torque") == nullptr) {
+        continue;
+      }
       read_element(
           joint, in_joints[q],
           {Element::Kind::kSpring, one_row(mechanism_->row_of_joint(q)), "", "torque"});
+      others_.back().limit = read_limit(joint, in_joints[q], "max_torque");
     }
     read_over(take("tendons"), "tendons", Element::Kind::kSpring, "tension");
   }
@@ -734,20 +752,29 @@ class GraspReader {
             "another of \"bodies\", or \"ground\"");
     Sight& sight = sights_[{*of, by}];
     if (!sight) {
-      Matrix rows = mechanism_->motion(names_.at(*of));
-      const Matrix& under = mechanism_->motion(
-          by == kGround ? std::nullopt : std::optional<std::size_t>(names_.at(by)));
-      for (std::size_t k = 0; k < rows.rows.size(); ++k) {
-        rows.rows[k] = plus(rows.rows[k], -1, under.rows[k]);
+      Element element{Element::Kind::kContact, {}, "", "", names_.at(*of), {}};
+      if (by != kGround) element.by = names_.at(by);
+      if (mechanism_->dimension() <= kMostCoordinates) {
+        element.rows = mechanism_->motion_between(element.of, element.by);
       }
-      sight = std::make_shared<const Element>(
-          Element{Element::Kind::kContact, std::move(rows), "", ""});
+      sight = std::make_shared<const Element>(std::move(element));
     }
     Contact contact = grasp_.contacts[i];
     contact.sight = sight;
     const auto torsion = torsions_.find(i);
     contact.torsion =
         torsion == torsions_.end() ? default_torsion_.value_or(0) : torsion->second;
+    const auto limit = limits_.find(i);
+    contact.limit = limit == limits_.end() ? default_limit_ : limit->second;
+    if (contact.limit) {
+      const auto length = exact_sqrt(dot(contact.normal, contact.normal));
+      if (!length) {
+        json_.fail(line, place + ".normal",
+                   "found " + show(contact.normal) +
+                       ", expected a normal of rational length, as the force is limited");
+      }
+      *contact.limit /= *length;
+    }
     grasp_.contacts.set(i, contact);
   }
 
@@ -808,7 +835,7 @@ class GraspReader {
     if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
     expect_object(value, place,
                   {"position", "normal", "on", "of", "by", "friction", "stiffness", "preload",
-                   "torsion"});
+                   "torsion", "max_force"});
     Contact contact;
     const Value* first = own_.empty() ? value.find("position") : nullptr;
     if (version_ > 1 && first != nullptr && first->is_array(3)) {
@@ -846,6 +873,7 @@ class GraspReader {
       named_.emplace(own_.size(), std::move(*name));
     }
     if (const auto torsion = read_torsion(value, place)) torsions_[own_.size()] = *torsion;
+    if (const auto limit = read_limit(value, place, "max_force")) limits_[own_.size()] = limit;
     own_.push_back(0);
     std::array<Bounds*, 3> own{&contact.friction, &contact.stiffness, &contact.preload};
     for (std::size_t k = 0; k < own.size(); ++k) {
@@ -862,6 +890,19 @@ class GraspReader {
     const Where where = place + ".torsion";
     if (!soft_) soft_.emplace(value->line, where);
     const Rational read = number(*value, where);
+    expect(read >= 0, *value, where, "a number of 0 or more");
+    return read;
+  }
+
+  /// `max_force` or `max_torque`.
+  std::optional<Rational> read_limit(const Value& object, const Where& place,
+                                     const char* key) {
+    const Value* value = object.find(key);
+    if (value == nullptr) return std::nullopt;
+    const Where member = place + ".";
+    const Where where = member + key;
+    if (!limited_) limited_.emplace(value->line, where);
+    Rational read = number(*value, where);
     expect(read >= 0, *value, where, "a number of 0 or more");
     return read;
   }
@@ -1051,7 +1092,8 @@ class GraspReader {
   std::map<std::string, Bounds> frictions_;  ///< those with names
   std::map<std::size_t, Named> named_;       ///< by contact, which of them it has
 
-  std::optional<std::pair<std::size_t, std::string>> soft_;  ///< of "torsion", the same
+  std::optional<std::pair<std::size_t, std::string>> soft_;     ///< of "torsion", the same
+  std::optional<std::pair<std::size_t, std::string>> limited_;  ///< and of "max_force"
 
   // Of several bodies:
   std::vector<Body> bodies_;
@@ -1060,6 +1102,8 @@ class GraspReader {
   std::map<std::size_t, Pair> pairs_;         ///< by contact
   std::map<std::size_t, Rational> torsions_;  ///< by contact
   std::optional<Rational> default_torsion_;
+  std::map<std::size_t, std::optional<Rational>> limits_;  ///< by contact: `max_force`
+  std::optional<Rational> default_limit_;
   std::map<std::pair<std::string, std::string>, Sight> sights_;
   std::vector<Contact> others_;  ///< ratchets and springs
 };
@@ -1101,7 +1145,7 @@ void Contacts::set(std::size_t i, const Contact& contact) {
   Short numbers;
   auto next = numbers.begin();
   bool fits = !contact.sight && contact.slope == 0 && contact.torsion == 0 &&
-              contact.position.size() == contact.normal.size() &&
+              !contact.limit && contact.position.size() == contact.normal.size() &&
               (contact.normal.size() == 2 || contact.normal.size() == 3);
   const auto put = [&](const Rational& x) {
     fits = fits && x.get_num().fits_slong_p() && x.get_den().fits_slong_p();

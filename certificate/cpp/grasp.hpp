@@ -32,6 +32,7 @@ struct Contact {
   Bounds preload;
   Rational slope = 0;     ///< the most that n = n0 + e t0 is turned
   Rational torsion = 0;   ///< e (FORMAT.md §15)
+  std::optional<Rational> limit = {};  ///< A (FORMAT.md §16)
   Sight sight = nullptr;  ///< what it sees of several bodies
 };
 

@@ -340,6 +340,65 @@ void check_uncertain(Question& question, const Contacts& contacts, const Vector&
   }
 }
 
+/// FORMAT.md §17.
+Question pose_states(Grasp grasp, const Options& options, const std::string& file) {
+  if (options.margin() || options.plane || options.inertia || options.statics ||
+      options.wrench || options.preload || options.bilateral || options.case_name ||
+      options.robustness || !options.uncertain.empty() || options.max_motion) {
+    refuse("states", "another option is given as well, but positions and normals alone count");
+  }
+  if (grasp.dimension() > kMostCoordinates) refuse_many(grasp.dimension());
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const Contact contact = grasp.contacts[i];
+    if (!is_contact(contact.sight)) continue;
+    const auto check = [&](const Bounds& bounds, const char* name) {
+      if (bounds.certain()) return;
+      throw Malformed{file, "contacts[" + std::to_string(i) + "]." + name,
+                      "found the interval " + show(bounds) + ", but " + kind_of(options) +
+                          " is that of one grasp; expected a number"};
+    };
+    for (const Bounds& p : contact.position) check(p, "position");
+    check(Bounds(-contact.slope, contact.slope), "normal.slope");
+  }
+  Question question;
+  question.asked = options;
+  question.several = grasp.several;
+  question.in_space = grasp.in_space();
+  question.wrench = Wrench(grasp.dimension());
+  question.contacts = Fixed<Contacts>(std::move(grasp.contacts));
+  return question;
+}
+
+/// FORMAT.md §16, limits: their number.
+std::size_t count_limits(const Grasp& grasp, const Options& options, const std::string& file) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; grasp.several && i < grasp.contacts.size(); ++i) {
+    const Contact contact = grasp.contacts[i];
+    if (!contact.limit) continue;
+    if (!options.statics) {
+      throw Malformed{file,
+                      is_contact(contact.sight)
+                          ? "contacts[" + std::to_string(i) + "].max_force"
+                          : contact.sight->place + ".max_torque",
+                      "the force is limited; expected none, but in a question of statics"};
+    }
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string show(const Tolerance& tolerance) {
+  if (!tolerance.ball) return show(tolerance.size) + (tolerance.percent ? "%" : "");
+  const Ball& ball = *tolerance.ball;
+  std::string text = "ball:" + show(ball.radius) + ":length=" + show(ball.length);
+  for (std::size_t j = 0; j < ball.about.size(); ++j) {
+    text += (j == 0 ? ":about=" : ":") + show(ball.about[j]);
+  }
+  return text + (ball.body ? ":body=" + *ball.body : "");
+}
+
 ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bits) {
   const bool has_length = is_contact(contact.sight);
   const Rational square = has_length ? dot(contact.normal, contact.normal) : Rational(1);
@@ -371,51 +430,10 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
   return box;
 }
 
-/// FORMAT.md §17.
-Question pose_states(Grasp grasp, const Options& options, const std::string& file) {
-  if (options.margin() || options.plane || options.inertia || options.statics ||
-      options.wrench || options.preload || options.bilateral || options.case_name ||
-      options.robustness ||
-      !options.uncertain.empty() || options.max_motion) {
-    refuse("states", "another option is given as well, but positions and normals alone count");
-  }
-  if (grasp.dimension() > kMostCoordinates) refuse_many(grasp.dimension());
-  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
-    const Contact contact = grasp.contacts[i];
-    if (!is_contact(contact.sight)) continue;
-    const auto check = [&](const Bounds& bounds, const char* name) {
-      if (bounds.certain()) return;
-      throw Malformed{file, "contacts[" + std::to_string(i) + "]." + name,
-                      "found the interval " + show(bounds) + ", but " + kind_of(options) +
-                          " is that of one grasp; expected a number"};
-    };
-    for (const Bounds& p : contact.position) check(p, "position");
-    check(Bounds(-contact.slope, contact.slope), "normal.slope");
-  }
-  Question question;
-  question.asked = options;
-  question.several = grasp.several;
-  question.in_space = grasp.in_space();
-  question.wrench = Wrench(grasp.dimension());
-  question.contacts = Fixed<Contacts>(std::move(grasp.contacts));
-  return question;
-}
-
-}  // namespace
-
-std::string show(const Tolerance& tolerance) {
-  if (!tolerance.ball) return show(tolerance.size) + (tolerance.percent ? "%" : "");
-  const Ball& ball = *tolerance.ball;
-  std::string text = "ball:" + show(ball.radius) + ":length=" + show(ball.length);
-  for (std::size_t j = 0; j < ball.about.size(); ++j) {
-    text += (j == 0 ? ":about=" : ":") + show(ball.about[j]);
-  }
-  return text + (ball.body ? ":body=" + *ball.body : "");
-}
-
 Question pose(Grasp grasp, const Options& given, const std::string& file) {
   Options options = given;
   check_robustness(grasp, options);
+  const std::size_t limits = count_limits(grasp, options, file);
   if (options.states) return pose_states(std::move(grasp), options, file);
   Contacts& contacts = grasp.contacts;
   const std::size_t m = contacts.size();
@@ -425,6 +443,7 @@ Question pose(Grasp grasp, const Options& given, const std::string& file) {
   check_statics(options);
   Question question;
   question.asked = options;
+  question.limits = limits;
   question.asked.max_motion = max_motion_asked(grasp, options);
   question.several = grasp.several;
   question.in_space = grasp.in_space();

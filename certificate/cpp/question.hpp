@@ -112,6 +112,7 @@ struct Question {
   Load load;                       ///< w
   Vector growth;                   ///< u; 0 for one verdict
   Fixed<Vector> preload_growth;    ///< P^u; empty if none is asked for
+  std::size_t limits = 0;          ///< n (FORMAT.md §16)
   bool is_box = false;             ///< FORMAT.md §6; of claims §5
   bool encloses_lengths = false;   ///< of normals, where they are irrational
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
@@ -125,6 +126,10 @@ struct Question {
 
 /// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.
 Question pose(Grasp grasp, const Options& options, const std::string& file);
+
+/// A contact of the enlarged box (FORMAT.md §6), whose preload grows with a margin's multiple.
+ContactBox enlarged(const Contact& contact, const Rational& growth = 0,
+                    unsigned bits = kDefaultBits);
 
 /// Sets `question.box` to the enlarged box, with so many bits for lengths that are irrational.
 void enlarge(Question& question, unsigned bits = kDefaultBits);

@@ -35,10 +35,6 @@ bool at_least(const Rational& a, const Rational& b, const Rational& c, const Rat
   return sgn(a) * a * a * b >= sgn(c) * c * c * d;
 }
 
-[[noreturn]] void reject(const char* rule, const std::string& place, const std::string& found) {
-  throw Rejected{rule, std::nullopt, place, found};
-}
-
 }  // namespace
 
 Vector RigidRow::slip(const Vector& d) const {

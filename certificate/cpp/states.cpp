@@ -21,11 +21,6 @@ struct Trace {
   Planes planes;
 };
 
-[[noreturn]] void reject_states(const char* rule, const std::string& place,
-                                const std::string& found) {
-  throw Rejected{rule, std::nullopt, place, found};
-}
-
 /// The first coordinate that is not 0, or the size.
 std::size_t first_entry(const Form& row) {
   return static_cast<std::size_t>(
@@ -137,7 +132,7 @@ class Flats {
     std::vector<Integer> simple(rank);  // flats of as many planes as their codimension
     const auto take = [&](const Planes& flat, std::size_t codimension) {
       if (counted && ++found_ > most_) {
-        reject_states("state-complete", "",
+        reject("state-complete", "",
                       "there are more states than " + show(Rational(most_)));
       }
       const bool odd = (rank - codimension) % 2 == 1;
@@ -287,7 +282,7 @@ StatesProof::StatesProof(const Question& question,
     if (is_contact(contact.sight)) contacts.push_back(contact);
   }
   if (lines.size() != contacts.size()) {
-    reject_states("state-line", "",
+    reject("state-line", "",
                   "there are lines of " + std::to_string(lines.size()) +
                       " contacts, expected " + std::to_string(contacts.size()));
   }
@@ -299,7 +294,7 @@ StatesProof::StatesProof(const Question& question,
     for (std::size_t j = 0; j < lines[i].size(); ++j) {
       const Vector& v = lines[i][j];
       if (dot(v, normal) != 0 || dot(v, v) == 0) {
-        reject_states("state-line",
+        reject("state-line",
                       "contact " + std::to_string(i) + ", line " + std::to_string(j),
                       show(v) + " is 0, or not across the normal " + show(normal));
       }
@@ -356,14 +351,14 @@ bool StatesProof::agrees(const State& state) const {
 void StatesProof::visit(const State& state) {
   spend(1 + rows_.size() + closed_.size());
   const std::string place = "state " + std::to_string(listed_);
-  if (!agrees(state)) reject_states("state-sign", place, "the motion has other signs");
+  if (!agrees(state)) reject("state-sign", place, "the motion has other signs");
   const std::size_t first = state.signs.find_first_not_of('0');
   const bool is_zero = first == std::string::npos;
   if (!is_zero && state.signs[first] == '-') {
-    reject_states("state-half", place, "the first sign that is not 0 is -");
+    reject("state-half", place, "the first sign that is not 0 is -");
   }
   if (!seen_.insert(state.signs).second) {
-    reject_states("state-new", place, "a state before it has the same signs");
+    reject("state-new", place, "a state before it has the same signs");
   }
   ++listed_;
   number_ += is_zero ? 1 : 2;
@@ -374,13 +369,13 @@ void StatesProof::finish(const std::vector<Integer>& by_dimension) const {
   Integer all = 0;
   for (const Integer& f : found) all += f;
   if (all != number_) {
-    reject_states("state-complete", "",
+    reject("state-complete", "",
                   "there are " + show(Rational(all)) + " states, and " +
                       show(Rational(number_)) + " are listed");
   }
   for (std::size_t j = 0; j < found.size(); ++j) {
     if (by_dimension[j] == found[j]) continue;
-    reject_states("state-dimension", "",
+    reject("state-dimension", "",
                   show(Rational(found[j])) + " states have dimension " + std::to_string(j) +
                       ", not " + show(Rational(by_dimension[j])));
   }

@@ -9,10 +9,6 @@
 namespace stickslip_check {
 namespace {
 
-[[noreturn]] void reject(const char* rule, const std::string& place, const std::string& found) {
-  throw Rejected{rule, std::nullopt, place, found};
-}
-
 Vector point_of(const Contact& contact) {
   Vector point;
   for (const Bounds& p : contact.position) point.push_back(p.low);
@@ -20,7 +16,7 @@ Vector point_of(const Contact& contact) {
 }
 
 bool is_held(const Contact& contact) {
-  return is_spring(contact.sight) && contact.stiffness.low != 0;
+  return is_spring(contact.sight) && contact.stiffness.low != 0 && !contact.limit;
 }
 
 bool is_all_zero(const Vector& v) {
@@ -59,24 +55,28 @@ Vector wrench_of(const RigidForce& force, const Contact& contact) {
 
 StaticsProof::StaticsProof(const Question& question, const Rational& factor)
     : question_(question), square_(factor * factor) {
-  Vector& load = loads_.emplace_back();
-  for (const Bounds& w : question.wrench) load.push_back(w.low);
+  BodyForces load(mechanism(), question.dimension());
   for (std::size_t i = 0; i < question.contacts.size(); ++i) {
     const Contact contact = question.contacts[i];
-    if (!is_spring(contact.sight) || is_held(contact)) continue;
-    add_combined(load, contact.sight->rows, {contact.preload.low});
+    if (contact.limit) limits_.push_back(*contact.limit);
+    if (!is_spring(contact.sight) || is_held(contact) || contact.limit) continue;
+    load.add(contact.sight, {contact.preload.low});
   }
+  loads_.push_back(load.total());
+  for (std::size_t j = 0; j < question.dimension(); ++j) loads_[0][j] += question.wrench[j].low;
   const Options& asked = question.asked;
   if (asked.direction) loads_.push_back(*asked.direction);
   if (asked.plane) loads_.insert(loads_.end(), asked.plane->begin(), asked.plane->end());
 }
 
 /// `static-force` of one.
-bool StaticsProof::is_lawful(const RigidForce& force, const Contact& contact) const {
+bool StaticsProof::is_lawful(const RigidForce& force, const Contact& contact,
+                             const Rational& h) const {
   const Vector& f = force.friction;
+  if (contact.limit && abs(force.normal) > h * *contact.limit) return false;
   if (!is_contact(contact.sight)) {
     if (!is_all_zero(f)) return false;
-    return is_spring(contact.sight) ? is_held(contact) : force.normal >= 0;
+    return is_spring(contact.sight) ? is_held(contact) || contact.limit : force.normal >= 0;
   }
   const Vector& n = contact.normal;
   const Rational most =
@@ -101,23 +101,20 @@ void StaticsProof::check(const StandPoint& stand, const std::string& place) {
       reject("static-force", place, name + " is not there, or out of order");
     }
     next = force.contact + 1;
-    if (!is_lawful(force, question_.contacts[force.contact.get_ui()])) {
-      reject("static-force", place, "the force of " + name + " is not in its cone");
+    if (!is_lawful(force, question_.contacts[force.contact.get_ui()], h)) {
+      reject("static-force", place,
+             "the force of " + name + " is not in its cone, or above its limit");
     }
   }
-  Vector total(question_.dimension());
-  for (std::size_t k = 0; k < loads_.size(); ++k) add(total, stand.point[k], loads_[k]);
+  BodyForces sum(mechanism(), question_.dimension());
   for (const RigidForce& force : stand.forces) {
     spend(kStepsOfSum);
     const Contact contact = question_.contacts[force.contact.get_ui()];
-    const Vector wrench =
-        is_contact(contact.sight) ? wrench_of(force, contact) : Vector{force.normal};
-    if (contact.sight) {
-      add_combined(total, contact.sight->rows, wrench);
-    } else {
-      add(total, 1, wrench);
-    }
+    sum.add(contact.sight,
+            is_contact(contact.sight) ? wrench_of(force, contact) : Vector{force.normal});
   }
+  Vector total = sum.total();
+  for (std::size_t k = 0; k < loads_.size(); ++k) add(total, stand.point[k], loads_[k]);
   for (std::size_t j = 0; j < total.size(); ++j) {
     if (total[j] == 0) continue;
     reject("static-balance", place,
@@ -138,50 +135,64 @@ void StaticsProof::check(const StandPoint& stand, const std::string& place) {
   standing_.any = has_point_ = true;
 }
 
-/// Whether some force of the element does negative work on the motion of what it is on.
-bool StaticsProof::opposes(const Contact& contact, const Vector& local) const {
+/// Whether some force of the element does negative work on the motion of what it is on, with
+/// the price of a limit added to N.y.
+bool StaticsProof::opposes(const Contact& contact, const Vector& local,
+                           const Rational& price) const {
   if (!is_contact(contact.sight)) {
-    return is_spring(contact.sight) ? is_held(contact) && local[0] != 0 : local[0] < 0;
+    if (!is_spring(contact.sight)) return local[0] < 0;
+    return contact.limit ? abs(local[0]) > price : is_held(contact) && local[0] != 0;
   }
   const Vector& n = contact.normal;
   const auto [u, turn] = motion_at(contact, local);
-  const Rational press = dot(n, u);
+  const Rational along = dot(n, u);
+  const Rational press = along + price;
   if (press < 0) return true;
   const Rational length = dot(n, n);
-  Rational square = dot(u, u) - press * press / length;
+  Rational square = dot(u, u) - along * along / length;
   if (contact.torsion != 0) square += gamma_of(contact) * dot(n, turn) * dot(n, turn);
   const Rational mu = contact.friction.low;
   return press * press < square_ * mu * mu * length * square;
 }
 
 void StaticsProof::check_unopposed(const Vector& twist, const std::string& place) const {
-  const Element* seen_last = nullptr;
-  Vector local = twist;
+  const BodyMotions motions(mechanism(), twist);
+  std::size_t next_price = question_.dimension();
   for (std::size_t i = 0; i < question_.contacts.size(); ++i) {
     spend(kStepsOfSum);
     const Contact contact = question_.contacts[i];
-    if (contact.sight.get() != seen_last) {
-      local = moved(contact.sight->rows, twist);
-      seen_last = contact.sight.get();
+    const Rational price = contact.limit ? twist[next_price++] : Rational(0);
+    if (price < 0) {
+      reject("static-motion", place,
+             "the number of the limit of contact " + std::to_string(i) + " is below 0");
     }
-    if (opposes(contact, local)) {
+    if (opposes(contact, motions.seen_by(contact.sight), price)) {
       reject("static-motion", place,
              "a force of contact " + std::to_string(i) + " does negative work on it");
     }
   }
 }
 
+/// y.w, less what forces take up at their limits.
+Rational StaticsProof::work_of_load(const Vector& twist) const {
+  Rational work = dot(twist, loads_[0]);
+  for (std::size_t k = 0; k < limits_.size(); ++k) {
+    work -= twist[question_.dimension() + k] * limits_[k];
+  }
+  return work;
+}
+
 void StaticsProof::check_twist(const Vector& twist) const {
   check_unopposed(twist, "twist");
-  if (dot(twist, loads_[0]) > 0) return;
-  reject("static-motion", "twist", "the load does no work along it");
+  if (work_of_load(twist) > 0) return;
+  reject("static-motion", "twist", "the load does no work along it, or too little");
 }
 
 void StaticsProof::check(const Vector& twist, const std::string& place) {
   check_unopposed(twist, place);
   if (loads_.size() != 2) return;
   // It excludes the l with y.w + l y.u > 0.
-  const Rational work = dot(twist, loads_[0]);
+  const Rational work = work_of_load(twist);
   const Rational growth = dot(twist, loads_[1]);
   if (growth == 0) {
     if (work > 0) standing_.always_moves = true;

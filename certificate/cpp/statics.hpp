@@ -51,13 +51,19 @@ class StaticsProof {
   const Standing& standing() const { return standing_; }
 
  private:
-  bool is_lawful(const RigidForce& force, const Contact& contact) const;
-  bool opposes(const Contact& contact, const Vector& local) const;
+  bool is_lawful(const RigidForce& force, const Contact& contact, const Rational& h) const;
+  bool opposes(const Contact& contact, const Vector& local, const Rational& price) const;
+  Rational work_of_load(const Vector& twist) const;
   void check_unopposed(const Vector& twist, const std::string& place) const;
+
+  const Mechanism* mechanism() const {
+    return question_.several ? question_.several->mechanism.get() : nullptr;
+  }
 
   const Question& question_;
   Rational square_;            ///< phi^2
   std::vector<Vector> loads_;  ///< of each coordinate of a load point
+  Vector limits_;              ///< A of each limited element
   Standing standing_;
   bool has_point_ = false;  ///< with h > 0
 };

@@ -8,10 +8,6 @@
 namespace stickslip_check {
 namespace {
 
-[[noreturn]] void reject(const char* rule, const std::string& found) {
-  throw Rejected{rule, std::nullopt, "", found};
-}
-
 std::string name_of(const Integer& contact) {
   return "contact " + show(Rational(contact)) + ": ";
 }
@@ -48,24 +44,25 @@ void check_bound(const Vector& bound, const Vector& x) {
   for (std::size_t j = 0; j < bound.size(); ++j) {
     const Rational most = bound[j] * x[bound.size()];
     if (abs(x[j]) <= most) continue;
-    reject("witness-bound", "motion " + std::to_string(j + 1) + " is " + show(x[j]) +
+    reject("witness-bound", "", "motion " + std::to_string(j + 1) + " is " + show(x[j]) +
                                 ", not from " + show(Rational(-most)) + " to " + show(most));
   }
 }
 
 /// `witness-share`: sets the shares of contacts that stick.
-void take_shares(const Box& box, const Witness& witness, std::vector<ContactForce>& forces) {
+void take_stated(const ContactAt& contact_at, const Witness& witness,
+                 std::vector<ContactForce>& forces) {
   Integer above = -1;
   for (const auto& [contact, share] : witness.shares) {
     const auto require = [&, &i = contact](bool good, const std::string& found) {
-      if (!good) reject("witness-share", name_of(i) + found);
+      if (!good) reject("witness-share", "", name_of(i) + found);
     };
     require(contact > above, "not above the one before");
-    require(contact < forces.size() && is_contact(box.contact(contact.get_ui()).sight),
-            "there is none");
+    require(contact < forces.size(), "there is none");
+    const ContactBox& here = contact_at(contact.get_ui());
+    require(is_contact(here.sight), "there is none");
     ContactForce& force = forces[contact.get_ui()];
     require(!force.slips(), "it slips");
-    const ContactBox& here = box.contact(contact.get_ui());
     const bool in_space = share.size() > 1;
     require(!in_space || dot(share, here.normal) == 0,
             show(share) + " is not across its normal");
@@ -77,26 +74,22 @@ void take_shares(const Box& box, const Witness& witness, std::vector<ContactForc
   }
 }
 
-/// `witness-root`: sets the shares of contacts that slip in space.
-void take_roots(const Box& box, std::vector<ContactForce>& forces) {
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    ContactForce& force = forces[i];
-    const ContactBox& contact = box.contact(i);
-    if (force.slip.size() == 1 || !force.slips() || force.v <= 0 ||
-        contact[Parameter::kFriction] == Bounds(0)) {
-      continue;
-    }
-    const Vector slip(force.slip.begin(), force.slip.end());
-    const Vector against = conjugate(contact, slip);
-    const Rational square = dot(contact.normal, contact.normal) / dot(against, slip);
-    const std::optional<Rational> root = exact_sqrt(square);
-    if (!root) {
-      reject("witness-root",
-             name_of(i) +
-                 "it slips in a direction whose length, over its normal's, is irrational");
-    }
-    for (std::size_t j = 0; j < against.size(); ++j) force.share[j] = -against[j] * *root;
+/// `witness-root`: sets the share of a contact that slips in space.
+void take_root(const ContactBox& contact, std::size_t i, ContactForce& force) {
+  if (force.slip.size() <= 1 || !force.slips() || force.v <= 0 ||
+      contact[Parameter::kFriction] == Bounds(0)) {
+    return;
   }
+  const Vector slip(force.slip.begin(), force.slip.end());
+  const Vector against = conjugate(contact, slip);
+  const Rational square = dot(contact.normal, contact.normal) / dot(against, slip);
+  const std::optional<Rational> root = exact_sqrt(square);
+  if (!root) {
+    reject("witness-root", "",
+           name_of(i) +
+               "it slips in a direction whose length, over its normal's, is irrational");
+  }
+  for (std::size_t j = 0; j < against.size(); ++j) force.share[j] = -against[j] * *root;
 }
 
 /// a times N + b_1 S_1 + ..., with the shares times mu for b: the wrench of a contact.
@@ -165,30 +158,42 @@ Vector ForceSum::total(const Box& box, const Form& x, const std::vector<ContactF
   return total;
 }
 
+void take_shares(const Question& question, const ContactAt& contact_at, const Witness& witness,
+                 std::vector<ContactForce>& forces) {
+  check_bound(question.asked.max_motion.value_or(Vector{}), witness.x);
+  take_stated(contact_at, witness, forces);
+  for (std::size_t i = 0; question.asked.bilateral && i < forces.size(); ++i) {
+    if (forces[i].v < 0 && !is_spring(contact_at(i).sight)) {
+      reject("witness-normal", "", name_of(i) + "v is below 0");
+    }
+  }
+  for (std::size_t i = 0; i < forces.size(); ++i) take_root(contact_at(i), i, forces[i]);
+}
+
+void check_grasp(const Question& question) {
+  if (question.is_box) {
+    reject("witness-box", "", "an equilibrium of one grasp, but the question is about a box");
+  }
+}
+
+void check_balance(Vector total, const Rational& scale) {
+  if (total == Vector(total.size())) return;
+  for (Rational& entry : total) entry *= scale;
+  reject("witness-balance", "", "load and forces add up to " + show(total) + ", not to 0");
+}
+
 std::vector<ContactForce> check_witness(const Question& question, const Witness& witness,
                                         ForceSum& sum) {
-  if (question.is_box) {
-    reject("witness-box", "an equilibrium of one grasp, but the question is about a box");
-  }
-  check_bound(question.asked.max_motion.value_or(Vector{}), witness.x);
+  check_grasp(question);
   // All conditions are homogeneous, so a multiple of the point without denominators serves.
   Rational scale;
   const Form x = make_form(witness.x, &scale);
   const Box& box = *question.box;
   std::vector<ContactForce> forces = motion_of(box, x);
-  take_shares(box, witness, forces);
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    const bool opens = forces[i].v < 0 && !is_spring(box.contact(i).sight);
-    if (question.asked.bilateral && opens) {
-      reject("witness-normal", name_of(i) + "v is below 0");
-    }
-  }
-  take_roots(box, forces);
-  Vector total = sum.total(box, x, forces);
-  if (total != Vector(total.size())) {
-    for (Rational& entry : total) entry *= scale;
-    reject("witness-balance", "load and forces add up to " + show(total) + ", not to 0");
-  }
+  take_shares(
+      question, [&box](std::size_t i) -> const ContactBox& { return box.contact(i); }, witness,
+      forces);
+  check_balance(sum.total(box, x, forces), scale);
   return forces;
 }
 

@@ -4,6 +4,7 @@
 /// balance the load. And segments between two (§5).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,6 +44,19 @@ class ForceSum {
   std::vector<std::optional<int>> held_;  ///< the shares of contacts in the sum
   Vector sum_;                            ///< of the contacts held: a matrix, by rows
 };
+
+/// Gives a contact, until another is asked for.
+using ContactAt = std::function<const ContactBox&(std::size_t)>;
+
+/// `witness-box`
+void check_grasp(const Question& question);
+
+/// The rules between that and the balance: sets the shares of forces. Throws Rejected.
+void take_shares(const Question& question, const ContactAt& contact_at, const Witness& witness,
+                 std::vector<ContactForce>& forces);
+
+/// `witness-balance`: x is (d, h) up to a factor, and `scale` times what is stated.
+void check_balance(Vector total, const Rational& scale);
 
 /// The rules `witness-...`. Throws Rejected, or returns the forces, one for each contact.
 std::vector<ContactForce> check_witness(const Question& question, const Witness& witness,

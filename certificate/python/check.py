@@ -237,6 +237,7 @@ class Source:
         self.space = False
         self.several = False    # is a certificate about several bodies?
         self.soft: Set[int] = set()  # its contacts with torsion (§15)
+        self.limits = 0         # and how many elements with limits it is about (§16)
         self.gravity: Vector = ()    # of a grasp file, if it has one
         self.frictions: Dict[str, Bounds] = {}  # of a grasp file, those with names
         text = self.read(name)
@@ -437,6 +438,7 @@ class Contact(NamedTuple):
     by: str = GROUND
     over: Dict[str, Fraction] = {}  # of a ratchet or a tendon: the numbers of links
     joint: int = -1                 # of a joint's spring: its coordinate
+    limit: Optional[Fraction] = None  # §16: A
 
     def is_contact(self) -> bool:
         return bool(self.position)
@@ -708,7 +710,16 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
             source.fail(f"{place}.torsion", f"{show(torsion)} is out of range, must be >= 0" if source.space else
                         "the grasp is in the plane, and has none")
         found["torsion"] = exactly(torsion)
+    if "max_force" in fields:
+        found["max_force"] = exactly(read_limit(source, fields["max_force"], f"{place}.max_force"))
     return found
+
+
+def read_limit(source: Source, value: Any, place: str) -> Fraction:
+    limit = source.number(value, place)
+    if limit < 0:
+        source.fail(place, f"{show(limit)} is out of range, must be >= 0")
+    return limit
 
 
 def begins_as_number(text: str) -> bool:
@@ -1043,7 +1054,7 @@ def read_defaults(source: Source, top: Dict[str, Any]) -> Dict[str, Bounds]:
             if type(unit) is not str or not 1 <= len(unit.encode("utf-8")) <= 16:
                 source.fail(f"units.{key}", "must be a string of 1 to 16 bytes")
     stated = source.members(top.get("defaults", Members([])), "defaults",
-                            "friction? stiffness? preload?" + " torsion?" * ("bodies" in top))
+                            "friction? stiffness? preload?" + " torsion? max_force?" * ("bodies" in top))
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
         source.fail("contacts", "too many contacts")
     show_dimension(source, top)
@@ -1066,8 +1077,14 @@ def read_contact(source: Source, fields: Dict[str, Any], place: str, defaults: D
         normal, slope = read_normal(source, fields["normal"], f"{place}.normal")
     if not any(normal):
         source.fail(f"{place}.normal", "must not be zero")
+    limit = None
+    if "max_force" in values:
+        length = rational_root(dot(normal, normal))
+        if length is None:
+            source.fail(f"{place}.normal", "must have a rational length, as the force is limited")
+        limit = values["max_force"].low / length
     return Contact(position, normal, slope, values["friction"], values["stiffness"],
-                   values["preload"], place, torsion=values["torsion"].low)
+                   values["preload"], place, torsion=values["torsion"].low, limit=limit)
 
 
 def read_grasp(name: str, statics: bool) -> Grasp:
@@ -1384,13 +1401,23 @@ def check_contact(grasp_file: str, contact: Contact, grows: bool, asked: Options
     return irrational or not all(number.certain for number in numbers.values())
 
 
+def check_limits(grasp_file: str, grasp: Grasp, asked: Options) -> None:
+    """§16: only statics is asked of limited forces."""
+    for contact in grasp.contacts if asked.statics is None else ():
+        if contact.limit is not None:
+            raise Malformed(grasp_file, contact.place + (".max_force" if contact.is_contact() else ".max_torque"),
+                            "the force is limited, which must not be but in a question of statics")
+
+
 def pose(grasp_file: str, asked: Options) -> Question:
     """§1, the table: the question, if it can be asked."""
     grasp = read_grasp(grasp_file, asked.statics is not None)
     asked = robustness_asked(asked, grasp)
     if asked.states:
+        check_limits(grasp_file, grasp, asked)
         return pose_states(grasp_file, grasp, asked)
     m = len(grasp.contacts)
+    check_limits(grasp_file, grasp, asked)
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
     check_dimension(asked, grasp)
@@ -1538,7 +1565,7 @@ def read_several(source: Source) -> Grasp:
         source.fail("format", f"must be \"{GRASP.formats[2]}\", as the file has bodies")
     defaults = read_defaults(source, top)
     lists = {}
-    for key, members in (("joints", "turns name? stiffness? torque?"),
+    for key, members in (("joints", "turns name? stiffness? torque? max_torque?"),
                          ("tendons", "over name? stiffness? tension?"),
                          ("ratchets", "over name? stiffness preload?")):
         lists[key] = [source.members(entry, f"{key}[{k}]", members)
@@ -1569,7 +1596,7 @@ def read_several(source: Source) -> Grasp:
     elements = []
     for i, entry in enumerate(top["contacts"]):
         place = f"contacts[{i}]"
-        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload? torsion?")
+        fields = source.members(entry, place, "of by? position normal friction? stiffness? preload? torsion? max_force?")
         of = bodies.known(source, fields["of"], f"{place}.of")
         by = bodies.known(source, fields.get("by", GROUND), f"{place}.by", True)
         if of == by:
@@ -1582,9 +1609,11 @@ def read_several(source: Source) -> Grasp:
         stated = {"preload": exactly(Fraction(0)), **coefficients(source, fields, place)}
         elements.append(over(element(place, stated["stiffness"], stated["preload"]), fields))
     for q, fields in enumerate(joints):
-        if "stiffness" in fields or "torque" in fields:
+        if "stiffness" in fields or "torque" in fields or "max_torque" in fields:
             joint = bodies.dimension - len(joints) + q
             spring = read_spring(source, fields, f"joints[{q}]", "torque")
+            if "max_torque" in fields:
+                spring = spring._replace(limit=read_limit(source, fields["max_torque"], f"joints[{q}].max_torque"))
             elements.append(along(spring._replace(joint=joint), {joint: Fraction(1)}))
     for k, fields in enumerate(lists["tendons"]):
         elements.append(over(read_spring(source, fields, f"tendons[{k}]", "tension"), fields))
@@ -1757,6 +1786,7 @@ def read_certificate(name: str, question: Question) -> Certificate:
     source, dimension = Source(name, CERTIFICATE), len(question.wrench)
     source.dimension, source.space, source.several = dimension, question.space, bool(question.names)
     source.soft = {i for i, contact in enumerate(question.contacts) if contact.torsion}
+    source.limits = sum(contact.limit is not None for contact in question.contacts)
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
@@ -1927,7 +1957,7 @@ def read_robustness(source: Source) -> Certificate:
 
 def read_statics(source: Source, top: Dict[str, Any], numbers: int) -> StaticProof:
     """§16; of load points with so many numbers."""
-    dimension, stand = source.dimension, []
+    dimension, stand = source.dimension + source.limits, []
     for k, entry in enumerate(source.array(top.get("stand", []), "stand")):
         point, forces = source.array(entry, f"stand[{k}]", 2)
         stand.append((source.vector(point, f"stand[{k}][0]", numbers), read_forces(source, forces, f"stand[{k}][1]")))
@@ -2241,31 +2271,45 @@ def sign(x: Union[int, Fraction]) -> int:
     return (x > 0) - (x < 0)
 
 
-def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
-    """`witness-...`. Returns the forces, one for each contact."""
+class SlipLaw(NamedTuple):
+    """What a Row has, too, and friction takes to be known."""
+    normal: Vector
+    longest: Fraction  # L², of a share in the plane 1
+    gamma: Fraction
+    friction: Fraction
+    spring: bool
+
+
+def pushed_by(v: Fraction, slip: Vector, spring: bool) -> ContactForce:
+    """Without friction."""
+    return ContactForce(v, slip, v if spring else max(Fraction(0), v), zeros(len(slip)))
+
+
+def check_grasp(question: Question) -> None:
     if question.is_box:
         raise Rejected("witness-box", "an equilibrium of one grasp, but the question is about a box")
+
+
+def take_friction(question: Question, witness: Witness, rows: Sequence[Union[Row, SlipLaw]],
+                  forces: List[ContactForce]) -> None:
+    """The rules between `witness-box` and the balance: adds friction to the forces."""
     for j, b in enumerate(question.asked.max_motion or ()):
         if abs(witness.x[j]) > b * witness.x[len(question.wrench)]:
             raise Rejected("witness-bound", f"motion {j + 1} is {show(witness.x[j])}, beyond {show(b)} h")
-    forces = []
-    for row in question.rows:
-        v, slip = dot(row.v, witness.x), tuple(dot(s, witness.x) for s in row.slip)
-        forces.append(ContactForce(v, slip, v if row.spring else max(Fraction(0), v), zeros(len(slip))))
     last = -1
     for i, share in witness.shares:
         if not last < i < question.slipping():
             raise Rejected("witness-share", f"contact {show(i)}, which is not there or not in order")
-        row, last = question.rows[i], i
+        row, last = rows[i], i
         if any(forces[i].slip):
             raise Rejected("witness-share", f"contact {i} slips: {show(forces[i].slip)}")
         if force_square(share, row.gamma) > row.longest or (len(share) > 1 and dot(share, row.normal) != 0):
             raise Rejected("witness-share", f"contact {i}, share {show(share)}")
         forces[i] = forces[i]._replace(b=times(row.friction * forces[i].a, share))
     for i, force in enumerate(forces):
-        if question.asked.law == "bilateral" and force.v < 0 and not question.rows[i].spring:
+        if question.asked.law == "bilateral" and force.v < 0 and not rows[i].spring:
             raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
-    for i, (row, force) in enumerate(zip(question.rows, forces)):
+    for i, (row, force) in enumerate(zip(rows, forces)):
         if any(force.slip) and row.friction * force.a:
             against = starred(force.slip, row.gamma)
             ratio = rational_root(row.longest / dot(against, force.slip))
@@ -2273,6 +2317,14 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
                 raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
                                                "ratio of its normal's length to that is irrational")
             forces[i] = force._replace(b=times(-row.friction * force.a * ratio, against))
+
+
+def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
+    """`witness-...`. Returns the forces, one for each contact."""
+    check_grasp(question)
+    forces = [pushed_by(dot(row.v, witness.x), tuple(dot(s, witness.x) for s in row.slip), row.spring)
+              for row in question.rows]
+    take_friction(question, witness, question.rows, forces)
     loads = witness.x[len(question.wrench):]  # h and what follows
     total = pairwise_sum([tuple(dot(loads, column)
                                 for column in zip(question.w(), *question.growths))]
@@ -3843,22 +3895,25 @@ class StaticRow(NamedTuple):
     point: Integers
     scale: int  # p is the point over that
     normal: Integers
+    normal_factor: int  # n times that
     friction: Fraction
     torsion: Fraction
 
-    def opposes(self, motion: Integers) -> bool:
+    def opposes(self, motion: Integers, price: Fraction) -> bool:
         """Whether some force in the cone does work below 0 on this motion of the body beside that which it touches: not if
-        N·y ≥ 0 and (N·y)² ≥ φ² μ² (L² |u|² − (n·u)² + e² (n·ω)²), where u and ω are by one factor as well."""
+        N·y + q ≥ 0 and (N·y + q)² ≥ φ² μ² (L² |u|² − (n·u)² + e² (n·ω)²), where u and ω are by one factor as well, and the
+        price q of a limit is by that, too."""
         n, p, scale = self.normal, self.point, self.scale
         if len(n) == 2:
             u = (motion[0] * scale - motion[2] * p[1], motion[1] * scale + motion[2] * p[0])
-            work, slip = dot(n, u), n[0] * u[1] - n[1] * u[0]
+            work, slip = dot(n, u) + price, n[0] * u[1] - n[1] * u[0]
             return work < 0 or work * work * self.friction.denominator < slip * slip * self.friction.numerator
         omega = motion[3:]
         u = tuple(motion[j] * scale + omega[j - 2] * p[j - 1] - omega[j - 1] * p[j - 2] for j in range(3))
-        work, turn = dot(n, u), scale * dot(n, omega)
-        square, e = work * work, self.torsion
-        slip = e.denominator * (dot(n, n) * dot(u, u) - square) + e.numerator * turn * turn
+        along, turn = dot(n, u), scale * dot(n, omega)
+        work, e = along + price, self.torsion
+        square = work * work
+        slip = e.denominator * (dot(n, n) * dot(u, u) - along * along) + e.numerator * turn * turn
         return work < 0 or square * self.friction.denominator * e.denominator < slip * self.friction.numerator
 
 
@@ -3873,8 +3928,9 @@ class Statics:
         work: Dict[str, List[Fraction]] = {}
         along: Dict[int, List[Fraction]] = {}
         for contact in self.contacts:
-            if contact.spring and not contact.stiffness.low:
+            if contact.spring and not contact.stiffness.low and contact.limit is None:
                 self.push_along(contact, contact.preload.low, work, along)
+        self.limits = [contact.limit for contact in self.contacts if contact.limit is not None]
         self.loads = (summed([question.w(), self.bodies.gathered({}, work, along)]), *question.growths)
         self.rows: Dict[int, StaticRow] = {}  # of contacts, made where a twist asks for it
 
@@ -3892,29 +3948,37 @@ class Statics:
             contact = self.contacts[i]
             Work.spend(10)
             point, scale = integers(tuple(x.low for x in contact.position))
-            self.rows[i] = StaticRow(point, scale, integers(contact.normal)[0], (self.factor * contact.friction.low) ** 2,
+            self.rows[i] = StaticRow(point, scale, *integers(contact.normal), (self.factor * contact.friction.low) ** 2,
                                      contact.torsion ** 2)
         return self.rows[i]
 
     def check_move(self, y: Vector, place: str) -> None:
         """`static-motion`."""
-        moved, turned = self.bodies.moved(y)
+        dimension = self.bodies.dimension
+        moved, turned = self.bodies.moved(y[:dimension])
+        prices = iter(y[dimension:])
         motions = {}
         for name, motion in moved.items():
             count_words(motion, len(motion))
             motions[name] = integers(motion)
         for i, contact in enumerate(self.contacts):
+            price = Fraction(0) if contact.limit is None else next(prices)
+            if price < 0:
+                raise Rejected("static-motion", f"the number {show(price)} of the limit of {contact.place} is below 0", place)
             if not contact.is_contact():
-                if contact.spring and not contact.stiffness.low:
+                if contact.spring and not contact.stiffness.low and contact.limit is None:
                     continue
                 terms = [(y[contact.joint],)] if contact.joint >= 0 else []
                 for name, r in contact.over.items():
                     count_words((turned[name], r), 1)
                     terms.append((turned[name] * r,))
                 (way,) = summed(terms)
+                if contact.limit is not None and abs(way) <= price:
+                    continue
                 if way < 0 or (way and contact.spring):
                     raise Rejected("static-motion", f"{contact.place} moves by {show(way)}, but "
-                                                    + ("is locked" if contact.spring else "is a ratchet"), place)
+                                                    + (f"may by {show(price)}" if contact.limit is not None else
+                                                       "is locked" if contact.spring else "is a ratchet"), place)
                 continue
             (of, of_factor), (by, by_factor), row = motions[contact.of], motions[contact.by], self.row(i)
             motion = tuple(by_factor * a - of_factor * b for a, b in zip(of, by))
@@ -3922,15 +3986,18 @@ class Statics:
             length = words(motion) + 2 * words((*row.point, row.scale, *row.normal)) + words(
                 (row.friction.numerator, row.friction.denominator, row.torsion.numerator, row.torsion.denominator))
             Work.multiply(12 * len(motion), length, length)
-            if row.opposes(motion):
+            if contact.limit is not None:  # n and p are by factors of their own
+                price *= of_factor * by_factor * row.scale * row.normal_factor
+            if row.opposes(motion, price):
                 raise Rejected("static-motion", f"a force in the cone of contact {i} does work below 0", place)
 
     def works(self, y: Vector) -> Vector:
-        """Of the loads on the twist: y·(w + Σ τ N), and y·u and y·v."""
+        """Of the loads on the twist: y·(w + Σ τ N) − Σ A q, and y·u and y·v."""
         found = []
         for load in self.loads:
             terms = [(a * b,) for a, b in zip(y, load) if a and b]
             found += summed(terms or [(Fraction(0),)])[:1]
+        found[0] -= sum((q * most for q, most in zip(y[self.bodies.dimension:], self.limits)), Fraction(0))
         return tuple(found)
 
     def check_forces(self, point: Vector, forces: Sequence[RigidForce], place: str) -> None:
@@ -3943,7 +4010,8 @@ class Statics:
                 raise Rejected("static-force", f"contact {show(i)}, which is not there or not in order", place)
             last, contact = i, self.contacts[i]
             count_words((a, *stated, *contact.normal, contact.friction.low, contact.torsion, self.factor), 30)
-            if not self.may_push(contact, a, stated):
+            if not self.may_push(contact, a, stated) or (
+                    contact.limit is not None and abs(a) > point[0] * contact.limit):
                 raise Rejected("static-force", f"the force of contact {i} is not one that it may have", place)
         total = self.total(point, forces)
         if any(total):
@@ -3978,7 +4046,8 @@ class Statics:
 
     def may_push(self, contact: Contact, a: Fraction, stated: Vector) -> bool:
         if not contact.is_contact():
-            return not any(stated) and (contact.stiffness.low > 0 if contact.spring else a >= 0)
+            return not any(stated) and (contact.stiffness.low > 0 or contact.limit is not None if contact.spring
+                                        else a >= 0)
         if a < 0:
             return False
         most = self.factor * contact.friction.low * a
@@ -4004,23 +4073,17 @@ def check_statics_proof(question: Question, certificate: Certificate, proof: Sta
     return statics
 
 
-class LargeForce(NamedTuple):
-    """Of an element: v, its slip and its share of friction."""
-    v: Fraction
-    slip: Vector
-    share: Vector
-
-
 class Large(Statics):
     """§14, many coordinates: an equilibrium. All is multiplied by h, so that motions are integers."""
 
-    def motion_of(self, contact: Contact, motions: Dict[str, Vector], turned: Dict[str, Fraction], z: Vector,
-                  h: Fraction) -> LargeForce:
+    def force_of(self, contact: Contact, motions: Dict[str, Vector], turned: Dict[str, Fraction], z: Vector,
+                 h: Fraction) -> ContactForce:
+        """Without friction."""
         if not contact.is_contact():
             terms = [(z[contact.joint],)] if contact.joint >= 0 else []
             terms += [(turned[name] * r,) for name, r in contact.over.items()]
             (way,) = summed(terms)
-            return LargeForce(contact.preload.low * h - contact.stiffness.low * way, (), ())
+            return pushed_by(contact.preload.low * h - contact.stiffness.low * way, (), bool(contact.spring))
         d, n, p = plus(motions[contact.of], Fraction(-1), motions[contact.by]), contact.normal, tuple(
             x.low for x in contact.position)
         count_words((*d, *n, *p, h), 30)
@@ -4031,53 +4094,27 @@ class Large(Statics):
             length = rational_root(square)
             assert length is not None  # else the question is a box
             v += contact.preload.low / length * h
-        if len(n) == 2:
-            slip = n[0] * u[1] - n[1] * u[0]
-            return LargeForce(v, (slip,), (Fraction((slip < 0) - (slip > 0)),))
-        slips = plus(u, -press / square, n) + ((dot(n, d[3:]),) if contact.torsion else ())
-        return LargeForce(v, slips, zeros(len(slips)))
+        slip = ((n[0] * u[1] - n[1] * u[0],) if len(n) == 2 else
+                plus(u, -press / square, n) + ((dot(n, d[3:]),) if contact.torsion else ()))
+        return pushed_by(v, slip, False)
 
     def check_witness(self, question: Question, witness: Witness) -> None:
         """`witness-...`"""
-        if question.is_box:
-            raise Rejected("witness-box", "an equilibrium of one grasp, but the question is about a box")
+        check_grasp(question)
         d = witness.x[:len(question.wrench)]
-        for j, b in enumerate(question.asked.max_motion or ()):
-            if abs(d[j]) > b:
-                raise Rejected("witness-bound", f"motion {j + 1} is {show(d[j])}, beyond {show(b)} h")
         count_words(d, len(d))
+        for _, share in witness.shares:
+            count_words(share, 10)
         numerators, factor = integers(d)
         z, h = tuple(map(Fraction, numerators)), Fraction(factor)
         motions, turned = self.bodies.moved(z)
-        forces = [self.motion_of(contact, motions, turned, z, h) for contact in self.contacts]
-        last = -1
-        for i, share in witness.shares:
-            if not last < i < question.slipping():
-                raise Rejected("witness-share", f"contact {show(i)}, which is not there or not in order")
-            contact, last = self.contacts[i], i
-            if any(forces[i].slip):
-                raise Rejected("witness-share", f"contact {i} slips: {show(forces[i].slip)}")
-            count_words(share, 10)
-            longest = dot(contact.normal, contact.normal) if len(share) > 1 else Fraction(1)
-            if force_square(share, contact.gamma) > longest or (len(share) > 1 and dot(share[:3], contact.normal)):
-                raise Rejected("witness-share", f"contact {i}, share {show(share)}")
-            forces[i] = forces[i]._replace(share=share)
-        for i, (contact, force) in enumerate(zip(self.contacts, forces)):
-            if question.asked.law == "bilateral" and force.v < 0 and not contact.spring:
-                raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
-        for i, (contact, force) in enumerate(zip(self.contacts, forces)):
-            if len(force.slip) > 1 and any(force.slip) and contact.friction.low and force.v > 0:
-                against = starred(force.slip, contact.gamma)
-                ratio = rational_root(dot(contact.normal, contact.normal) / dot(against, force.slip))
-                if ratio is None:
-                    raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
-                                                   "ratio of its normal's length to that is irrational")
-                forces[i] = force._replace(share=times(-ratio, against))
-        pushes = [(i, force.v, times(contact.friction.low * force.v, force.share) if contact.is_contact() else
-                   (Fraction(0),)) for i, (contact, force) in enumerate(zip(self.contacts, forces))
-                  if (contact.stiffness.low if contact.spring else force.v > 0)]
+        forces = [self.force_of(contact, motions, turned, z, h) for contact in self.contacts]
+        take_friction(question, witness, [
+            SlipLaw(c.normal, dot(c.normal, c.normal) if question.space else Fraction(1), c.gamma, c.friction.low, bool(c.spring))
+            for c in self.contacts], forces)
         # What springs without stiffness exert is among the loads.
-        total = self.total((h,), pushes)
+        total = self.total((h,), [(i, force.a, force.b or (Fraction(0),)) for i, (contact, force) in
+                                  enumerate(zip(self.contacts, forces)) if force.a and (contact.stiffness.low or not contact.spring)])
         if any(total):
             raise Rejected("witness-balance", f"load and forces add up to {show(times(1 / h, total))}, not to 0")
 

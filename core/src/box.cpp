@@ -68,6 +68,15 @@ void check_contact(const UncertainContact& contact, const std::string& path) {
     throw InputError("", path + ".normal", "the normal of a contact with torsion is uncertain",
                      "give the normal without a slope, or remove the torsion");
   }
+  if (contact.max_force) {
+    const std::string place = path + ".max_force";
+    check_low(contact.max_force->sign() >= 0, point_interval(*contact.max_force), place,
+              "the most that a normal force may be is 0 or more");
+    if (!exact_sqrt(dot(contact.normal, contact.normal))) {
+      throw InputError("", place, "the force is limited, and its normal has no rational length",
+                       "give a normal such as [3, 4], or [\"3/5\", \"4/5\"]");
+    }
+  }
   if (contact.slope.sign() >= 0 && contact.slope < 1) return;
   throw InputError("", path + ".normal", "the slope is " + to_readable_string(contact.slope),
                    "a normal turns to either side by 0 or more and less than 1, which is 45 "
@@ -87,6 +96,9 @@ void check_spring(const Spring& spring) {
   }
   check_low(spring.stiffness.low.sign() >= 0, spring.stiffness, path + ".stiffness",
             "stiffness must be 0 or more everywhere in the box");
+  if (!spring.max_torque) return;
+  check_low(spring.max_torque->sign() >= 0, point_interval(*spring.max_torque),
+            path + ".max_torque", "the most that a torque may be is 0 or more");
 }
 
 void check_widened(const Tolerances& tolerances, const std::function<void()>& check) {
@@ -381,6 +393,20 @@ void check_ball(const GraspBox& box) {
 
 bool GraspBox::allows(const RationalRow& motion) const {
   return is_within(motion, max_motion);
+}
+
+std::vector<std::pair<std::size_t, Rational>> GraspBox::force_limits() const {
+  std::vector<std::pair<std::size_t, Rational>> limits;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!contacts[i].max_force) continue;
+    const auto length = exact_sqrt(dot(contacts[i].normal, contacts[i].normal));
+    require(length.has_value(), "the length of a limited contact's normal is rational");
+    limits.emplace_back(i, *contacts[i].max_force / *length);
+  }
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    if (springs[s].max_torque) limits.emplace_back(contacts.size() + s, *springs[s].max_torque);
+  }
+  return limits;
 }
 
 bool GraspBox::is_point() const {

@@ -40,7 +40,8 @@ struct WrittenContact {
     std::shared_ptr<const std::string> friction_name{};
     std::optional<WrittenNumber> stiffness;
     std::optional<WrittenNumber> preload;
-    std::shared_ptr<const Rational> torsion{};  ///< in version 3
+    std::shared_ptr<const Rational> torsion{};    ///< in version 3
+    std::shared_ptr<const Rational> max_force{};  ///< likewise
   };
 
   /// The place on the outline, if that is written and not position and normal.
@@ -165,17 +166,20 @@ Properties read_properties(const JsonNode& object, const std::string& path,
   }
   result.stiffness = number("stiffness");
   result.preload = number("preload");
-  if (const JsonNode* torsion = object.find("torsion")) {
-    result.torsion =
-        std::make_shared<const Rational>(read_number(*torsion, member_path(path, "torsion")));
-  }
+  const auto certain = [&](const char* key) -> std::shared_ptr<const Rational> {
+    const JsonNode* node = object.find(key);
+    if (node == nullptr) return nullptr;
+    return std::make_shared<const Rational>(read_number(*node, member_path(path, key)));
+  };
+  result.torsion = certain("torsion");
+  result.max_force = certain("max_force");
   return result;
 }
 
 WrittenContact read_contact(const JsonNode& node, const std::string& path, IntervalReader& read,
                             bool in_space) {
   static const Names kMembers{"position", "normal", "on", "friction", "stiffness",
-                              "preload",  "of",     "by", "torsion"};
+                              "preload",  "of",     "by", "torsion",  "max_force"};
   expect_object(node, path, kMembers);
   WrittenContact contact;
   const auto body = [&](const char* key) -> std::string {
@@ -252,6 +256,7 @@ UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std:
     }
     contact.torsion = *c.own.torsion;
   }
+  if (c.own.max_force) contact.max_force = *c.own.max_force;
   check_contact(contact, path);
   return contact;
 }
@@ -303,13 +308,15 @@ Properties read_defaults(const JsonNode& root, IntervalReader& read,
                          const FrictionNames& frictions, bool in_space = false) {
   const JsonNode* node = root.find("defaults");
   if (node == nullptr) return {};
-  expect_object(*node, "defaults", {"friction", "stiffness", "preload", "torsion"});
+  expect_object(*node, "defaults", {"friction", "stiffness", "preload", "torsion", "max_force"});
   WrittenContact probe;
   probe.normal = {1, 0};
   probe.own = read_properties(*node, "defaults", read);
   look_up(probe.own, frictions, "defaults");
   // The requirements on values are Grasp's own, even where no contact uses the default.
-  if (probe.own.torsion || !is_certain(probe)) uncertain_of(probe, in_space, "defaults");
+  if (probe.own.torsion || probe.own.max_force || !is_certain(probe)) {
+    uncertain_of(probe, in_space, "defaults");
+  }
   try {
     const Grasp grasp({middle_of(probe)});
   } catch (const InputError& error) {
@@ -466,13 +473,15 @@ void refuse_bodies(const std::vector<WrittenContact>& contacts, const Properties
   const auto refuse = [](const std::string& place, const std::string& key) {
     fail_at(place, "unknown key \"" + key + "\"",
             std::string("write \"format\": \"") + kVersion3 +
-                "\", which has \"bodies\" and soft fingers");
+                "\", which has \"bodies\", soft fingers and limits of forces");
   };
   if (defaults.torsion) refuse("defaults", "torsion");
+  if (defaults.max_force) refuse("defaults", "max_force");
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const std::string place = element_path("contacts", i);
     if (contacts[i].bodies) refuse(place, contacts[i].bodies->first.empty() ? "by" : "of");
     if (contacts[i].own.torsion) refuse(place, "torsion");
+    if (contacts[i].own.max_force) refuse(place, "max_force");
   }
 }
 
@@ -503,6 +512,7 @@ void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults,
     if (!own.stiffness) own.stiffness = defaults.stiffness;
     if (!own.preload) own.preload = defaults.preload;
     if (!own.torsion) own.torsion = defaults.torsion;
+    if (!own.max_force) own.max_force = defaults.max_force;
     if (own.friction) continue;
     fail_at(element_path("contacts", i), "the key \"friction\" is missing",
             "add it here, or for all contacts in \"defaults\"");

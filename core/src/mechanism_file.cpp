@@ -169,7 +169,7 @@ Mechanism read_mechanism(const JsonNode& root, bool in_space) {
   for (const JsonNode& node : elements_of(root, "joints")) {
     const std::string path = element_path("joints", mechanism.joints.size());
     expect(node, Kind::kObject, path, "an object {\"turns\": {\"link\": 1}}");
-    expect_object(node, path, {"name", "turns", "stiffness", "torque"});
+    expect_object(node, path, {"name", "turns", "stiffness", "torque", "max_torque"});
     mechanism.joints.push_back(
         {read_label(node, path), read_rates(node, path, "turns", mechanism)});
     for (const auto& [body, rate] : mechanism.joints.back().turns) turned[body] = true;
@@ -203,7 +203,12 @@ std::vector<Spring> read_springs(const JsonNode& root, const Mechanism& mechanis
       spring.place = element_path(list, next);
       spring.joint = next++;
       if (kind == Spring::Kind::kJoint) {
-        if (node.find("stiffness") == nullptr && node.find(force) == nullptr) continue;
+        const JsonNode* most = node.find("max_torque");
+        if (most != nullptr) {
+          spring.max_torque = read_number(*most, member_path(spring.place, "max_torque"));
+        } else if (node.find("stiffness") == nullptr && node.find(force) == nullptr) {
+          continue;
+        }
         spring.row.resize(mechanism.coordinates());
         spring.row[mechanism.joint_coordinate(spring.joint)] = 1;
       } else {

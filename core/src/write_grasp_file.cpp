@@ -149,7 +149,8 @@ std::string write_joints(const GraspBox& box) {
     for (const Spring& spring : box.springs) {
       if (spring.kind != Spring::Kind::kJoint || spring.joint != q) continue;
       text += member("stiffness", write_interval(spring.stiffness)) +
-              member(force_name(spring), write_interval(spring.force));
+              member(force_name(spring), write_interval(spring.force)) +
+              (spring.max_torque ? member("max_torque", write_number(*spring.max_torque)) : "");
     }
     text += "}";
   }
@@ -177,7 +178,8 @@ std::string write_contact(const UncertainContact& c, std::size_t i,
          ", \"friction\": " + write_interval(c.friction) +
          (assumed ? "" : ", \"stiffness\": " + write_interval(c.stiffness)) +
          ", \"preload\": " + write_interval(c.preload) +
-         (c.torsion.is_zero() ? "" : member("torsion", write_number(c.torsion))) + "}";
+         (c.torsion.is_zero() ? "" : member("torsion", write_number(c.torsion))) +
+         (c.max_force ? member("max_force", write_number(*c.max_force)) : "") + "}";
 }
 
 bool has_intervals(const GraspFile& file) {

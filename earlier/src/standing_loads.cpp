@@ -328,8 +328,12 @@ StandingMultiples multiples_of(const GraspBox& grasp, const StandingLoads& loads
   if (!has_low) result.low.reset();
   if (!has_high) result.high.reset();
   const RationalRow load = wrench_with_springs(grasp);
+  const auto limits = grasp.force_limits();
   for (const RationalRow& y : loads.move) {
-    const Rational work = dot(y, load);
+    Rational work = dot(y, load);
+    for (std::size_t k = 0; k < limits.size(); ++k) {
+      work -= limits[k].second * y[load.size() + k];
+    }
     const Rational growth = dot(y, direction);
     if (growth.is_zero()) {
       result.always_moves = result.always_moves || work.sign() > 0;

@@ -145,6 +145,19 @@ void require_growth(bool load_grows, const std::vector<Rational>& growth,
                        : "give a number above 0 to a contact whose preload grows");
 }
 
+void refuse_limits(const AnyGrasp& grasp) {
+  const GraspBox* box = grasp.box();
+  if (box == nullptr) return;
+  for (const auto& [element, most] : box->force_limits()) {
+    const std::size_t contacts = box->contacts.size();
+    throw InputError("",
+                     element < contacts ? "contacts[" + std::to_string(element) + "].max_force"
+                                        : box->springs[element - contacts].place + ".max_torque",
+                     "a force is limited, and how it yields is not in the law of springs",
+                     "ask stickslip statics, which takes limits, or remove it");
+  }
+}
+
 void require_certain(const Question& question) {
   if (question.box() == nullptr || question.box()->is_point()) return;
   throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
@@ -164,6 +177,7 @@ AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
 
 Question ask(GraspFile file, const QuestionOptions& options) {
   Question question;
+  if (!options.takes_limits) refuse_limits(file.content);
   const WrenchBox wrench = wrench_asked(file, options);
   question.law = options.law;
   question.preload = options.preload;

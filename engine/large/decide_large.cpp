@@ -28,13 +28,13 @@ std::optional<Unstable> must_move(const GraspBox& grasp, SearchWork& work) {
 LargeGrasp large_grasp(const GraspBox& grasp) {
   LargeGrasp result{StaticsModel(grasp, 1, false)};
   for (const statics_detail::ForceCone& cone : result.model.cones()) {
-    if (cone.element >= grasp.contacts.size()) {
-      const Spring& ratchet = grasp.springs[cone.element - grasp.contacts.size()];
+    if (*cone.element >= grasp.contacts.size()) {
+      const Spring& ratchet = grasp.springs[*cone.element - grasp.contacts.size()];
       result.cone_law.push_back({ratchet.force.low, ratchet.stiffness.low});
       result.frictions.emplace_back(0);
       continue;
     }
-    const UncertainContact& c = grasp.contacts[cone.element];
+    const UncertainContact& c = grasp.contacts[*cone.element];
     const Rational square = dot(c.normal, c.normal);
     SpringLaw law{0, c.stiffness.low / square};
     if (!c.preload.low.is_zero()) law.preload = c.preload.low / exact_sqrt(square).value();

@@ -293,7 +293,7 @@ class ModeEquations {
         }
       }
       if (share == RationalRow(share.size())) continue;
-      result.shares.emplace_back(ContactId(cone.element), std::move(share));
+      result.shares.emplace_back(ContactId(*cone.element), std::move(share));
     }
     return result;
   }

@@ -31,6 +31,16 @@ void take_turn(RationalRow& translation, const RationalRow& rotation, const Rati
   for (std::size_t j = 0; j < 3; ++j) translation[j] -= moved[j];
 }
 
+/// Returns whether a spring exerts its force whatever moves.
+bool is_constant(const Spring& spring) {
+  return !spring.is_ratchet() && !spring.max_torque && spring.stiffness.low.is_zero();
+}
+
+/// Returns whether a spring holds, as a joint that is locked.
+bool is_locked(const Spring& spring) {
+  return !spring.is_ratchet() && !spring.max_torque && !spring.stiffness.low.is_zero();
+}
+
 }  // namespace
 
 Rational ForceCone::squared_friction(const RationalRow& force) const {
@@ -59,9 +69,7 @@ RationalRow wrench_of_point(const GraspBox& grasp) {
 RationalRow wrench_with_springs(const GraspBox& grasp) {
   RationalRow wrench = wrench_of_point(grasp);
   for (const Spring& spring : grasp.springs) {
-    if (!spring.is_ratchet() && spring.stiffness.low.is_zero()) {
-      stickslip::add_multiple(wrench, spring.force.low, spring.row);
-    }
+    if (is_constant(spring)) stickslip::add_multiple(wrench, spring.force.low, spring.row);
   }
   return wrench;
 }
@@ -78,12 +86,36 @@ StaticsModel::StaticsModel(const GraspBox& grasp, const Rational& friction_facto
     add_contact(grasp.contacts[i], i, friction_factor);
   }
   for (std::size_t s = 0; s < grasp.springs.size(); ++s) {
-    if (!grasp.springs[s].is_ratchet()) continue;
+    if (!grasp.springs[s].is_ratchet() && !grasp.springs[s].max_torque) continue;
     ForceCone& cone = cones_.emplace_back();
     cone.element = grasp.contacts.size() + s;
     cone.normal = held(sparse(grasp.springs[s].row));
   }
-  load_ = load_of(wrench_with_springs(grasp));
+  add_limits();
+}
+
+void StaticsModel::add_limits() {
+  motions_ = size_;
+  std::size_t cone = 0;
+  for (const auto& [element, most] : grasp_.force_limits()) {
+    while (cones_[cone].element != element) ++cone;
+    limits_.emplace_back(cone, most);
+  }
+  size_ += limits_.size();
+  load_ = load_of(wrench_with_springs(grasp_));
+  for (std::size_t k = 0; k < limits_.size(); ++k) {
+    const std::size_t coordinate = motions_ + k;
+    const auto& [limited, most] = limits_[k];
+    load_[coordinate] = -most;
+    if (*cones_[limited].element >= grasp_.contacts.size()) {
+      stickslip::add_multiple(load_, -most, cones_[limited].normal);
+      load_[coordinate] = -2 * most;
+    }
+    cones_[limited].normal.emplace_back(coordinate, 1);
+    cones_.emplace_back().normal.emplace_back(coordinate, 1);
+    bodies_.push_back(bodies_.empty() ? 0 : bodies_.back() + 1);
+    arms_.push_back(1);
+  }
 }
 
 /// Puts the centre of each body amid its contacts, and finds how far they are from it.
@@ -141,7 +173,7 @@ void StaticsModel::hold_joints(bool springs_hold) {
   const std::size_t joints = size_ - free_;
   std::vector<RationalRow> rows;
   for (const Spring& spring : grasp_.springs) {
-    if (!springs_hold || spring.is_ratchet() || spring.stiffness.low.is_zero()) continue;
+    if (!springs_hold || !is_locked(spring)) continue;
     rows.emplace_back(spring.row.begin() + static_cast<std::ptrdiff_t>(free_),
                       spring.row.end());
   }
@@ -283,7 +315,7 @@ RationalRow StaticsModel::state_of(const RationalRow& y) const {
     std::copy(moved.begin(), moved.end(), from);
   }
   motion.resize(grasp_.wrench.size());
-  for (std::size_t q = 0; q < size_ - free_; ++q) {
+  for (std::size_t q = 0; q < motions_ - free_; ++q) {
     if (!joints_) {
       motion[free_ + q] = y[free_ + q];
     } else {
@@ -296,7 +328,15 @@ RationalRow StaticsModel::state_of(const RationalRow& y) const {
 }
 
 RationalRow StaticsModel::motion_of(const RationalRow& y) const {
-  const Row integers = primitive_multiple(state_of(y));
+  RationalRow motion = state_of(y);
+  for (std::size_t k = 0; k < limits_.size(); ++k) {
+    const ForceCone& cone = cones_[limits_[k].first];
+    Rational q = y[motions_ + k];
+    // A motor pushes with a - A, so that what it takes up from both ends is counted.
+    if (*cone.element >= grasp_.contacts.size()) q += dot(cone.normal, y);
+    motion.push_back(std::move(q));
+  }
+  const Row integers = primitive_multiple(motion);
   return {integers.begin(), integers.end()};
 }
 
@@ -316,15 +356,20 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
   for (RigidForce& force : result) force.friction.resize(grasp_.in_space() ? 3 : 1);
   for (std::size_t i = 0; i < cones_.size(); ++i) {
     const ForceCone& cone = cones_[i];
-    RigidForce& force = result[cone.element];
+    if (!cone.element) continue;
+    RigidForce& force = result[*cone.element];
     force.normal = forces[i][0];
-    const bool is_contact = cone.element < grasp_.contacts.size();
-    if (is_contact && !grasp_.contacts[cone.element].torsion.is_zero()) {
+    const bool is_contact = *cone.element < grasp_.contacts.size();
+    if (is_contact && !grasp_.contacts[*cone.element].torsion.is_zero()) {
       force.friction.resize(4);
     }
     for (std::size_t k = 0; k + 1 < forces[i].size(); ++k) {
       stickslip::add_multiple(force.friction, forces[i][k + 1], sparse(cone.directions[k]));
     }
+  }
+  for (const auto& [limited, most] : limits_) {
+    const std::size_t element = *cones_[limited].element;
+    if (element >= grasp_.contacts.size()) result[element].normal -= weight * most;
   }
   if (!joints_) return result;
   // Springs with stiffness take what is left on the joints that they hold.
@@ -357,9 +402,9 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
   for (std::size_t s = 0; s < grasp_.springs.size(); ++s) {
     const Spring& spring = grasp_.springs[s];
     const std::size_t element = grasp_.contacts.size() + s;
-    if (spring.is_ratchet()) {
+    if (spring.is_ratchet() || spring.max_torque) {
       stickslip::add_multiple(left, result[element].normal, sparse(spring.row));
-    } else if (spring.stiffness.low.is_zero()) {
+    } else if (is_constant(spring)) {
       stickslip::add_multiple(left, weight * spring.force.low, sparse(spring.row));
     } else {
       rows.push_back(spring.row);

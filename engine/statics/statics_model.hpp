@@ -5,10 +5,18 @@
 /// Each body has coordinates about a point of its own, amid its contacts: its motion y is that
 /// of this point, and torques are about it. So numbers are short, and a body far from the
 /// origin is as any other. Joints that are held leave out coordinates.
+///
+/// A limit a <= A of a contact's force is one more coordinate, after those of motions: in it the
+/// contact has 1, the load -A, and what is left below the limit, a force s >= 0 of its own, 1.
+/// A motor of any torque from -A to A pushes with a from 0 to 2 A, against -A of the load. So
+/// forces are in cones still; and a motion y, with numbers q >= 0 of these coordinates, proves
+/// that no forces balance the load if it does more work than the sum of A q, and the work of
+/// each contact is -q or more for each unit of a.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "stickslip/core/box.hpp"
@@ -17,10 +25,12 @@
 
 namespace stickslip::statics_detail {
 
-/// The forces of a contact or ratchet: a times `normal` and c_k times `slips[k]`, with a >= 0
-/// and sum c_k^2 squares[k] <= squared_most a^2.
+/// The forces of a contact, ratchet or motor: a times `normal` and c_k times `slips[k]`, with a
+/// >= 0 and sum c_k^2 squares[k] <= squared_most a^2.
 struct ForceCone {
-  std::size_t element = 0;         ///< the index of the contact or ratchet
+  /// The index of the contact, ratchet or motor with a limit; nothing for the room that is left
+  /// below a limit.
+  std::optional<std::size_t> element{};
   SparseRow normal{};              ///< N, in the model's coordinates
   std::vector<SparseRow> slips{};  ///< the wrenches of `directions`; empty without friction
   std::vector<RationalRow> directions{};  ///< an orthogonal basis of friction forces
@@ -50,7 +60,7 @@ class StaticsModel {
                bool springs_hold = true);
 
   std::size_t size() const { return size_; }  ///< the number of the model's coordinates
-  const std::vector<ForceCone>& cones() const { return cones_; }  ///< the contacts and ratchets
+  const std::vector<ForceCone>& cones() const { return cones_; }  ///< what pushes
   /// Returns a load in the model's coordinates, without what springs exert.
   RationalRow load_of(const RationalRow& wrench) const;
   /// Returns the load of the grasp with what springs without stiffness exert.
@@ -68,7 +78,9 @@ class StaticsModel {
 
   /// Returns the motion of the grasp that is this one of the model.
   RationalRow state_of(const RationalRow& y) const;
-  /// Returns a positive multiple of it, in coprime integers.
+  /// Returns a positive multiple of it and of the numbers of limits, one for each element of
+  /// GraspBox::force_limits(), in coprime integers. That of a motor is at least the size of its
+  /// turn.
   RationalRow motion_of(const RationalRow& y) const;
   /// Returns whether no force of the cone opposes the motion.
   static bool is_unopposed(const ForceCone& cone, const RationalRow& y);
@@ -88,14 +100,18 @@ class StaticsModel {
   SparseRow held(SparseRow row) const;
   void find_centres();
   void hold_joints(bool springs_hold);
+  void add_limits();
 
   const GraspBox& grasp_;
   std::size_t size_ = 0;
   std::size_t twist_ = 3;             ///< coordinates of a body: 3 or 6
   std::size_t free_ = 0;              ///< coordinates of all bodies that are no links
+  std::size_t motions_ = 0;           ///< coordinates of motions; those of limits follow
   std::vector<RationalRow> centres_;  ///< by body that is no link
   std::optional<std::vector<RationalRow>> joints_;  ///< motions of joints that are not held
   std::vector<ForceCone> cones_;
+  /// Of each limit: its cone among `cones_`, and A.
+  std::vector<std::pair<std::size_t, Rational>> limits_;
   RationalRow load_;
   std::vector<std::size_t> bodies_;
   std::vector<double> arms_;

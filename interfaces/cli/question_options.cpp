@@ -257,6 +257,7 @@ void QuestionArguments::add_with_directions_to(Command& command) {
 
 QuestionOptions QuestionArguments::options() const {
   QuestionOptions options = question_options(text_);
+  options.takes_limits = takes_limits_;
   if (has_no_wrench_ && !chooses_case()) options.wrench = RationalRow(3);
   return options;
 }

@@ -35,6 +35,8 @@ class QuestionArguments {
   /// Does what add_to does, and adds --direction and --preload-direction, for a command that
   /// asks about a margin.
   void add_with_directions_to(Command& command);
+  /// Lets questions be about forces with limits.
+  void take_limits() { takes_limits_ = true; }
   /// Adds --max-motion.
   void add_max_motion_to(Command& command);
   /// Adds the options of add_to without GRASP, for commands that read many.
@@ -81,6 +83,7 @@ class QuestionArguments {
   bool has_no_wrench_ = false;
   bool takes_boxes_ = false;
   bool takes_bounds_ = false;  ///< whether it takes bounds on motions
+  bool takes_limits_ = false;
 };
 
 /// The options --json, --floats and --exact, of every subcommand that answers in numbers.

@@ -55,17 +55,24 @@ struct FoundText {
   NumberText& text;
 
   std::string operator()(const RigidForces&) const {
-    return "May stand: forces in the friction cones balance the load, for some stiffness and "
-           "preloads.\n";
+    return answer.asked.question.box() == nullptr ||
+                   answer.asked.question.box()->force_limits().empty()
+               ? "May stand: forces in the friction cones balance the load, for some stiffness "
+                 "and preloads.\n"
+               : "May stand: forces in the friction cones and within their limits balance the "
+                 "load.\n";
   }
   std::string operator()(const UnopposedMotion& motion) const {
-    std::string line = "Must move, for any stiffness and preloads: ";
     constexpr std::size_t kMostShown = 12;
-    return line +
-           (motion.twist.size() <= kMostShown
-                ? "no contact opposes the load along " + text.direction(motion.twist)
-                : "no contact opposes the load along a motion of " +
-                      moving_bodies(motion.twist)) +
+    const auto end = motion.twist.begin() + static_cast<std::ptrdiff_t>(
+                                                answer.asked.question.grasp.wrench().size());
+    const RationalRow moved(motion.twist.begin(), end);
+    return std::string("Must move, for any stiffness and preloads: ") +
+           (end == motion.twist.end() ? "no contact opposes the load"
+                                      : "forces within their limits cannot hold the load") +
+           " along " +
+           (moved.size() <= kMostShown ? text.direction(moved)
+                                       : "a motion of " + moving_bodies(moved)) +
            ".\n";
   }
   std::string operator()(const Undecided& undecided) const {
@@ -254,6 +261,7 @@ void add_statics_command(Command& app, int& exit_code) {
                                         "May it stand at all, whatever stiffness and preloads "
                                         "are? With which friction and loads?");
   arguments->question.add_to(*command);
+  arguments->question.take_limits();
   command
       ->add_option("--friction-factor", arguments->friction_factor,
                    "Multiply all friction by this number")

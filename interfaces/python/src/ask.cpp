@@ -76,6 +76,12 @@ class Given {
     return question_of(grasp, options);
   }
   Question about() const { return question_about(grasp, asked_); }
+  /// Returns the same for statics, which takes limits of forces.
+  Question about_statics() const {
+    QuestionOptions options = asked_;
+    options.takes_limits = true;
+    return question_about(grasp, options);
+  }
   Question in_box() const { return question_in_box(grasp, asked_); }
 
   const GraspFile& grasp;
@@ -382,7 +388,7 @@ Work factors_asked(const Given& given) {
 }
 
 Work statics_asked(const Given& given) {
-  StaticsQuestion asked{given.about()};
+  StaticsQuestion asked{given.about_statics()};
   asked.asked.friction_factor = exact(given["friction_factor"], "friction_factor");
   asked.least_friction = given.as<bool>("least_friction");
   for (const py::handle direction : given["directions"]) {

@@ -173,6 +173,8 @@ def statics(grasp):
     for i, c in enumerate(grasp["contacts"]):
         a, t, edge = f"a{i}", f"t{i}", times(exact(c["friction"]), f"a{i}")
         lines.append(f"(declare-const {a} Real) (declare-const {t} Real) (assert (and (>= {a} 0) (<= {t} {edge}) (>= (+ {t} {edge}) 0)))")
+        if "max_force" in c:  # a is the force over the length 1 of the normal
+            lines.append(f"(assert (<= {a} {number(exact(c['max_force']))}))")
         (nx, ny), (px, py) = ([exact(x) for x in c[key]] for key in ("normal", "position"))
         for body, side in ((c["of"], 1), (c.get("by"), -1)):
             terms = ((nx, -ny), (ny, nx), (px * ny - py * nx, px * nx + py * ny))

@@ -177,6 +177,94 @@ class ClosedForms(Statics):
         self.assertEqual(self.kind(block), "may stand")
 
 
+class Limits(Statics):
+    def test_a_beam_on_two_feet(self):
+        # Feet 1 to either side bear 8 each, and 10 at x presses them with 5 (1 -+ x).
+        def beam(**limit):
+            return grasp("b", [contact("b", (s, 0), (0, 5), friction=F(1, 2), **limit) for s in (-1, 1)], [])
+        place = ("--wrench", "0,0,0", "--place", "0,-10", "--body", "b")
+        self.assertEqual(self.multiples(beam(max_force=8), *place), (["-3/5", "3/5"], "-3/5", "3/5"))
+        self.assertEqual(self.multiples(beam(max_force=8), "--direction", "0,-1,0"), (["0", "16"], "0", "16"))
+        self.assertEqual(self.multiples(beam(), *place)[0], ["-1", "1"])
+        self.assertEqual(self.multiples(beam(max_force=0), "--direction", "0,-1,0"), (["0", "0"], "0", "0"))
+        # No load is without an end: (s, t) with |s| <= -t/2 and -t <= 16.
+        found = self.ask(beam(max_force=8), "--u", "1,0,0", "--v", "0,1,0")
+        self.assertTrue(found["exact"] and all(point["point"][0] != "0" for point in found["stand"]))
+        self.assertEqual(min(F(p["point"][2]) / F(p["point"][0]) for p in found["stand"]), -16)
+
+    def test_two_fingers(self):
+        # Two that press with 5 at most hold 2 mu 5, whatever the lengths of the normals.
+        n = (F(3, 7), F(4, 7), 0)
+        def pinch(*loads):
+            return grasp("b", [contact("b", (-s * F(3, 5), -s * F(4, 5), 0), (s * n[0], s * n[1], 0), friction=F(1, 2), max_force=5)
+                               for s in (1, -1)], list(loads))
+        (low, high), below, above = self.multiples(pinch(), "--direction", "0,0,-1,0,0,0")
+        for inside, outside in ((-F(low), -F(below)), (F(high), F(above))):
+            self.assertLessEqual(inside, 5)
+            self.assertGreaterEqual(outside, 5)
+            self.assertLess(outside - inside, F(1, 100))
+        self.least(pinch(weight("b", 4, (0, 0, 0))), 0.8)
+        self.assertEqual(self.kind(pinch(weight("b", 6, (0, 0, 0)))), "must move")
+
+    def test_motors(self):
+        # 6 at the joint of an arm of 2 carry 3 either way, whatever its stiffness and torque are.
+        for joint in ({}, {"stiffness": 2}, {"torque": 1}):
+            arm = grasp([{"name": "arm", "hinge": [0, 0]}], [], [force("arm", (0, -3), (2, 0))],
+                        joints=[{"turns": {"arm": 1}, "max_torque": 6, **joint}])
+            self.assertEqual(self.multiples(arm, "--direction", "-2"), (["-3", "3"], "-3", "3"))
+            self.assertEqual(self.kind(arm), "may stand")
+        # Two joints in a row, of which the second is locked: the first bears both levers.
+        links = [{"name": "upper", "hinge": [0, 0]}, {"name": "fore", "on": "upper", "hinge": [2, 0]}]
+        arm = grasp(links, [], [force("fore", (0, -1), (3, 0))],
+                    joints=[{"turns": {"upper": 1}, "max_torque": 6}, {"turns": {"fore": 1}, "stiffness": 1}])
+        self.assertEqual(self.multiples(arm, "--wrench", "0,0", "--direction", "-3,-1"), (["-2", "2"], "-2", "2"))
+
+    def test_numbers_of_limits_are_judged(self):
+        beam = grasp("b", [contact("b", (s, 0), (0, 1), friction=F(1, 2), max_force=8) for s in (-1, 1)], [weight("b", 17, (0, 1))])
+        arm = grasp([{"name": "arm", "hinge": [0, 0]}], [], [force("arm", (0, -4), (2, 0))],
+                    joints=[{"turns": {"arm": 1}, "max_torque": 6}])
+        for content, dimension in ((beam, 3), (arm, 1)):
+            file, proof = self.write("g.json", content), self.path("c.json")
+            self.assertEqual(stickslip("statics", file, "--certificate", proof)[0], DONE)
+            with open(proof, encoding="utf-8") as text_of_proof:
+                right = json.load(text_of_proof)
+            self.assertGreater(len(right["twist"]), dimension)
+            for change in (lambda q: 0, lambda q: -1, lambda q: 10 * q):  # opposed, below 0, and too much taken up
+                wrong = {**right, "twist": [str(x) if j < dimension else str(change(F(x))) for j, x in enumerate(right["twist"])]}
+                for checker in checkers(proof)[:2]:
+                    code, out, err = run(*checker, file, self.write("wrong.json", wrong), "--statics", "1")
+                    self.assertEqual(code, 1, (out, err))
+                    self.assertIn("rule   static-motion", out)
+
+    def test_all_else_refuses_them(self):
+        beam = grasp("b", [contact("b", (s, 0), (0, 1), friction=F(1, 2), max_force=8) for s in (-1, 1)], [weight("b", 10, (0, 1))])
+        arm = grasp([{"name": "arm", "hinge": [0, 0]}], [], [force("arm", (0, -4), (2, 0))],
+                    joints=[{"turns": {"arm": 1}, "max_torque": 6}])
+        for content, place in ((beam, "contacts[0].max_force"), (arm, "joints[0].max_torque")):
+            file = self.write("g.json", content)
+            for command in ("decide", "compare", "states", "radius", "quality"):
+                words = ("--uncertain", "wrench=1%") if command == "radius" else ()
+                code, out, err = stickslip(command, file, *words)
+                self.assertEqual((code, out), (2, ""), (command, err))
+                self.assertIn(place, err)
+                self.assertIn("statics", err)
+            for checker in checkers(file)[:2]:
+                code, out, err = run(*checker, file, file)
+                self.assertEqual(code, 2, (out, err))
+                self.assertIn(place, out + err)
+        slanted = grasp("b", [contact("b", (0, 0), (1, 2), friction=1, max_force=1)], [])
+        older = {"format": "stickslip-grasp/2", "wrench": [0, 0, 0],
+                 "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": 1, "max_force": 1}]}
+        for content, said in ((slanted, "rational length"), (older, "stickslip-grasp/3")):
+            file = self.write("g.json", content)
+            for words in (("statics", file), ):
+                code, out, err = stickslip(*words)
+                self.assertEqual((code, out), (2, ""), err)
+                self.assertIn(said, err)
+            for checker in checkers(file)[:2]:
+                self.assertEqual(run(*checker, file, file, "--statics", "1")[0], 2)
+
+
 class Random(Statics):
     def test_assemblies_beside_the_passive_verdict(self):
         rng = random.Random(7)
@@ -194,6 +282,12 @@ class Random(Statics):
         self.assertGreater(min(kinds["may stand"], kinds["must move"]), 15, kinds)
 
     def test_piles_beside_z3(self):
+        self.compare_piles()
+
+    def test_piles_with_limits_beside_z3(self):
+        self.compare_piles(limits=True)
+
+    def compare_piles(self, limits=False):
         rng = random.Random(8)
         kinds = []
         for _ in range(60):
@@ -202,8 +296,11 @@ class Random(Statics):
             for name in names:
                 for _ in range(rng.randint(2, 3)):
                     by = rng.choice([None, *(n for n in names if n < name)])
-                    n = rng.choice(((0, 1), (0, 1), (1, 2), (-1, 2), (1, 0)))
+                    n = rng.choice(((0, 1), (0, 1), (F(3, 5), F(4, 5)), (-F(3, 5), F(4, 5)), (1, 0)) if limits else
+                                   ((0, 1), (0, 1), (1, 2), (-1, 2), (1, 0)))
                     contacts.append(contact(name, (rng.randint(-3, 3), rng.randint(-3, 3)), n, by=by, friction=rng.choice((0, F(1, 3), 1))))
+                    if limits and rng.random() < 0.5:
+                        contacts[-1]["max_force"] = rng.choice((3, 8, 20, "7/2"))
             content = grasp(names, contacts, [weight(n, rng.randint(1, 3), (rng.randint(-2, 2), 1)) for n in names])
             stands = run(Z3, "-in", stdin=smt(content))[1].strip()
             kinds.append(self.kind(content))

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,6 +41,10 @@ struct UncertainContact {
   /// as of a soft finger (certificate/FORMAT.md, section 15). If e is not 0, the normal is
   /// certain.
   Rational torsion{0};
+
+  /// The most that the normal force may be, >= 0. Statics alone knows it: how a contact yields
+  /// at its limit would be another law. If there is one, the normal has a rational length.
+  std::optional<Rational> max_force{};
 
   /// \{ The two bodies in contact, if there are several: the normal points into the body `of`,
   /// which is pressed by the body `by`.
@@ -183,6 +188,10 @@ struct GraspBox {
   /// torque at its point: the radius, and radius times length. Throws ContractError if there is
   /// no ball.
   RationalRow ball_reach() const;
+  /// Returns the elements whose force is limited, increasing, and the most that it may be: of a
+  /// contact its limit over the length of the normal, and of a joint that of the torque, of
+  /// either sign.
+  std::vector<std::pair<std::size_t, Rational>> force_limits() const;
   /// Returns whether the box is one grasp: every interval is one number, every slope is 0, and
   /// there is no ball.
   bool is_point() const;
@@ -190,8 +199,9 @@ struct GraspBox {
   ///
   /// - the low end of an interval is at most the high end;
   /// - normals are not 0, and 0 <= slope < 1; a contact with torsion has the slope 0;
-  /// - friction coefficients, preloads, torsions and stiffnesses of springs are 0 or more, and
-  ///   stiffnesses of contacts and ratchets are above 0, in all of their intervals;
+  /// - friction coefficients, preloads, torsions, limits of forces and stiffnesses of springs
+  ///   are 0 or more, and stiffnesses of contacts and ratchets are above 0, in all of their
+  ///   intervals; the normal of a contact with a limit has a rational length;
   /// - a ball has a radius and a length above 0, the right dimension of its point, a certain
   ///   wrench beside it, and of several bodies the name of one.
   ///

@@ -138,6 +138,9 @@ struct Spring {
   RationalRow row{};          ///< the row, which follows from `joint` or `over`; not 0
   Interval stiffness{};       ///< k >= 0, above 0 for a ratchet
   Interval force{};           ///< P: a torque or tension, or the preload >= 0 of a ratchet
+  /// The most that the torque of a joint's motor may be in size, >= 0. To statics, which alone
+  /// knows it, the motor then exerts any such torque, whatever its stiffness.
+  std::optional<Rational> max_torque{};
 
   /// Returns whether it only pushes.
   bool is_ratchet() const { return kind == Kind::kRatchet; }

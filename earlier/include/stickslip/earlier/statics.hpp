@@ -13,6 +13,12 @@
 /// exerts any force, as a joint that is locked; one without stiffness exerts its torque or
 /// tension.
 ///
+/// A contact with a limit (UncertainContact::max_force) has a L of at most that, and a joint
+/// with a motor (Spring::max_torque) exerts any torque up to its limit. Then a motion comes with
+/// a number q >= 0 for each limit, which follow those of the motion: no force of the contact
+/// does work of less than -q for each unit of a, and the load does more than the sum of the
+/// limits of a times q.
+///
 /// **Method.** Doubles propose forces deep in all cones, or a motion that opens all contacts
 /// that can open (cone_program.hpp). A motion is rounded, and then judged exactly. Forces are
 /// rounded, too; they leave a small part of the load unbalanced, which is passed exactly from

@@ -34,6 +34,9 @@ struct QuestionOptions {
   std::optional<std::string> case_name{};  ///< the case of the file whose wrench is applied
   Tolerances uncertain{};  ///< tolerances that widen the numbers, replaced ones too
   std::optional<MotionBound> max_motion{};  ///< replaces the file's bound on motions
+  /// Whether forces may be limited (UncertainContact::max_force), as for statics alone. A
+  /// contact that yields at its limit is none of the law that all others decide by.
+  bool takes_limits = false;
 };
 
 /// A question, and how it came from a grasp file. It asks one of three things:
@@ -104,6 +107,7 @@ AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth = {});
 /// - with the place "case" if the options give both a case and a wrench, name a case that the
 ///   file does not have, or give neither where the wrench of a file with cases is needed;
 /// - with the place "uncertain" if a margin is asked about and some number is an interval;
+/// - at the limit of a force, unless the options take these;
 /// - as GraspBox::widened() does for tolerances, and bound_of() for a bound on motions.
 Question ask(GraspFile file, const QuestionOptions& options = {});
 

@@ -769,9 +769,9 @@ class GraspReader {
     if (contact.limit) {
       const auto length = exact_sqrt(dot(contact.normal, contact.normal));
       if (!length) {
-        json_.fail(line, place + ".normal",
-                   "found " + show(contact.normal) +
-                       ", expected a normal of rational length, as the force is limited");
+        json_.fail(line, place + ".max_force",
+                   "found a limit, but the normal is " + show(contact.normal) +
+                       "; expected one of rational length");
       }
       *contact.limit /= *length;
     }

@@ -1081,7 +1081,7 @@ def read_contact(source: Source, fields: Dict[str, Any], place: str, defaults: D
     if "max_force" in values:
         length = rational_root(dot(normal, normal))
         if length is None:
-            source.fail(f"{place}.normal", "must have a rational length, as the force is limited")
+            source.fail(f"{place}.max_force", "must be of a contact whose normal has a rational length")
         limit = values["max_force"].low / length
     return Contact(position, normal, slope, values["friction"], values["stiffness"],
                    values["preload"], place, torsion=values["torsion"].low, limit=limit)

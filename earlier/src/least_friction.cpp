@@ -172,10 +172,14 @@ std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const bool is_inside = low < next && next < high;
     if (!is_inside) next = (low + high) / 2;
     constexpr int kBits = 44;
-    if (!bracket.ask(rational_in_bits(next, kBits)) &&
-        !bracket.ask(rational_in_bits((low + 2 * high) / 3, kBits))) {
-      break;
+    // Where that is undecided, its mirror image and other places between may be known.
+    bool knows = false;
+    for (const double place :
+         {next, 2 * estimate - next, (low + 2 * high) / 3, (2 * low + high) / 3}) {
+      knows = low < place && place < high && bracket.ask(rational_in_bits(place, kBits));
+      if (knows) break;
     }
+    if (!knows) break;
     part = is_inside && bracket.moves() != from_above ? part * part : kFirstPart;
   }
   return bracket.found();

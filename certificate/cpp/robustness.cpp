@@ -14,11 +14,6 @@ constexpr std::uint8_t kSlip = 2;
 constexpr std::uint8_t kDetached = 4;
 constexpr std::uint8_t kStates[] = {kStick, kSlip, kDetached};
 
-[[noreturn]] void reject_at(const char* rule, const std::string& place,
-                            const std::string& found) {
-  throw Rejected{rule, std::nullopt, place, found};
-}
-
 std::uint64_t longest(const Vector& v) {
   std::size_t most = 1;
   for (const Rational& x : v) {
@@ -118,11 +113,12 @@ RobustnessProof::RobustnessProof(const Question& question, const Rational& lower
     row.stiffness = contact.stiffness.low;
     row.most = (*question.asked.max_force)[i];
     if (row.friction > 0) {
-      row.offset = root_bounds(1 + row.friction * row.friction, kDefaultBits).low / row.friction;
+      row.offset =
+          root_bounds(1 + row.friction * row.friction, kDefaultBits).low / row.friction;
     }
     const bool may_stick = row.friction > 0;
-    states_.push_back(static_cast<States>((may_stick ? kStick : 0) |
-                                          (of_grasp_ ? kSlip | kDetached : 0)));
+    states_.push_back(
+        static_cast<States>((may_stick ? kStick : 0) | (of_grasp_ ? kSlip | kDetached : 0)));
     high_ = std::max(high_, Rational(row.most / 2));
     equally_stiff_ = equally_stiff_ && (i == 0 || row.stiffness == rows_[0].stiffness);
     rows_.push_back(std::move(row));
@@ -144,9 +140,9 @@ void RobustnessProof::add_squares(Square& to, const Row& row, bool sticks,
 
 void RobustnessProof::check(const std::optional<RobustCombination>& combination) const {
   if (upper_ < 0 || lower_ < 0 || (!combination && lower_ != 0)) {
-    reject_at("robust-lower", "",
-              "the bounds are " + show(lower_) + " and " + show(upper_) +
-                  (combination ? "" : ", without a combination"));
+    reject("robust-lower", "",
+           "the bounds are " + show(lower_) + " and " + show(upper_) +
+               (combination ? "" : ", without a combination"));
   }
   if (!combination) return;
   const std::size_t n = load_.size();
@@ -155,12 +151,12 @@ void RobustnessProof::check(const std::optional<RobustCombination>& combination)
   Square m = zeros(n);
   Square a = zeros(n);
   Square b = zeros(n);
-  if (d <= 0) reject_at("robust-distance", "", "the distance is " + show(d));
+  if (d <= 0) reject("robust-distance", "", "the distance is " + show(d));
   Integer next = 0;
   for (const RobustForce& force : combination->forces) {
     const std::string place = "contact " + force.contact.get_str();
     if (force.contact < next || force.contact >= rows_.size()) {
-      reject_at("robust-forces", place, "it is not there, or out of order");
+      reject("robust-forces", place, "it is not there, or out of order");
     }
     next = force.contact + 1;
     const Row& row = rows_[force.contact.get_ui()];
@@ -168,14 +164,14 @@ void RobustnessProof::check(const std::optional<RobustCombination>& combination)
     const Rational pressing = dot(row.normal, force.force);
     const Rational square = dot(force.force, force.force) - pressing * pressing;
     if (!of_grasp_ && !force.sticks) {
-      reject_at("robust-forces", place, "it slips, but PCR is about contacts that stick");
+      reject("robust-forces", place, "it slips, but PCR is about contacts that stick");
     }
     if (!force.sticks && square != 0) {
-      reject_at("robust-forces", place, "it slips, and has friction");
+      reject("robust-forces", place, "it slips, and has friction");
     }
     if (pressing < d || row.most - pressing < d) {
-      reject_at("robust-distance", place,
-                "the normal force is " + show(pressing) + ", of at most " + show(row.most));
+      reject("robust-distance", place,
+             "the normal force is " + show(pressing) + ", of at most " + show(row.most));
     }
     if (force.sticks) {
       // mu a >= b + c for the roots b and c of these squares.
@@ -183,7 +179,7 @@ void RobustnessProof::check(const std::optional<RobustCombination>& combination)
       const Rational root_square = d * d * (1 + row.friction * row.friction);
       const Rational rest = reach * reach - square - root_square;
       if (rest < 0 || rest * rest < 4 * square * root_square) {
-        reject_at("robust-distance", place, "the force is too near to the edge of its cone");
+        reject("robust-distance", place, "the force is too near to the edge of its cone");
       }
     }
     add(sum, 1, wrench(row.point, force.force));
@@ -192,15 +188,15 @@ void RobustnessProof::check(const std::optional<RobustCombination>& combination)
     add_squares(b, row, force.sticks, row.stiffness * row.stiffness);
   }
   if (!of_grasp_ && combination->forces.size() != rows_.size()) {
-    reject_at("robust-forces", "", "not all contacts stick");
+    reject("robust-forces", "", "not all contacts stick");
   }
   for (std::size_t j = 0; j < n; ++j) {
     if (sum[j] == 0) continue;
-    reject_at("robust-balance", "",
-              "load and forces are " + show(sum[j]) + " together at coordinate " +
-                  std::to_string(j));
+    reject(
+        "robust-balance", "",
+        "load and forces are " + show(sum[j]) + " together at coordinate " + std::to_string(j));
   }
-  if (rank_if_semidefinite(m) != n) reject_at("robust-stiffness", "", "M has not full rank");
+  if (rank_if_semidefinite(m) != n) reject("robust-stiffness", "", "M has not full rank");
   const Rational& c = combination->inverse_square;
   Square rest = equally_stiff_ ? std::move(m) : squared(a);
   for (std::size_t j = 0; j < n; ++j) {
@@ -211,10 +207,10 @@ void RobustnessProof::check(const std::optional<RobustCombination>& combination)
     }
   }
   if (c < 0 || !rank_if_semidefinite(std::move(rest))) {
-    reject_at("robust-stiffness", "", show(c) + " is below 0, or above 1/sigma^2");
+    reject("robust-stiffness", "", show(c) + " is below 0, or above 1/sigma^2");
   }
   if (lower_ * lower_ > d * d * c) {
-    reject_at("robust-lower", "", show(lower_) + " is above the combination's value");
+    reject("robust-lower", "", show(lower_) + " is above the combination's value");
   }
 }
 
@@ -251,8 +247,7 @@ bool RobustnessProof::is_leaf(const Vector& y, const Square& z) const {
     if ((states_[i] & kDetached) != 0) offer(0);
     if ((states_[i] & kSlip) != 0 && 2 * low_ <= row.most) {
       const Rational along = work(row, y, false).along;
-      offer(quadratic(z, row.wrench) -
-            (along >= 0 ? low_ : Rational(row.most - low_)) * along);
+      offer(quadratic(z, row.wrench) - (along >= 0 ? low_ : Rational(row.most - low_)) * along);
     }
     const Rational room = row.most - low_ * (1 + row.offset);
     if ((states_[i] & kStick) != 0 && room >= 0) {
@@ -311,7 +306,7 @@ std::string RobustnessProof::path() const {
   return result.empty() ? "root" : result;
 }
 
-void RobustnessProof::reject(const char* rule, const std::string& found) const {
+void RobustnessProof::reject_node(const char* rule, const std::string& found) const {
   throw Rejected{rule, nodes_ - 1, path(), found};
 }
 
@@ -347,7 +342,8 @@ void RobustnessProof::visit(const RobustNode& node) {
     const bool is_there = node.contact < rows_.size();
     const std::size_t i = is_there ? node.contact.get_ui() : 0;
     if (!is_there || is_single(states_[i])) {
-      reject("robust-split", "contact " + node.contact.get_str() + " has no choice of states");
+      reject_node("robust-split",
+                  "contact " + node.contact.get_str() + " has no choice of states");
     }
     const std::string name = "state " + std::to_string(i);
     constexpr const char* kNames[] = {" stick", " slip", " detached"};
@@ -359,8 +355,8 @@ void RobustnessProof::visit(const RobustNode& node) {
   }
   if (node.kind == RobustNodeKind::kDistance) {
     if (node.distance <= low_ || node.distance >= high_) {
-      reject("robust-split", show(node.distance) + " is not between the distances " +
-                                 show(low_) + " and " + show(high_));
+      reject_node("robust-split", show(node.distance) + " is not between the distances " +
+                                      show(low_) + " and " + show(high_));
     }
     open_.push_back({above, "distance above", std::nullopt, 0, node.distance, high_});
     open_.push_back({above, "distance below", std::nullopt, 0, low_, node.distance});
@@ -375,21 +371,23 @@ void RobustnessProof::visit(const RobustNode& node) {
       for (std::size_t k = j; k < n; ++k) z[j][k] = z[k][j] = node.z[next++];
     }
     if (is_leaf(node.y, z)) return;
-    reject("robust-leaf", "y and Z do not show that nothing has a value above " + show(upper_));
+    reject_node("robust-leaf",
+                "y and Z do not show that nothing has a value above " + show(upper_));
   }
   if (node.kind == RobustNodeKind::kCombination) {
     if (std::all_of(states_.begin(), states_.end(), is_single) &&
         is_combination(states_, node.y, node.z)) {
       return;
     }
-    reject("robust-leaf", "it is no combination, or may have a value above " + show(upper_));
+    reject_node("robust-leaf",
+                "it is no combination, or may have a value above " + show(upper_));
   }
   if (nodes_ == 1 && of_grasp_) {
     std::vector<States> first;
     for (const Row& row : rows_) first.push_back(row.friction > 0 ? kStick : kSlip);
     if (is_combination(first, node.y, std::nullopt)) return;
   }
-  reject("robust-leaf", "y does not show that PGR is 0");
+  reject_node("robust-leaf", "y does not show that PGR is 0");
 }
 
 void RobustnessProof::finish() {

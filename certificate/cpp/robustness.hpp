@@ -92,7 +92,7 @@ class RobustnessProof {
                       const std::optional<Vector>& z) const;
   void enter();
   std::string path() const;
-  [[noreturn]] void reject(const char* rule, const std::string& found) const;
+  [[noreturn]] void reject_node(const char* rule, const std::string& found) const;
 
   std::vector<Row> rows_;
   Vector load_;  ///< w'

@@ -59,9 +59,7 @@ struct SharedWalk {
   }
 
   /// Returns whether a part may split a list, given its number.
-  bool claim(std::size_t list) {
-    return claimed.compare_exchange_strong(list, list + 1);
-  }
+  bool claim(std::size_t list) { return claimed.compare_exchange_strong(list, list + 1); }
 
   const std::function<bool(std::uint64_t)>& go_on;
   std::mutex asking;

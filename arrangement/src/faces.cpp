@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/arrangement/faces.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -11,6 +12,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <thread>
 #include <tuple>
 #include <type_traits>
@@ -113,8 +115,14 @@ void add(FaceCounts& sum, const FaceCounts& part) {
 
 /// Walks by several threads at the same time, 0 being one a core; `part` walks one part.
 FaceCounts walk_by_threads(unsigned threads, const std::function<FaceCounts()>& part) {
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  if (threads == 0) threads = cores;
   if (threads == 1) return part();
+  // There may be more threads than cores, without a warning of TBB.
+  std::optional<tbb::global_control> allowed;
+  if (threads > cores) {
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
   std::vector<FaceCounts> parts(threads);
   Cancellation* const cancellation = Cancellation::current();
   tbb::task_arena arena(static_cast<int>(threads));
@@ -285,6 +293,7 @@ FaceCounts visit_faces_in_batches(std::size_t coordinates, const std::vector<Fac
     }
   });
   counts.by_dimension = std::move(batches).taken();
+  counts.complete = counts.complete && !shared.stopped;
   return counts;
 }
 

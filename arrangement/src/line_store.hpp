@@ -105,9 +105,10 @@ class LineStore {
   void add_to(Row& sum, Ray ray) const {
     const Place place = place_[ray >> 1];
     for (std::size_t j = 0; j < dimension_; ++j) {
-      const Integer entry = place.length == Length::kShort    ? Integer(at(short_, place)[j])
-                            : place.length == Length::kDouble ? integer_of(at(double_, place)[j])
-                                                              : at(long_, place)[j];
+      const Integer entry = place.length == Length::kShort ? Integer(at(short_, place)[j])
+                            : place.length == Length::kDouble
+                                ? integer_of(at(double_, place)[j])
+                                : at(long_, place)[j];
       if ((ray & 1) != 0) {
         sum[j] -= entry;
       } else {
@@ -335,9 +336,9 @@ class LineStore {
   LineWork& work_;
   std::size_t dimension_;
   Set all_;
-  std::vector<OneSide> signs_;             ///< the positive planes of each ray
-  std::vector<Set> zeros_;                 ///< the planes through each line
-  std::vector<Place> place_;     ///< of the coordinates of each line
+  std::vector<OneSide> signs_;  ///< the positive planes of each ray
+  std::vector<Set> zeros_;      ///< the planes through each line
+  std::vector<Place> place_;    ///< of the coordinates of each line
   std::vector<std::int64_t> short_;
   std::vector<LongWord> double_;
   std::vector<Integer> long_;

@@ -38,8 +38,8 @@ Unsigned binary_divisor(Unsigned a, Unsigned b) {
     if constexpr (sizeof(Unsigned) > sizeof(std::uint64_t)) {
       // Both are short from here on if the greater was; a is odd, so that no 2 is lost.
       if (((a | b) >> 64) == 0) {
-        return Unsigned{binary_divisor(static_cast<std::uint64_t>(a),
-                                       static_cast<std::uint64_t>(b))}
+        return Unsigned{
+                   binary_divisor(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b))}
                << twos;
       }
     }

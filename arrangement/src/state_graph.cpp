@@ -74,8 +74,7 @@ StateGraph state_graph(const StatePlanes& planes,
     const auto a = cells.find(one);
     const auto b = cells.find(other);
     require(a != cells.end() && b != cells.end() && a != b, "a facet is between two cells");
-    std::tie(graph.facets[i].first, graph.facets[i].second) =
-        std::minmax(a->second, b->second);
+    std::tie(graph.facets[i].first, graph.facets[i].second) = std::minmax(a->second, b->second);
   }
   return graph;
 }

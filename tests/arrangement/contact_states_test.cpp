@@ -329,10 +329,10 @@ TEST(ContactStates, FacetsJoinCells) {
   const StatePlanes modes =
       state_planes(6, contact_rows_for_states(cube(1), {}), StateSet::kContact);
   EXPECT_THROW(state_graph(modes), InputError);
-  EXPECT_FALSE(state_graph(state_planes(6, contact_rows_for_states(grasps[3], {}),
-                                        StateSet::kFull),
-                           [](std::uint64_t) { return false; })
-                   .complete);
+  EXPECT_FALSE(
+      state_graph(state_planes(6, contact_rows_for_states(grasps[3], {}), StateSet::kFull),
+                  [](std::uint64_t) { return false; })
+          .complete);
 }
 
 TEST(ContactStates, TheStateOfAMotion) {
@@ -342,8 +342,7 @@ TEST(ContactStates, TheStateOfAMotion) {
   visit_faces(6, planes.planes, [&](const Face& face) {
     const Row motion = face.motion();
     std::string text;
-    for (const std::string& slip :
-         slips_at(grasp, RationalRow(motion.begin(), motion.end()))) {
+    for (const std::string& slip : slips_at(grasp, RationalRow(motion.begin(), motion.end()))) {
       text += (text.empty() ? "" : " ") + slip;
     }
     EXPECT_EQ(text, planes.text(face));

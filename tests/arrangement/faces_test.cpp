@@ -302,7 +302,8 @@ TEST(Faces, BatchesOfThreadsAreInTheOrderOfOne) {
       EXPECT_EQ(found.near.plane, counts.near.plane);
       EXPECT_EQ(found.near.distance, counts.near.distance);
       EXPECT_TRUE(found.complete);
-      // Whoever takes batches may end the walk, and faces that were not handed over do not count.
+      // Whoever takes batches may end the walk, and faces that were not handed over do not
+      // count.
       std::size_t lines = 0;
       const FaceCounts ended = visit_faces_in_batches(
           6, planes, make,

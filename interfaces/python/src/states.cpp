@@ -43,10 +43,9 @@ class Chunk {
     }
     std::array<LongWord, kMostFaceCoordinates> motion{};
     const auto end = motion.begin() + static_cast<std::ptrdiff_t>(coordinates_);
-    const bool fits =
-        face.motion_in_words(motion.data()) && std::all_of(motion.begin(), end, [](LongWord x) {
-          return x == static_cast<std::int64_t>(x);
-        });
+    const bool fits = face.motion_in_words(motion.data()) &&
+                      std::all_of(motion.begin(), end,
+                                  [](LongWord x) { return x == static_cast<std::int64_t>(x); });
     if (!fits) {
       motion.fill(0);
       long_.emplace_back(size(), face.motion());

@@ -74,7 +74,8 @@ std::vector<std::vector<RationalRow>> slip_directions(const GraspBox& grasp,
 std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp, const SlipLines& lines);
 
 /// Returns the signs of slip of each contact of one grasp at a motion d, a sign for each of its
-/// lines, in the words of StatePlanes::text. Throws InputError as contact_rows_for_states() does.
+/// lines, in the words of StatePlanes::text. Throws InputError as contact_rows_for_states()
+/// does.
 std::vector<std::string> slips_at(const GraspBox& grasp, const RationalRow& motion,
                                   const SlipLines& lines = {});
 

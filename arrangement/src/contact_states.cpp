@@ -195,8 +195,23 @@ std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp,
   return rows;
 }
 
+std::vector<std::string> slips_at(const GraspBox& grasp, const RationalRow& motion,
+                                  const SlipLines& lines) {
+  std::vector<std::string> slips;
+  for (const ContactRows& rows : contact_rows_for_states(grasp, lines)) {
+    std::string& slip = slips.emplace_back();
+    for (const Row& line : rows.lines) slip += to_char(sign_of(dot(line, motion)));
+  }
+  return slips;
+}
+
 std::string StatePlanes::text(const Face& face) const {
   std::string text;
+  append_text(text, face);
+  return text;
+}
+
+void StatePlanes::append_text(std::string& text, const Face& face) const {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (i > 0) text += ' ';
     const Contact& contact = contacts[i];
@@ -214,7 +229,6 @@ std::string StatePlanes::text(const Face& face) const {
     }
     for (const std::size_t line : contact.lines) text += to_char(*face.sign(line));
   }
-  return text;
 }
 
 StatePlanes state_planes(std::size_t coordinates, const std::vector<ContactRows>& contacts,

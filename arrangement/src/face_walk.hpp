@@ -11,12 +11,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,11 +44,13 @@ void move_into_plane(std::vector<Row>& vectors, const Row& plane, const Row& lin
 /// Returns the rank modulo a prime, which is at most the rank, of `count` rows of `n` words.
 int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t n);
 
-/// The question whether to go on, which the parts of a walk ask together.
-struct GoOn {
-  explicit GoOn(const FaceOptions& options) : go_on(options.go_on) {}
+/// What the parts of a walk share that are walked over at the same time. Each part meets all
+/// *lists*, cones that are split, in the same order, and splits those that it is the first to
+/// claim.
+struct SharedWalk {
+  explicit SharedWalk(const FaceOptions& options) : go_on(options.go_on) {}
 
-  /// Adds newly found faces, and asks unless another part is just asking.
+  /// Adds newly found faces, and asks whether to go on unless another part is just asking.
   bool ask(std::uint64_t newly_found) {
     const std::uint64_t all = found += newly_found;
     const std::unique_lock<std::mutex> lock(asking, std::try_to_lock);
@@ -56,16 +58,21 @@ struct GoOn {
     return !stopped;
   }
 
+  /// Returns whether a part may split a list, given its number.
+  bool claim(std::size_t list) { return claimed.compare_exchange_strong(list, list + 1); }
+
   const std::function<bool(std::uint64_t)>& go_on;
   std::mutex asking;
   std::atomic<std::uint64_t> found{0};
   std::atomic<bool> stopped{false};
+  std::atomic<std::size_t> claimed{0};  ///< the number of lists that are claimed
 };
 
-/// One of several parts of a walk, which are walked over at the same time.
-struct WalkPart {
-  std::size_t number = 0;
-  std::size_t parts = 1;
+/// What is told of a part of a walk.
+struct WalkEvents {
+  const FaceVisitor* visitor = nullptr;  ///< of each face; without one they are counted
+  std::function<void(std::size_t)> list_begins{};  ///< given the number of the list
+  std::function<void()> list_ends{};
 };
 
 template <std::size_t words>
@@ -73,14 +80,12 @@ class FaceWalk : public FaceReader {
  public:
   using Set = PlaneSet<words>;
 
-  /// Counts faces; those that are given to `visitor`, if that is not null, one by one.
-  FaceWalk(const DistinctPlanes& planes, const FaceOptions& options, const FaceVisitor* visitor,
-           GoOn& go_on, WalkPart part)
+  FaceWalk(const DistinctPlanes& planes, const FaceOptions& options, SharedWalk& shared,
+           WalkEvents events)
       : planes_(planes),
         options_(options),
-        visitor_(visitor),
-        go_on_(go_on),
-        part_(part),
+        shared_(shared),
+        events_(std::move(events)),
         outer_(planes, work_),
         inner_(planes, work_) {
     counts_.distinct_planes = planes.size();
@@ -128,25 +133,12 @@ class FaceWalk : public FaceReader {
     return primitive(std::move(sum));
   }
 
-  bool motion_in_words(std::int64_t* sum) const override {
-    constexpr std::size_t kMostRays = 1000;  // Sums of so many words below 2^52 are words.
-    if (face_.rays > kMostRays) return false;
-    std::fill_n(sum, planes_.coordinates, 0);
-    for (std::size_t i = 0; i < face_.rays; ++i) {
-      const Ray ray = stack_[face_.begin + i];
-      const std::int64_t* vector = store_->in_words(ray);
-      if (vector == nullptr) return false;
-      const std::int64_t factor = (ray & 1) != 0 ? -1 : 1;
-      for (std::size_t j = 0; j < planes_.coordinates; ++j) sum[j] += factor * vector[j];
+  const LongWord* motion_in_words() const override {
+    if (!face_.motion_known) {
+      face_.motion_known = true;
+      face_.motion_fits = sum_of_rays();
     }
-    std::int64_t divisor = 0;
-    for (std::size_t j = 0; j < planes_.coordinates && divisor != 1; ++j) {
-      divisor = std::gcd(divisor, sum[j]);
-    }
-    if (divisor > 1) {
-      for (std::size_t j = 0; j < planes_.coordinates; ++j) sum[j] /= divisor;
-    }
-    return true;
+    return face_.motion_fits ? motion_.data() : nullptr;
   }
 
  private:
@@ -156,7 +148,27 @@ class FaceWalk : public FaceReader {
     std::size_t rays = 0;
     Set positive;
     Set negative;
+    bool motion_known = false;  ///< whether it was asked for
+    bool motion_fits = false;   ///< whether it is in words
   };
+
+  /// Computes the motion in words. Returns false if it is too long.
+  bool sum_of_rays() const {
+    constexpr std::size_t kMostRays = 1000;
+    if (face_.rays > kMostRays) return false;
+    motion_.fill(0);
+    for (std::size_t i = 0; i < face_.rays; ++i) {
+      if (!store_->add_to(motion_.data(), stack_[face_.begin + i])) return false;
+    }
+    LongWord divisor = 0;
+    for (std::size_t j = 0; j < planes_.coordinates && divisor != 1; ++j) {
+      divisor = common_divisor(motion_[j], divisor);
+    }
+    if (divisor > 1) {
+      for (std::size_t j = 0; j < planes_.coordinates; ++j) motion_[j] /= divisor;
+    }
+    return true;
+  }
 
   int sign_of_distinct(std::size_t g) const {
     return face_.positive.get(g) ? 1 : face_.negative.get(g) ? -1 : 0;
@@ -318,9 +330,11 @@ class FaceWalk : public FaceReader {
   }
 
   void split_list(const std::vector<Ray>& list, int dimension) {
-    if (lists_++ % part_.parts != part_.number) return;
+    if (!shared_.claim(lists_++)) return;
+    if (events_.list_begins) events_.list_begins(lists_ - 1);
     stack_.assign(list.begin(), list.end());
     split(0, list.size(), dimension);
+    if (events_.list_ends) events_.list_ends();
   }
 
   /// Gives the faces inside of the cone of the rays at `begin` of the stack.
@@ -414,13 +428,13 @@ class FaceWalk : public FaceReader {
   /// Ends the walk if that is wanted.
   void check() {
     throw_if_cancelled();
-    stopped_ = !go_on_.ask(std::exchange(found_, 0)) || stopped_;
+    stopped_ = !shared_.ask(std::exchange(found_, 0)) || stopped_;
   }
 
   void give(int dimension, const Visited& face) {
     if (dimension < options_.least_dimension || dimension > options_.most_dimension) return;
     const std::size_t i = static_cast<std::size_t>(dimension);
-    if (visitor_ == nullptr) {
+    if (events_.visitor == nullptr) {
       counts_.by_dimension[i] += mirrored_ ? 2 : 1;
       found_ += mirrored_ ? 2 : 1;
       return;
@@ -428,7 +442,7 @@ class FaceWalk : public FaceReader {
     face_ = face;
     for (const bool negated : {false, true}) {
       if (stopped_ || (negated && !mirrored_)) return;
-      stopped_ = !(*visitor_)(Face(*this, dimension, negated));
+      stopped_ = !(*events_.visitor)(Face(*this, dimension, negated));
       if (stopped_) return;
       ++counts_.by_dimension[i];
       ++found_;
@@ -437,9 +451,8 @@ class FaceWalk : public FaceReader {
 
   const DistinctPlanes& planes_;
   FaceOptions options_;
-  const FaceVisitor* visitor_;
-  GoOn& go_on_;
-  WalkPart part_;
+  SharedWalk& shared_;
+  WalkEvents events_;
   std::size_t lists_ = 0;  ///< the cones that were given to be split, in all parts
   FaceCounts counts_;
   LineWork work_;
@@ -457,7 +470,10 @@ class FaceWalk : public FaceReader {
   bool mirrored_ = false;  ///< whether antipodes of faces are faces that are not walked over
   std::vector<Ray> stack_;
   std::vector<Ray> minus_;  ///< used in cut_at() alone
-  Visited face_;
+  /// \{ What is computed of a face when it is asked for, once for its opposite as well.
+  mutable Visited face_;
+  mutable std::array<LongWord, kMostFaceCoordinates> motion_{};
+  /// \}
   std::uint64_t found_ = 0;  ///< the number of faces since go_on_ was asked
   bool stopped_ = false;
 };

@@ -3,6 +3,7 @@
 /// The lines of an arrangement, each with its signs on all planes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "distinct_planes.hpp"
+#include "long_word.hpp"
 #include "plane_set.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -51,8 +53,9 @@ class LineStore {
   void clear() {
     signs_.clear();
     zeros_.clear();
-    coordinates_.clear();
-    long_index_.clear();
+    place_.clear();
+    short_.clear();
+    double_.clear();
     long_.clear();
     by_zeros_.assign(kFirstSize, kNoLine);
     between_.assign(kFirstSize, Meeting{});
@@ -100,32 +103,43 @@ class LineStore {
   }
   /// Adds the direction of a ray.
   void add_to(Row& sum, Ray ray) const {
-    const std::size_t line = ray >> 1;
-    if (long_index_[line] != kNoLine) {
-      const Row& vector = long_[long_index_[line]];
-      for (std::size_t j = 0; j < dimension_; ++j) {
-        if ((ray & 1) != 0) {
-          sum[j] -= vector[j];
-        } else {
-          sum[j] += vector[j];
-        }
-      }
-      return;
-    }
+    const Place place = place_[ray >> 1];
     for (std::size_t j = 0; j < dimension_; ++j) {
-      const std::int64_t entry = coordinates_[line * dimension_ + j];
-      sum[j] += (ray & 1) != 0 ? -entry : entry;
+      const Integer entry = place.length == Length::kShort ? Integer(at(short_, place)[j])
+                            : place.length == Length::kDouble
+                                ? integer_of(at(double_, place)[j])
+                                : at(long_, place)[j];
+      if ((ray & 1) != 0) {
+        sum[j] -= entry;
+      } else {
+        sum[j] += entry;
+      }
     }
   }
-  /// Returns the coordinates of a ray's line where they are in words below 2^52, else null. A
-  /// sum of a thousand such words is one as well.
+  /// Adds the direction of a ray, a thousand times at most. Returns whether it is short enough.
+  bool add_to(LongWord* sum, Ray ray) const {
+    const Place place = place_[ray >> 1];
+    if (place.length == Length::kShort) {
+      add(at(short_, place), ray, sum);
+    } else if (place.length == Length::kDouble) {
+      add(at(double_, place), ray, sum);
+    }
+    return place.length != Length::kLong;
+  }
+  /// Returns the coordinates of a ray's line where they are in words below 2^52, else null.
   const std::int64_t* in_words(Ray ray) const {
-    const std::size_t line = ray >> 1;
-    return long_index_[line] == kNoLine ? &coordinates_[line * dimension_] : nullptr;
+    const Place place = place_[ray >> 1];
+    return place.length == Length::kShort ? at(short_, place) : nullptr;
   }
 
  private:
-  __extension__ using Int128 = __int128;
+  /// The length of coordinates: words below 2^52, two words below 2^116, or longer.
+  enum class Length : std::uint8_t { kShort, kDouble, kLong };
+  /// Where the D coordinates of a line are.
+  struct Place {
+    std::uint32_t number;  ///< among the lines of this length
+    Length length;
+  };
   struct Signs {
     Set positive;
     Set negative;
@@ -140,7 +154,8 @@ class LineStore {
   };
   static constexpr std::uint32_t kNoLine = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::size_t kFirstSize = 64;
-  static constexpr std::int64_t kLargestWord = std::int64_t{1} << 52;
+  static constexpr std::size_t kShortBits = 52;
+  static constexpr std::size_t kDoubleBits = 116;
 
   static std::size_t hash(const Set& set, std::size_t plane) {
     std::uint64_t h = 0x9E3779B97F4A7C15U * (plane + 1);
@@ -175,14 +190,19 @@ class LineStore {
     signs_.push_back({signs.positive});
     signs_.push_back({signs.negative});
     zeros_.push_back(zero);
-    bool fits = true;
+    std::size_t bits = 0;
     for (const Integer& entry : vector) {
-      fits = fits && entry < kLargestWord && entry > -kLargestWord;
+      bits = std::max(bits, mpz_sizeinbase(entry.gmp(), 2));
     }
-    long_index_.push_back(fits ? kNoLine : static_cast<std::uint32_t>(long_.size()));
-    if (!fits) long_.push_back(vector);
-    for (const Integer& entry : vector) {
-      coordinates_.push_back(fits ? entry.convert_to<std::int64_t>() : 0);
+    if (bits <= kShortBits) {
+      place_.push_back(next_place(short_, Length::kShort));
+      for (const Integer& entry : vector) short_.push_back(entry.convert_to<std::int64_t>());
+    } else if (bits <= kDoubleBits) {
+      place_.push_back(next_place(double_, Length::kDouble));
+      for (const Integer& entry : vector) double_.push_back(long_word_of(entry));
+    } else {
+      place_.push_back(next_place(long_, Length::kLong));
+      long_.insert(long_.end(), vector.begin(), vector.end());
     }
     if (3 * zeros_.size() > 2 * by_zeros_.size()) {
       by_zeros_.assign(2 * by_zeros_.size(), kNoLine);
@@ -235,7 +255,7 @@ class LineStore {
       if (sign == 0) continue;
       (sign > 0 ? result.positive : result.negative).set(g);
       const double distance = std::fabs(sum);
-      if (distance < work_.near) {
+      if (distance < work_.near || (distance == work_.near && g < work_.near_plane)) {
         work_.near = distance;
         work_.near_plane = g;
       }
@@ -257,19 +277,24 @@ class LineStore {
     return primitive(std::move(result));
   }
 
-  static Int128 size_of(Int128 value) { return value < 0 ? -value : value; }
-  static Int128 common_divisor(Int128 a, Int128 b) {
-    while (b != 0) {
-      if (a <= std::numeric_limits<std::int64_t>::max() &&
-          b <= std::numeric_limits<std::int64_t>::max()) {
-        auto s = static_cast<std::uint64_t>(a);
-        auto t = static_cast<std::uint64_t>(b);
-        while (t != 0) s = std::exchange(t, s % t);
-        return static_cast<Int128>(s);
-      }
-      a = std::exchange(b, a % b);
+  template <class Entry>
+  Place next_place(const std::vector<Entry>& lines, Length length) const {
+    return {static_cast<std::uint32_t>(lines.size() / dimension_), length};
+  }
+  /// Returns the coordinates of a line, among those of its length.
+  template <class Entry>
+  const Entry* at(const std::vector<Entry>& lines, Place place) const {
+    return &lines[place.number * dimension_];
+  }
+
+  /// Adds the direction of a ray, given its line's.
+  template <class Entry>
+  void add(const Entry* line, Ray ray, LongWord* sum) const {
+    if ((ray & 1) != 0) {
+      for (std::size_t j = 0; j < dimension_; ++j) sum[j] -= line[j];
+    } else {
+      for (std::size_t j = 0; j < dimension_; ++j) sum[j] += line[j];
     }
-    return a;
   }
 
   /// Does the same in words, if the numbers are short enough.
@@ -279,28 +304,28 @@ class LineStore {
     if (a == nullptr || b == nullptr || planes_.fits[plane] == 0) return false;
     const std::int64_t* row = &planes_.words[plane * dimension_];
     // At most 12 products below 2^112 are added.
-    Int128 x = 0;
-    Int128 y = 0;
+    LongWord x = 0;
+    LongWord y = 0;
     for (std::size_t j = 0; j < dimension_; ++j) {
-      x += static_cast<Int128>(row[j]) * a[j];
-      y += static_cast<Int128>(row[j]) * b[j];
+      x += static_cast<LongWord>(row[j]) * a[j];
+      y += static_cast<LongWord>(row[j]) * b[j];
     }
     if ((p & 1) != 0) x = -x;
     if ((q & 1) != 0) y = -y;
-    const Int128 divisor = common_divisor(size_of(x), size_of(y));
+    const LongWord divisor = common_divisor(x, y);
     // The factor of b is positive, and that of a as well.
-    const Int128 of_b = size_of(x) / divisor * ((q & 1) != 0 ? -1 : 1);
-    const Int128 of_a = size_of(y) / divisor * ((p & 1) != 0 ? -1 : 1);
-    constexpr Int128 kLargestFactor = static_cast<Int128>(1) << 67;
+    const LongWord of_b = size_of(x) / divisor * ((q & 1) != 0 ? -1 : 1);
+    const LongWord of_a = size_of(y) / divisor * ((p & 1) != 0 ? -1 : 1);
+    constexpr LongWord kLargestFactor = static_cast<LongWord>(1) << 67;
     if (size_of(of_a) >= kLargestFactor || size_of(of_b) >= kLargestFactor) return false;
-    std::array<Int128, kMostFaceCoordinates> sum;
-    Int128 content = 0;
+    std::array<LongWord, kMostFaceCoordinates> sum;
+    LongWord content = 0;
     for (std::size_t j = 0; j < dimension_; ++j) {
       sum[j] = of_a * a[j] + of_b * b[j];
-      content = common_divisor(size_of(sum[j]), content);
+      content = common_divisor(sum[j], content);
     }
     for (std::size_t j = 0; j < dimension_; ++j) {
-      const Int128 entry = sum[j] / content;
+      const LongWord entry = sum[j] / content;
       if (size_of(entry) > std::numeric_limits<std::int64_t>::max()) return false;
       result[j] = static_cast<std::int64_t>(entry);
     }
@@ -311,11 +336,12 @@ class LineStore {
   LineWork& work_;
   std::size_t dimension_;
   Set all_;
-  std::vector<OneSide> signs_;             ///< the positive planes of each ray
-  std::vector<Set> zeros_;                 ///< the planes through each line
-  std::vector<std::int64_t> coordinates_;  ///< D numbers a line; 0 for long ones
-  std::vector<std::uint32_t> long_index_;  ///< the place in long_; kNoLine for short ones
-  std::vector<Row> long_;
+  std::vector<OneSide> signs_;  ///< the positive planes of each ray
+  std::vector<Set> zeros_;      ///< the planes through each line
+  std::vector<Place> place_;    ///< of the coordinates of each line
+  std::vector<std::int64_t> short_;
+  std::vector<LongWord> double_;
+  std::vector<Integer> long_;
   std::vector<std::uint32_t> by_zeros_;  ///< a hash table of lines by their zeros
   std::vector<Meeting> between_;         ///< a hash table of lines by flat and plane
   std::size_t meetings_ = 0;

@@ -96,7 +96,7 @@ void measure(const char* name, const Scene& scene, StateSet set, int rounds) {
   print("with a motion each", measure_in_child(
                                   [&] {
                                     std::size_t motions = 0;
-                                    std::int64_t words[6];
+                                    LongWord words[6];
                                     visit_faces(6, planes.planes, [&](const Face& face) {
                                       if (!face.motion_in_words(words)) face.motion();
                                       ++motions;

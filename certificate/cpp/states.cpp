@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "work.hpp"
@@ -269,6 +272,44 @@ char sign_character(int sign) {
 
 }  // namespace
 
+bool SignSet::insert(const std::string& signs) {
+  constexpr std::size_t kSigns = 5;  // 3^5 is below 256.
+  std::string packed((signs.size() + kSigns - 1) / kSigns, '\0');
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    const int digit = signs[i] == '+' ? 1 : signs[i] == '-' ? 2 : 0;
+    char& to = packed[i / kSigns];
+    to = static_cast<char>(3 * static_cast<unsigned char>(to) + digit);
+  }
+  bytes_ = packed.size();
+  if (3 * (size_ + 1) > 2 * places_.size()) grow();
+  const std::size_t place = place_of(packed);
+  if (places_[place] != 0) return false;
+  if (size_ % kPage == 0) pages_.emplace_back().reserve(kPage * bytes_);
+  pages_.back() += packed;
+  places_[place] = static_cast<std::uint32_t>(++size_);
+  return true;
+}
+
+/// The place of a word in the table, or the free one that it would have.
+std::size_t SignSet::place_of(const std::string& packed) const {
+  const std::size_t last = places_.size() - 1;
+  std::size_t i = std::hash<std::string_view>()(packed) & last;
+  while (places_[i] != 0 && packed.compare(0, bytes_, word(places_[i] - 1), bytes_) != 0) {
+    i = (i + 1) & last;
+  }
+  return i;
+}
+
+void SignSet::grow() {
+  if (size_ > std::numeric_limits<std::uint32_t>::max() / 2) {
+    throw std::length_error("a certificate lists more than two billion states");
+  }
+  places_.assign(places_.empty() ? 64 : 2 * places_.size(), 0);
+  for (std::size_t i = 0; i < size_; ++i) {
+    places_[place_of(std::string(word(i), bytes_))] = static_cast<std::uint32_t>(i + 1);
+  }
+}
+
 bool has_normal_signs(const std::string& set) {
   return set == "full";
 }
@@ -357,7 +398,7 @@ void StatesProof::visit(const State& state) {
   if (!is_zero && state.signs[first] == '-') {
     reject("state-half", place, "the first sign that is not 0 is -");
   }
-  if (!seen_.insert(state.signs).second) {
+  if (!seen_.insert(state.signs)) {
     reject("state-new", place, "a state before it has the same signs");
   }
   ++listed_;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 #include "answer.hpp"
@@ -21,6 +20,25 @@ struct State {
 
 /// Whether contacts have signs of N as well.
 bool has_normal_signs(const std::string& set);
+
+/// A set of words of signs, each as long as the first, five signs a byte.
+class SignSet {
+ public:
+  /// Whether it was not there.
+  bool insert(const std::string& signs);
+
+ private:
+  static constexpr std::size_t kPage = 4096;  ///< words that are stored together
+
+  const char* word(std::size_t i) const { return &pages_[i / kPage][i % kPage * bytes_]; }
+  std::size_t place_of(const std::string& word) const;
+  void grow();
+
+  std::size_t bytes_ = 0;  ///< of a word
+  std::size_t size_ = 0;
+  std::vector<std::string> pages_;
+  std::vector<std::uint32_t> places_;  ///< a hash table of words by their numbers, from 1
+};
 
 /// The rules of states. The question must ask for them. All throw Rejected.
 class StatesProof {
@@ -44,7 +62,7 @@ class StatesProof {
   std::vector<Form> closed_;              ///< those that have to be 0
   std::vector<std::int64_t> short_rows_;  ///< the same, if all of their entries are short;
   std::int64_t longest_motion_ = -1;      ///< then products with motions up to this are words
-  std::unordered_set<std::string> seen_;
+  SignSet seen_;
   std::uint64_t listed_ = 0;
   Integer number_ = 0;  ///< of states, with opposites
 };

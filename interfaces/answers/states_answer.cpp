@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/interfaces/states_answer.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -12,20 +14,49 @@
 namespace stickslip {
 namespace {
 
+/// Appends decimal digits, with a '-' before those of a negative number.
+void append_digits(std::string& text, LongWord value) {
+  constexpr std::uint64_t kPiece = 10'000'000'000'000'000'000U;  // It has 19 zeros.
+  constexpr std::size_t kDigits = 19;
+  if (value < 0) {
+    text += '-';
+    value = -value;
+  }
+  std::array<char, kDigits + 1> digits{};
+  const auto append = [&](std::uint64_t piece, bool with_zeros) {
+    const char* const end = std::to_chars(digits.begin(), digits.end(), piece).ptr;
+    const auto size = static_cast<std::size_t>(end - digits.begin());
+    if (with_zeros) text.append(kDigits - size, '0');
+    text.append(digits.begin(), size);
+  };
+  // Two words have at most three pieces.
+  const auto low = static_cast<std::uint64_t>(value % kPiece);
+  if (const LongWord rest = value / kPiece; rest > 0) {
+    const auto high = static_cast<std::uint64_t>(rest / kPiece);
+    if (high > 0) append(high, false);
+    append(static_cast<std::uint64_t>(rest % kPiece), high > 0);
+    append(low, true);
+  } else {
+    append(low, false);
+  }
+}
+
 /// Appends integers of a motion, each between these marks, and `between` them.
 void append_motion(std::string& text, const StatesQuestion& question, const Face& face,
                    const char* mark, const char* between = ", ") {
-  std::array<std::int64_t, kMostFaceCoordinates> words{};
+  std::array<LongWord, kMostFaceCoordinates> words{};
   const std::size_t n = question.planes.coordinates;
-  const auto append = [&](const std::string& digits, std::size_t j) {
+  const bool fits = face.motion_in_words(words.data());
+  const Row motion = fits ? Row() : face.motion();
+  for (std::size_t j = 0; j < n; ++j) {
     if (j > 0) text += between;
-    text += mark + digits + mark;
-  };
-  if (face.motion_in_words(words.data())) {
-    for (std::size_t j = 0; j < n; ++j) append(std::to_string(words[j]), j);
-  } else {
-    const Row motion = face.motion();
-    for (std::size_t j = 0; j < n; ++j) append(motion[j].str(), j);
+    text += mark;
+    if (fits) {
+      append_digits(text, words[j]);
+    } else {
+      text += motion[j].str();
+    }
+    text += mark;
   }
 }
 
@@ -135,27 +166,40 @@ Json states_head_json(const StatesQuestion& question) {
           {"rows", std::move(rows)}};
 }
 
-std::string state_json(const StatesQuestion& question, const Face& face) {
+void append_state_json(std::string& text, const StatesQuestion& question, const Face& face) {
   const StatePlanes& planes = question.planes;
-  std::string text = "{\"state\": \"" + planes.text(face) +
-                     "\", \"dimension\": " + std::to_string(face.dimension()) +
-                     ", \"motion\": [";
+  text += "{\"state\": \"";
+  planes.append_text(text, face);
+  text += "\", \"dimension\": ";
+  append_digits(text, face.dimension());
+  text += ", \"motion\": [";
   append_motion(text, question, face, "\"");
   text += ']';
   for (const auto& [name, sign] :
        {std::pair("zero", Sign::kZero), std::pair("positive", Sign::kPositive),
         std::pair("negative", Sign::kNegative)}) {
-    text += std::string(", \"") + name + "\": [";
+    text += ", \"";
+    text += name;
+    text += "\": [";
     bool first = true;
     for (std::size_t i = 0; i < planes.planes.size(); ++i) {
       if (face.sign(i) != sign) continue;
       if (!first) text += ", ";
       first = false;
-      text += std::to_string(i);
+      append_digits(text, static_cast<LongWord>(i));
     }
     text += ']';
   }
-  return text + "}";
+  text += '}';
+}
+
+void append_state_line(std::string& text, const StatesQuestion& question, const Face& face) {
+  question.planes.append_text(text, face);
+  text += "  ";
+  append_digits(text, face.dimension());
+  text += "  (";
+  append_motion(text, question, face, "");
+  text += ")\n";
 }
 
 Json states_counts_json(const StatesQuestion& question, const FaceCounts& counts) {
@@ -204,15 +248,21 @@ std::string states_certificate_head(const StatesQuestion& question) {
   return text + "],\n \"states\": [";
 }
 
-std::optional<std::string> state_for_certificate(const StatesQuestion& question,
-                                                 const Face& face) {
+void append_proved_state(std::string& text, const char* separator,
+                         const StatesQuestion& question, const Face& face) {
   const StatePlanes& planes = question.planes;
-  std::string text = "\"" + planes.text(face);
-  const std::size_t first = text.find_first_of("+-");
-  if (first != std::string::npos && text[first] == '-') return std::nullopt;
+  const std::size_t begin = text.size();
+  text += separator;
+  text += '"';
+  planes.append_text(text, face);
+  const std::size_t first = text.find_first_of("+-", begin);
+  if (first != std::string::npos && text[first] == '-') {
+    text.resize(begin);
+    return;
+  }
   text += planes.contacts.empty() ? ": " : " : ";
   append_motion(text, question, face, "", " ");
-  return text + '"';
+  text += '"';
 }
 
 std::string states_certificate_end(const FaceCounts& counts) {
@@ -223,10 +273,28 @@ std::string states_certificate_end(const FaceCounts& counts) {
   return text + "]}\n";
 }
 
-std::string motion_text(const StatesQuestion& question, const Face& face) {
-  std::string text = "(";
-  append_motion(text, question, face, "");
-  return text + ")";
+Json state_graph_json(const StatesQuestion& question, const StateGraph& graph) {
+  Json facets = Json::array();
+  for (const StateGraph::Facet& facet : graph.facets) {
+    facets.push_back(
+        {{"state", facet.state}, {"cells", std::array{facet.first, facet.second}}});
+  }
+  return {{"modes", name_of(question.planes.set)},
+          {"contacts", question.grasp.contacts.size()},
+          {"coordinates", question.planes.coordinates},
+          {"dimension", graph.dimension},
+          {"cells", graph.cells},
+          {"facets", std::move(facets)}};
+}
+
+std::string state_graph_dot(const StatesQuestion& question, const StateGraph& graph) {
+  std::string text = std::string("graph ") + name_of(question.planes.set) + " {\n";
+  for (const std::string& cell : graph.cells) text += "  \"" + cell + "\";\n";
+  for (const StateGraph::Facet& facet : graph.facets) {
+    text += "  \"" + graph.cells[facet.first] + "\" -- \"" + graph.cells[facet.second] +
+            "\" [label=\"" + facet.state + "\"];\n";
+  }
+  return text + "}\n";
 }
 
 std::optional<std::string> near_miss_warning(const StatesQuestion& question,
@@ -236,7 +304,8 @@ std::optional<std::string> near_miss_warning(const StatesQuestion& question,
   constexpr double kChance = 1e-3;
   constexpr double kNear = 1e-4;
   const double distance = counts.near.distance;
-  if (distance > kNear || distance * static_cast<double>(counts.signs) > kChance) {
+  // Signs of lines are about as many as states, and states do not depend on threads.
+  if (distance > kNear || distance * static_cast<double>(counts.total()) > kChance) {
     return std::nullopt;
   }
   const PlaneName name = plane_names(question.planes)[counts.near.plane];

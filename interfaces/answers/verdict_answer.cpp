@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "stickslip/arrangement/contact_states.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/engine/refutation_summary.hpp"
@@ -43,10 +44,12 @@ struct EvidenceJson {
     const auto as_row = [&](const Vector3& f) {
       return RationalRow(f.begin(), f.begin() + (grasp.in_space() ? 3 : 2));
     };
+    const std::vector<std::string> slips = slips_at(grasp, witness.twist);
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const UncertainContact& contact = grasp.contacts[contacts.size()];
       contacts.push_back({{"force", number_json(as_row(c.force))},
                           {"friction", number_json(as_row(c.friction))},
+                          {"slip", slips[contacts.size()]},
                           {"closed", c.normal.sign() > 0}});
       if (contact.torsion.is_zero()) continue;
       contacts.back()["moment"] = number_json(moment_of(c, contact));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "faces_by_programs.hpp"
 #include "families.hpp"
 #include "rounds.hpp"
+#include "stickslip/arrangement/state_graph.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_text.hpp"
 
@@ -269,6 +271,83 @@ TEST(ContactStates, ModesAreThoseOfLinearPrograms) {
                 test::faces_by_programs(6, planes.planes));
     }
   }
+}
+
+/// Checks that facets join cells that differ where they are 0, and all of these.
+void expect_graph(const StatePlanes& planes, std::size_t facets, std::size_t cells) {
+  const StateGraph graph = state_graph(planes);
+  EXPECT_TRUE(graph.complete);
+  EXPECT_EQ(graph.cells.size(), cells);
+  ASSERT_EQ(graph.facets.size(), facets);
+  std::vector<std::size_t> root(cells);
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto root_of = [&](std::size_t i) {
+    while (root[i] != i) i = root[i];
+    return i;
+  };
+  std::size_t parts = cells;
+  for (const StateGraph::Facet& facet : graph.facets) {
+    ASSERT_LT(facet.first, facet.second);
+    const std::string& a = graph.cells.at(facet.first);
+    const std::string& b = graph.cells.at(facet.second);
+    for (std::size_t j = 0; j < facet.state.size(); ++j) {
+      if (facet.state[j] != '0') {
+        EXPECT_EQ(a[j], facet.state[j]);
+        EXPECT_EQ(b[j], facet.state[j]);
+      } else if (a[j] != '0') {
+        EXPECT_NE(a[j], b[j]);
+        EXPECT_NE(b[j], '0');
+      }
+    }
+    const std::size_t one = root_of(facet.first);
+    const std::size_t other = root_of(facet.second);
+    if (one == other) continue;
+    root[one] = other;
+    --parts;
+  }
+  EXPECT_EQ(parts, 1u);
+}
+
+TEST(ContactStates, FacetsJoinCells) {
+  Random random(15);
+  std::vector<GraspBox> grasps{cube(1), cube(2), grasp_in_space()};
+  SlipLines directions;
+  for (int round = 0; round < 3; ++round) {
+    grasps.push_back(random_grasp(random, 4, 2, directions));
+  }
+  for (const GraspBox& grasp : grasps) {
+    for (const StateSet set : {StateSet::kSlip, StateSet::kFull, StateSet::kClosed}) {
+      const StatePlanes planes = state_planes(6, contact_rows_for_states(grasp, {}), set);
+      const auto numbers = count_faces(6, planes.planes).by_dimension;
+      std::size_t top = 6;
+      while (numbers[top] == 0) --top;
+      expect_graph(planes, top > 0 ? numbers[top - 1] : 0, numbers[top]);
+    }
+  }
+  // The planes of a cube on a wall are four lines that bound a square: 14 cells, 24 edges.
+  expect_graph(state_planes(6, contact_rows_for_states(cube(1), {}), StateSet::kSlip), 24, 14);
+  const StatePlanes modes =
+      state_planes(6, contact_rows_for_states(cube(1), {}), StateSet::kContact);
+  EXPECT_THROW(state_graph(modes), InputError);
+  EXPECT_FALSE(
+      state_graph(state_planes(6, contact_rows_for_states(grasps[3], {}), StateSet::kFull),
+                  [](std::uint64_t) { return false; })
+          .complete);
+}
+
+TEST(ContactStates, TheStateOfAMotion) {
+  const GraspBox grasp = cube(1);
+  const StatePlanes planes =
+      state_planes(6, contact_rows_for_states(grasp, {}), StateSet::kSlip);
+  visit_faces(6, planes.planes, [&](const Face& face) {
+    const Row motion = face.motion();
+    std::string text;
+    for (const std::string& slip : slips_at(grasp, RationalRow(motion.begin(), motion.end()))) {
+      text += (text.empty() ? "" : " ") + slip;
+    }
+    EXPECT_EQ(text, planes.text(face));
+    return true;
+  });
 }
 
 TEST(ContactStates, Texts) {

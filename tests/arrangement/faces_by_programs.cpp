@@ -140,6 +140,13 @@ std::string signs_of(const Face& face, std::size_t planes) {
   return text;
 }
 
+/// Returns decimal digits, one by one.
+std::string digits_of(LongWord value) {
+  if (value < 0) return "-" + digits_of(-value);
+  if (value > 9) return digits_of(value / 10) + digits_of(value % 10);
+  return std::string(1, static_cast<char>('0' + static_cast<int>(value)));
+}
+
 std::vector<std::string> checked_faces(std::size_t coordinates,
                                        const std::vector<FacePlane>& planes,
                                        const FaceOptions& options) {
@@ -158,9 +165,11 @@ std::vector<std::string> checked_faces(std::size_t coordinates,
           }
           EXPECT_TRUE(is_asked(planes[i].side, sign ? to_int(*sign) : 0)) << found.back();
         }
-        std::vector<std::int64_t> words(coordinates);
+        std::vector<LongWord> words(coordinates);
         if (face.motion_in_words(words.data())) {
-          EXPECT_EQ(Row(words.begin(), words.end()), motion);
+          for (std::size_t j = 0; j < coordinates; ++j) {
+            EXPECT_EQ(motion[j].str(), digits_of(words[j]));
+          }
         }
         return true;
       },

@@ -264,6 +264,67 @@ TEST(Faces, ThreadsShareTheCount) {
   EXPECT_LE(told, counts.total());
 }
 
+/// Signs and motions of faces, a line each.
+struct Texts : FaceBatch {
+  explicit Texts(std::size_t number) : planes(number) {}
+  void add(const Face& face) override {
+    text += test::signs_of(face, planes);
+    for (const Integer& entry : face.motion()) text += ' ' + entry.str();
+    text += '\n';
+  }
+  std::size_t bytes() const override { return text.size(); }
+  std::size_t planes;
+  std::string text;
+};
+
+TEST(Faces, BatchesOfThreadsAreInTheOrderOfOne) {
+  Random random(13);
+  auto planes = random_planes(random, 12, 6, 2);
+  const MakeFaceBatch make = [&] { return std::make_unique<Texts>(planes.size()); };
+  for (const AllowedSigns side : {AllowedSigns::kAny, AllowedSigns::kNotNegative}) {
+    for (std::size_t i = 0; i < 4; ++i) planes[i].side = side;
+    Texts expected(planes.size());
+    const FaceCounts counts = visit_faces(6, planes, [&](const Face& face) {
+      expected.add(face);
+      return true;
+    });
+    for (const unsigned threads : {1u, 2u, 5u}) {
+      std::string text;
+      const FaceCounts found = visit_faces_in_batches(
+          6, planes, make,
+          [&](FaceBatch& batch) {
+            text += static_cast<Texts&>(batch).text;
+            return true;
+          },
+          {}, threads);
+      EXPECT_EQ(text, expected.text) << threads;
+      EXPECT_EQ(found.by_dimension, counts.by_dimension);
+      EXPECT_EQ(found.near.plane, counts.near.plane);
+      EXPECT_EQ(found.near.distance, counts.near.distance);
+      EXPECT_TRUE(found.complete);
+      // Whoever takes batches may end the walk, and faces that were not handed over do not
+      // count.
+      std::size_t lines = 0;
+      const FaceCounts ended = visit_faces_in_batches(
+          6, planes, make,
+          [&](FaceBatch& batch) {
+            const std::string& some = static_cast<Texts&>(batch).text;
+            lines += static_cast<std::size_t>(std::count(some.begin(), some.end(), '\n'));
+            return lines < 1000;
+          },
+          {}, threads);
+      EXPECT_FALSE(ended.complete);
+      EXPECT_EQ(ended.total(), lines);
+      EXPECT_LT(lines, counts.total());
+      EXPECT_THROW(visit_faces_in_batches(
+                       6, planes, make,
+                       [&](FaceBatch&) -> bool { throw InputError("", "", "full", "stop"); },
+                       {}, threads),
+                   InputError);
+    }
+  }
+}
+
 TEST(Faces, WorkCanBeBrokenOff) {
   Random random(11);
   const auto planes = random_planes(random, 30, 6, 1000);

@@ -35,12 +35,13 @@ struct StatesArguments {
   unsigned threads = 0;
   std::string certificate;
   bool list = false;
+  bool graph = false;
   bool json = false;
 
   /// Returns whether something is asked that the enumerators of the sphere do not know.
   bool beyond_sphere() const {
     return modes != "slip" || lines > 0 || snap || !directions.empty() || !closed.empty() ||
-           !dimension.empty() || limit > 0 || !certificate.empty();
+           !dimension.empty() || limit > 0 || !certificate.empty() || graph;
   }
 };
 
@@ -89,6 +90,9 @@ InputError of_options(const InputError& error) {
   if (place == "lines") {
     return {error.file(), "--lines", error.problem(),
             error.remedy() + " (--snap, --directions FILE)"};
+  }
+  if (place == "graph") {
+    return {error.file(), "--graph", error.problem(), "add --modes slip, full or closed"};
   }
   if (place == "certificate") {
     return {error.file(), "--certificate", error.problem(), error.remedy()};
@@ -147,6 +151,8 @@ class StatesWriter {
   }
 
  private:
+  static constexpr std::size_t kBatch = std::size_t{1} << 16;
+
   std::string head_of_proof() const {
     try {
       return states_certificate_head(question_);
@@ -154,6 +160,30 @@ class StatesWriter {
       throw of_options(error);
     }
   }
+
+  /// States as they are written.
+  struct Batch : FaceBatch {
+    explicit Batch(const StatesWriter& of) : writer(of) {}
+
+    void add(const Face& face) override {
+      const StatesArguments& arguments = writer.arguments_;
+      if (arguments.list && arguments.json) {
+        list += kSeparator;
+        append_state_json(list, writer.question_, face);
+      } else if (arguments.list) {
+        append_state_line(list, writer.question_, face);
+      }
+      if (writer.piece_ != nullptr) {
+        append_proved_state(proof, kSeparator, writer.question_, face);
+      }
+    }
+    std::size_t bytes() const override { return list.size() + proof.size(); }
+
+    static constexpr const char* kSeparator = ",\n  ";
+    const StatesWriter& writer;
+    std::string list;
+    std::string proof;
+  };
 
   bool find() {
     write_head();
@@ -165,10 +195,13 @@ class StatesWriter {
     const StatePlanes& planes = question_.planes;
     const InterruptionStop stop([&] { interrupted_ = true; });
     const FaceCounts counts =
-        arguments_.list || arguments_.limit > 0 || piece_ != nullptr
-            ? visit_faces(
+        arguments_.limit > 0 ? find_first(options)
+        : arguments_.list || piece_ != nullptr
+            ? visit_faces_in_batches(
                   planes.coordinates, planes.planes,
-                  [&](const Face& face) { return write_state(face); }, options)
+                  [&] { return std::make_unique<Batch>(*this); },
+                  [&](FaceBatch& batch) { return write_batch(static_cast<Batch&>(batch)); },
+                  options, arguments_.threads)
             : count_faces(planes.coordinates, planes.planes, options, arguments_.threads);
     progress_.clear();
     if (piece_ != nullptr) proof_ += states_certificate_end(counts);
@@ -187,32 +220,43 @@ class StatesWriter {
     if (arguments_.list) std::cout << ",\n \"states\": [";
   }
 
-  bool write_state(const Face& face) {
-    if (arguments_.limit > 0 && written_ == arguments_.limit) return false;
-    if (arguments_.list && arguments_.json) {
-      std::cout << (written_ == 0 ? "\n  " : ",\n  ") << state_json(question_, face);
-    } else if (arguments_.list) {
-      std::cout << question_.planes.text(face) << "  " << face.dimension() << "  "
-                << motion_text(question_, face) << '\n';
-    }
-    ++written_;
-    if (piece_ != nullptr) prove(face);
-    return true;
+  /// Finds as many as --limit allows.
+  FaceCounts find_first(const FaceOptions& options) {
+    Batch batch(*this);
+    std::size_t found = 0;
+    const FaceCounts counts = visit_faces(
+        question_.planes.coordinates, question_.planes.planes,
+        [&](const Face& face) {
+          if (found++ == arguments_.limit) return false;
+          batch.add(face);
+          return batch.bytes() < kBatch || write_batch(batch);
+        },
+        options);
+    write_batch(batch);
+    return counts;
   }
 
-  void prove(const Face& face) {
-    constexpr std::size_t kPiece = std::size_t{1} << 16;
-    const auto state = state_for_certificate(question_, face);
-    if (!state) return;
-    proof_ += (proved_++ == 0 ? "\n  " : ",\n  ") + *state;
-    if (proof_.size() < kPiece) return;
-    (*piece_)(proof_);
-    proof_.clear();
+  /// Writes a batch, whose states begin with commas in JSON, and empties it.
+  bool write_batch(Batch& batch) {
+    const auto rest = [](const std::string& text, bool after_others) {
+      return std::string_view(text).substr(after_others || text.empty() ? 0 : 1);
+    };
+    std::cout << rest(batch.list, listed_ || !arguments_.json);
+    listed_ = listed_ || !batch.list.empty();
+    batch.list.clear();
+    if (piece_ != nullptr) {
+      proof_ += rest(batch.proof, proved_);
+      proved_ = proved_ || !batch.proof.empty();
+      batch.proof.clear();
+      (*piece_)(proof_);
+      proof_.clear();
+    }
+    return true;
   }
 
   void write_counts(const FaceCounts& counts) {
     if (arguments_.json) {
-      if (arguments_.list) std::cout << (written_ == 0 ? "]" : "\n ]");
+      if (arguments_.list) std::cout << (listed_ ? "\n ]" : "]");
       const std::string rest = finished(states_counts_json(question_, counts), false).dump(1);
       std::cout << "," << rest.substr(1) << '\n';
       return;
@@ -289,11 +333,40 @@ class StatesWriter {
   const StatesQuestion& question_;
   Progress progress_;
   std::atomic<bool> interrupted_{false};
-  std::size_t written_ = 0;
+  bool listed_ = false;               ///< whether a state has been listed
   const FilePiece* piece_ = nullptr;  ///< where a certificate goes
   std::string proof_;                 ///< what comes next there
-  std::size_t proved_ = 0;
+  bool proved_ = false;               ///< whether a state is in it
 };
+
+/// Writes which states border on each other.
+int write_graph(const StatesArguments& arguments, const StatesQuestion& question) {
+  if (arguments.list || arguments.limit > 0 || !arguments.certificate.empty() ||
+      !arguments.closed.empty() || !arguments.dimension.empty()) {
+    throw InputError("", "--graph", "it has all states of two dimensions",
+                     "leave out --list, --certificate and filters");
+  }
+  std::atomic<bool> interrupted{false};
+  const InterruptionStop stop([&] { interrupted = true; });
+  Progress progress;
+  StateGraph graph;
+  try {
+    graph = state_graph(question.planes, [&](std::uint64_t found) {
+      progress.show(std::to_string(found) + " states so far");
+      return !interrupted;
+    });
+  } catch (const InputError& error) {
+    throw of_options(error);
+  }
+  progress.clear();
+  if (!graph.complete) return kUndecidedWithinLimit;
+  if (arguments.json) {
+    std::cout << state_graph_json(question, graph).dump(1) << '\n';
+  } else {
+    std::cout << state_graph_dot(question, graph);
+  }
+  return kDone;
+}
 
 int states(const StatesArguments& arguments) {
   const Question question = read_contacts(arguments.file);
@@ -305,6 +378,7 @@ int states(const StatesArguments& arguments) {
                      "leave out --limit");
   }
   const StatesQuestion states = question_of(arguments, question.grasp);
+  if (arguments.graph) return write_graph(arguments, states);
   return StatesWriter(arguments, states).write() ? kDone : kUndecidedWithinLimit;
 }
 
@@ -360,7 +434,7 @@ void add_states_command(Command& app, int& exit_code) {
       ->choices({"auto", "cgal", "sweep", "paper"})
       ->capture_default_str();
   add_threads_option(*command, arguments->threads,
-                     "Threads that count, in the plane those of the sweep; 0 is one a core");
+                     "Threads, in the plane those of the sweep; 0 is one a core");
   command
       ->add_option("--certificate", arguments->certificate,
                    "With --modes slip, full or closed: write a proof for stickslip-check "
@@ -370,6 +444,10 @@ void add_states_command(Command& app, int& exit_code) {
   command->add_flag("--list", arguments->list,
                     "List the states, in the plane one character a contact: + and - slip, 0 "
                     "stick; in space a character a line of slip, and a motion");
+  command->add_flag("--graph", arguments->graph,
+                    "With --modes slip, full or closed: print which states of the largest "
+                    "dimension border on each other, and in which states between them, for "
+                    "Graphviz; with --json as JSON");
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(footer_text(
       "In the plane motions are points of a sphere, which each contact cuts in a great circle: "

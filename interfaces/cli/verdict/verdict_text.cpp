@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "box_numbers.hpp"
+#include "stickslip/arrangement/contact_states.hpp"
 #include "stickslip/core/motion_bound.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/engine/refutation_summary.hpp"
@@ -47,12 +48,13 @@ struct EquilibriumText {
     if (grasp.mechanism) {
       return "\n" + forces_text(grasp, witness) + "\n";
     }
-    Rows rows{{"contact", "normal", "friction", "force", ""}};
+    const std::vector<std::string> slips = slips_at(grasp, witness.twist);
+    Rows rows{{"contact", "normal", "friction", "force", "slip", ""}};
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;
       const RationalRow& n = grasp.contacts[i].normal;
       rows.push_back({std::to_string(i), text.root(c.normal, dot(n, n)), text(c.friction),
-                      text(c.force), c.normal.sign() > 0 ? "closed" : "open"});
+                      text(c.force), slips[i], c.normal.sign() > 0 ? "closed" : "open"});
     }
     return "  motion d  " + text(witness.twist) + "\n\n" + format_table(rows) + "\n";
   }
@@ -65,9 +67,10 @@ struct EquilibriumText {
   /// Returns the forces of several bodies: by contact, with the bodies, and then by spring.
   /// Soft fingers also have the moment about the normal.
   std::string forces_text(const GraspBox& grasp, const ShareWitness& witness) const {
-    Rows rows{{"contact", "of", "by", "normal", "force", ""}};
+    Rows rows{{"contact", "of", "by", "normal", "force", "slip", ""}};
+    const std::vector<std::string> slips = slips_at(grasp, witness.twist);
     const bool is_soft = has_torsion(grasp);
-    if (is_soft) rows.front().insert(rows.front().end() - 1, "moment");
+    if (is_soft) rows.front().insert(rows.front().end() - 2, "moment");
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;
       const UncertainContact& contact = grasp.contacts[i];
@@ -75,10 +78,10 @@ struct EquilibriumText {
       rows.push_back({std::to_string(i), grasp.mechanism->name_of(contact.of),
                       grasp.mechanism->name_of(contact.by),
                       text.root(c.normal, dot(contact.normal, contact.normal)), text(force),
-                      c.normal.sign() > 0 ? "closed" : "open"});
+                      slips[i], c.normal.sign() > 0 ? "closed" : "open"});
       if (!is_soft) continue;
       const bool turns = !contact.torsion.is_zero();
-      rows.back().insert(rows.back().end() - 1,
+      rows.back().insert(rows.back().end() - 2,
                          turns ? text.root(c.moment, dot(contact.normal, contact.normal)) : "");
     }
     std::string result = rows.size() > 1 ? format_table(rows) : "";

@@ -4,13 +4,19 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/interfaces/states_answer.hpp"
 
@@ -35,10 +41,17 @@ class Chunk {
       const auto sign = face.sign(i);
       signs_.push_back(sign ? static_cast<std::int8_t>(*sign) : kNoSign);
     }
-    motions_.resize(motions_.size() + coordinates_);
-    if (!face.motion_in_words(motions_.data() + motions_.size() - coordinates_)) {
+    std::array<LongWord, kMostFaceCoordinates> motion{};
+    const auto end = motion.begin() + static_cast<std::ptrdiff_t>(coordinates_);
+    const bool fits = face.motion_in_words(motion.data()) &&
+                      std::all_of(motion.begin(), end,
+                                  [](LongWord x) { return x == static_cast<std::int64_t>(x); });
+    if (!fits) {
+      motion.fill(0);
       long_.emplace_back(size(), face.motion());
     }
+    std::transform(motion.begin(), end, std::back_inserter(motions_),
+                   [](LongWord x) { return static_cast<std::int64_t>(x); });
     dimensions_.push_back(static_cast<std::int8_t>(face.dimension()));
   }
 
@@ -109,6 +122,43 @@ void find_states(const GraspFile& grasp, const py::dict& options, std::size_t ch
   });
 }
 
+/// States as a certificate has them.
+struct Proved : FaceBatch {
+  explicit Proved(const StatesQuestion& about) : question(about) {}
+  void add(const Face& face) override { append_proved_state(text, ",\n  ", question, face); }
+  std::size_t bytes() const override { return text.size(); }
+  const StatesQuestion& question;
+  std::string text;
+};
+
+/// Writes the certificate that a list of all states is complete.
+void prove_states(const GraspFile& grasp, const py::dict& options, const std::string& path,
+                  unsigned threads) {
+  const StatesQuestion question = states_question_of(grasp, options);
+  const std::string head = states_certificate_head(question);
+  without_gil([&] {
+    write_whole_file(path, [&](const FilePiece& piece) {
+      piece(head);
+      bool first = true;
+      const FaceCounts counts = visit_faces_in_batches(
+          question.planes.coordinates, question.planes.planes,
+          [&] { return std::make_unique<Proved>(question); },
+          [&](FaceBatch& batch) {
+            std::string_view text = static_cast<Proved&>(batch).text;
+            if (first && !text.empty()) {
+              text.remove_prefix(1);  // the comma that parts it from others
+              first = false;
+            }
+            piece(text);
+            return true;
+          },
+          question.faces, threads);
+      piece(states_certificate_end(counts));
+      return counts.complete;
+    });
+  });
+}
+
 }  // namespace
 
 StatesQuestion states_question_of(const GraspFile& file, const py::dict& options) {
@@ -141,6 +191,7 @@ StatesQuestion states_question_of(const GraspFile& file, const py::dict& options
 
 void bind_states(py::module_& module) {
   module.def("find_states", &find_states);
+  module.def("prove_states", &prove_states);
   module.def("state_rows", [](const GraspFile& grasp, const py::dict& options) {
     return python_of(states_head_json(states_question_of(grasp, options)));
   });

@@ -113,8 +113,8 @@ def decision_of(grasp: Grasp, snapped: Tuple[SnappedNormal, ...],
         if any("moment" in contact for contact in contacts):
             none = (Fraction(0),) * 3
             more["moments"] = tuple(contact.get("moment", none) for contact in contacts)
-        if "coefficients" in answer:
-            more["slip"] = "".join(contact["slip"] for contact in contacts)
+        in_plane = all(len(contact["slip"]) == 1 for contact in contacts)
+        more["slip"] = ("" if in_plane else " ").join(contact["slip"] for contact in contacts)
     if second is not None:
         proof = second.get("proof")
         more["within"] = Within(second["verdict"], second.get("max_motion"), second["wrench"],
@@ -157,10 +157,10 @@ class Decision(Answer):
     """Of an Assembly: the torque, tension or force of each of its ``springs``."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
     """(a, b) for each contact: the force is a n + b t, with its normal n and the
-    tangent t, n turned by +90 degrees. For unit normals, normal and tangential force. None in space,
-    as is slip."""
+    tangent t, n turned by +90 degrees. For unit normals, normal and tangential force. None in space."""
     slip: Optional[str] = None
-    """One character a contact: "+" or "-" as it slips along t or against it, "0" as it sticks."""
+    """One character a contact: "+" or "-" as it slips along t or against it, "0" as it sticks. In space
+    two, of the default lines of ``find_states``, and a blank between contacts."""
     closed: Optional[Tuple[bool, ...]] = None
     """False where the contact has opened."""
     limit: Optional[str] = None

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Slip states and contact modes in space and of several bodies, as arrays."""
 
+import os
 import queue
 import threading
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,6 +75,12 @@ class States:
         counts = _core.state_counts(self._grasp._data, self._options)
         return StateCounts(tuple(counts["by_dimension"]), counts["distinct_states"], counts["rank"],
                            counts["distinct_planes"], tuple(counts.get("warnings", ())))
+
+    def write_certificate(self, path: Union[str, "os.PathLike[str]"], threads: int = 0) -> None:
+        """Writes a proof that there are no other states, for ``stickslip-check`` and ``check.py`` with
+        ``--states`` and these modes: "slip", "full" or "closed", of all dimensions. The file stays as it was
+        if that is interrupted."""
+        _core.prove_states(self._grasp._data, self._options, os.fspath(path), as_count("threads", threads))
 
     def __iter__(self) -> Iterator[StatesChunk]:
         ready: "queue.Queue[Any]" = queue.Queue(maxsize=2)

@@ -4,6 +4,7 @@
 import json
 import os
 import pty
+import re
 import signal
 import subprocess
 import unittest
@@ -128,6 +129,80 @@ class States(Case):
             answer = self.json("states", file, "--certificate", proof, "--modes", *options)
             judged = subprocess.run([CHECK, file, proof, "--states", options[0], "--json"], capture_output=True, encoding="ascii", check=True)
             self.assertEqual(json.loads(judged.stdout)["by_dimension"], answer["by_dimension"])
+
+    def test_lists_and_proofs_are_the_same_from_any_number_of_threads(self):
+        grasp = {**cube([]), "contacts": [{"position": [i, i * i % 7, -i], "normal": [1, i, 3 - i]} for i in range(6)]}
+        file, proof = self.write("g.json", grasp), self.path("proof.json")
+        for options in (("--list",), ("--list", "--json"), ("--list", "--modes", "ss")):
+            said = {stickslip("states", file, *options, "--threads", str(threads)) for threads in (1, 2, 5)}
+            self.assertEqual(len(said), 1)
+        # A limit, and a list beside a proof, are of the same order.
+        everything = self.answer(grasp, "--list")["states"]
+        limit = len(everything) // 2
+        self.assertEqual(self.answer(grasp, "--list", "--limit", str(limit), code=UNDECIDED)["states"], everything[:limit])
+        proofs = set()
+        for threads in ("1", "2"):
+            beside = self.answer(grasp, "--list", "--certificate", proof, "--threads", threads)["states"]
+            self.assertEqual(beside, everything)
+            with open(proof, encoding="ascii") as written:
+                proofs.add(written.read())
+        self.assertEqual(len(proofs), 1)
+        self.assertEqual(len(json.loads(proofs.pop())["states"]), (len(everything) + 1) // 2)
+
+    def test_the_graph_joins_cells_by_facets(self):
+        file = self.write("g.json", cube(FLOOR))
+        for modes in ("slip", "full", "closed"):
+            graph = self.json("states", file, "--graph", "--modes", modes)
+            answer = self.json("states", file, "--modes", modes, "--list")
+            states = {state["state"]: state for state in answer["states"]}
+            top = graph["dimension"]
+            self.assertEqual([states[cell]["dimension"] for cell in graph["cells"]], [top] * answer["by_dimension"][top])
+            self.assertEqual(len({facet["state"] for facet in graph["facets"]}), answer["by_dimension"][top - 1])
+            for facet in graph["facets"]:
+                one, other = (graph["cells"][i] for i in facet["cells"])
+                self.assertNotEqual(one, other)
+                self.assertEqual(states[facet["state"]]["dimension"], top - 1)
+                for a, b, between in zip(one, other, facet["state"]):
+                    # What is not 0 on the facet is the same beside it, and the rest opposite.
+                    self.assertEqual({a, b}, {between} if between != "0" or a == "0" else {"+", "-"})
+            reached, border = {0}, [0]
+            while border:
+                cell = border.pop()
+                for facet in graph["facets"]:
+                    for i in facet["cells"] if cell in facet["cells"] else ():
+                        if i not in reached:
+                            reached.add(i)
+                            border.append(i)
+            self.assertEqual(len(reached), len(graph["cells"]))
+        code, out, _ = stickslip("states", file, "--graph")
+        self.assertEqual((code, out.splitlines()[0], out.count("label="), out.count('";\n')), (DONE, "graph slip {", 24, 14))
+        self.fails("states", file, "--graph", "--modes", "ss", naming=["--graph", "--modes slip"])
+        self.fails("states", file, "--graph", "--list", naming=["--graph", "--list"])
+
+    def test_an_equilibrium_has_a_state_of_the_list(self):
+        """In the words of --list, where the equilibrium is exact: pushed, turned and pressed."""
+        grasp = cube(FLOOR)
+        states = [state["state"] for state in self.answer(grasp, "--list")["states"]]
+        for load in ([0, 0, -5, 0, 0, 0], [2, 0, -4, 0, 0, 0], [0, 2, -4, 0, 0, 0], [0, 0, -4, 0, 0, 1]):
+            grasp["wrench"] = load
+            found = json.loads(stickslip("decide", self.write("g.json", grasp), "--json")[1])
+            if "twist" not in found:
+                continue
+            said = " ".join(contact["slip"] for contact in found["contacts"])
+            self.assertIn(said, states)
+            rows = [row["row"] for row in self.answer(grasp)["rows"]]
+            signs = "".join("0+-"[(x > 0) - (x < 0)] for x in (dot(row, found["twist"]) for row in rows))
+            self.assertEqual(said.replace(" ", ""), signs)
+            contact = found["contacts"][0]
+            self.assertRegex(stickslip("decide", self.path("g.json"))[1],
+                             f"\n +0 .* {re.escape(contact['slip'])}  {'closed' if contact['closed'] else 'open'}\n")
+        # Without friction, pressed into a corner, it slips along all three walls.
+        corner = {**cube(CORNER), "defaults": {"friction": 0}, "wrench": [-1, -2, -4, 0, 0, 0]}
+        found = self.json("decide", self.write("g.json", corner))
+        said = " ".join(contact["slip"] for contact in found["contacts"])
+        self.assertEqual(set(said), {"+", "-", " "})
+        states = self.answer(corner, "--list", "--dimension", "6")["states"]
+        self.assertIn(said, [state["state"] for state in states])
 
     def test_what_has_no_certificate_writes_none(self):
         file, proof = self.write("g.json", cube(FLOOR)), self.path("proof.json")

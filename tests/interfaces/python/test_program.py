@@ -146,7 +146,7 @@ def agree(said, found):
     if isinstance(found, tuple):
         return len(said) == len(found) and all(map(agree, said, found))
     if isinstance(found, str) and isinstance(said, list):
-        return "".join(said) == found
+        return found in ("".join(said), " ".join(said))
     return (said or None) == (found or None)
 
 

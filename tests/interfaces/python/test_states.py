@@ -43,6 +43,25 @@ def test_the_states_are_those_of_the_command(modes, tmp_path):
     assert (signs == NO_SIGN).any() == (modes == "ss")
 
 
+@pytest.mark.parametrize("modes", ["slip", "full", "closed"])
+def test_the_certificate_is_that_of_the_command(modes, tmp_path):
+    listed(CUBE, tmp_path, "--modes", modes, "--certificate", tmp_path / "command.json")
+    find_states(CUBE, modes=modes).write_certificate(tmp_path / "python.json", threads=2)
+    assert (tmp_path / "python.json").read_text() == (tmp_path / "command.json").read_text()
+
+
+def test_modes_have_no_certificate_of_their_own(tmp_path):
+    for options in ({"modes": "cs"}, {"dimension": 3}):
+        with pytest.raises(InputError, match="full|all dimensions"):
+            find_states(CUBE, **options).write_certificate(tmp_path / "none.json")
+    assert not (tmp_path / "none.json").exists()
+
+
+def test_an_equilibrium_in_space_has_a_state():
+    found = stickslip.decide(CUBE, (0, 0, -4, 0, 0, 0))
+    assert found.slip == "00 00 00 00"
+
+
 def test_options():
     assert find_states(CUBE, modes="ss", at_least_closed=4).count().distinct_states == 51
     assert find_states(CUBE, modes="cs", dimension=5).count().by_dimension == (0, 0, 0, 0, 0, 4, 0)

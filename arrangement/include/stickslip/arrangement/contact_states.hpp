@@ -73,6 +73,12 @@ std::vector<std::vector<RationalRow>> slip_directions(const GraspBox& grasp,
 /// (place "lines"), or as default_slip_lines() does.
 std::vector<ContactRows> contact_rows_for_states(const GraspBox& grasp, const SlipLines& lines);
 
+/// Returns the signs of slip of each contact of one grasp at a motion d, a sign for each of its
+/// lines, in the words of StatePlanes::text. Throws InputError as contact_rows_for_states()
+/// does.
+std::vector<std::string> slips_at(const GraspBox& grasp, const RationalRow& motion,
+                                  const SlipLines& lines = {});
+
 /// The arrangement of a set of states.
 struct StatePlanes {
   /// A contact by the indices of its planes.
@@ -89,6 +95,8 @@ struct StatePlanes {
   /// line; "o" for a contact that opens; with StateSet::kOpening "c" for one that is closed;
   /// with StateSet::kFull the sign of N.d and a "|" first.
   std::string text(const Face& face) const;
+  /// Appends the same text.
+  void append_text(std::string& to, const Face& face) const;
 };
 
 /// Returns the arrangement of a set of states of these contacts. Throws InputError with the

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -65,6 +66,9 @@ struct FaceOptions {
   std::function<bool(std::uint64_t)> go_on{};
 };
 
+/// An integer of two words.
+__extension__ using LongWord = __int128;
+
 class FaceReader;
 
 /// A face, valid during the call that it is given to.
@@ -79,8 +83,9 @@ class Face {
   std::optional<Sign> sign(std::size_t plane) const;
   /// Returns an integer point of the face, without a common divisor: 0 for d = 0.
   Row motion() const;
-  /// Writes the same point in words, D of them. Returns false if it is too long for that.
-  bool motion_in_words(std::int64_t* to) const;
+  /// Writes the same point in words of two, D of them. Returns false if it is too long for
+  /// that.
+  bool motion_in_words(LongWord* to) const;
 
  private:
   const FaceReader* reader_;
@@ -96,8 +101,8 @@ class FaceReader {
   virtual std::optional<Sign> sign(std::size_t plane) const = 0;
   /// Returns the motion before the face is negated.
   virtual Row motion() const = 0;
-  /// Writes the motion in words, or returns false.
-  virtual bool motion_in_words(std::int64_t* to) const = 0;
+  /// Returns the motion in words of two; null if it is too long for that.
+  virtual const LongWord* motion_in_words() const = 0;
   /// Returns D.
   virtual std::size_t coordinates() const = 0;
 };
@@ -141,6 +146,31 @@ using FaceVisitor = std::function<bool(const Face&)>;
 /// `where_zero` is not as FacePlane says.
 FaceCounts visit_faces(std::size_t coordinates, const std::vector<FacePlane>& planes,
                        const FaceVisitor& visitor, const FaceOptions& options = {});
+
+/// What is made of some faces that follow each other in the order of visit_faces(): their text,
+/// say.
+class FaceBatch {
+ public:
+  virtual ~FaceBatch() = default;
+  /// Takes a face in.
+  virtual void add(const Face& face) = 0;
+  /// Returns about how many bytes it takes.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// Makes a batch without faces.
+using MakeFaceBatch = std::function<std::unique_ptr<FaceBatch>()>;
+/// Takes a batch, and returns whether to go on.
+using TakeFaceBatch = std::function<bool(FaceBatch&)>;
+
+/// Visits the faces by several threads: each makes batches, and those of all are handed to
+/// `take` in the order of visit_faces(), by one thread at a time. `make` and FaceBatch::add are
+/// called by several at a time, but each batch by one. Which faces share a batch is not fixed.
+/// `threads` and counts are as in count_faces(). Faces of batches that are not handed over, as
+/// somebody ended the walk, may be counted.
+FaceCounts visit_faces_in_batches(std::size_t coordinates, const std::vector<FacePlane>& planes,
+                                  const MakeFaceBatch& make, const TakeFaceBatch& take,
+                                  const FaceOptions& options = {}, unsigned threads = 1);
 
 /// Counts the faces without visiting them: antipodal faces are counted together. `threads`
 /// share the work; 0 is one a core. Each of several computes the lines that it meets, so that

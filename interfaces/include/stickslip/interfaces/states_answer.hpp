@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "stickslip/arrangement/contact_states.hpp"
+#include "stickslip/arrangement/state_graph.hpp"
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/json_value.hpp"
 
@@ -57,23 +58,27 @@ std::vector<std::vector<RationalRow>> read_directions(const std::string& file);
 /// Returns what a JSON answer says before its states: the set, coordinates, and the rows of all
 /// planes in their order.
 Json states_head_json(const StatesQuestion& question);
-/// Returns a state as one line of JSON: its text and dimension, a motion, and the numbers of
+/// Appends a state as one line of JSON: its text and dimension, a motion, and the numbers of
 /// the rows that are 0, positive and negative on it.
-std::string state_json(const StatesQuestion& question, const Face& face);
+void append_state_json(std::string& text, const StatesQuestion& question, const Face& face);
+/// Appends a state as people read it: its text, its dimension, and a motion as "(1, 0, -2)".
+void append_state_line(std::string& text, const StatesQuestion& question, const Face& face);
 /// Returns what a JSON answer says after its states: counts.
 Json states_counts_json(const StatesQuestion& question, const FaceCounts& counts);
 /// Returns a certificate (FORMAT.md, section 17) up to its states. Throws InputError with the
 /// place "certificate" if the question is about modes, or about some of the states only.
 std::string states_certificate_head(const StatesQuestion& question);
-/// Returns what a certificate says of a state, without what parts it from others; nothing of
-/// one whose first sign that is not 0 is -, as its opposite is stated.
-std::optional<std::string> state_for_certificate(const StatesQuestion& question,
-                                                 const Face& face);
+/// Appends what a certificate says of a state, after `separator`; nothing of one whose first
+/// sign that is not 0 is -, as its opposite is stated.
+void append_proved_state(std::string& text, const char* separator,
+                         const StatesQuestion& question, const Face& face);
 /// Returns what a certificate says after its states.
 std::string states_certificate_end(const FaceCounts& counts);
 
-/// Returns a motion of a face as "(1, 0, -2)".
-std::string motion_text(const StatesQuestion& question, const Face& face);
+/// Returns the graph of states: its cells and, of each facet, the numbers of its two.
+Json state_graph_json(const StatesQuestion& question, const StateGraph& graph);
+/// Returns it in the language of Graphviz.
+std::string state_graph_dot(const StatesQuestion& question, const StateGraph& graph);
 
 /// Returns a sentence if some plane nearly contains a line of the others, so nearly that chance
 /// would not have it: a different rounding of the grasp's numbers has other states.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 
 #include <utility>
 
@@ -48,7 +48,26 @@ const char* Answer::engine() const {
   return std::holds_alternative<BranchWork>(work) ? "branch-and-bound" : box_engine(question);
 }
 
+Undecided out_of_time(const TimeLimit& limit) {
+  return {limit.in_words() + " was over first", "time", "a longer one may decide it"};
+}
+
+Answer unanswered(Question question, Undecided why) {
+  if (question.box() != nullptr) {
+    return {std::move(question), std::move(why), SearchWork{}};
+  }
+  Problem problem = problem_of(question);
+  Answer answer{std::move(question), std::move(why), BranchWork{}};
+  answer.problem = std::move(problem);
+  return answer;
+}
+
 Answer decide(Question question, const SearchOptions& options) {
+  return decide(std::move(question), options, {});
+}
+
+Answer decide(Question question, const SearchOptions& options,
+              const std::function<void(const Answer&)>& progress) {
   std::optional<Unstable> within;
   Answer answer = first_answer(std::move(question), options, within);
   if (!options.second) return answer;
@@ -59,6 +78,7 @@ Answer decide(Question question, const SearchOptions& options) {
         Answer{std::move(*second), std::move(*within), {}, answer.bits});
     return answer;
   }
+  if (progress) progress(answer);
   SearchOptions how = options;
   how.engine = Engine::kAuto;
   how.second = !second->is_bounded();

@@ -158,12 +158,6 @@ void add_node_limit_option(Command& command, std::size_t& node_limit) {
       "Give up, undecided, after N nodes of a search; 0 is the program's own limit, or none");
 }
 
-void add_time_limit_option(Command& command, unsigned& seconds,
-                           const std::string& description) {
-  constexpr std::uint64_t kMostSeconds = 86400;
-  add_count_option(command, "--time-limit", seconds, description, kMostSeconds);
-}
-
 void QuestionArguments::add_to(Command& command) {
   add_grasp_argument(command, file_);
   add_options_to(command);

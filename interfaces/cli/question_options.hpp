@@ -154,8 +154,6 @@ std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text
 /// Adds --node-limit, for a command that searches by cones.
 void add_node_limit_option(Command& command, std::size_t& node_limit);
 
-/// Adds --time-limit, in seconds.
-void add_time_limit_option(Command& command, unsigned& seconds, const std::string& description);
 
 /// Writes NAME.json and NAME.certificate.json for each name into that folder.
 void write_proved_files(const std::string& option, const std::string& folder,

@@ -28,6 +28,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Returns whether there is a terminal to show it on.
+  bool is_shown_somewhere() const { return on_terminal_; }
   void show(const std::string& text);
   void clear();
 

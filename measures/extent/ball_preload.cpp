@@ -53,6 +53,9 @@ class BallSearch {
   }
 
   BallPreload run() {
+    result_.quality.ball = grasp_;
+    result_.quality.ball.ball = shape_;
+    report();
     std::vector<RationalRow> starts;
     if (patterns_.size() > 0) {
       starts.emplace_back(patterns_.size(), budget_ / patterns_.size());
@@ -274,12 +277,19 @@ class BallSearch {
         }
         cover.emplace(std::move(boxes[k].first), std::move(boxes[k].second));
       }
-      if (cover.begin()->first < unknown) result_.bound = cover.begin()->first;
+      if (cover.begin()->first < unknown) {
+        result_.bound = cover.begin()->first;
+        keep_refused(cover);
+      }
       report();
     }
+  }
+
+  /// Keeps each box that some box of the cover is a part of.
+  void keep_refused(const Cover& cover) {
+    result_.refused.clear();
     std::vector<const ProvedPreloads*> kept;
     for (const auto& [distance, bounded] : cover) {
-      if (!result_.bound) return;
       if (std::find(kept.begin(), kept.end(), bounded.refused.get()) == kept.end()) {
         kept.push_back(bounded.refused.get());
         result_.refused.push_back(*bounded.refused);

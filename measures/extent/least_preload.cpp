@@ -57,6 +57,7 @@ class LeastSearch {
     const RationalRow given = preloads_of(asked_.front());
     const std::size_t count = patterns_.size();
     result_.limit = std::max<Rational>(kMostSizes * size_, 2 * sum_of(given));
+    report();
     if (!take(RationalRow(count))) {
       // The search begins with those of the file, and so finds no more than a multiple of them.
       const std::optional<RationalRow> weights = patterns_.weights(given);

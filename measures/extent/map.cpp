@@ -9,6 +9,7 @@
 
 #include "engine/box/single_grasp.hpp"
 #include "in_parallel.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_list.hpp"
 #include "stickslip/engine/branch_and_bound.hpp"
@@ -158,15 +159,29 @@ class Quadtree {
   /// Goes level by level, some cells at a time, on as many threads as there are.
   void run() {
     std::vector<OpenCell> open{{x_axis_.range, y_axis_.range}};
-    for (unsigned depth = 0; !open.empty(); ++depth) {
-      std::vector<OpenCell> next;
-      constexpr std::size_t kAtATime = 64;
-      for (std::size_t from = 0; from < open.size(); from += kAtATime) {
-        const auto first = open.begin() + static_cast<std::ptrdiff_t>(from);
-        const std::size_t count = std::min(kAtATime, open.size() - from);
-        visit({first, first + static_cast<std::ptrdiff_t>(count)}, depth, next);
+    std::vector<OpenCell> next;
+    std::size_t from = 0;
+    try {
+      for (unsigned depth = 0; !open.empty(); ++depth) {
+        constexpr std::size_t kAtATime = 64;
+        while (from < open.size()) {
+          const auto first = open.begin() + static_cast<std::ptrdiff_t>(from);
+          const std::size_t count = std::min(kAtATime, open.size() - from);
+          visit({first, first + static_cast<std::ptrdiff_t>(count)}, depth, next);
+          from += count;
+        }
+        open = std::exchange(next, {});
+        from = 0;
       }
-      open = std::move(next);
+    } catch (const Cancelled&) {
+      // What is left goes to whoever keeps what is known, as undecided cells.
+      open.erase(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(from));
+      for (const auto* left : {&open, &next}) {
+        for (const auto& [x, y] : *left) {
+          take_({x, y, BoxDecision{Undecided{"the work ended before this cell", "time"}}});
+        }
+      }
+      throw;
     }
   }
 

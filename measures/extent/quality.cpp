@@ -46,9 +46,12 @@ Quality find_quality(const GraspBox& grasp, NormalLaw law, LoadBall shape,
     quality.proved = found.proved * shape.radius;
     if (found.refuted) quality.refuted = *found.refuted * shape.radius;
   };
+  if (progress) progress(quality);
   quality.radii = find_radius(grasp, quality.ball, law, of_radius, [&](const Radius& so_far) {
     take(so_far);
-    if (progress) progress(quality);
+    if (!progress) return;
+    quality.radii = so_far;
+    progress(quality);
   });
   take(quality.radii);
   return quality;

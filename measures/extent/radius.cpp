@@ -89,6 +89,7 @@ class RadiusSearch {
     result_.limit = valid_limit(centre_, box_, options_.most);
     result_.stable = is_stable(centre_, law_, options_.box);
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
+    report();
     refute();
     ask_whole();
     if (result_.is_on_threshold()) return result_;

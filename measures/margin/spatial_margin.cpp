@@ -131,10 +131,7 @@ class SpatialMarginSearch {
         claim_all({end + least_step(end), {}, false, end, most()});
       }
     }
-    std::sort(margin_.claims.begin(), margin_.claims.end(),
-              [](const auto& a, const auto& b) { return low_end(a) < low_end(b); });
-    join_refuted();
-    return std::move(margin_);
+    return in_order(std::move(margin_));
   }
 
  private:
@@ -386,10 +383,13 @@ class SpatialMarginSearch {
     return both;
   }
 
-  /// Joins refuted ranges that touch: the upper one was refuted with its low end.
-  void join_refuted() {
+  /// Puts claims in order, and joins refuted ranges that touch: the upper one was refuted with
+  /// its low end.
+  SpatialMargin in_order(SpatialMargin margin) const {
+    std::sort(margin.claims.begin(), margin.claims.end(),
+              [](const auto& a, const auto& b) { return low_end(a) < low_end(b); });
     std::vector<MultiplesClaim> claims;
-    for (auto& claim : margin_.claims) {
+    for (auto& claim : margin.claims) {
       auto* next = std::get_if<RefutedMultiples>(&claim);
       auto* last = claims.empty() ? nullptr : std::get_if<RefutedMultiples>(&claims.back());
       if (next != nullptr && last != nullptr && last->high == next->low) {
@@ -399,7 +399,8 @@ class SpatialMarginSearch {
         claims.push_back(std::move(claim));
       }
     }
-    margin_.claims = std::move(claims);
+    margin.claims = std::move(claims);
+    return margin;
   }
 
   /// Follows an equilibrium towards a multiple, and claims the ranges on the way; returns how
@@ -561,7 +562,7 @@ class SpatialMarginSearch {
   }
 
   void report() const {
-    if (progress_) progress_(margin_);
+    if (progress_) progress_(in_order(margin_));
   }
 
   GraspLaw model_;

@@ -5,6 +5,8 @@
 
 #include <thread>
 
+#include "stickslip/core/time_limit.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -62,6 +64,44 @@ TEST(Cancellation, OtherThreadsShareItAndDoNotAsk) {
   EXPECT_THROW(throw_if_cancelled(), Cancelled);
   EXPECT_TRUE(is_cancelled_there(Cancellation::current()));
   EXPECT_FALSE(is_cancelled_there(nullptr));
+}
+
+TEST(TimeLimit, WorkInTimeIsDone) {
+  int done = 0;
+  EXPECT_TRUE(TimeLimit().finishes([&] { ++done; }));
+  EXPECT_TRUE(TimeLimit(1000).finishes([&] {
+    throw_if_cancelled();
+    ++done;
+  }));
+  EXPECT_EQ(done, 2);
+  EXPECT_EQ(Cancellation::current(), nullptr);
+}
+
+TEST(TimeLimit, WorkEndsWhenItIsOver) {
+  const TimeLimit none_left(0);
+  EXPECT_TRUE(none_left.is_over());
+  int known = 0;
+  EXPECT_FALSE(none_left.finishes([&] {
+    for (;; ++known) throw_if_cancelled();
+  }));
+  EXPECT_EQ(known, 0);
+}
+
+TEST(TimeLimit, TicksOnItsOwnThread) {
+  int ticks = 0;
+  EXPECT_TRUE(TimeLimit().finishes([] { throw_if_cancelled(); }, [&] { ++ticks; }));
+  EXPECT_EQ(ticks, 1);
+}
+
+TEST(TimeLimit, WhoAskedBeforeEndsItAsWell) {
+  const Cancellation outer([] { return true; });
+  bool reached = false;
+  EXPECT_THROW(TimeLimit(1000).finishes([&] {
+    throw_if_cancelled();
+    reached = true;
+  }),
+               Cancelled);
+  EXPECT_FALSE(reached);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ PARTS = {
     },
 }
 HEADERS_ALONE = {"search_options": "equilibrium", "newton_equilibria": "planar", "near_equilibrium": "search", "reals": "motion",
-                 "box_verdict": "search", "rigid_force": "statics", "preload": "extent"}
+                 "box_verdict": "search", "rigid_force": "statics", "preload": "extent", "decide_in_time": "decide"}
 
 # Folders that may include the private headers of the engine's parts: "engine/<part>/<name>.hpp". Other modules have none that
 # others include.

@@ -25,37 +25,35 @@ Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const 
 }  // namespace
 
 std::vector<MapCell> proved_cells(const GraspBox& grasp, NormalLaw law, const MapAxis& x,
-                                  const MapAxis& y, const CellsAsked& asked) {
+                                  const MapAxis& y, const CellsAsked& asked, LongWork& work) {
   MapOptions options;
   options.depth = asked.depth;
   options.box.node_limit = asked.node_limit;
   options.uncertain = asked.uncertain;
   if (!asked.certificates.empty()) make_folder("--certificates", asked.certificates);
   std::vector<MapCell> cells;
-  Progress progress;
-  map_verdicts(
-      grasp, law, x, y, options,
-      [&](MapCell cell) {
-        const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
-        if (proved && !asked.certificates.empty()) {
-          const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
-          const GraspBox box = box_of_cell(grasp, x, y, cell.x, cell.y, asked.uncertain);
-          const ProvedFiles files = proved_box(box, law, cell.decision, producer);
-          write_proved_files("--certificates", asked.certificates,
-                             {{"cell" + std::to_string(cells.size()), files}});
-        }
-        if (proved && std::holds_alternative<Stable>(cell.decision.verdict)) {
-          cell.decision.verdict = Stable{};
-        } else if (proved) {
-          cell.decision.verdict = Unstable{};
-        }
-        cells.push_back(std::move(cell));
-      },
-      [&](double done) {
-        progress.show(std::to_string(static_cast<int>(100 * done)) + " % of the area, " +
-                      std::to_string(cells.size()) + " cells");
-      });
-  progress.clear();
+  const auto take = [&](MapCell cell) {
+    const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
+    if (proved && !asked.certificates.empty()) {
+      const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
+      const GraspBox box = box_of_cell(grasp, x, y, cell.x, cell.y, asked.uncertain);
+      const ProvedFiles files = proved_box(box, law, cell.decision, producer);
+      write_proved_files("--certificates", asked.certificates,
+                         {{"cell" + std::to_string(cells.size()), files}});
+    }
+    if (proved && std::holds_alternative<Stable>(cell.decision.verdict)) {
+      cell.decision.verdict = Stable{};
+    } else if (proved) {
+      cell.decision.verdict = Unstable{};
+    }
+    cells.push_back(std::move(cell));
+  };
+  work.finishes([&] {
+    map_verdicts(grasp, law, x, y, options, take, [&](double done) {
+      work.say(std::to_string(static_cast<int>(100 * done)) + " % of the area, " +
+               std::to_string(cells.size()) + " cells");
+    });
+  });
   return cells;
 }
 

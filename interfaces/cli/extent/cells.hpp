@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "long_work.hpp"
 #include "stickslip/engine/question.hpp"
 #include "stickslip/measures/map.hpp"
 
@@ -20,9 +21,10 @@ struct CellsAsked {
   Tolerances uncertain{};      ///< the tolerances of the grasps of every cell
 };
 
-/// Returns the cells, and shows progress on a terminal. Proofs are written, and not kept.
+/// Returns the cells, with those undecided that the work does not come to in its time. Proofs
+/// are written, and not kept.
 std::vector<MapCell> proved_cells(const GraspBox& grasp, NormalLaw law, const MapAxis& x,
-                                  const MapAxis& y, const CellsAsked& asked);
+                                  const MapAxis& y, const CellsAsked& asked, LongWork& work);
 
 /// Returns a table: which part of the area is stable, unstable and neither.
 std::string shares_text(const std::vector<MapCell>& cells, const MapAxis& x, const MapAxis& y);

@@ -4,7 +4,9 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
 #include "terminal.hpp"
 
@@ -50,19 +52,31 @@ void print(const Question& question, const Inertia& inertia, const std::vector<R
   std::cout << format_table(table, Align::kLeft) << conventions_text(question) << text.note();
 }
 
+/// Says that the margin is not known, and why. Returns the exit code.
+int say_not_known(const Undecided& why) {
+  std::cerr << "stickslip: the margin is not known: " << in_words(why) << '\n';
+  return kUndecidedWithinLimit;
+}
+
 }  // namespace
 
 int answer_class_margin(const Question& question, const ClassMarginOptions& options,
                         const NumberOptions& output) {
   const Inertia inertia =
       inertia_of("--inertia", rationals_at("--inertia", options.inertia), false);
+  LongWork work("classes", options.time);
   if (options.friction) {
     if (question.direction || question.preload_direction) {
       throw InputError("", "--friction", "friction changes, and the load as well",
                        "leave out --direction and --preload-direction");
     }
-    print(question, inertia, friction_margin(problem_of(question), inertia, options.accuracy),
-          output);
+    std::vector<FactorRange> ranges;
+    if (!work.finishes([&] {
+          ranges = friction_margin(problem_of(question), inertia, options.accuracy);
+        })) {
+      return say_not_known(out_of_time(options.time));
+    }
+    print(question, inertia, ranges, output);
     return kDone;
   }
   if (!question.direction || question.preload_direction) {
@@ -70,11 +84,9 @@ int answer_class_margin(const Question& question, const ClassMarginOptions& opti
                      "say which load grows, as in --direction 0,1,0, or ask with --friction "
                      "which factors of friction are of which class");
   }
-  const auto result = class_margin(problem_of(question), inertia);
-  if (const auto* undecided = std::get_if<Undecided>(&result)) {
-    std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
-    return kUndecidedWithinLimit;
-  }
+  std::variant<std::vector<ClassRange>, Undecided> result = out_of_time(options.time);
+  work.finishes([&] { result = class_margin(problem_of(question), inertia); });
+  if (const auto* undecided = std::get_if<Undecided>(&result)) return say_not_known(*undecided);
   print(question, inertia, std::get<std::vector<ClassRange>>(result), output);
   return kDone;
 }

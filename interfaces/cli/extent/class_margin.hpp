@@ -6,6 +6,7 @@
 #include <string>
 
 #include "question_options.hpp"
+#include "stickslip/core/time_limit.hpp"
 
 namespace stickslip {
 
@@ -14,6 +15,7 @@ struct ClassMarginOptions {
   bool friction = false;  ///< whether to vary factors of friction, not multiples of the
                           ///< direction
   Rational accuracy;      ///< the accuracy of factors
+  TimeLimit time{};
 };
 
 /// Prints which multiples of the direction, or factors of friction, are of which class. Returns

@@ -24,6 +24,7 @@ struct MapArguments {
   CellsAsked cells;
   std::string uncertain;
   std::string svg;
+  std::string time_limit;
   NumberOptions output;
 };
 
@@ -58,16 +59,19 @@ int map(const MapArguments& arguments) {
   const GraspBox grasp = question.grasp.as_box();
   const MapAxis x = parse_axis(grasp, arguments.x, "--x");
   const MapAxis y = parse_axis(grasp, arguments.y, "--y");
-  const std::vector<MapCell> cells = proved_cells(grasp, question.law, x, y, asked);
+  LongWork work("map", time_limit_option(arguments.time_limit));
+  const std::vector<MapCell> cells = proved_cells(grasp, question.law, x, y, asked, work);
   if (!arguments.svg.empty()) {
     write_whole_file(arguments.svg, plot_map(question.description().name, x, y, cells));
   }
   if (arguments.output.json) {
     Json json = map_json(question, x, y, cells);
     if (!arguments.uncertain.empty()) json["uncertain"] = arguments.uncertain;
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
     std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
     print_text(question, x, y, cells, asked, arguments.uncertain);
+    std::cout << work.ending();
   }
   return kDone;
 }
@@ -98,6 +102,7 @@ void add_map_command(Command& app, int& exit_code) {
                    "for stickslip-check")
       ->type_name("DIR");
   add_node_limit_option(*command, arguments->cells.node_limit);
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);
   command->footer(footer_text(
       "NAME is friction, stiffness or preload (a factor on those of all contacts), one of "

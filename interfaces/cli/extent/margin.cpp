@@ -7,13 +7,14 @@
 
 #include "class_margin.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "margin_text.hpp"
 #include "question_options.hpp"
 #include "space_margin.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/engine/decide.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "terminal.hpp"
 #include "verdict/statics.hpp"
@@ -27,6 +28,7 @@ struct MarginArguments {
   std::string certificate;
   std::string accuracy = "1/1000";
   std::size_t node_limit = 0;
+  std::string time_limit;
   NumberOptions output;
   bool least = false;
   bool asks_class = false;
@@ -117,7 +119,8 @@ int margin_by_claims(const Question& question, const MarginArguments& arguments)
   search.accuracy = accuracy_of(arguments);
   search.search.node_limit = arguments.node_limit;
   return answer_margin_in_space(question, {arguments.certificate, search, arguments.output,
-                                           arguments.least, !arguments.no_warnings});
+                                           arguments.least, !arguments.no_warnings,
+                                           time_limit_option(arguments.time_limit)});
 }
 
 /// In space and of several bodies rigid contacts tell whether they may stand.
@@ -143,7 +146,7 @@ int margin_of_statics(const Question& question, const MarginArguments& arguments
     asked.accuracy = accuracy_of(arguments);
   }
   return answer_statics(std::move(asked), "", arguments.question.name_of_argument(),
-                        arguments.output);
+                        arguments.output, time_limit_option(arguments.time_limit));
 }
 
 int margin(const MarginArguments& arguments) {
@@ -156,7 +159,8 @@ int margin(const MarginArguments& arguments) {
     }
     require_exact(question, arguments.question.name_of_file());
     return answer_class_margin(question,
-                               {arguments.inertia, arguments.friction, accuracy_of(arguments)},
+                               {arguments.inertia, arguments.friction, accuracy_of(arguments),
+                                time_limit_option(arguments.time_limit)},
                                arguments.output);
   }
   if (!question.is_margin()) {
@@ -169,13 +173,14 @@ int margin(const MarginArguments& arguments) {
   SearchOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;
-  Progress progress;
-  const auto result =
-      find_margin(problem_of(question), options, &work, [&](const MarginWork& so_far) {
-        progress.show("searching range " + std::to_string(so_far.ranges) + ", contact mode " +
-                      std::to_string(so_far.modes));
-      });
-  progress.clear();
+  LongWork long_work("margin", time_limit_option(arguments.time_limit));
+  std::variant<Margin, Undecided> result = out_of_time(long_work.limit());
+  long_work.finishes([&] {
+    result = find_margin(problem_of(question), options, &work, [&](const MarginWork& so_far) {
+      long_work.say("searching range " + std::to_string(so_far.ranges) + ", contact mode " +
+                    std::to_string(so_far.modes));
+    });
+  });
   if (const auto* undecided = std::get_if<Undecided>(&result)) {
     std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
     return kUndecidedWithinLimit;
@@ -186,7 +191,9 @@ int margin(const MarginArguments& arguments) {
                      margin_certificate_text(question, found, "stickslip " STICKSLIP_VERSION));
   }
   Warnings warnings;
-  if (!arguments.no_warnings) warnings = model_warnings(question, found);
+  if (!arguments.no_warnings) {
+    long_work.finishes([&] { warnings = model_warnings(question, found); });
+  }
   NumberText text(arguments.output);
   if (arguments.output.json) {
     std::cout << finished(margin_json(question, found, work, warnings), arguments.output.floats)
@@ -249,6 +256,7 @@ void add_margin_command(Command& app, int& exit_code) {
       ->type_name("PART")
       ->capture_default_str();
   add_node_limit_option(*command, arguments->node_limit);
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);
   add_no_warnings_option(*command, arguments->no_warnings);
   command->footer(footer_text(

@@ -7,6 +7,7 @@
 
 #include "box_numbers.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "margin_text.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
@@ -30,6 +31,7 @@ struct PreloadArguments {
   std::string certificates;
   std::size_t boxes = 0;
   std::size_t node_limit = 0;
+  std::string time_limit;
   NumberOptions output;
 
   PreloadOptions options() const {
@@ -86,6 +88,12 @@ void print_folder(const std::string& folder, const RationalRow& preloads,
   std::cout << '\n' << text.note();
 }
 
+Rational sum_of(const RationalRow& preloads) {
+  Rational sum = 0;
+  for (const Rational& preload : preloads) sum += preload;
+  return sum;
+}
+
 class LeastText {
  public:
   LeastText(const std::vector<Question>& questions, const LeastPreload& least,
@@ -124,12 +132,6 @@ class LeastText {
 
  private:
   bool exact() const { return arguments_.output.exact; }
-
-  static Rational sum_of(const RationalRow& preloads) {
-    Rational sum = 0;
-    for (const Rational& preload : preloads) sum += preload;
-    return sum;
-  }
 
   std::string loads() {
     std::string lines;
@@ -174,26 +176,33 @@ class LeastText {
 
 int hold(const PreloadArguments& arguments) {
   const std::vector<Question> questions = arguments.question.any_questions();
-  Progress progress;
-  const LeastPreload least = find_least_preload(
-      loads_of(questions, arguments.question.name_of_file()), questions.front().law,
-      arguments.options(), [&](const LeastPreload& so_far) {
-        progress.show("bound " + to_readable_string(so_far.bound) + ", " +
-                      std::to_string(so_far.refused.size()) + " boxes of preloads refused");
-      });
-  progress.clear();
+  LongWork work("preload", time_limit_option(arguments.time_limit));
+  LeastPreload least;
+  const bool is_done = work.finishes([&] {
+    least = find_least_preload(
+        loads_of(questions, arguments.question.name_of_file()), questions.front().law,
+        arguments.options(), [&](const LeastPreload& so_far) {
+          least = so_far;
+          work.say((so_far.preloads ? "held by " + to_readable_string(sum_of(*so_far.preloads))
+                                    : std::string("nothing held")) +
+                   ", bound " + to_readable_string(so_far.bound) + " by " +
+                   std::to_string(so_far.refused.size()) + " boxes of preloads");
+        });
+  });
   if (!arguments.certificates.empty()) {
     write_proved_files("--certificates", arguments.certificates,
                        proved_preload(questions.front().law, least));
   }
   if (arguments.output.json) {
-    std::cout << finished(preload_json(questions, least), arguments.output.floats).dump(1)
-              << '\n';
+    Json json = preload_json(questions, least);
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else {
     LeastText(questions, least, arguments).print();
+    std::cout << work.ending();
   }
   if (least.preloads) return kDone;
-  return least.bound >= least.limit ? kAnswerUnstable : kUndecidedWithinLimit;
+  return is_done && least.bound >= least.limit ? kAnswerUnstable : kUndecidedWithinLimit;
 }
 
 void print_ball(const Question& question, const Rational& budget, const BallPreload& found,
@@ -257,23 +266,28 @@ int ball(const PreloadArguments& arguments) {
                      "leave it out, or ask --hold");
   }
   const GraspBox grasp = loads_of({question}, arguments.question.name_of_file()).front();
-  Progress progress;
-  const BallPreload found = find_ball_preload(
-      grasp, question.law, shape, budget, arguments.options(), [&](const BallPreload& so_far) {
-        progress.show("proved up to " + to_readable_string(so_far.quality.proved) +
-                      (so_far.bound ? ", bound " + to_readable_string(*so_far.bound) : ""));
-      });
-  progress.clear();
+  LongWork work("preload", time_limit_option(arguments.time_limit));
+  BallPreload found;
+  work.finishes([&] {
+    found = find_ball_preload(
+        grasp, question.law, shape, budget, arguments.options(),
+        [&](const BallPreload& so_far) {
+          found = so_far;
+          work.say("proved up to " + to_readable_string(so_far.quality.proved) +
+                   (so_far.bound ? ", bound " + to_readable_string(*so_far.bound) : ""));
+        });
+  });
   if (!arguments.certificates.empty()) {
     write_proved_files("--certificates", arguments.certificates,
                        proved_preload(question, found));
   }
   if (arguments.output.json) {
-    std::cout
-        << finished(preload_json(question, budget, found), arguments.output.floats).dump(1)
-        << '\n';
+    Json json = preload_json(question, budget, found);
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else {
     print_ball(question, budget, found, arguments);
+    std::cout << work.ending();
   }
   return found.quality.stable == true            ? kDone
          : found.bound && found.bound->is_zero() ? kAnswerUnstable
@@ -328,6 +342,7 @@ void add_preload_command(Command& app, int& exit_code) {
           "what is held, which multiples hold, and the boxes of the bound")
       ->type_name("DIR");
   add_node_limit_option(*command, arguments->node_limit);
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);
   command->footer(footer_text(
       "Preloads P_i >= 0 of contacts, in place of the file's, which are tried as well. The\n"

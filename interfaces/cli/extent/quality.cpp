@@ -8,6 +8,7 @@
 #include "box_numbers.hpp"
 #include "cells.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -24,6 +25,7 @@ struct QualityArguments {
   QualityText quality;
   std::string certificates;
   std::size_t node_limit = 0;
+  std::string time_limit;
   NumberOptions numbers;
   CellsAsked cells;  ///< the cells of a picture
   std::string output = "-";
@@ -97,24 +99,26 @@ struct QualityFound {
   Quality quality;
 };
 
-QualityFound find(const QualityArguments& arguments) {
+QualityFound find(const QualityArguments& arguments, LongWork& work) {
   auto [shape, options] = quality_asked(arguments.quality);
   options.radius.box.node_limit = arguments.node_limit;
   Question question = arguments.question.any_question();
   shape = on_only_body(std::move(shape), question);
   const GraspBox grasp = grasp_for_ball(question, shape, arguments.question.name_of_file());
-  Progress progress;
-  Quality found = find_quality(grasp, question.law, shape, options, [&](const Quality& so_far) {
-    progress.show(
-        "proved up to " + to_readable_string(so_far.proved) +
-        (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
+  Quality found;
+  work.finishes([&] {
+    found = find_quality(grasp, question.law, shape, options, [&](const Quality& so_far) {
+      found = so_far;
+      work.say("proved up to " + to_readable_string(so_far.proved) +
+               (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
+    });
   });
-  progress.clear();
   return {std::move(question), std::move(found)};
 }
 
 int quality(const QualityArguments& arguments) {
-  const auto [question, found] = find(arguments);
+  LongWork work("quality", time_limit_option(arguments.time_limit));
+  const auto [question, found] = find(arguments, work);
   if (!arguments.certificates.empty()) {
     if (found.stable) {
       write_proved_files("--certificates", arguments.certificates,
@@ -124,10 +128,12 @@ int quality(const QualityArguments& arguments) {
     }
   }
   if (arguments.numbers.json) {
-    std::cout << finished(quality_json(question, found), arguments.numbers.floats).dump(1)
-              << '\n';
+    Json json = quality_json(question, found);
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    std::cout << finished(std::move(json), arguments.numbers.floats).dump(1) << '\n';
   } else {
     print(question, found, arguments);
+    std::cout << work.ending();
   }
   return found.stable ? kDone : kUndecidedWithinLimit;
 }
@@ -143,7 +149,8 @@ ResistedSection resisted_in(LoadSection section, const QualityFound& found,
     auto region = resistible_set(problem_of(question), plane);
     return {std::move(section), std::get<ResistibleSet>(std::move(region)).region};
   }
-  auto proved = proved_cells(quality.ball.middle(), question.law, s, t, cells);
+  LongWork work("a plane of loads");
+  auto proved = proved_cells(quality.ball.middle(), question.law, s, t, cells, work);
   return {std::move(section), std::move(proved)};
 }
 
@@ -161,7 +168,8 @@ Question question_to_draw(const QualityFound& found) {
 }
 
 int draw_quality(const QualityArguments& arguments) {
-  const QualityFound found = find(arguments);
+  LongWork work("quality");
+  const QualityFound found = find(arguments, work);
   CellsAsked cells = arguments.cells;
   cells.node_limit = arguments.node_limit;
   std::vector<ResistedSection> sections;
@@ -213,6 +221,7 @@ void add_quality_command(Command& app, int& exit_code) {
                    "Write the ball that is resisted there, proved.json, and the load that is "
                    "not, refuted.json, each with its certificate for stickslip-check")
       ->type_name("DIR");
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->numbers.add_to(*command);
   command->footer(footer_text(
       "A load w + z, z = (force, torque), is in the ball of radius R around the load w if\n"

@@ -6,6 +6,7 @@
 
 #include "box_numbers.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/interfaces/radius_answer.hpp"
@@ -20,6 +21,7 @@ struct RadiusArguments {
   std::string accuracy = "1%";
   std::string certificates;
   std::size_t node_limit = 0;
+  std::string time_limit;
   NumberOptions output;
 };
 
@@ -142,14 +144,17 @@ int radius(const RadiusArguments& arguments) {
     throw InputError("", "--uncertain", "nothing is uncertain",
                      "say how far numbers may be off, as in --uncertain friction=10%");
   }
-  Progress progress;
-  const Radius found = find_radius(
-      asked.centre, asked.box, asked.question.law, options, [&](const Radius& so_far) {
-        progress.show(
-            "proved up to factor " + to_readable_string(so_far.proved) +
-            (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
-      });
-  progress.clear();
+  LongWork work("radius", time_limit_option(arguments.time_limit));
+  Radius found;
+  work.finishes([&] {
+    found = find_radius(
+        asked.centre, asked.box, asked.question.law, options, [&](const Radius& so_far) {
+          found = so_far;
+          work.say(
+              "proved up to factor " + to_readable_string(so_far.proved) +
+              (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
+        });
+  });
   if (!arguments.certificates.empty()) {
     if (found.stable) {
       write_certificates(asked, found, arguments.certificates);
@@ -158,10 +163,12 @@ int radius(const RadiusArguments& arguments) {
     }
   }
   if (arguments.output.json) {
-    const Json json = radius_json(asked.question, found);
+    Json json = radius_json(asked.question, found);
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
     std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
     Report(asked, found, arguments.output).print();
+    std::cout << work.ending();
     if (!arguments.certificates.empty() && found.stable) {
       std::cout << "Proofs: in " << arguments.certificates << ".\n";
     }
@@ -188,6 +195,7 @@ void add_radius_command(Command& app, int& exit_code) {
                    "stickslip-check")
       ->type_name("DIR");
   add_node_limit_option(*command, arguments->node_limit);
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);
   command->footer(footer_text(
       "The answer is two factors of the tolerances: the largest for which every grasp has the\n"

@@ -6,11 +6,13 @@
 #include <string_view>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "region_cells.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
 #include "stickslip/interfaces/region_plot.hpp"
 #include "terminal.hpp"
@@ -30,6 +32,7 @@ struct RegionArguments {
   bool asks_class = false;
   std::string certificate;
   std::size_t node_limit = 0;
+  std::string time_limit;
   NumberOptions numbers;
   bool svg = false;
   std::string output = "-";
@@ -66,7 +69,7 @@ struct RegionArguments {
   }
 
   RegionCellsArguments in_cells() const {
-    RegionCellsArguments result{origin, torque, u, v, within, cells, numbers};
+    RegionCellsArguments result{origin, torque, u, v, within, cells, time_limit, numbers};
     result.cells.node_limit = node_limit;
     return result;
   }
@@ -184,17 +187,17 @@ std::string check_text(const RegionArguments& arguments, const WrenchPlane& plan
   return "Check it: " + command + "\n";
 }
 
-RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
+RegionOptions options_of(const RegionArguments& arguments, LongWork& work) {
   RegionOptions options;
   options.modes.pieces = arguments.list;
   options.modes.mode_limit = arguments.mode_limit;
   options.modes.progress = [&](std::size_t modes) {
-    progress.show("contact modes: " + std::to_string(modes));
+    work.say("contact modes: " + std::to_string(modes));
   };
   options.proof.node_limit = arguments.node_limit;
-  options.proof.progress = [&](const RegionProofWork& work) {
-    progress.show("refuting cell " + std::to_string(work.cells) + ", node " +
-                  std::to_string(work.nodes));
+  options.proof.progress = [&](const RegionProofWork& so_far) {
+    work.say("refuting cell " + std::to_string(so_far.cells) + ", node " +
+             std::to_string(so_far.nodes));
   };
   return options;
 }
@@ -225,7 +228,8 @@ int answer_statics_of_plane(const Question& question, const RegionArguments& arg
   }
   asked.accuracy = Rational(1, 1000);
   return answer_statics(std::move(asked), arguments.certificate,
-                        arguments.question.name_of_argument(), arguments.numbers);
+                        arguments.question.name_of_argument(), arguments.numbers,
+                        time_limit_option(arguments.time_limit));
 }
 
 int region(const RegionArguments& arguments) {
@@ -238,19 +242,19 @@ int region(const RegionArguments& arguments) {
   if (is_found_in_cells(question))
     return answer_region_in_cells(question, arguments.in_cells());
   const WrenchPlane plane = arguments.plane(question);
-  Progress progress;
-  const RegionOptions options = options_of(arguments, progress);
-  const RegionAnswer answer = region_answer(question, plane, options);
+  LongWork work("region", time_limit_option(arguments.time_limit));
+  const RegionOptions options = options_of(arguments, work);
+  RegionAnswer answer{question, plane, {}, {}, out_of_time(work.limit())};
+  work.finishes([&] { answer = region_answer(question, plane, options); });
   if (!arguments.certificate.empty() && !answer.undecided) {
-    const auto proved = certificate_of(answer, options);
-    progress.clear();
+    std::variant<std::string, Undecided> proved = out_of_time(work.limit());
+    work.finishes([&] { proved = certificate_of(answer, options); });
     if (const auto* undecided = std::get_if<Undecided>(&proved)) {
       std::cerr << "stickslip: the region has no certificate: " << in_words(*undecided) << '\n';
       return kUndecidedWithinLimit;
     }
     write_whole_file(arguments.certificate, std::get<std::string>(proved));
   }
-  progress.clear();
   if (arguments.numbers.json) {
     std::cout << finished(to_json(answer), arguments.numbers.floats).dump(1) << '\n';
   } else {
@@ -270,9 +274,9 @@ int draw_region(const RegionArguments& arguments) {
     return draw_region_in_cells(question, arguments.in_cells(), arguments.output);
   }
   const WrenchPlane plane = arguments.plane(question);
-  Progress progress;
-  const RegionAnswer answer = region_answer(question, plane, options_of(arguments, progress));
-  progress.clear();
+  LongWork work("region");
+  RegionAnswer answer{question, plane, {}, {}, out_of_time(work.limit())};
+  work.finishes([&] { answer = region_answer(question, plane, options_of(arguments, work)); });
   if (answer.undecided) {
     std::cerr << "stickslip: no region is known: " << in_words(*answer.undecided) << '\n';
     return kUndecidedWithinLimit;
@@ -349,6 +353,7 @@ void add_region_command(Command& app, int& exit_code) {
       ->type_name("DIR")
       ->excludes(certificate);
   add_node_limit_option(*command, arguments->node_limit);
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->numbers.add_to(*command);
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")
       ->excludes(command->get_option("--json"))

@@ -76,8 +76,8 @@ LoadWindow plane_of(const Question& question, const RegionCellsArguments& argume
 }
 
 std::vector<MapCell> cells_of(const Question& question, const LoadWindow& plane,
-                              const RegionCellsArguments& arguments) {
-  return proved_cells(plane.grasp, question.law, plane.s, plane.t, arguments.cells);
+                              const RegionCellsArguments& arguments, LongWork& work) {
+  return proved_cells(plane.grasp, question.law, plane.s, plane.t, arguments.cells, work);
 }
 
 void print_text(const Question& question, const LoadWindow& plane,
@@ -108,13 +108,16 @@ std::string picture(const Question& question, const LoadWindow& plane,
 
 int answer_region_in_cells(const Question& question, const RegionCellsArguments& arguments) {
   const LoadWindow plane = plane_of(question, arguments);
-  const std::vector<MapCell> cells = cells_of(question, plane, arguments);
+  LongWork work("region", time_limit_option(arguments.time_limit));
+  const std::vector<MapCell> cells = cells_of(question, plane, arguments, work);
   if (arguments.numbers.json) {
-    std::cout << finished(region_json(question, plane, cells), arguments.numbers.floats).dump(1)
-              << '\n';
+    Json json = region_json(question, plane, cells);
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    std::cout << finished(std::move(json), arguments.numbers.floats).dump(1) << '\n';
   } else {
     NumberText text(arguments.numbers);
     print_text(question, plane, cells, text);
+    std::cout << work.ending();
   }
   return kDone;
 }
@@ -122,7 +125,8 @@ int answer_region_in_cells(const Question& question, const RegionCellsArguments&
 int draw_region_in_cells(const Question& question, const RegionCellsArguments& arguments,
                          const std::string& output) {
   const LoadWindow plane = plane_of(question, arguments);
-  write_whole_file(output, picture(question, plane, cells_of(question, plane, arguments)));
+  LongWork work("region");
+  write_whole_file(output, picture(question, plane, cells_of(question, plane, arguments, work)));
   return kDone;
 }
 

@@ -19,6 +19,7 @@ struct RegionCellsArguments {
   std::string v;
   std::string within;
   CellsAsked cells;
+  std::string time_limit;
   NumberOptions numbers;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "margin_text.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
@@ -69,31 +70,40 @@ void print_least(const SpatialMargin& margin, NumberText& text) {
 }  // namespace
 
 int answer_margin_in_space(const Question& question, const SpaceMarginArguments& arguments) {
-  Progress progress;
+  LongWork work("margin", arguments.time);
   const auto show = [&](const SpatialMargin& so_far) {
-    progress.show(std::to_string(so_far.claims.size()) + " steps proved, " +
-                  std::to_string(so_far.work.nodes) + " nodes");
+    work.say(std::to_string(so_far.claims.size()) + " steps proved, " +
+             std::to_string(so_far.work.nodes) + " nodes");
   };
-  const SpatialMargin margin = find_spatial_margin(question, arguments.search, show);
-  const std::optional<SecondMargin> within =
-      margin_within(question, margin, arguments.search, show);
-  progress.clear();
+  SpatialMargin margin;
+  std::optional<SecondMargin> within;
+  work.finishes([&] {
+    margin = find_spatial_margin(question, arguments.search, [&](const SpatialMargin& so_far) {
+      margin = so_far;
+      show(so_far);
+    });
+    within = margin_within(question, margin, arguments.search, show);
+  });
   if (!arguments.certificate.empty()) {
     write_whole_file(
         arguments.certificate,
         margin_certificate_text(question, margin, producer_of(box_engine(question))));
   }
   Warnings warnings;
-  if (arguments.warnings) warnings = model_warnings(question, margin);
+  if (arguments.warnings) {
+    work.finishes([&] { warnings = model_warnings(question, margin); });
+  }
   NumberText text(arguments.output);
   if (arguments.output.json) {
     Json json = margin_json(question, margin, warnings);
     if (within) add_within(json, *within);
+    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
     std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else if (arguments.least) {
     print_least(margin, text);
   } else {
     print_text(question, margin, within, text);
+    std::cout << work.ending();
   }
   if (!arguments.output.json) print(warnings);
   if (margin.claims.empty()) return kUndecidedWithinLimit;

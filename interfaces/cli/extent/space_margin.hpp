@@ -7,6 +7,7 @@
 #include <string>
 
 #include "question_options.hpp"
+#include "stickslip/core/time_limit.hpp"
 #include "stickslip/measures/spatial_margin.hpp"
 
 namespace stickslip {
@@ -17,6 +18,7 @@ struct SpaceMarginArguments {
   NumberOptions output;
   bool least;
   bool warnings;  ///< look for traps of the model
+  TimeLimit time;
 };
 
 /// Answers the question. Returns the exit code.

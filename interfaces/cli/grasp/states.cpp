@@ -9,12 +9,14 @@
 
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/number_text.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
 #include "stickslip/interfaces/states_answer.hpp"
 #include "terminal.hpp"
@@ -34,6 +36,7 @@ struct StatesArguments {
   std::size_t limit = 0;
   unsigned threads = 0;
   std::string certificate;
+  std::string time_limit;
   bool list = false;
   bool graph = false;
   bool json = false;
@@ -74,8 +77,16 @@ void print_text(const StatesArguments& arguments, const std::string& name,
 }
 
 int states_on_sphere(const StatesArguments& arguments, const Grasp& grasp) {
-  const Enumeration report = enumerate_slip_states(
-      stick_planes(grasp), enumerator(arguments.engine), arguments.list, arguments.threads);
+  LongWork work("states", time_limit_option(arguments.time_limit));
+  Enumeration report;
+  if (!work.finishes([&] {
+        report = enumerate_slip_states(stick_planes(grasp), enumerator(arguments.engine),
+                                       arguments.list, arguments.threads);
+      })) {
+    std::cerr << "stickslip: the states are not known: " << in_words(out_of_time(work.limit()))
+              << '\n';
+    return kUndecidedWithinLimit;
+  }
   if (arguments.json) {
     std::cout << states_json(report, arguments.list).dump(1) << '\n';
   } else {
@@ -190,7 +201,7 @@ class StatesWriter {
     FaceOptions options = question_.faces;
     options.go_on = [&](std::uint64_t found) {
       progress_.show(std::to_string(found) + " states so far");
-      return !interrupted_;
+      return !interrupted_ && !limit_.is_over();
     };
     const StatePlanes& planes = question_.planes;
     const InterruptionStop stop([&] { interrupted_ = true; });
@@ -276,7 +287,9 @@ class StatesWriter {
                        std::to_string(counts.distinct_planes), std::to_string(counts.rank)}})
               << format_table(rows) << meaning();
     if (!counts.complete) {
-      std::cout << (interrupted_ ? "Interrupted" : "Ended by --limit")
+      std::cout << (interrupted_         ? "Interrupted"
+                    : limit_.is_over() ? "Ended by " + limit_.in_words()
+                                       : "Ended by --limit")
                 << ": there may be more states than these.\n";
     }
     if (const auto warning = near_miss_warning(question_, counts)) {
@@ -332,6 +345,7 @@ class StatesWriter {
   const StatesArguments& arguments_;
   const StatesQuestion& question_;
   Progress progress_;
+  TimeLimit limit_ = time_limit_option(arguments_.time_limit);
   std::atomic<bool> interrupted_{false};
   bool listed_ = false;               ///< whether a state has been listed
   const FilePiece* piece_ = nullptr;  ///< where a certificate goes
@@ -424,6 +438,9 @@ void add_states_command(Command& app, int& exit_code) {
       ->check(whole_number(kMostFaceCoordinates));
   add_count_option(*command, "--limit", arguments->limit,
                    "End after so many states; 0 is no end");
+  add_time_limit_option(*command, arguments->time_limit,
+                        "End after so many seconds with the states that are found by then; 0 is "
+                        "no limit");
   command
       ->add_option("--engine", arguments->engine,
                    "How to enumerate in the plane. cgal: CGAL's arrangement on the sphere, the "
@@ -455,7 +472,7 @@ void add_states_command(Command& app, int& exit_code) {
       "the faces,\nedges and vertices that result. In space, and of several bodies, each line "
       "of slip is a plane\nof all motions, and states are counted by the dimension of their "
       "motions. Wrench, friction and\npreload play no part.\n",
-      kExitCodes + ", 3 ended by --limit or an interruption",
+      kExitCodes + ", 3 ended by a limit or an interruption",
       "stickslip states fig1.json --list"));
   command->callback([arguments, &exit_code] { exit_code = states(*arguments); });
 }

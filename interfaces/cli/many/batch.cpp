@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -23,7 +25,9 @@
 
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/interfaces/line.hpp"
@@ -47,6 +51,7 @@ struct BatchArguments {
   bool asks_quality = false;
   QualityText quality;
   std::size_t node_limit = 0;
+  std::string time_limit;
   int threads = 0;
 };
 
@@ -113,28 +118,56 @@ class Batch {
     const auto lines_held = 4 * static_cast<std::size_t>(arena.max_concurrency());
     using oneapi::tbb::filter_mode;
     using oneapi::tbb::make_filter;
-    arena.execute([&] {
+    const auto decide_all = [&] {
       oneapi::tbb::parallel_pipeline(
           lines_held,
           make_filter<void, Item>(filter_mode::serial_in_order,
                                   [&](oneapi::tbb::flow_control& flow) { return read(flow); }) &
               make_filter<Item, Item>(filter_mode::parallel,
                                       [&](Item item) {
+                                        const SharedCancellation shared(cancellation_);
+                                        throw_if_cancelled();
                                         item.result = decider_.decide(item.line);
                                         item.line.text.clear();
                                         return item;
                                       }) &
               make_filter<Item, void>(filter_mode::serial_in_order,
                                       [&](const Item& item) { write(item.result); }));
-    });
+    };
+    const bool is_done = run_within_limit([&] { arena.execute(decide_all); });
     progress_.reset();  // its line on the terminal goes
     BatchTally all = before_;
     all.add(tally_);
+    if (!is_done) {
+      std::cerr << "stickslip: ended by " << limit_.in_words() << " " << kept_text() << "\n";
+      finish(all, input_.name());
+      return kUndecidedWithinLimit;
+    }
     if (all.results == 0 && shard_) return kDone;  // the file is short
     return finish(all, input_.name());
   }
 
  private:
+  /// Does the work; returns false if the time limit ended it. Only this thread may ask for the
+  /// time. While it decided a line it would not ask, so another does all.
+  bool run_within_limit(const std::function<void()>& all) {
+    if (!limit_.seconds()) {
+      all();
+      return true;
+    }
+    return limit_.finishes([&] {
+      cancellation_ = Cancellation::current();
+      std::future<void> done = std::async(std::launch::async, all);
+      constexpr std::chrono::milliseconds kPause{50};
+      try {
+        while (done.wait_for(kPause) == std::future_status::timeout) cancellation_->check();
+      } catch (const Cancelled&) {
+        // The other threads see it too, and throw.
+      }
+      done.get();
+    });
+  }
+
   void open_output() {
     const std::string& path = arguments_.output;
     require_unprotected(path);
@@ -230,12 +263,17 @@ class Batch {
   }
 
   std::string interruption_text() const {
+    return "stickslip: interrupted " + kept_text();
+  }
+
+  /// Says what is kept of work that was ended before the last line.
+  std::string kept_text() const {
     if (arguments_.output == "-") {
-      return "stickslip: interrupted; had the results gone to --output FILE, --resume would go "
-             "on from there";
+      return "with " + std::to_string(written_) +
+             " results; had they gone to --output FILE, --resume would go on from there";
     }
-    return "stickslip: interrupted with " + std::to_string(before_.results + written_) +
-           " results in " + arguments_.output + "; go on with the same command" +
+    return "with " + std::to_string(before_.results + written_) + " results in " +
+           arguments_.output + "; go on with the same command" +
            (arguments_.file == "-" ? ", the same input" : "") + " and --resume";
   }
 
@@ -257,6 +295,8 @@ class Batch {
 
   const BatchArguments& arguments_;
   LineDecider decider_;
+  TimeLimit limit_ = time_limit_option(arguments_.time_limit);
+  Cancellation* cancellation_ = nullptr;  ///< ends the work at the limit
   std::error_code ignored_;
   InputFile input_{arguments_.file, "a file of grasps, one a line"};
   std::ofstream output_file_;
@@ -376,6 +416,9 @@ void add_batch_command(Command& app, int& exit_code) {
       ->excludes(resume)
       ->excludes(shard);
   add_node_limit_option(*command, arguments->node_limit);
+  add_time_limit_option(*command, arguments->time_limit,
+                        "End after so many seconds, between two lines; --resume goes on. 0 is no "
+                        "limit");
   add_threads_option(
       *command, arguments->threads,
       "Grasps decided at a time; 0 is one a core. The results do not depend on it");
@@ -388,7 +431,7 @@ void add_batch_command(Command& app, int& exit_code) {
       "then ends in a whole line, and the same command with --resume goes on.\n"
       "On many machines: docs/batch.md.\n",
       "0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
-      "within the limit",
+      "within a limit, or ended by --time-limit",
       "stickslip batch grasps.jsonl -o verdicts.jsonl --resume"));
   command->callback([arguments, &exit_code] {
     if (!arguments->shards_to_merge.empty()) {

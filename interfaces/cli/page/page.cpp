@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/interfaces/answer.hpp"
@@ -14,7 +15,7 @@ void add_page_command(Command& app, int& exit_code) {
     QuestionArguments question;
     std::string output = "-";
     std::size_t node_limit = 0;
-    unsigned seconds = 30;
+    std::string seconds = "30";
   };
   auto arguments = std::make_shared<Arguments>();
   Command* command = app.add_subcommand(
@@ -23,8 +24,8 @@ void add_page_command(Command& app, int& exit_code) {
   add_output_option(*command, arguments->output, "HTML file");
   add_node_limit_option(*command, arguments->node_limit);
   add_time_limit_option(*command, arguments->seconds,
-                        "Give up regions, margins, maps and qualities after N seconds each, and "
-                        "show what is known by then; 0 is no limit");
+                        "Give up regions, margins, maps and qualities after so many seconds each, "
+                        "and show what is known by then; 0 is no limit");
   command->footer(footer_text(
       "The file loads nothing from elsewhere. Of a grasp file with cases the first is shown,\n"
       "unless --case or --wrench is given. What is left out is said on the page\n"
@@ -35,9 +36,13 @@ void add_page_command(Command& app, int& exit_code) {
     if (arguments->output != "-") require_unprotected(arguments->output);
     PageLimits limits;
     limits.node_limit = arguments->node_limit;
-    limits.time = std::chrono::seconds(arguments->seconds);
-    const Json answer = page_answer(file, arguments->question.text(), {}, limits,
-                                    arguments->question.name_of_file());
+    limits.time = milliseconds_option(arguments->seconds);
+    LongWork work("page");
+    Json answer;
+    work.finishes([&] {
+      answer = page_answer(file, arguments->question.text(), {}, limits,
+                           arguments->question.name_of_file());
+    });
     write_whole_file(arguments->output, page_html(answer));
     exit_code = kDone;
   });

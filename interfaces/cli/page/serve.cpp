@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "grasp/example_grasps.hpp"
 #include "interruption.hpp"
 #include "page_server.hpp"
@@ -17,7 +18,7 @@ struct ServeArguments {
   std::string file;
   int port = 0;
   std::size_t node_limit = 100000;
-  unsigned seconds = 10;
+  std::string seconds = "10";
 };
 
 GraspFile grasp_of(const ServeArguments& arguments) {
@@ -28,7 +29,7 @@ GraspFile grasp_of(const ServeArguments& arguments) {
 void serve(const ServeArguments& arguments) {
   PageLimits limits;
   limits.node_limit = arguments.node_limit;
-  limits.time = std::chrono::seconds(arguments.seconds);
+  limits.time = milliseconds_option(arguments.seconds);
   limits.limits_verdict = true;
   const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
   // The page asks for the rest, which may take seconds.
@@ -61,7 +62,7 @@ void add_serve_command(Command& app, int& exit_code) {
                    kMostPort);
   add_node_limit_option(*command, arguments->node_limit);
   add_time_limit_option(*command, arguments->seconds,
-                        "Give up each part of an answer after N seconds; 0 is no limit");
+                        "Give up each part of an answer after so many seconds; 0 is no limit");
   command->footer(footer_text(
       "It prints the address, which a browser on this machine opens, and no other machine: it\n"
       "listens on 127.0.0.1 and answers to its own page alone. No file is read or written for\n"

@@ -114,7 +114,7 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
   StaticsQuestion asked{question};
   asked.gives_wrench = arguments.question.gives_wrench();
   return answer_statics(std::move(asked), arguments.certificate,
-                        arguments.question.name_of_argument(), arguments.output);
+                        arguments.question.name_of_argument(), arguments.output, {});
 }
 
 int compare(const CompareArguments& arguments) {

@@ -5,11 +5,13 @@
 
 #include "box_numbers.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "terminal.hpp"
 #include "verdict_text.hpp"
 #include "warnings.hpp"
@@ -93,9 +95,10 @@ struct DecideArguments {
   NumberOptions output;
   bool no_warnings = false;
   bool answer_by_exit_code = false;
+  std::string time_limit;
 };
 
-WarnedAnswer answered(Question question, const DecideArguments& arguments) {
+WarnedAnswer answered(Question question, const DecideArguments& arguments, LongWork& work) {
   const auto refuse = [](const std::string& problem, const std::string& remedy) {
     throw InputError("", "--engine", problem, remedy);
   };
@@ -115,8 +118,12 @@ WarnedAnswer answered(Question question, const DecideArguments& arguments) {
   SearchOptions search = arguments.search;
   if (arguments.engine == "states") search.engine = Engine::kStates;
   if (arguments.engine == "branch-and-bound") search.engine = Engine::kBranchAndBound;
-  WarnedAnswer found{decide(std::move(question), search), {}};
-  if (!arguments.no_warnings) found.warnings = model_warnings(found.answer);
+  WarnedAnswer found{unanswered(question, out_of_time(work.limit())), {}};
+  work.finishes([&] {
+    found.answer = decide(std::move(question), search,
+                          [&](const Answer& first) { found.answer = first; });
+    if (!arguments.no_warnings) found.warnings = model_warnings(found.answer);
+  });
   return found;
 }
 
@@ -180,9 +187,11 @@ int decide(const DecideArguments& arguments) {
     throw InputError("", option, "the grasp has cases, and this is about the proof of one",
                      "choose the case with --case NAME");
   }
+  LongWork work("deciding", time_limit_option(arguments.time_limit));
   std::vector<WarnedAnswer> answers;
   for (Question& question : questions) {
-    answers.push_back(answered(std::move(question), arguments));
+    if (by_case) work.say(question.case_name);
+    answers.push_back(answered(std::move(question), arguments, work));
   }
   const bool json = arguments.output.json;
   if (by_case) {
@@ -230,6 +239,7 @@ void add_decide_command(Command& app, int& exit_code) {
                    "unstable.json, each with its certificate")
       ->type_name("DIR");
   add_node_limit_option(*command, arguments->search.node_limit);
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);
   add_no_warnings_option(*command, arguments->no_warnings);
   command->add_flag(

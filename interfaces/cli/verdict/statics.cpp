@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/statics_answer.hpp"
 #include "terminal.hpp"
 
@@ -25,6 +27,7 @@ struct StaticsArguments {
   std::string body;
   std::string accuracy;
   std::string certificate;
+  std::string time_limit;
   NumberOptions output;
 };
 
@@ -228,16 +231,19 @@ int statics(const StaticsArguments& arguments) {
                    : asked.least_friction ? Rational(1, 1000000)
                                           : Rational(1, 1000);
   return answer_statics(std::move(asked), arguments.certificate,
-                        arguments.question.name_of_argument(), arguments.output);
+                        arguments.question.name_of_argument(), arguments.output,
+                        time_limit_option(arguments.time_limit));
 }
 
 }  // namespace
 
 int answer_statics(StaticsQuestion asked, const std::string& certificate,
-                   const std::string& grasp, const NumberOptions& output) {
-  StaticsAnswer answer;
+                   const std::string& grasp, const NumberOptions& output,
+                   const TimeLimit& time) {
+  StaticsAnswer answer{asked, LoadClass(out_of_time(time))};
+  LongWork work("statics", time);
   try {
-    answer = statics(std::move(asked));
+    work.finishes([&] { answer = statics(std::move(asked)); });
   } catch (const InputError& error) {
     if (error.place() == "friction") {
       throw InputError("", "--friction-factor", error.problem(), error.remedy());
@@ -319,6 +325,7 @@ void add_statics_command(Command& app, int& exit_code) {
           "16); with --least-friction two, FILE.moves and FILE.stands, before .json if it "
           "ends in that")
       ->type_name("FILE");
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);
   command->footer(footer_text(
       "It may stand if some forces in Coulomb's cones balance the load; else it must move, "

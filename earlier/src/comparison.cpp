@@ -38,8 +38,8 @@ class MethodsAsked {
 
   Comparison ask() {
     Comparison result;
-    result.methods = asked(all_methods(), options_.methods,
-                           [this](MethodId method) { return answer(method); });
+    result.methods =
+        asked(all_methods(), options_, [this](MethodId method) { return answer(method); });
     result.load_class = class_of(weakly_stable_, strongly_stable_);
     return result;
   }

@@ -47,11 +47,11 @@ class FrictionBracket {
     return true;
   }
 
-  /// Returns a number near the least factor, if forces and a motion are known, as these are near
-  /// those at the least factor: there friction is against slip, and as large as it may be, at
-  /// all contacts that the motion does not open. The quotient of the work of friction and the
-  /// most that there is with the factor 1 is then the factor; as it is stationary there, it is
-  /// off by the square of what forces and motion are.
+  /// Returns a number near the least factor, if forces and a motion are known, as these are
+  /// near those at the least factor: there friction is against slip, and as large as it may be,
+  /// at all contacts that the motion does not open. The quotient of the work of friction and
+  /// the most that there is with the factor 1 is then the factor; as it is stationary there, it
+  /// is off by the square of what forces and motion are.
   std::optional<double> estimate() const {
     if (forces_.empty() || motion_.empty()) return std::nullopt;
     double work = 0;
@@ -166,8 +166,8 @@ std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const double high = to_double(bracket.high());
     const double estimate = bracket.estimate().value_or((low + high) / 2);
     const bool from_above = high - estimate > estimate - low;
-    const double away = std::max(0.4 * to_double(close),
-                                 part * std::max(high - estimate, estimate - low));
+    const double away =
+        std::max(0.4 * to_double(close), part * std::max(high - estimate, estimate - low));
     double next = from_above ? estimate + away : estimate - away;
     const bool is_inside = low < next && next < high;
     if (!is_inside) next = (low + high) / 2;

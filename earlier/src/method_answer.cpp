@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/engine/refutation_summary.hpp"
 
 namespace stickslip {
@@ -97,9 +98,9 @@ MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text) 
                  {{"motion", number_json(found.motion)}});
 }
 
-std::vector<MethodRow> asked(const std::vector<Method>& among,
-                             const std::vector<std::string>& words,
+std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOptions& options,
                              const std::function<MethodAnswer(MethodId)>& answer) {
+  const std::vector<std::string>& words = options.methods;
   const std::vector<std::string> known = method_words();
   for (const std::string& word : words) {
     if (std::find(known.begin(), known.end(), word) == known.end()) {
@@ -112,11 +113,13 @@ std::vector<MethodRow> asked(const std::vector<Method>& among,
     const bool is_asked =
         words.empty() || std::find(words.begin(), words.end(), method.word()) != words.end();
     if (!is_asked) continue;
-    MethodAnswer a = answer(method.id);
+    MethodAnswer a = given_up(out_of_time(options.time));
+    options.time.finishes([&] { a = answer(method.id); });
     std::optional<bool> agrees;
     const std::string passive = all_methods().front().name;
     if (!rows.empty() && rows.front().method == passive && method.about_the_load &&
-        a.verdict != kNotComputed && rows.front().verdict != "undecided") {
+        a.verdict != kNotComputed && rows.front().verdict != "undecided" &&
+        rows.front().verdict != kNotComputed) {
       agrees = a.verdict == rows.front().verdict;
     }
     rows.push_back({method.name, method.source, method.about_the_load, std::move(a.verdict),

@@ -96,11 +96,10 @@ GraspBox point_grasp(const Question& question);
 MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                                const CompareOptions& options, NumberText& text);
 
-/// Returns the answers of those of `among` whose words are given, or of all, and whether they
-/// agree with the first, if that is the passive model. Throws InputError ("methods") at a word
-/// of no method.
-std::vector<MethodRow> asked(const std::vector<Method>& among,
-                             const std::vector<std::string>& words,
+/// Returns the answers of those of `among` that the options name, or of all, and whether they
+/// agree with the first, if that is the passive model. Those that the time does not suffice for
+/// are not computed. Throws InputError ("methods") at a word of no method.
+std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOptions& options,
                              const std::function<MethodAnswer(MethodId)>& answer);
 
 /// \{ Do what compare_methods() does, in the plane and in space. The problem does not know a

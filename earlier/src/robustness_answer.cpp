@@ -42,9 +42,9 @@ Robustness robustness_to_prove(const Question& question, RobustnessKind kind,
   check_forces(question, options);
   const std::size_t count = question.grasp.as_box().contacts.size();
   if (count > kMostContacts) {
-    throw InputError("", "contacts", "there are " + std::to_string(count),
-                     "a robustness is computed of " + std::to_string(kMostContacts) +
-                         " at most");
+    throw InputError(
+        "", "contacts", "there are " + std::to_string(count),
+        "a robustness is computed of " + std::to_string(kMostContacts) + " at most");
   }
   return potential_robustness(kind, point_grasp(question), options.for_robustness());
 }
@@ -116,10 +116,10 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
     } else if (method == MethodId::kRigidMotionRobustness) {
       found = rigid_motion_robustness(grasp, asked);
     } else {
-      found = potential_robustness(method == MethodId::kContactRobustness
-                                       ? RobustnessKind::kContact
-                                       : RobustnessKind::kGrasp,
-                                   grasp, asked);
+      found =
+          potential_robustness(method == MethodId::kContactRobustness ? RobustnessKind::kContact
+                                                                      : RobustnessKind::kGrasp,
+                               grasp, asked);
     }
   } catch (const InputError& error) {
     return not_for(error);

@@ -55,8 +55,8 @@ class MethodsInSpace {
   Comparison ask() {
     check_in_space(options_.methods);
     Comparison result;
-    result.methods = asked(methods_in_space(), options_.methods,
-                           [this](MethodId method) { return answer(method); });
+    result.methods =
+        asked(methods_in_space(), options_, [this](MethodId method) { return answer(method); });
     result.load_class = class_of(weakly_stable_, strongly_stable_);
     result.undecided = class_undecided_;
     return result;

@@ -13,11 +13,11 @@
 #include "cells.hpp"
 #include "doubles.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/earlier/statics.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/engine/near_forces.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
@@ -318,29 +318,21 @@ class PageAnswer {
     return ask_with_options(file_, question_options(text), name_, true);
   }
 
+  /// Returns the limit from now on; 0 is none.
+  static TimeLimit limit_of(std::chrono::milliseconds time) {
+    return time.count() > 0 ? TimeLimit(Rational(time.count(), 1000)) : TimeLimit();
+  }
+
   /// Adds a part. It is null if `find` says why, or is not done in time; `find` may give what
   /// it has on its way.
   void part(Json& json, const std::string& name, const std::function<void(Json& found)>& find) {
     Json found;
     const auto say = [&](const std::string& why) { add_message(name + ": " + why + "."); };
-    Cancellation* const outer = Cancellation::current();
-    const auto end = std::chrono::steady_clock::now() + limits_.time;
-    bool late = false;
     try {
-      const Cancellation deadline([&] {
-        try {
-          if (outer != nullptr) outer->check();
-        } catch (const Cancelled&) {
-          return true;
-        }
-        late = limits_.time.count() > 0 && std::chrono::steady_clock::now() >= end;
-        return late;
-      });
-      find(found);
-    } catch (const Cancelled&) {
-      if (!late) throw;
-      say((found.is_null() ? "not known within " : "no more is known within ") +
-          to_readable_string(Rational(limits_.time.count(), 1000)) + " seconds");
+      if (!limit_of(limits_.time).finishes([&] { find(found); })) {
+        say((found.is_null() ? "not known within " : "no more is known within ") +
+            to_readable_string(Rational(limits_.time.count(), 1000)) + " seconds");
+      }
     } catch (const NotToBeHad& reason) {
       say(reason.why);
     } catch (const InputError& error) {
@@ -355,7 +347,8 @@ class PageAnswer {
       // Pictures need exact forces, however long they are.
       SearchOptions options = by(Engine::kBranchAndBound);
       options.node_limit = limits_.node_limit;
-      answer = stickslip::decide(question_, options);
+      answer =
+          stickslip::decide(question_, options, [&](const Answer& first) { answer = first; });
       found = to_json(*answer, warnings ? Warnings(model_warnings(*answer)) : Warnings());
     };
     if (limits_.limits_verdict) {

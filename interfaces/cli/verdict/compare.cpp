@@ -4,10 +4,12 @@
 
 #include "box_numbers.hpp"
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
 #include "terminal.hpp"
@@ -24,6 +26,7 @@ struct CompareArguments {
   std::string max_force = "1";
   std::string accuracy = "1%";
   std::string certificate;
+  std::string time_limit;
   NumberOptions output;
 };
 
@@ -114,7 +117,8 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
   StaticsQuestion asked{question};
   asked.gives_wrench = arguments.question.gives_wrench();
   return answer_statics(std::move(asked), arguments.certificate,
-                        arguments.question.name_of_argument(), arguments.output, {});
+                        arguments.question.name_of_argument(), arguments.output,
+                        time_limit_option(arguments.time_limit));
 }
 
 int compare(const CompareArguments& arguments) {
@@ -137,28 +141,37 @@ int compare(const CompareArguments& arguments) {
       arguments.inertia.empty()
           ? Inertia::of_length(length, in_space)
           : inertia_of("--inertia", rationals_at("--inertia", arguments.inertia), in_space)};
-  CompareOptions options{arguments.methods, length, answer.inertia, nullptr, most_forces,
-                         accuracy};
+  CompareOptions options{arguments.methods, length,      answer.inertia,
+                         nullptr,           most_forces, accuracy};
+  const TimeLimit time = time_limit_option(arguments.time_limit);
+  options.time = time;
   std::optional<RigidVerdict> verdict;
   Robustness robustness;
   const std::optional<RobustnessKind> kind = options.only_robustness();
   if (!arguments.certificate.empty() && kind) {
-    robustness = robustness_to_prove(question, *kind, options);
+    LongWork work("robustness", time);
+    if (!work.finishes([&] { robustness = robustness_to_prove(question, *kind, options); })) {
+      say_nothing_written("--certificate", time.in_words() + " was over first");
+      return kUndecidedWithinLimit;
+    }
     options.robustness = &robustness;
-    write_whole_file(
-        arguments.certificate,
-        robustness_certificate_text(question, *kind, options.for_robustness(), robustness,
-                                    "stickslip " STICKSLIP_VERSION));
+    write_whole_file(arguments.certificate,
+                     robustness_certificate_text(question, *kind, options.for_robustness(),
+                                                 robustness, "stickslip " STICKSLIP_VERSION));
   } else if (!arguments.certificate.empty()) {
     const Question of_all = without_bound(question);  // classes are about all motions
-    verdict = rigid_verdict(of_all, answer.inertia);
+    verdict = out_of_time(time);
+    LongWork("class", time).finishes([&] { verdict = rigid_verdict(of_all, answer.inertia); });
     if (!writes_certificate(arguments.certificate, of_all, answer.inertia, *verdict)) {
       return kUndecidedWithinLimit;
     }
     options.verdict = &*verdict;
   }
   try {
-    answer.comparison = compare_methods(question, options, text);
+    // Each method has an answer, if only that the time was over: the limit is theirs.
+    LongWork("comparing").finishes([&] {
+      answer.comparison = compare_methods(question, options, text);
+    });
   } catch (const InputError& error) {
     for (const auto& [place, option] :
          {std::pair("methods", "--methods"), {"max_force", "--max-force"}}) {
@@ -225,6 +238,7 @@ void add_compare_command(Command& app, int& exit_code) {
           "robustnesses is the only method, of its bounds, for stickslip-check --robustness "
           "(certificate/FORMAT.md)")
       ->type_name("FILE");
+  add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command,
                            "Print one JSON object with all evidence; rationals are strings");
   command->footer(footer_text(
@@ -239,14 +253,16 @@ void add_compare_command(Command& app, int& exit_code) {
       "(PGR), how far the best internal forces of a hand keep contacts from breaking a\n"
       "condition, between two bounds; the robustness of rigid motions, the best of the states\n"
       "that these allow; the least singular value of the grasp map; and the distance of the\n"
-      "centroid of the contacts from the centre of mass. A method that would take too long is not computed.\n"
+      "centroid of the contacts from the centre of mass. A method that would take too long is "
+      "not computed.\n"
       "Motions are bounded of passive equilibrium alone.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
       "In space cones are round: of the grasp wrench space, L1, there are bounds of the "
       "largest\n"
       "ball, and Linf, three-state compliance and the robustness of rigid motions are not\n"
-      "done. Of several bodies only the class is: must move, or may stand (stickslip statics).\n",
+      "done. Of several bodies only the class is: must move, or may stand (stickslip "
+      "statics).\n",
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));

@@ -118,13 +118,19 @@ WarnedAnswer answered(Question question, const DecideArguments& arguments, LongW
   SearchOptions search = arguments.search;
   if (arguments.engine == "states") search.engine = Engine::kStates;
   if (arguments.engine == "branch-and-bound") search.engine = Engine::kBranchAndBound;
-  WarnedAnswer found{unanswered(question, out_of_time(work.limit())), {}};
+  // Only a limit makes a copy of the question worth its memory.
+  std::optional<Answer> answer;
+  std::function<void(const Answer&)> keep;
+  if (work.limit().seconds()) {
+    answer = unanswered(question, out_of_time(work.limit()));
+    keep = [&](const Answer& first) { answer = first; };
+  }
+  Warnings warnings;
   work.finishes([&] {
-    found.answer = decide(std::move(question), search,
-                          [&](const Answer& first) { found.answer = first; });
-    if (!arguments.no_warnings) found.warnings = model_warnings(found.answer);
+    answer = decide(std::move(question), search, keep);
+    if (!arguments.no_warnings) warnings = model_warnings(*answer);
   });
-  return found;
+  return {std::move(*answer), std::move(warnings)};
 }
 
 /// Writes the certificate if the verdict has one, or says on standard error why it has none.

@@ -67,8 +67,8 @@ struct FoundText {
   }
   std::string operator()(const UnopposedMotion& motion) const {
     constexpr std::size_t kMostShown = 12;
-    const auto end = motion.twist.begin() + static_cast<std::ptrdiff_t>(
-                                                answer.asked.question.grasp.wrench().size());
+    const auto end = motion.twist.begin() +
+                     static_cast<std::ptrdiff_t>(answer.asked.question.grasp.wrench().size());
     const RationalRow moved(motion.twist.begin(), end);
     return std::string("Must move, for any stiffness and preloads: ") +
            (end == motion.twist.end() ? "no contact opposes the load"

@@ -10,6 +10,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/friction_margin.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/answer.hpp"
 #include "stickslip/interfaces/claim_answer.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
@@ -48,6 +49,11 @@ class Given {
     SearchOptions options;
     options.node_limit = as<std::size_t>("node_limit");
     return options;
+  }
+  /// Returns the limit of the work's time, from now on.
+  TimeLimit time() const {
+    if (!options_.contains("time_limit") || options_["time_limit"].is_none()) return {};
+    return TimeLimit(exact(options_["time_limit"], "time_limit"));
   }
   /// Returns a number that is above 0, and below 1 if it is a part of a whole.
   Rational positive(const char* name, const char* remedy, bool is_part = false) const {
@@ -91,6 +97,25 @@ class Given {
   QuestionOptions asked_;
 };
 
+/// Does the work, which sets what is known when it ends, and before. Returns the limit that
+/// ended it, or nothing.
+std::string ended_by(const TimeLimit& limit, const std::function<void()>& work) {
+  return limit.finishes(work) ? "" : limit.in_words();
+}
+
+Json with_end(Json json, const std::string& ended_by) {
+  if (!ended_by.empty()) json["ended_by"] = ended_by;
+  return json;
+}
+
+/// Returns what the work returns. Throws LimitError if its time is over first.
+template <class Result>
+Result in_time(const TimeLimit& limit, const std::function<Result()>& work) {
+  std::optional<Result> result;
+  if (!limit.finishes([&] { result = work(); })) throw LimitError(out_of_time(limit));
+  return std::move(*result);
+}
+
 /// Sets the texts of proofs by name.
 void set_proofs(Json& json, const std::vector<std::pair<std::string, ProvedFiles>>& proofs) {
   json = Json::object();
@@ -103,9 +128,20 @@ Work decide_asked(const Given& given) {
   const bool warns = given.as<bool>("warnings");
   // Warnings need an exact equilibrium.
   if (warns && options.engine == Engine::kAuto) options.engine = Engine::kBranchAndBound;
-  return [&given, options, warns] {
-    const Answer found = decide(given.about(), options);
-    return decision_json(found, warns ? Warnings(model_warnings(found)) : Warnings());
+  return [&given, options, warns, limit = given.time()] {
+    Question question = given.about();
+    std::optional<Answer> found;
+    std::function<void(const Answer&)> keep;
+    if (limit.seconds()) {
+      found = unanswered(question, out_of_time(limit));
+      keep = [&](const Answer& first) { found = first; };
+    }
+    Warnings warnings;
+    limit.finishes([&] {
+      found = decide(std::move(question), options, keep);
+      if (warns) warnings = model_warnings(*found);
+    });
+    return decision_json(*found, warnings);
   };
 }
 
@@ -114,8 +150,9 @@ Work box_asked(const Given& given) {
   const Question asked = given.in_box();
   const GraspBox box = asked.grasp.as_box();
   if (box.is_point() && !box.is_bounded() && !needs_enclosure(box)) refuse_certain();
-  return [asked, box, options = given.search()] {
-    const BoxDecision found = decide_box(box, asked.law, options);
+  return [asked, box, options = given.search(), limit = given.time()] {
+    BoxDecision found{out_of_time(limit)};
+    limit.finishes([&] { found = decide_box(box, asked.law, options); });
     Json json{{"verdict", name_of(found.verdict)},
               {"engine", box_engine(asked)},
               {"normal_law", to_string(asked.law)},
@@ -142,10 +179,14 @@ Work radius_asked(const Given& given) {
   options.accuracy = given.positive("accuracy", kPartOfRadius, true);
   const Question asked = given.in_box();
   if (asked.grasp.as_box().is_point()) refuse_certain();
-  return [asked, options] {
+  return [asked, options, limit = given.time()] {
     const GraspBox box = asked.grasp.as_box();
-    const Radius found = find_radius(box.middle(), box, asked.law, options);
-    Json json = radius_json(asked, found);
+    Radius found;
+    const auto end = ended_by(limit, [&] {
+      found = find_radius(box.middle(), box, asked.law, options,
+                          [&](const Radius& so_far) { found = so_far; });
+    });
+    Json json = with_end(radius_json(asked, found), end);
     json.erase("counterexample");
     if (!found.stable) return json;
     const auto proofs =
@@ -164,9 +205,14 @@ Work quality_asked_of(const Given& given) {
     options.at_most = given.positive("at_most", "give a number above 0");
   }
   return [asked = given.about(),
-          shape = given.ball(given.positive("length", "give a number above 0")), options] {
-    const Quality found = find_quality(asked.grasp.as_box(), asked.law, shape, options);
-    Json json = quality_json(asked, found);
+          shape = given.ball(given.positive("length", "give a number above 0")), options,
+          limit = given.time()] {
+    Quality found;
+    const auto end = ended_by(limit, [&] {
+      found = find_quality(asked.grasp.as_box(), asked.law, shape, options,
+                           [&](const Quality& so_far) { found = so_far; });
+    });
+    Json json = with_end(quality_json(asked, found), end);
     if (found.stable) set_proofs(json["proofs"], proved_quality(asked, found));
     return json;
   };
@@ -191,10 +237,14 @@ Work preload_asked(const Given& given) {
     asked.push_back(question_in_box(given.grasp, with_load));
   }
   if (given["budget"].is_none()) {
-    return [asked, options] {
+    return [asked, options, limit = given.time()] {
       const NormalLaw law = asked.front().law;
-      const LeastPreload found = find_least_preload(loads_of(asked, ""), law, options);
-      Json json = preload_json(asked, found);
+      LeastPreload found;
+      const auto end = ended_by(limit, [&] {
+        found = find_least_preload(loads_of(asked, ""), law, options,
+                                   [&](const LeastPreload& so_far) { found = so_far; });
+      });
+      Json json = with_end(preload_json(asked, found), end);
       set_proofs(json["proofs"], proved_preload(law, found));
       return json;
     };
@@ -202,10 +252,13 @@ Work preload_asked(const Given& given) {
   const Rational budget =
       given.positive("budget", "it is the sum of preloads: give a number above 0");
   return [one = asked.front(), options, budget,
-          shape = given.ball(exact(given["length"], "length"))] {
-    const BallPreload found =
-        find_ball_preload(loads_of({one}, "").front(), one.law, shape, budget, options);
-    Json json = preload_json(one, budget, found);
+          shape = given.ball(exact(given["length"], "length")), limit = given.time()] {
+    BallPreload found;
+    const auto end = ended_by(limit, [&] {
+      found = find_ball_preload(loads_of({one}, "").front(), one.law, shape, budget, options,
+                                [&](const BallPreload& so_far) { found = so_far; });
+    });
+    Json json = with_end(preload_json(one, budget, found), end);
     set_proofs(json["proofs"], proved_preload(one, found));
     return json;
   };
@@ -223,10 +276,10 @@ Work map_asked(const Given& given) {
   const GraspBox centre = asked.grasp.as_box();
   const MapAxis x = parse_axis(centre, given.as<std::string>("x"), "x");
   const MapAxis y = parse_axis(centre, given.as<std::string>("y"), "y");
-  return [=, with_proofs = given.as<bool>("proofs")] {
+  return [=, with_proofs = given.as<bool>("proofs"), limit = given.time()] {
     std::vector<MapCell> cells;
     std::vector<Json> proofs;
-    map_verdicts(centre, asked.law, x, y, options, [&](MapCell cell) {
+    const auto take = [&](MapCell cell) {
       const bool decided = !std::holds_alternative<Undecided>(cell.decision.verdict);
       proofs.emplace_back();
       if (with_proofs && decided) {
@@ -235,8 +288,10 @@ Work map_asked(const Given& given) {
             proved_box(box, asked.law, cell.decision, producer_of(box_engine(asked))));
       }
       cells.push_back(std::move(cell));
-    });
-    Json json = map_json(asked, x, y, cells);
+    };
+    const auto end =
+        ended_by(limit, [&] { map_verdicts(centre, asked.law, x, y, options, take); });
+    Json json = with_end(map_json(asked, x, y, cells), end);
     json["wrench"] = wrench_json(centre.wrench);
     json["proofs"] = proofs;
     json["picture"] = plot_map(asked.description().name, x, y, cells);
@@ -251,10 +306,14 @@ Work states_asked(const Given& given) {
                             : name == "paper" ? Enumerator::kPaper
                                               : Enumerator::kAuto;
   return [&given, engine, list = given.as<bool>("list"),
-          threads = given.as<unsigned>("threads")] {
-    return states_json(
-        enumerate_slip_states(stick_planes(given.grasp.loaded().grasp), engine, list, threads),
-        list);
+          threads = given.as<unsigned>("threads"), limit = given.time()] {
+    return states_json(in_time<Enumeration>(limit,
+                                            [&] {
+                                              return enumerate_slip_states(
+                                                  stick_planes(given.grasp.loaded().grasp),
+                                                  engine, list, threads);
+                                            }),
+                       list);
   };
 }
 
@@ -269,19 +328,24 @@ Work margin_by_claims(const Given& given, const Question& question, bool warns) 
   SpatialMarginOptions options;
   options.search = given.search();
   options.accuracy = given.positive("accuracy", "give a number above 0, such as 1/1000");
-  return [question, options, warns] {
+  return [question, options, warns, limit = given.time()] {
     const auto json_of = [](const Question& asked, const SpatialMargin& margin,
                             const Warnings& warnings) {
       return with_certificate(
           margin_json(asked, margin, warnings), asked,
           margin_certificate_text(asked, margin, producer_of(box_engine(asked))));
     };
-    const SpatialMargin found = find_spatial_margin(question, options);
-    Json json = json_of(question, found,
-                        warns ? Warnings(model_warnings(question, found)) : Warnings());
-    if (const auto second = margin_within(question, found, options)) {
-      json["within"] = json_of(second->question, second->margin, {});
-    }
+    SpatialMargin found;
+    std::optional<SecondMargin> second;
+    Warnings warnings;
+    const auto end = ended_by(limit, [&] {
+      found = find_spatial_margin(question, options,
+                                  [&](const SpatialMargin& so_far) { found = so_far; });
+      second = margin_within(question, found, options);
+      if (warns) warnings = model_warnings(question, found);
+    });
+    Json json = with_end(json_of(question, found, warnings), end);
+    if (second) json["within"] = json_of(second->question, second->margin, {});
     return json;
   };
 }
@@ -290,12 +354,15 @@ Work margin_asked(const Given& given) {
   const Question question = given.in_box();
   const bool warns = given.as<bool>("warnings");
   if (question.has_claims()) return margin_by_claims(given, question, warns);
-  return [question, warns, options = given.search()] {
+  return [question, warns, options = given.search(), limit = given.time()] {
     MarginWork work;
-    const auto found = find_margin(problem_of(question), options, &work);
+    using Found = std::variant<Margin, Undecided>;
+    const auto found = in_time<Found>(
+        limit, [&] { return find_margin(problem_of(question), options, &work); });
     if (const auto* undecided = std::get_if<Undecided>(&found)) throw LimitError(*undecided);
     const auto& margin = std::get<Margin>(found);
-    const Warnings traps = warns ? Warnings(model_warnings(question, margin)) : Warnings();
+    Warnings traps;
+    if (warns) limit.finishes([&] { traps = model_warnings(question, margin); });
     return with_certificate(margin_json(question, margin, work, traps), question,
                             margin_certificate_text(question, margin, kProducer));
   };
@@ -313,13 +380,15 @@ Work region_asked(const Given& given) {
   options.modes.mode_limit = given.as<std::size_t>("mode_limit");
   options.proof.node_limit = given.as<std::size_t>("node_limit");
   return [&given, any_load, plane, options, proves = given.as<bool>("certificate"),
-          draws = given.as<bool>("picture")] {
-    const RegionAnswer found =
-        region_answer(question_of(given.grasp, any_load), plane, options);
+          draws = given.as<bool>("picture"), limit = given.time()] {
+    const auto found = in_time<RegionAnswer>(limit, [&] {
+      return region_answer(question_of(given.grasp, any_load), plane, options);
+    });
     if (found.undecided) throw LimitError(*found.undecided);
     Json json = to_json(found);
     if (proves) {
-      const auto proved = certificate_of(found, options);
+      const auto proved = in_time<std::variant<std::string, Undecided>>(
+          limit, [&] { return certificate_of(found, options); });
       if (const auto* undecided = std::get_if<Undecided>(&proved)) throw LimitError(*undecided);
       json["certificate"] = std::get<std::string>(proved);
     }
@@ -340,6 +409,7 @@ Work compare_asked(const Given& given) {
                      "a largest force must be above 0");
   }
   options.accuracy = given.positive("accuracy", "give a number above 0, such as 1/100");
+  options.time = given.time();
   options.inertia = given["inertia"].is_none() ? Inertia::of_length(options.length, space)
                                                : given.inertia(space);
   return [&given, options, space, proves = given.as<bool>("certificate")]() mutable {
@@ -350,10 +420,14 @@ Work compare_asked(const Given& given) {
     const std::optional<RobustnessKind> kind = options.only_robustness();
     Robustness robustness;
     if (proves && kind) {
-      robustness = robustness_to_prove(question, *kind, options);
+      robustness = in_time<Robustness>(
+          options.time, [&] { return robustness_to_prove(question, *kind, options); });
       options.robustness = &robustness;
     }
-    if (proves && !kind) verdict = rigid_verdict(of_all, options.inertia);
+    if (proves && !kind) {
+      verdict = out_of_time(options.time);
+      options.time.finishes([&] { verdict = rigid_verdict(of_all, options.inertia); });
+    }
     options.verdict = verdict ? &*verdict : nullptr;
     const Comparison found = compare_methods(question, options, readable);
     Json json = comparison_json(question, options.length, options.inertia, found);
@@ -408,8 +482,9 @@ Work statics_asked(const Given& given) {
   } else if (!asked.least_friction) {
     asked.accuracy = Rational(1, 1000);
   }
-  return [asked, proves = given.as<bool>("certificate")] {
-    const StaticsAnswer answer = statics(asked);
+  return [asked, proves = given.as<bool>("certificate"), limit = given.time()] {
+    StaticsAnswer answer{asked, LoadClass(out_of_time(limit))};
+    limit.finishes([&] { answer = statics(asked); });
     Json json = to_json(answer);
     if (!proves) return json;
     Json& certificates = json["certificates"] = Json::object();

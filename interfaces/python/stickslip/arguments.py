@@ -286,6 +286,14 @@ def as_count(name: str, value: int, most: int = 2**32 - 1) -> int:
     return count
 
 
+def as_time_limit(value: Any) -> Any:
+    """None is no limit."""
+    seconds = _core.exact(as_number(value, "time_limit"), "time_limit")
+    if not 0 <= seconds <= 86400:
+        raise InputError("", "time_limit", f"found {value!r}", "give seconds, from 0, which is no limit, to 86400")
+    return seconds or None
+
+
 def found(value: Any) -> str:
     """For messages."""
     if value is None:

@@ -29,6 +29,7 @@ from .arguments import (
     as_number,
     as_number_or_none,
     as_numbers,
+    as_time_limit,
     as_plane_or_none,
     as_preload_direction_or_none,
     as_row_or_none,
@@ -87,6 +88,7 @@ def decide(
     normal_law: str = "unilateral",
     engine: str = "auto",
     node_limit: int = 0,
+    time_limit: Number = 0,
     threads: int = 0,
     warnings: bool = False,
     max_motion: Any = None,
@@ -104,6 +106,7 @@ def decide(
     normal_law: str = "unilateral",
     engine: str = "auto",
     node_limit: int = 0,
+    time_limit: Number = 0,
     threads: int = 0,
     warnings: bool = False,
     max_motion: Any = None,
@@ -120,6 +123,7 @@ def decide(
     normal_law: str = "unilateral",
     engine: str = "auto",
     node_limit: int = 0,
+    time_limit: Number = 0,
     threads: int = 0,
     warnings: bool = False,
     max_motion: Any = None,
@@ -136,6 +140,7 @@ def decide(
     normal_law: str = "unilateral",
     engine: str = "auto",
     node_limit: int = 0,
+    time_limit: Number = 0,
     threads: int = 0,
     warnings: bool = False,
     max_motion: Any = None,
@@ -164,6 +169,8 @@ def decide(
             of several bodies, there is one.
         node_limit: let the engine "branch-and-bound" give up, undecided, after so many nodes; 0 is no limit.
             In space 0 is one with which twelve contacts take about a minute at most.
+        time_limit: in seconds, fractions too: answer then what is known by then; 0 is no limit. Of one
+            question.
         threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
             does not balance (docs/model.md). Takes longer than most verdicts; of one question.
@@ -184,7 +191,7 @@ def decide(
         tolerances = as_uncertain(uncertain)
         return _boxed(BoxDecision, _ask(
             "decide_box", about, wrench, preload, normal_law, node_limit, max_motion,
-            uncertain=tolerances), about, uncertain=tolerances)
+            time_limit=time_limit, uncertain=tolerances), about, uncertain=tolerances)
     method = as_engine(engine)
     at_once = as_count("threads", threads, 1024)
     many = Questions(grasp, wrench, friction, preload)
@@ -195,13 +202,16 @@ def decide(
         if max_motion is not None:
             raise InputError("", "max_motion", "these are many questions",
                              "bound the motions of one question at a time")
+        if time_limit != 0:
+            raise InputError("", "time_limit", "these are many questions",
+                             "limit the time of one question at a time, or give a node_limit")
         return Decisions(_core.decide_many(
             many.count, *many.lists(), is_bilateral(normal_law), method,
             as_count("node_limit", node_limit), at_once), many.asked)
     about, snapped = _asked(grasp, preload)
     about = _with_friction(about, friction)
     return decision_of(about, snapped, _ask(
-        "decide", about, wrench, preload, normal_law, node_limit, max_motion, engine=method,
+        "decide", about, wrench, preload, normal_law, node_limit, max_motion, time_limit=time_limit, engine=method,
         warnings=bool(warnings)))
 
 
@@ -215,6 +225,7 @@ def radius(
     normal_law: str = "unilateral",
     accuracy: Number = "1/100",
     node_limit: int = 0,
+    time_limit: Number = 0,
     max_motion: Any = None,
 ) -> Radius:
     """By which factor may all tolerances grow before the verdict is another? With proofs.
@@ -223,11 +234,13 @@ def radius(
         grasp, wrench, uncertain, friction, preload, normal_law, max_motion: as of ``decide``.
         accuracy: stop when what is proved and what is refuted differ by this part of it.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+        time_limit: in seconds, as of ``decide``.
     """
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
     return _boxed(Radius, _ask(
-        "radius", about, wrench, preload, normal_law, node_limit, max_motion, uncertain=tolerances,
+        "radius", about, wrench, preload, normal_law, node_limit, max_motion,
+        time_limit=time_limit, uncertain=tolerances,
         accuracy=as_number(accuracy, "accuracy")), about, uncertain=tolerances)
 
 
@@ -244,6 +257,7 @@ def quality(
     at_most: Optional[Number] = None,
     accuracy: Number = "1/100",
     node_limit: int = 0,
+    time_limit: Number = 0,
     max_motion: Any = None,
 ) -> Quality:
     """How large a ball of loads around its own does the grasp resist? With proofs.
@@ -259,10 +273,12 @@ def quality(
         at_most: no larger ball is of interest.
         accuracy: stop when what is proved and what is refuted differ by this part of it.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+        time_limit: in seconds, as of ``decide``.
     """
     about_grasp = _with_friction(grasp, friction)
     answer = _ask(
         "quality", about_grasp, wrench, preload, normal_law, node_limit, max_motion,
+        time_limit=time_limit,
         length=as_number(length, "length"), about=as_row_or_none(about, "about", None), body=str(body),
         at_most=as_number_or_none(at_most, "at_most"), accuracy=as_number(accuracy, "accuracy"))
     proofs = answer.get("proofs", {})
@@ -287,6 +303,7 @@ def best_preload(
     accuracy: Number = "1/20",
     boxes: int = 0,
     node_limit: int = 0,
+    time_limit: Number = 0,
     max_motion: Any = None,
 ) -> BestPreload:
     """Preloads of the least sum that hold a load, or that with a budget resist the largest ball.
@@ -303,6 +320,7 @@ def best_preload(
         accuracy: stop when what is found and the bound differ by this part.
         boxes: look at so many boxes of preloads for the bound; 0: so many as suit most questions.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+        time_limit: in seconds, as of ``decide``.
     """
     about_grasp, _ = _asked(_with_friction(grasp, friction), 1)
     rows = [wrench] if wrench is None or np.ndim(wrench) < 2 else list(wrench)
@@ -310,7 +328,8 @@ def best_preload(
         raise InputError("", "wrench", f"there are {len(rows)} loads",
                          "give one, or without a budget one or more")
     answer = _ask(
-        "preload", about_grasp, None, None, normal_law, node_limit, max_motion, needed=False,
+        "preload", about_grasp, None, None, normal_law, node_limit, max_motion,
+        time_limit=time_limit, needed=False,
         loads=[about_grasp._load(row) for row in rows],
         budget=as_number_or_none(budget, "budget"), uncertain=as_uncertain(uncertain),
         length=as_number(length, "length"),
@@ -336,6 +355,7 @@ def stability_map(
     normal_law: str = "unilateral",
     depth: int = 6,
     node_limit: int = 0,
+    time_limit: Number = 0,
     proofs: bool = False,
     max_motion: Any = None,
 ) -> StabilityMap:
@@ -350,12 +370,14 @@ def stability_map(
             verdict is then one about all grasps that are so near to one in it.
         depth: the finest cells are a 2**depth-th of an axis.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+        time_limit: in seconds, as of ``decide``.
         proofs: keep the proof of each cell.
     """
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
     answer = _ask(
-        "map", about, wrench, preload, normal_law, node_limit, max_motion, uncertain=tolerances,
+        "map", about, wrench, preload, normal_law, node_limit, max_motion,
+        time_limit=time_limit, uncertain=tolerances,
         x=str(x), y=str(y), depth=as_count("depth", depth, 12), proofs=bool(proofs))
     cells = tuple(
         MapCell(cell["x"], cell["y"], cell["verdict"], files and Proof.of(files, answer))
@@ -365,7 +387,8 @@ def stability_map(
 
 
 def slip_states(
-    grasp: Grasp, *, engine: str = "auto", list_states: bool = True, threads: int = 0
+    grasp: Grasp, *, engine: str = "auto", list_states: bool = True, threads: int = 0,
+    time_limit: Number = 0,
 ) -> SlipStates:
     """The slip states consistent with rigid motion, and counts of cells.
 
@@ -376,6 +399,10 @@ def slip_states(
         list_states: list the states. There are O(m^2) of m characters each: beyond a few hundred
             contacts ask for counts alone.
         threads: of the counts of "sweep"; 0 is one a core.
+        time_limit: in seconds, fractions too; 0 is no limit.
+
+    Raises:
+        LimitReached: at ``time_limit``.
     """
     engine = one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
     threads = as_count("threads", threads, 1024)
@@ -384,7 +411,8 @@ def slip_states(
         raise InputError("", "grasp", "the grasp is in space",
                          "find_states counts and lists its slip states")
     return answer_of(SlipStates, _core.ask(about._planar(), "states", {
-        "engine": engine, "list": bool(list_states), "threads": threads}), grasp=grasp)
+        "engine": engine, "list": bool(list_states), "threads": threads,
+        "time_limit": as_time_limit(time_limit)}), grasp=grasp)
 
 
 def region(
@@ -400,6 +428,7 @@ def region(
     pieces: bool = False,
     certificate: bool = False,
     node_limit: int = 0,
+    time_limit: Number = 0,
     max_motion: Any = None,
 ) -> Region:
     """Which wrenches origin + s u + t v does the grasp resist? The exact set of (s, t).
@@ -412,12 +441,13 @@ def region(
         pieces: also what is resisted in each contact mode.
         certificate: also prove that exactly this region is resisted.
         node_limit: of the search for the proof; 0 is no limit.
+        time_limit: in seconds, fractions too; 0 is no limit.
         max_motion: None or "none": within a bound the region is not exact, and ``stability_map``
             proves cells of the plane.
 
     Raises:
         InputError: an argument is wrong; u and v are not independent.
-        LimitReached: ``mode_limit`` or ``node_limit``.
+        LimitReached: ``mode_limit``, ``node_limit`` or ``time_limit``.
     """
     if as_max_motion(max_motion) not in ("", "none"):
         raise InputError("", "max_motion", "motions are bounded",
@@ -425,7 +455,7 @@ def region(
                          "which proves cells of the plane")
     about, snapped = _asked(grasp, preload)
     answer = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, node_limit,
-                     pieces=bool(pieces), certificate=bool(certificate))
+                     time_limit=time_limit, pieces=bool(pieces), certificate=bool(certificate))
     return answer_of(
         Region, answer, grasp=about, snapped=snapped, **answer["plane"],
         areas=tuple(tuple(Outline(border["vertices"], border.get("from"), border.get("to"))
@@ -471,7 +501,7 @@ def plot_states(grasp: Grasp) -> Picture:
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
     methods: Sequence[str] = (), length: Any = 1, inertia: Any = None, certificate: bool = False,
-    max_motion: Any = None, max_force: Any = 1, accuracy: Any = "1/100",
+    max_motion: Any = None, max_force: Any = 1, accuracy: Any = "1/100", time_limit: Number = 0,
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
@@ -490,9 +520,11 @@ def compare(
         max_force: the largest normal force, of the two robustnesses: a number, or one for each
             contact.
         accuracy: how near the bounds of these are to be, as a part of them.
+        time_limit: in seconds, fractions too, for all methods together: what is not known by then is
+            "not computed"; 0 is no limit.
 
     Raises:
-        LimitReached: the class, of which a certificate is wanted, is not known.
+        LimitReached: what a certificate is wanted of is not known.
     """
     about, snapped = _asked(grasp, preload)
     if isinstance(about, Assembly):
@@ -501,10 +533,11 @@ def compare(
             if is_given:
                 raise InputError("", name, "the grasp is of several bodies",
                                  "leave it out: of them the class alone is computed")
-        found = statics(about, wrench, certificate=certificate)
+        found = statics(about, wrench, certificate=certificate, time_limit=time_limit)
         return Comparison((), found.load_class, about, snapped, found.certificates.get("statics"))
     answer = _ask(
-        "compare", about, wrench, preload, normal_law, 0, max_motion, methods=list(methods),
+        "compare", about, wrench, preload, normal_law, 0, max_motion, time_limit=time_limit,
+        methods=list(methods),
         length=as_number(length, "length"), certificate=bool(certificate),
         max_force=as_numbers(max_force, "max_force", len(about)), accuracy=as_number(accuracy, "accuracy"),
         inertia=None if inertia is None else as_inertia(inertia, about._coordinates))
@@ -517,7 +550,7 @@ def compare(
 def statics(
     grasp: Grasp, wrench: Any = None, *, friction_factor: Any = 1, least_friction: bool = False,
     directions: Sequence[Any] = (), place: Any = None, body: str = "", accuracy: Any = None,
-    certificate: bool = False,
+    certificate: bool = False, time_limit: Number = 0,
 ) -> Statics:
     """May it stand at all, whatever stiffness and preloads are? With which friction and loads?
 
@@ -534,6 +567,7 @@ def statics(
         accuracy: where ends are not exact, the part that may be left: 1/1000000 of a factor, 1/1000
             of a way to the border of loads.
         certificate: also prove it, for stickslip-check.
+        time_limit: in seconds, fractions too: undecided then; 0 is no limit.
     """
     about, _ = _asked(grasp, 0)
     rows = [as_row_or_none(row, "directions", None) for row in directions]
@@ -543,7 +577,7 @@ def statics(
     answer = _ask(
         "statics", about, load, None, "unilateral", 0, None, friction_factor=as_number(friction_factor, "friction_factor"),
         least_friction=bool(least_friction), directions=rows, place=as_row_or_none(place, "place", None),
-        body=str(body), accuracy=as_number_or_none(accuracy, "accuracy"), certificate=bool(certificate))
+        body=str(body), accuracy=as_number_or_none(accuracy, "accuracy"), certificate=bool(certificate), time_limit=time_limit)
 
     def forces(rows: Any) -> Tuple[StaticForce, ...]:
         return tuple(StaticForce(row["contact"], row["normal"], tuple(row["friction"])) for row in rows)
@@ -621,6 +655,7 @@ def margin(
     normal_law: str = "unilateral",
     accuracy: Number = "1/1000",
     node_limit: int = 0,
+    time_limit: Number = 0,
     warnings: bool = False,
     max_motion: Any = None,
 ) -> Margin:
@@ -645,12 +680,13 @@ def margin(
         normal_law: as in ``decide``.
         accuracy: where ends are not exact: which part of a multiple may stay undecided at one.
         node_limit: give up after so many nodes; 0 is no limit.
+        time_limit: in seconds, as of ``decide``.
         warnings: look for traps of the model as well, as ``decide`` does.
         max_motion: as of ``decide``.
 
     Raises:
         InputError: an argument is wrong; nothing grows.
-        LimitReached: at ``node_limit``.
+        LimitReached: at ``node_limit`` or ``time_limit``, where ends are exact.
     """
     about, snapped = _asked(grasp, preload if preload_direction is None else 1)
     if direction is None and preload_direction is None:
@@ -658,6 +694,7 @@ def margin(
                          "give a direction such as (0, 1, 0), or a preload_direction")
     answer = _ask(
         "margin", about, wrench, preload, normal_law, node_limit, max_motion,
+        time_limit=time_limit,
         needed=direction is None, warnings=bool(warnings), accuracy=as_number(accuracy, "accuracy"),
         direction=as_row_or_none(direction, "direction", about._components),
         preload_direction=as_preload_direction_or_none(preload_direction))
@@ -814,7 +851,7 @@ def _robustness_words(robustness: str, length: Any, max_force: Any) -> List[str]
 def _region(
     grasp: Grasp, torque: Any, origin: Any, u: Any, v: Any, preload: Any, normal_law: str,
     mode_limit: int, node_limit: int = 0, pieces: bool = False, certificate: bool = False,
-    picture: bool = False,
+    picture: bool = False, time_limit: Any = 0,
 ) -> Dict[str, Any]:
     grasp._one_body()
     if grasp.in_space:
@@ -827,7 +864,8 @@ def _region(
             raise InputError("", "torque", "there is an origin as well", "give one of the two")
         start = [0, 0, as_number(torque, "torque")]
     answer: Dict[str, Any] = _ask(
-        "region", grasp, None, preload, normal_law, node_limit, None, needed=False, origin=start,
+        "region", grasp, None, preload, normal_law, node_limit, None, needed=False,
+        time_limit=time_limit, origin=start,
         u=as_wrench(u, "u"), v=as_wrench(v, "v"), pieces=pieces, picture=picture,
         mode_limit=as_count("mode_limit", mode_limit), certificate=certificate)
     return answer
@@ -921,13 +959,14 @@ def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
 
 
 def _ask(question: str, grasp: Grasp, wrench: Any, preload: Any, normal_law: str, node_limit: int,
-         max_motion: Any, needed: bool = True, **options: Any) -> Any:
+         max_motion: Any, needed: bool = True, time_limit: Any = 0, **options: Any) -> Any:
     """The answer as the command's JSON has it; with the preload, if one replaced the grasp's own."""
     load = grasp._load(wrench, needed=needed)
     replaced = as_number_or_none(preload, "preload")
     answer = _core.ask(grasp._data, question, dict(
         options, wrench=load, preload=replaced, bilateral=is_bilateral(normal_law),
-        node_limit=as_count("node_limit", node_limit), max_motion=as_max_motion(max_motion)))
+        node_limit=as_count("node_limit", node_limit), max_motion=as_max_motion(max_motion),
+        time_limit=as_time_limit(time_limit)))
     if replaced is not None and isinstance(answer, dict):
         answer["preload"] = _core.exact(replaced, "preload")
     return answer

@@ -297,6 +297,8 @@ class Radius(Answer):
     """Of the box scaled by ``proved``. None if undecided."""
     counterexample: Optional[Proof] = None
     """A grasp of the box scaled by ``refuted``, and the proof of its verdict."""
+    ended_by: Optional[str] = None
+    """The time limit, if that ended the work: what is known by then is proved all the same."""
 
     wrench_float = FloatView[FloatArray]("wrench", 3)
 
@@ -328,6 +330,8 @@ class Quality(Answer):
     """Set if it replaced the grasp's preloads."""
     proof: Optional[Proof] = None
     """Of the ball of radius ``proved``."""
+    ended_by: Optional[str] = None
+    """The time limit, if that ended the work: what is known by then is proved all the same."""
     counterexample: Optional[Proof] = None
     """That ``not_resisted`` is not; or the load in the centre."""
 
@@ -356,6 +360,8 @@ class BestPreload(Answer):
     """That the preloads do not balance, if they do not."""
     proofs: Dict[str, Proof] = field(default_factory=dict, repr=False)
     """All proofs, by the names that ``stickslip preload --certificates`` gives them (docs/preload.md)."""
+    ended_by: Optional[str] = None
+    """The time limit, if that ended the work: what is known by then is proved all the same."""
 
     @property
     def sum(self) -> Optional[Fraction]:
@@ -391,6 +397,8 @@ class StabilityMap(Answer):
     cells: Tuple[MapCell, ...] = field(repr=False)
     """They tile the rectangle of the axes."""
     picture: Picture = field(repr=False)
+    ended_by: Optional[str] = None
+    """The time limit, if that ended the work: what is known by then is proved all the same."""
     preload: Optional[Fraction] = None
     """Set if it replaced the grasp's preloads."""
 
@@ -681,6 +689,8 @@ class Margin(Answer):
     within: Optional[Margin] = None
     """The second answer, where only rounding of the data decides the first: within 1000 times the
     natural motion, and along the nearest direction that contacts oppose (docs/model.md)."""
+    ended_by: Optional[str] = None
+    """The time limit, if that ended the work: what is known by then is proved all the same."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     def check(self) -> CheckResult:

@@ -140,6 +140,20 @@ class TimeLimit(Case):
         self.assertEqual(code, UNDECIDED)
         self.assertIn(said, err)
 
+    def test_methods_of_which_nothing_is_known_are_not_computed(self):
+        computed = {row["method"]: row for row in self.json("compare", CUP)["methods"]}
+        left = 0
+        for row in self.json("compare", CUP, *AT_ONCE)["methods"]:
+            if row["why"].startswith("the time limit of 1e-6 s was over first"):
+                left += 1
+                self.assertEqual((row["verdict"], row["agrees"]), ("not computed", None))
+            else:
+                self.assertEqual(row["verdict"], computed[row["method"]]["verdict"])
+        self.assertGreater(left, 0)
+        _, _, err = stickslip("compare", CUP, "--methods", "potential-grasp-robustness", "--certificate", self.path("no.json"), *AT_ONCE)
+        self.assertIn("nothing is written", err)
+        self.assertEqual(os.listdir(self.folder), [])
+
     def test_a_batch_ends_between_lines_and_goes_on(self):
         lines = "".join(json.dumps(json.loads(read(FIG1))) + "\n" for _ in range(3000))
         grasps, whole, part = self.write("g.jsonl", lines), self.path("whole.jsonl"), self.path("part.jsonl")

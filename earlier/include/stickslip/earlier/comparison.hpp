@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/core/number_text.hpp"
+#include "stickslip/core/time_limit.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/earlier/robustness.hpp"
 
@@ -42,8 +43,9 @@ struct CompareOptions {
                                           ///< known; it is not sought again
   /// The largest normal force, of PCR and PGR: one for all contacts, or one for each.
   std::vector<Rational> most_forces{1};
-  Rational accuracy = {1, 100};    ///< how near the bounds of PCR and PGR are to be
+  Rational accuracy = {1, 100};   ///< how near the bounds of PCR and PGR are to be
   std::size_t node_limit = 5000;  ///< the most nodes of the search for PGR
+  TimeLimit time{};               ///< the limit of all methods together
   /// The value of the only method, if that is PCR or PGR and known; it is not sought again.
   const Robustness* robustness = nullptr;
 

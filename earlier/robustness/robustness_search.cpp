@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
@@ -306,6 +307,7 @@ Robustness RobustnessSearch::run(const std::vector<SpringState>& first,
   std::priority_queue<Node> open;
   open.push(std::move(root));
   while (!open.empty() && open.top().upper > target_ && result.nodes < options_.node_limit) {
+    throw_if_cancelled();
     Node node = open.top();
     open.pop();
     ++result.nodes;

@@ -85,6 +85,9 @@ TEST(TimeLimit, WorkEndsWhenItIsOver) {
     for (;; ++known) throw_if_cancelled();
   }));
   EXPECT_EQ(known, 0);
+  EXPECT_FALSE(TimeLimit(Rational(1, 100)).finishes([] {
+    for (;;) throw_if_cancelled();
+  }));
 }
 
 TEST(TimeLimit, TicksOnItsOwnThread) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """--time-limit: what is answered when the time is over is true, and proved. No test asserts a time. A limit of a millionth of a
-second ends work where it first asks for the time, so that what is said then is the same on every machine."""
+second is over before work begins, so that what is said then is the same on every machine."""
 
 import json
 import os
@@ -141,15 +141,9 @@ class TimeLimit(Case):
         self.assertIn(said, err)
 
     def test_methods_of_which_nothing_is_known_are_not_computed(self):
-        computed = {row["method"]: row for row in self.json("compare", CUP)["methods"]}
-        left = 0
         for row in self.json("compare", CUP, *AT_ONCE)["methods"]:
-            if row["why"].startswith("the time limit of 1e-6 s was over first"):
-                left += 1
-                self.assertEqual((row["verdict"], row["agrees"]), ("not computed", None))
-            else:
-                self.assertEqual(row["verdict"], computed[row["method"]]["verdict"])
-        self.assertGreater(left, 0)
+            self.assertEqual((row["verdict"], row["agrees"]), ("not computed", None))
+            self.assertTrue(row["why"].startswith("the time limit of 1e-6 s was over first"), row["why"])
         _, _, err = stickslip("compare", CUP, "--methods", "potential-grasp-robustness", "--certificate", self.path("no.json"), *AT_ONCE)
         self.assertIn("nothing is written", err)
         self.assertEqual(os.listdir(self.folder), [])

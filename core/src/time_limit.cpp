@@ -24,7 +24,6 @@ std::string TimeLimit::in_words() const {
 
 bool TimeLimit::finishes(const std::function<void()>& work,
                          const std::function<void()>& tick) const {
-  if (is_over()) return false;
   Cancellation* const outer = Cancellation::current();
   bool is_late = false;
   const Cancellation ending([&] {

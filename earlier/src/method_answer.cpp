@@ -114,7 +114,7 @@ std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOpti
         words.empty() || std::find(words.begin(), words.end(), method.word()) != words.end();
     if (!is_asked) continue;
     MethodAnswer a = given_up(out_of_time(options.time));
-    options.time.finishes([&] { a = answer(method.id); });
+    if (!options.time.is_over()) options.time.finishes([&] { a = answer(method.id); });
     std::optional<bool> agrees;
     const std::string passive = all_methods().front().name;
     if (!rows.empty() && rows.front().method == passive && method.about_the_load &&

@@ -191,7 +191,7 @@ TEST(Intervals, AreRefusedUnlessAsked) {
     EXPECT_EQ(error.place(), place) << text;
     EXPECT_EQ(error.file(), "f");
     EXPECT_THAT(error.problem(), HasSubstr("uncertain"));
-    EXPECT_THAT(error.remedy(), HasSubstr("only stickslip decide"));
+    EXPECT_THAT(error.remedy(), HasSubstr("stickslip decide, radius and batch"));
     std::string version1 = text;
     version1[version1.find("/2") + 1] = '1';
     if (text.find("cases") != std::string::npos) continue;

@@ -165,8 +165,8 @@ class Asking(Case):
                                   ("plot grasp",), ("plot states",), ("plot region",), ("snap", "-o", "-"),
                                   ("compare",), ("export", "--smt2")):
             self.fails(*command.split(), grasp, *options,
-                       naming=[grasp, "contacts[2].friction", "only stickslip decide"])
-        self.fails("margin", UNCERTAIN, "--direction", "0,1,0", naming=["only stickslip decide"])
+                       naming=[grasp, "contacts[2].friction", "stickslip decide, radius and batch"])
+        self.fails("margin", UNCERTAIN, "--direction", "0,1,0", naming=["stickslip decide, radius and batch"])
         code, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(json.loads(read(grasp)))), "--class")
         self.assertEqual((code, json.loads(out)["error"]["place"]), (BAD_INPUT, "contacts[2].friction"))
         claim = {"claim": {"verdict": "stable"}}

@@ -333,7 +333,7 @@ class InSpace(Claims):
                 (claim([0, 1, 0], 1, "stable", force_vectors=[[0, 0, 0]] * 3), "claim.force_vectors[0]", "two"),
                 (claim([0, 1, 0], 1, "stable", grasp=PINCH), "options.wrench", "six"),
                 (weighed("fig1.json", 1, "stable"), "options.wrench", "three"),
-                (weighed(uncertain, 3, "stable"), "grasp.contacts[0].friction", "only stickslip decide")):
+                (weighed(uncertain, 3, "stable"), "grasp.contacts[0].friction", "stickslip decide, radius and batch")):
             reports, _ = self.judge(HELD, line, RIGHT, code=BAD_INPUT)
             self.assertEqual([r["class"] for r in reports], ["right", "unreadable", "right"], line)
             self.assertEqual(reports[1]["place"], place, line)

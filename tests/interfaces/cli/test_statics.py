@@ -11,7 +11,7 @@ from fractions import Fraction as F
 
 from bodies_smt import statics as smt
 from test_bodies import arch, contact, force, grasp, random_assembly, text, weight
-from test_cli import DONE, HERE, UNDECIDED, Case, checkers, run, stickslip
+from test_cli import DONE, HERE, UNDECIDED, Case, checkers, read, run, stickslip
 from test_space import Z3
 
 ROOT = os.path.join(HERE, "..", "..", "..")
@@ -33,8 +33,10 @@ class Statics(Case):
         lines = [line.split()[1:] for line in text_of.splitlines() if line.startswith("Check it: ")]
         commands = [line[line.index("stickslip-check") + 1:] for line in lines]
         self.assertEqual(bool(commands), code == DONE, text_of)
+        # stickslip-proved knows no limits of forces.
+        limited = any(word in read(file) for word in ("max_force", "max_torque"))
         for command in commands:
-            for checker in checkers(command[1]):
+            for checker in checkers(command[1])[:2 if limited else None]:
                 code, out, err = run(*checker, *command)
                 self.assertEqual(code, 0, (out, err, command))
         return answer

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """time_limit: what is answered when the time is over is true, and says so. No test asserts a time: a limit of a millionth of a
-second is over before work begins. What the answers are worth is tested with the command."""
+second ends work where it first asks for the time. What the answers are worth is tested with the command."""
 
 import pytest
 import stickslip

@@ -17,15 +17,15 @@ namespace stickslip {
 /// *facets*. A motion that leaves a cell meets a facet first, but for special ones, and each
 /// facet is between two cells.
 struct StateGraph {
-  /// A facet, and the numbers of the two cells beside it, the less one first.
+  /// A facet between two cells.
   struct Facet {
-    std::string state;
-    std::size_t first = 0;
-    std::size_t second = 0;
+    std::string state;       ///< as StatePlanes::text
+    std::size_t first = 0;   ///< the number of one cell beside it
+    std::size_t second = 0;  ///< the number of the other one, which is larger
   };
   int dimension = 0;               ///< that of cells
   std::vector<std::string> cells;  ///< as StatePlanes::text, in the order of visit_faces()
-  std::vector<Facet> facets;
+  std::vector<Facet> facets;       ///< all facets, in the same order
   bool complete = true;  ///< whether nobody ended the walk; if false there is no facet
 };
 

@@ -27,8 +27,8 @@ class TimeLimit {
   /// Returns "the time limit of 5 s".
   std::string in_words() const;
 
-  /// Does the work. Returns false if the time was over first: the work has then not begun, or
-  /// ended by Cancelled. Calls `tick` on this thread meanwhile, up to 20 times a second, wherever work
+  /// Does the work. Returns false if the time was over first: the work has then ended by
+  /// Cancelled. Calls `tick` on this thread meanwhile, up to 20 times a second, wherever work
   /// calls throw_if_cancelled(). Throws Cancelled if a Cancellation that was in force already
   /// ends the work.
   bool finishes(const std::function<void()>& work,

@@ -58,7 +58,13 @@ struct ToDict {
           py::make_tuple(wrench((*q.asked.plane)[0]), wrench((*q.asked.plane)[1]));
       result["pieces"] = a.pieces;
     }
-    if (a.bounds) result["bounds"] = py::make_tuple(number(a.bounds->low), number(a.bounds->high));
+    if (a.bounds)
+      result["bounds"] = py::make_tuple(number(a.bounds->low), number(a.bounds->high));
+    if (q.asked.states) {
+      result["by_dimension"] = tuple_of(a.by_dimension, [](const stickslip_check::Integer& n) {
+        return py::int_(py::str(n.get_str()));
+      });
+    }
     if (q.asked.margin() && !q.asked.statics) {
       py::list resisted;
       for (const stickslip_check::Interval& interval : a.resisted) {
@@ -89,7 +95,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& plane, const py::object& inertia, const std::string& uncertain,
                const std::string& max_motion, const std::string& grasp_name,
                const std::string& certificate_name, const py::object& statics,
-               const std::vector<std::string>& robustness) {
+               const std::vector<std::string>& others) {
   const QuestionOptions asked = question_options(
       py::dict("preload"_a = preload, "preload_direction"_a = preload_direction));
   stickslip_check::Options options;
@@ -122,7 +128,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   std::vector<std::string> spelled;
   if (!uncertain.empty()) spelled.insert(spelled.end(), {"--uncertain", uncertain});
   if (!max_motion.empty()) spelled.insert(spelled.end(), {"--max-motion", max_motion});
-  spelled.insert(spelled.end(), robustness.begin(), robustness.end());
+  spelled.insert(spelled.end(), others.begin(), others.end());
   if (!spelled.empty()) {
     spelled.insert(spelled.end(), {"grasp", "certificate"});
     try {
@@ -130,6 +136,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
           stickslip_check::parse_arguments(spelled).options;
       options.uncertain = read_here.uncertain;
       options.max_motion = read_here.max_motion;
+      options.states = read_here.states;
       options.robustness = read_here.robustness;
       options.length = read_here.length;
       options.max_force = read_here.max_force;

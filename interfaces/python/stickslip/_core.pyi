@@ -87,6 +87,9 @@ def find_states(
 ) -> None: ...
 def state_rows(grasp: Union[GraspData, SpatialGraspData], options: Dict[str, Any]) -> Dict[str, Any]: ...
 def state_counts(grasp: Union[GraspData, SpatialGraspData], options: Dict[str, Any]) -> Dict[str, Any]: ...
+def prove_states(
+    grasp: Union[GraspData, SpatialGraspData], options: Dict[str, Any], path: str, threads: int
+) -> None: ...
 def decide_many(
     count: int, grasps: Union[List[GraspData], List[SpatialGraspData]], wrenches: List[List[Any]],
     frictions: List[Any], preloads: List[Any], bilateral: bool, engine: str, node_limit: int,
@@ -96,7 +99,7 @@ def check(
     grasp: bytes, certificate: bytes, wrench: Optional[List[Any]], preload: Any, bilateral: bool,
     direction: Optional[List[Any]], preload_direction: Union[str, List[Any], None],
     plane: Optional[List[List[Any]]], inertia: Optional[List[Any]], uncertain: str, max_motion: str,
-    grasp_name: bytes, certificate_name: bytes, statics: Any, robustness: List[str]
+    grasp_name: bytes, certificate_name: bytes, statics: Any, others: List[str]
 ) -> Dict[str, Any]: ...
 
 class BatchTally:

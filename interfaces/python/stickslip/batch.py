@@ -22,6 +22,7 @@ import time
 from typing import Any, BinaryIO, Dict, List, NoReturn, Optional, Tuple, Union
 
 from . import _core, batch_chunk
+from .arguments import as_time_limit
 from .batch_chunk import Asked, Chunk, Decided, QualityAsked
 from .batch_cluster import Cluster
 from .batch_files import Cutter, Interrupted, Interruption, Output
@@ -61,7 +62,7 @@ After anything worse, and after Ctrl-C, FILE ends in a whole line, and the same 
 --resume goes on.
 
 Exit codes: 0 done, 2 some lines were unreadable (or bad usage, or the batch could not go on),
-3 some undecided within the limit.
+3 some undecided within a limit, or ended by --time-limit.
 
 Examples:
   $ python3 -m stickslip.batch grasps.jsonl -o verdicts.jsonl --resume
@@ -123,6 +124,8 @@ def parser() -> Parser:
         "default: 1%%")
     add("--node-limit", metavar="N", type=whole_number, default=0,
         help="of each grasp: undecided after N nodes of the search; 0 is no limit")
+    add("--time-limit", metavar="SECONDS", default="0",
+        help="end between two lines after so many seconds, with exit code 3; 0 is no limit")
     add("--scheduler", metavar="ADDRESS", default="",
         help="of a Dask scheduler, as tcp://node1:8786; default: a cluster on this machine")
     add("--workers", metavar="N", type=whole_number, default=0,
@@ -148,6 +151,10 @@ def arguments(words: List[str]) -> argparse.Namespace:
         if getattr(given, name) and not given.asks_quality:
             raise InputError("", "--" + name.replace("_", "-"), "no verdict depends on it",
                              "ask for the --quality")
+    try:
+        given.seconds = as_time_limit(given.time_limit)
+    except InputError as error:
+        raise InputError("", "--time-limit", error.problem, error.remedy) from None
     if given.resume and given.output == "-":
         raise InputError("", "--resume", "there is no output file", "name it: --output FILE")
     if given.scheduler and given.workers:
@@ -225,6 +232,7 @@ class Batch:
     def __init__(self, given: argparse.Namespace, interruption: Interruption) -> None:
         self._given = given
         self._interruption = interruption
+        self._end = None if given.seconds is None else time.monotonic() + float(given.seconds)
         self.path = os.path.abspath(given.file)
         quality = QualityAsked(*(getattr(given, name) for name in QualityAsked._fields))
         self.asked = Asked(given.wrench, given.case, given.preload, given.normal_law == "bilateral",
@@ -307,17 +315,22 @@ class Batch:
         """The exit code."""
         self._cluster = cluster
         try:
-            self._decide_all()
+            is_done = self._decide_all()
         finally:
             self._progress.clear()
         if self._losses and self._given.certificates:
             _core.open_certificate_folder(self._given.certificates, True)  # what the dead left there
+        if not is_done:
+            self._progress.say(self.ended(f"ended by the time limit of {self._given.time_limit} s"))
         complaint = self.tally.complaint(self._given.file)
         if complaint:
             self._progress.say(complaint)
+        if not is_done:
+            return UNDECIDED
         return BAD_INPUT if self.tally.unreadable else UNDECIDED if self.tally.undecided else DONE
 
-    def _decide_all(self) -> None:
+    def _decide_all(self) -> bool:
+        """Whether there was the time."""
         next_look = 0.0
         threads, no_worker_since, said = 0, None, False
         while True:
@@ -332,7 +345,9 @@ class Batch:
                     self._progress.say(f"{self._cluster.missing()} (Ctrl-C ends this)")
             self._submit_more(max(threads, 1))
             if not self._waiting:
-                return
+                return True
+            if self._end is not None and now >= self._end:
+                return False
             self._collect()
             self._write_ready()
             self._progress.show(self.tally, self._bytes_written, threads)
@@ -411,11 +426,10 @@ class Batch:
             self._bytes_held -= len(decided.results)
             self._bytes_written = chunk.end
 
-    def interruption_text(self) -> str:
+    def ended(self, how: str) -> str:
         if self._given.output == "-":
-            return ("interrupted; had the results gone to --output FILE, --resume would go on from "
-                    "there")
-        return (f"interrupted with {self.tally.results} results in {self._given.output}; go on with "
+            return f"{how}; had the results gone to --output FILE, --resume would go on from there"
+        return (f"{how} with {self.tally.results} results in {self._given.output}; go on with "
                 "the same command and --resume")
 
 
@@ -433,7 +447,7 @@ def main(words: List[str]) -> int:
         print(f"stickslip: {error}", file=sys.stderr, flush=True)
         code = BAD_INPUT
     except Interrupted:
-        text = batch.interruption_text() if batch else "interrupted"
+        text = batch.ended("interrupted") if batch else "interrupted"
         if interruption.number != signal.SIGPIPE:
             print(f"stickslip: {text}", file=sys.stderr, flush=True)
     interruption.is_over()

@@ -777,6 +777,7 @@ def check(
     statics: Any = None,
     uncertain: Union[str, Mapping[str, Number]] = "",
     max_motion: Any = None,
+    states: str = "",
     robustness: str = "",
     length: Any = 1,
     max_force: Any = 1,
@@ -797,6 +798,7 @@ def check(
         statics: of ``statics``, whose certificate this then is: the factor of all friction.
         uncertain: as of ``decide``, of a box.
         max_motion: numbers as of ``decide``, or "none".
+        states: "slip", "full" or "closed": the modes of ``find_states``, whose certificate this then is.
         robustness: "contact" or "grasp", of the potential contact robustness or that of the grasp,
             whose certificate this then is; with length and max_force as of ``compare``.
 
@@ -804,10 +806,11 @@ def check(
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
     """
     if isinstance(grasp, Grasp):
-        about, _ = _asked(grasp, preload if preload_direction is None else 1)
+        # States are of positions and normals as they are, and of no load.
+        about = grasp if states else _asked(grasp, preload if preload_direction is None else 1)[0]
         grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
         n, row = about._coordinates, about._components
-        load = about._load(wrench, needed=direction is None and plane is None)
+        load = None if states and wrench is None else about._load(wrench, needed=direction is None and plane is None)
     else:
         grasp_bytes, grasp_name = as_content(
             grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
@@ -835,7 +838,8 @@ def check(
         grasp_name,
         name,
         as_number_or_none(statics, "statics"),
-        _robustness_words(robustness, length, max_force) if robustness else [],
+        [*(["--states", str(states)] if states else []),
+         *(_robustness_words(robustness, length, max_force) if robustness else [])],
     ))
 
 

@@ -943,6 +943,8 @@ class CheckResult(Answer):
     pieces: Optional[int] = None
     # Of a robustness: it is not below the first and not above the second.
     bounds: Optional[Tuple[Fraction, Fraction]] = None
+    # Of slip states: so many there are, of motions of 0, 1, ... dimensions.
+    by_dimension: Optional[Tuple[int, ...]] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
     rule: Optional[str] = None
     node: Optional[int] = None
@@ -952,6 +954,7 @@ class CheckResult(Answer):
     wrench_float = FloatView[Optional[FloatArray]]("wrench")
     direction_float = FloatView[Optional[FloatArray]]("direction")
     resisted_float = FloatView[Optional[FloatArray]]("resisted", -1, 2)
+    bounds_float = FloatView[Optional[FloatArray]]("bounds", 2)
 
     def __bool__(self) -> bool:
         return self.accepted

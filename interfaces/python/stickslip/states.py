@@ -77,8 +77,8 @@ class States:
                            counts["distinct_planes"], tuple(counts.get("warnings", ())))
 
     def write_certificate(self, path: Union[str, "os.PathLike[str]"], threads: int = 0) -> None:
-        """Writes a proof that there are no other states, for ``stickslip-check`` and ``check.py`` with
-        ``--states`` and these modes: "slip", "full" or "closed", of all dimensions. The file stays as it was
+        """Writes a proof that there are no other states, for ``check`` with ``states``, ``stickslip-check`` and
+        ``check.py``, and these modes: "slip", "full" or "closed", of all dimensions. The file stays as it was
         if that is interrupted."""
         _core.prove_states(self._grasp._data, self._options, os.fspath(path), as_count("threads", threads))
 

@@ -613,6 +613,19 @@ def test_usage(tmp_path, grasps):
           env={**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{os.environ['PYTHONPATH']}"})
 
 
+def test_a_time_limit_ends_between_two_lines(tmp_path):
+    grasps, output = tmp_path / "g.jsonl", tmp_path / "v.jsonl"
+    grasps.write_text("".join(lines_of(50)))
+    code, _, err = batch(grasps, "-o", output, "--workers", 1, "--time-limit", "0.000001")
+    assert (code, err) == (UNDECIDED, f"stickslip: ended by the time limit of 0.000001 s with 0 results in {output}; "
+                                      "go on with the same command and --resume\n")
+    code, _, err = batch(grasps, "-o", output, "--workers", 1, "--time-limit", "1000", "--resume")
+    assert (code, err) == (DONE, "")
+    assert output.read_text() == reference(grasps)[1]
+    code, _, err = batch(grasps, "--time-limit", "soon")
+    assert code == BAD_INPUT and "--time-limit" in err
+
+
 def test_help_names_every_option_of_the_program():
     code, out, err = batch("--help")
     assert (code, err) == (DONE, "")

@@ -48,6 +48,10 @@ def test_the_certificate_is_that_of_the_command(modes, tmp_path):
     listed(CUBE, tmp_path, "--modes", modes, "--certificate", tmp_path / "command.json")
     find_states(CUBE, modes=modes).write_certificate(tmp_path / "python.json", threads=2)
     assert (tmp_path / "python.json").read_text() == (tmp_path / "command.json").read_text()
+    result = stickslip.check(CUBE, tmp_path / "python.json", states=modes)
+    assert result and result.by_dimension == find_states(CUBE, modes=modes).count().by_dimension
+    other = stickslip.check(CUBE, tmp_path / "python.json", states="slip" if modes == "full" else "full")
+    assert (other.accepted, other.rule) == (False, "question-states")
 
 
 def test_modes_have_no_certificate_of_their_own(tmp_path):

@@ -140,7 +140,7 @@ class Batch {
     all.add(tally_);
     if (!is_done) {
       std::cerr << "stickslip: ended by " << limit_.in_words() << " " << kept_text() << "\n";
-      finish(all, input_.name());
+      if (all.results > 0) finish(all, input_.name());
       return kUndecidedWithinLimit;
     }
     if (all.results == 0 && shard_) return kDone;  // the file is short

@@ -323,7 +323,7 @@ class Batch:
         if not is_done:
             self._progress.say(self.ended(f"ended by the time limit of {self._given.time_limit} s"))
         complaint = self.tally.complaint(self._given.file)
-        if complaint:
+        if complaint and (is_done or self.tally.results):
             self._progress.say(complaint)
         if not is_done:
             return UNDECIDED

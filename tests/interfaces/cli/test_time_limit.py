@@ -155,7 +155,7 @@ class TimeLimit(Case):
         stickslip("batch", grasps, "-o", whole)
         code, _, err = stickslip("batch", grasps, "-o", part, *AT_ONCE)
         self.assertEqual(code, UNDECIDED)
-        self.assertRegex(err, r"stickslip: ended by the time limit of 1e-6 s with \d+ results in .* and --resume\n")
+        self.assertRegex(err, r"\Astickslip: ended by the time limit of 1e-6 s with \d+ results in .* and --resume\n\Z")
         self.assertTrue(read(whole).startswith(read(part)))
         self.assertLess(len(read(part)), len(read(whole)))
         stickslip("batch", grasps, "-o", part, "--resume")

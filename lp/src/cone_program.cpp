@@ -300,7 +300,8 @@ class InteriorPoint final : public ConePath {
     }
     Sparse regular = matrix_;
     constexpr Real kLittle = 45 * std::numeric_limits<Real>::epsilon();
-    const Real most = matrix_.diagonal().cwiseAbs().maxCoeff();
+    // Where nothing moves there are no rows, and Eigen has no maximum of nothing.
+    const Real most = rows_ > 0 ? Real(matrix_.diagonal().cwiseAbs().maxCoeff()) : Real(0);
     for (Eigen::Index j = 0; j < rows_; ++j) {
       Real& entry = regular.coeffRef(j, j);
       entry += kLittle * std::max<Real>(entry, Real(1e-6) * most);

@@ -110,7 +110,8 @@ class TimeLimit(Case):
             self.assertEqual(area, 4)
             # Cells that are not the finest are left undecided by the limit alone.
             left = [cell for cell in answer["cells"] if cell["verdict"] == "undecided" and F(cell["x"][1]) - F(cell["x"][0]) > F(2, 32)]
-            self.assertEqual(bool(left), "ended_by" in answer)
+            self.assertTrue(not left or "ended_by" in answer)
+            self.assertTrue(left or limit != AT_ONCE)
 
     def test_margins(self):
         _, out, err = stickslip("margin", FIG1, "--direction", "0,1,0", *AT_ONCE)

@@ -44,9 +44,9 @@ void move_into_plane(std::vector<Row>& vectors, const Row& plane, const Row& lin
 /// Returns the rank modulo a prime, which is at most the rank, of `count` rows of `n` words.
 int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t n);
 
-/// What the parts of a walk share that are walked over at the same time. Each part meets all
-/// *lists*, cones that are split, in the same order, and splits those that it is the first to
-/// claim.
+/// The state that parts of a walk share, which are walked over at the same time. Each part meets
+/// all *lists*, cones that are split, in the same order, and splits those that it is the first
+/// to claim.
 struct SharedWalk {
   explicit SharedWalk(const FaceOptions& options) : go_on(options.go_on) {}
 
@@ -68,7 +68,7 @@ struct SharedWalk {
   std::atomic<std::size_t> claimed{0};  ///< the number of lists that are claimed
 };
 
-/// What is told of a part of a walk.
+/// The events of a part of a walk, which somebody may listen to.
 struct WalkEvents {
   const FaceVisitor* visitor = nullptr;  ///< of each face; without one they are counted
   std::function<void(std::size_t)> list_begins{};  ///< given the number of the list
@@ -470,7 +470,8 @@ class FaceWalk : public FaceReader {
   bool mirrored_ = false;  ///< whether antipodes of faces are faces that are not walked over
   std::vector<Ray> stack_;
   std::vector<Ray> minus_;  ///< used in cut_at() alone
-  /// \{ What is computed of a face when it is asked for, once for its opposite as well.
+  /// \{ The face, and its motion, which is computed when it is asked for, once for its opposite
+  /// as well.
   mutable Visited face_;
   mutable std::array<LongWord, kMostFaceCoordinates> motion_{};
   /// \}

@@ -135,7 +135,7 @@ class LineStore {
  private:
   /// The length of coordinates: words below 2^52, two words below 2^116, or longer.
   enum class Length : std::uint8_t { kShort, kDouble, kLong };
-  /// Where the D coordinates of a line are.
+  /// The place of the D coordinates of a line.
   struct Place {
     std::uint32_t number;  ///< among the lines of this length
     Length length;

@@ -29,7 +29,7 @@ inline constexpr std::array<const char*, 6> kUncertainKinds{"friction", "stiffne
 /// The sets of states (FORMAT.md §17).
 inline constexpr std::array<const char*, 3> kStateSets{"slip", "full", "closed"};
 
-/// Of contacts, and of a grasp: PCR and PGR (FORMAT.md §18).
+/// The robustnesses (FORMAT.md §18): that of contacts, PCR, and that of a grasp, PGR.
 inline constexpr std::array<const char*, 2> kRobustnesses{"contact", "grasp"};
 
 /// The bits of an enclosure, unless a certificate says.

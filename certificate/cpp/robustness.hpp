@@ -69,7 +69,7 @@ class RobustnessProof {
     Rational most;    ///< f
     Rational offset;  ///< o, from below, if there is friction
   };
-  /// What is to be changed to come to a child, and how many changes are above it.
+  /// A change that leads to a child, and how many changes are above it.
   struct Step {
     std::size_t above;
     std::string name;
@@ -78,7 +78,7 @@ class RobustnessProof {
     Rational low;  ///< the distances, unless a state is chosen
     Rational high;
   };
-  /// What a twist says of a contact.
+  /// Bounds of the work of a contact on a twist.
   struct Work {
     Rational along;    ///< y.W(normal)
     Rational against;  ///< h

@@ -172,7 +172,7 @@ std::variant<LeastFriction, UnopposedMotion, Undecided> least_friction(
     const bool is_inside = low < next && next < high;
     if (!is_inside) next = (low + high) / 2;
     constexpr int kBits = 44;
-    // Where that is undecided, its mirror image and other places between may be known.
+    // Its mirror image and other places between may be known where that is undecided.
     bool knows = false;
     for (const double place :
          {next, 2 * estimate - next, (low + 2 * high) / 3, (2 * low + high) / 3}) {

@@ -110,7 +110,7 @@ class StaticsModel {
   std::vector<RationalRow> centres_;  ///< by body that is no link
   std::optional<std::vector<RationalRow>> joints_;  ///< motions of joints that are not held
   std::vector<ForceCone> cones_;
-  /// Of each limit: its cone among `cones_`, and A.
+  /// The limits: the cone of each among `cones_`, and A.
   std::vector<std::pair<std::size_t, Rational>> limits_;
   RationalRow load_;
   std::vector<std::size_t> bodies_;

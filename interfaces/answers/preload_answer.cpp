@@ -67,12 +67,6 @@ void add_unbalanced(Json& json, const std::vector<ModelWarning>& warnings) {
   json["warnings"] = warnings_json(warnings);
 }
 
-Rational sum_of(const RationalRow& preloads) {
-  Rational sum = 0;
-  for (const Rational& preload : preloads) sum += preload;
-  return sum;
-}
-
 }  // namespace
 
 std::vector<GraspBox> loads_of(const std::vector<Question>& questions,

@@ -59,18 +59,21 @@ void LongWork::say(const std::string& known) {
 }
 
 std::string LongWork::ending() const {
-  return is_ended_ ? "Ended by " + limit_.in_words() +
-                         ": a longer one, or none, may tell more.\n"
-                   : "";
+  return is_ended_
+             ? "Ended by " + limit_.in_words() + ": a longer one, or none, may tell more.\n"
+             : "";
+}
+
+void LongWork::add_ending(Json& json) const {
+  if (is_ended_) json["ended_by"] = limit_.in_words();
 }
 
 void LongWork::show() {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
       std::chrono::steady_clock::now() - begin_);
-  progress_.show(what_ + (known_.empty() ? "" : ": " + known_) + ", " +
-                 std::to_string(seconds.count()) +
-                 (limit_.seconds() ? " of " + to_readable_string(*limit_.seconds()) : "") +
-                 " s");
+  progress_.show(
+      what_ + (known_.empty() ? "" : ": " + known_) + ", " + std::to_string(seconds.count()) +
+      (limit_.seconds() ? " of " + to_readable_string(*limit_.seconds()) : "") + " s");
 }
 
 }  // namespace stickslip

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "command_line.hpp"
+#include "stickslip/core/json_value.hpp"
 #include "stickslip/core/time_limit.hpp"
 #include "terminal.hpp"
 
@@ -40,8 +41,8 @@ class LongWork {
   const TimeLimit& limit() const { return limit_; }
   /// Returns a line that says that the limit ended the work, or nothing if it did not.
   std::string ending() const;
-  /// Returns the limit that ended the work, for JSON; empty if none did.
-  std::string ended_by() const { return is_ended_ ? limit_.in_words() : ""; }
+  /// Adds "ended_by" to the answer if the limit ended the work.
+  void add_ending(Json& json) const;
 
  private:
   void show();

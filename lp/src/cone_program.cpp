@@ -300,7 +300,7 @@ class InteriorPoint final : public ConePath {
     }
     Sparse regular = matrix_;
     constexpr Real kLittle = 45 * std::numeric_limits<Real>::epsilon();
-    // Where nothing moves there are no rows, and Eigen has no maximum of nothing.
+    // There are no rows where nothing moves, and Eigen has no maximum of nothing.
     const Real most = rows_ > 0 ? Real(matrix_.diagonal().cwiseAbs().maxCoeff()) : Real(0);
     for (Eigen::Index j = 0; j < rows_; ++j) {
       Real& entry = regular.coeffRef(j, j);

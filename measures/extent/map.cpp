@@ -174,7 +174,7 @@ class Quadtree {
         from = 0;
       }
     } catch (const Cancelled&) {
-      // What is left goes to whoever keeps what is known, as undecided cells.
+      // Undecided cells stand for what is left, to whoever keeps what is known.
       open.erase(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(from));
       for (const auto* left : {&open, &next}) {
         for (const auto& [x, y] : *left) {

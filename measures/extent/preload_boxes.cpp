@@ -7,6 +7,16 @@
 #include "engine/box/single_grasp.hpp"
 #include "stickslip/core/error.hpp"
 
+namespace stickslip {
+
+Rational sum_of(const RationalRow& preloads) {
+  Rational sum = 0;
+  for (const Rational& preload : preloads) sum += preload;
+  return sum;
+}
+
+}  // namespace stickslip
+
 namespace stickslip::extent_detail {
 
 using namespace box_detail;
@@ -46,12 +56,6 @@ GraspBox with_preloads(GraspBox grasp, const RationalRow& preloads) {
 
 GraspBox with_preloads(GraspBox grasp, const PreloadBox& preloads) {
   return preloaded(std::move(grasp), preloads);
-}
-
-Rational sum_of(const RationalRow& row) {
-  Rational sum = 0;
-  for (const Rational& number : row) sum += number;
-  return sum;
 }
 
 RationalRow low_corner(const PreloadBox& box) {

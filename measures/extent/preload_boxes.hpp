@@ -20,7 +20,6 @@ GraspBox with_preloads(GraspBox grasp, const RationalRow& preloads);
 GraspBox with_preloads(GraspBox grasp, const PreloadBox& preloads);
 /// \}
 
-Rational sum_of(const RationalRow& row);
 /// Returns the corner of the least preloads, or that of the most.
 RationalRow low_corner(const PreloadBox& box);
 RationalRow high_corner(const PreloadBox& box);

@@ -113,6 +113,17 @@ class SpatialMarginSearch {
   }
 
   SpatialMargin run() {
+    try {
+      search();
+    } catch (const Cancelled&) {
+      if (progress_ && !margin_.claims.empty()) progress_(in_order(std::move(margin_)));
+      throw;
+    }
+    return in_order(std::move(margin_));
+  }
+
+ private:
+  void search() {
     if (is_homogeneous_) {
       settle_at_once();
     } else if (!settle_unopposed()) {
@@ -131,10 +142,8 @@ class SpatialMarginSearch {
         claim_all({end + least_step(end), {}, false, end, most()});
       }
     }
-    return in_order(std::move(margin_));
   }
 
- private:
   static constexpr std::size_t kNodeLimit = 4000;
   static constexpr std::size_t kMostSearches = 10;
   static constexpr std::size_t kStarts = 3;
@@ -562,7 +571,7 @@ class SpatialMarginSearch {
   }
 
   void report() const {
-    if (progress_) progress_(in_order(margin_));
+    if (progress_) progress_(margin_);
   }
 
   GraspLaw model_;

@@ -67,7 +67,7 @@ int map(const MapArguments& arguments) {
   if (arguments.output.json) {
     Json json = map_json(question, x, y, cells);
     if (!arguments.uncertain.empty()) json["uncertain"] = arguments.uncertain;
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
     print_text(question, x, y, cells, asked, arguments.uncertain);

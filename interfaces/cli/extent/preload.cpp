@@ -88,12 +88,6 @@ void print_folder(const std::string& folder, const RationalRow& preloads,
   std::cout << '\n' << text.note();
 }
 
-Rational sum_of(const RationalRow& preloads) {
-  Rational sum = 0;
-  for (const Rational& preload : preloads) sum += preload;
-  return sum;
-}
-
 class LeastText {
  public:
   LeastText(const std::vector<Question>& questions, const LeastPreload& least,
@@ -195,7 +189,7 @@ int hold(const PreloadArguments& arguments) {
   }
   if (arguments.output.json) {
     Json json = preload_json(questions, least);
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else {
     LeastText(questions, least, arguments).print();
@@ -283,7 +277,7 @@ int ball(const PreloadArguments& arguments) {
   }
   if (arguments.output.json) {
     Json json = preload_json(question, budget, found);
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else {
     print_ball(question, budget, found, arguments);

@@ -129,7 +129,7 @@ int quality(const QualityArguments& arguments) {
   }
   if (arguments.numbers.json) {
     Json json = quality_json(question, found);
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(std::move(json), arguments.numbers.floats).dump(1) << '\n';
   } else {
     print(question, found, arguments);

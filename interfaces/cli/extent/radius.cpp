@@ -164,7 +164,7 @@ int radius(const RadiusArguments& arguments) {
   }
   if (arguments.output.json) {
     Json json = radius_json(asked.question, found);
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
     Report(asked, found, arguments.output).print();

@@ -112,7 +112,7 @@ int answer_region_in_cells(const Question& question, const RegionCellsArguments&
   const std::vector<MapCell> cells = cells_of(question, plane, arguments, work);
   if (arguments.numbers.json) {
     Json json = region_json(question, plane, cells);
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(std::move(json), arguments.numbers.floats).dump(1) << '\n';
   } else {
     NumberText text(arguments.numbers);

@@ -79,7 +79,7 @@ int answer_margin_in_space(const Question& question, const SpaceMarginArguments&
   std::optional<SecondMargin> within;
   work.finishes([&] {
     margin = find_spatial_margin(question, arguments.search, [&](const SpatialMargin& so_far) {
-      margin = so_far;
+      if (arguments.time.seconds()) margin = so_far;
       show(so_far);
     });
     within = margin_within(question, margin, arguments.search, show);
@@ -97,7 +97,7 @@ int answer_margin_in_space(const Question& question, const SpaceMarginArguments&
   if (arguments.output.json) {
     Json json = margin_json(question, margin, warnings);
     if (within) add_within(json, *within);
-    if (!work.ended_by().empty()) json["ended_by"] = work.ended_by();
+    work.add_ending(json);
     std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else if (arguments.least) {
     print_least(margin, text);

@@ -339,8 +339,9 @@ Work margin_by_claims(const Given& given, const Question& question, bool warns) 
     std::optional<SecondMargin> second;
     Warnings warnings;
     const auto end = ended_by(limit, [&] {
-      found = find_spatial_margin(question, options,
-                                  [&](const SpatialMargin& so_far) { found = so_far; });
+      found = find_spatial_margin(question, options, [&](const SpatialMargin& so_far) {
+        if (limit.seconds()) found = so_far;
+      });
       second = margin_within(question, found, options);
       if (warns) warnings = model_warnings(question, found);
     });

@@ -147,8 +147,8 @@ using FaceVisitor = std::function<bool(const Face&)>;
 FaceCounts visit_faces(std::size_t coordinates, const std::vector<FacePlane>& planes,
                        const FaceVisitor& visitor, const FaceOptions& options = {});
 
-/// What is made of some faces that follow each other in the order of visit_faces(): their text,
-/// say.
+/// A product of some faces that follow each other in the order of visit_faces(), such as their
+/// text.
 class FaceBatch {
  public:
   virtual ~FaceBatch() = default;

@@ -22,6 +22,9 @@
 
 namespace stickslip {
 
+/// Returns the sum of preloads. O(contacts).
+Rational sum_of(const RationalRow& preloads);
+
 /// How far a search for preloads goes.
 struct PreloadOptions {
   SearchOptions box{};  ///< the options of each proof

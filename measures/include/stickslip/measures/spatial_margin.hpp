@@ -75,7 +75,9 @@ struct SpatialMarginOptions {
 };
 
 /// Returns the margin of a question whose margin is a list of claims. If motions are bounded,
-/// only equilibria within the bound count. Deterministic. Calls `progress` now and then.
+/// only equilibria within the bound count. Deterministic. Calls `progress` with
+/// each new claim, when they are in no order, and a last time with all in order if the work is
+/// cancelled and there are any.
 SpatialMargin find_spatial_margin(
     const Question& question, const SpatialMarginOptions& options = {},
     const std::function<void(const SpatialMargin&)>& progress = {});

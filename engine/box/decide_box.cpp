@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "box_prover.hpp"
+#include "engine/degree/newton.hpp"
 #include "engine/degree/prove_stable.hpp"
 #include "engine/large/decide_large.hpp"
 #include "examples.hpp"
@@ -41,6 +42,24 @@ class ExampleSearch {
     for (const Place& place : examples_.single_ends()) try_at(examples_.at(place));
   }
 
+  /// Tries corners at which Newton's method finds no equilibrium, where that of the middle has
+  /// one.
+  void try_lost_corners() {
+    constexpr std::size_t kStarts = 12;
+    const RoundedGrasp middle = rounded_middle(GraspLaw(box_, law_).middle());
+    const std::vector<NearEquilibrium> middles = Newton(middle).solve_from(kStarts);
+    if (middles.empty()) return;
+    constexpr std::size_t kCorners = 64;
+    constexpr std::size_t kMostDecided = 8;
+    std::size_t tried = 0;
+    examples_.visit_lost_corners(middles.front(), kCorners, [&](const Place& place) {
+      if (tried == 0) try_at(examples_.at(examples_.middle()));
+      if (!stable_) return false;
+      try_at(examples_.at(place));
+      return !unstable_ && ++tried < kMostDecided;
+    });
+  }
+
   /// Tries the grasp at these parts of the way from low to high of each parameter.
   void try_between(const RationalRow& parts) { try_at(examples_.between(parts)); }
 
@@ -72,7 +91,7 @@ class ExampleSearch {
 
 /// Returns the limits of a search for a proof: more in space, where nothing else decides.
 ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
-                       std::size_t most_parts) {
+                       std::size_t most_parts, bool is_quick) {
   const bool is_wide = !box.is_point();
   std::size_t nodes = options.node_limit;
   if (nodes == 0) {
@@ -86,6 +105,8 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
   const std::size_t in_space = !is_wide ? 24 : box.ball ? 2 : 8;
   const std::size_t walls = box.is_one_planar_body() ? 8 : in_space;
   const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
+  constexpr std::size_t kQuick = 100;
+  if (is_quick) return {std::min(nodes, kQuick), 0, kQuick, 0, is_wide, true};
   return {nodes,
           std::max<std::size_t>(nodes / walls, 1),
           searches * nodes,
@@ -96,12 +117,13 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
 
 /// Returns a proof or none; `suspects` gets the places where parts seem to differ.
 BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& options,
-                  std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects) {
+                  std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects,
+                  bool is_quick = false) {
   BoxDecision decision{Undecided{}};
   const bool may_refine = box.is_point() && box.is_one_planar_body();
   for (unsigned bits = options.bits;; bits *= 2) {
     decision.bits = bits;
-    BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts),
+    BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts, is_quick),
                      decision.work);
     if (!box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
       prover.try_exact_equilibria();
@@ -165,6 +187,18 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   SearchWork work;
   ExampleSearch examples(box, law, options, work);
   BoxDecision decision{Undecided{}};
+  if (!box.is_one_planar_body()) {
+    // Proofs that take long are sought only where no counterexample lies at hand.
+    std::array<std::optional<RationalRow>, 2> unused;
+    decision = prove(box, law, options, 0, unused, true);
+    work += decision.work;
+    if (!std::holds_alternative<Undecided>(decision.verdict)) {
+      decision.work = work;
+      return decision;
+    }
+    examples.try_lost_corners();
+    if (auto fragile = examples.found()) return {std::move(*fragile), work};
+  }
   constexpr std::size_t kMostParts = 32;
   for (const std::size_t most_parts : {std::size_t{0}, kMostParts}) {
     std::array<std::optional<RationalRow>, 2> suspects;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "engine/degree/moving_equilibrium.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::box_detail {
@@ -262,18 +264,54 @@ std::vector<std::pair<Place, double>> Examples::without(
   const MovingEquilibrium moving(rounded, equilibrium);
   std::vector<std::pair<Place, double>> result;
   for (const LostWay& way : moving.ways_out()) {
-    Place place = middle();
-    for (std::size_t n = 0; n < numbers_.size(); ++n) {
-      for (std::size_t k = 0; k < rounded.numbers().size(); ++k) {
-        const ParameterId& number = rounded.numbers()[k];
-        if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
-          place[n] = on_grid(way.to[static_cast<Eigen::Index>(k)]);
-        }
-      }
-    }
-    result.emplace_back(std::move(place), way.part);
+    result.emplace_back(place_at(rounded, way.to), way.part);
   }
   return result;
+}
+
+Place Examples::place_at(const RoundedBox& rounded, const RoundedBox::Place& at) const {
+  Place place = middle();
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    for (std::size_t k = 0; k < rounded.numbers().size(); ++k) {
+      const ParameterId& number = rounded.numbers()[k];
+      if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
+        place[n] = on_grid(at[static_cast<Eigen::Index>(k)]);
+      }
+    }
+  }
+  return place;
+}
+
+void Examples::visit_lost_corners(const NearEquilibrium& equilibrium, std::size_t count,
+                                  const std::function<bool(const Place&)>& visit) const {
+  const GraspLaw law(box_, law_);
+  const RoundedBox rounded(law);
+  std::mt19937_64 random(1);
+  const auto sign = [&] { return random() >> 63 == 0 ? 1.0 : -1.0; };
+  for (std::size_t corner = 0; corner < count; ++corner) {
+    throw_if_cancelled();
+    RoundedBox::Place at = rounded.middle();
+    Eigen::Index n = 0;
+    for (const ParameterId& number : rounded.numbers()) {
+      if (number.parameter == Parameter::kTurnU) {
+        constexpr double kTurn = 2 * 3.14159265358979 / 18446744073709551616.0;
+        const double angle = kTurn * static_cast<double>(random());
+        at[n] = std::cos(angle);
+        at[n + 1] = std::sin(angle);
+      } else if (number.parameter != Parameter::kTurnV) {
+        at[n] = sign();
+      }
+      ++n;
+    }
+    const RoundedGrasp grasp = rounded.at(at);
+    const Newton newton(grasp);
+    constexpr std::size_t kStarts = 12;
+    if (newton.follow(equilibrium) || newton.solve_smoothly(equilibrium.motion) ||
+        !newton.solve_from(kStarts).empty()) {
+      continue;
+    }
+    if (!visit(place_at(rounded, at))) return;
+  }
 }
 
 std::optional<Place> Examples::place_of(const GraspBox& grasp) const {

@@ -4,10 +4,12 @@
 /// that the box has no verdict.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/degree/rounded_box.hpp"
 #include "stickslip/engine/box_verdict.hpp"
 #include "stickslip/engine/near_equilibrium.hpp"
 #include "stickslip/engine/part.hpp"
@@ -35,6 +37,11 @@ class Examples {
   /// Returns corners at which this equilibrium of the middle is lost, soonest first, and after
   /// which part of the way.
   std::vector<std::pair<Place, double>> without(const NearEquilibrium& equilibrium) const;
+  /// Visits those of so many corners drawn at random, with normals turned every way, at which
+  /// Newton's method finds no equilibrium, neither from this one of the middle nor from others;
+  /// until `visit` returns false.
+  void visit_lost_corners(const NearEquilibrium& equilibrium, std::size_t count,
+                          const std::function<bool(const Place&)>& visit) const;
   /// Returns two places at which all is held better, and worse, as one would think: more
   /// friction and preload under less load, and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;
@@ -57,6 +64,8 @@ class Examples {
   Place between_loads(const Place& one, const Place& other) const;
 
  private:
+  /// Returns the place of a rounded box that has the same numbers.
+  Place place_at(const RoundedBox& rounded, const RoundedBox::Place& at) const;
   /// Adds the load of a ball with these components, or with a multiple of them in the ball.
   void load(GraspBox& chosen, RationalRow z) const;
   /// Turns the normals of a grasp, for each contact each way by a part of the most, from -1

@@ -45,24 +45,31 @@ Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivat
   Reals sum = grasp_.load;
   if (derivative != nullptr) derivative->setZero(motion.size(), motion.size());
   for (const RoundedContact& c : grasp_.contacts) {
-    const double a = c.separation(motion) + smooth * pressing(c);
+    double a = c.separation(motion) + smooth * pressing(c);
+    double share = 1;  // how a changes with the separation
+    if (is_round_ && !c.is_spring) {
+      const double bend = std::hypot(a, smooth * c.stiffness * c.size);
+      a = (a + bend) / 2;
+      share = a / bend;
+    }
     if (!c.acts(a)) continue;
     Reals wrench = c.normal;
     if (c.slope > 0) {
       const Across s = c.slip * motion;
       const double size = s.norm();
-      const double over = std::max(size, smooth);
+      const double over = is_round_ ? std::hypot(size, smooth) : std::max(size, smooth);
       if (over > 0) {
         wrench -= c.slope / over * (c.slip.transpose() * s);
         if (derivative != nullptr) {
           Curvature change = Curvature::Identity(s.size(), s.size());
-          if (size >= smooth) change = across_slip(s / size);
+          if (is_round_) change -= s / over * (s / over).transpose();
+          if (!is_round_ && size >= smooth) change = across_slip(s / size);
           derivative->noalias() -= a * c.slope / over * (c.slip.transpose() * change * c.slip);
         }
       }
     }
     sum += a * wrench;
-    if (derivative != nullptr) *derivative -= c.stiffness * wrench * c.normal.transpose();
+    if (derivative != nullptr) *derivative -= share * c.stiffness * wrench * c.normal.transpose();
   }
   return sum;
 }
@@ -249,7 +256,12 @@ bool Newton::balance(Reals& d, double smooth) const {
 /// than that go on to have as much friction.
 Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
   Reals change = Reals::Zero(d.size());
+  if (is_round_) {
+    const double step = 1e-4 * smooth;
+    change = (force(d, smooth + step, nullptr) - force(d, smooth - step, nullptr)) / (2 * step);
+  }
   for (const RoundedContact& c : grasp_.contacts) {
+    if (is_round_) break;
     const Across s = c.slip * d;
     const double v = c.separation(d) + smooth * pressing(c);
     const double a = c.acts(v) ? v : 0;
@@ -270,12 +282,12 @@ Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
 std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
   constexpr double kLargest = 8;
   constexpr double kSmallest = 1.05;
-  constexpr double kLeastSmooth = 1e-10;  // relative to the reach
+  const double least_smooth = is_round_ ? 1e-6 : 1e-10;  // relative to the reach
   Reals d = start;
   double smooth = kLargest * grasp_.reach;
   bool converged = balance(d, smooth);
   double factor = kLargest;
-  while (smooth > kLeastSmooth * grasp_.reach) {
+  while (smooth > least_smooth * grasp_.reach) {
     Reals next = d;
     if (converged) {
       const Reals along = (smooth / factor - smooth) * change_with_smooth(d, smooth);
@@ -307,6 +319,15 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
     result.sticks.push_back(a > 0 && c.slope > 0 && s.norm() < smooth ? 1 : 0);
   }
   return result;
+}
+
+std::optional<NearEquilibrium> Newton::solve_smoothly(const Reals& start) const {
+  Newton round(grasp_);
+  round.is_round_ = true;
+  const auto found = round.solve(start);
+  if (!found) return std::nullopt;
+  auto polished = polish(*found);
+  return polished ? std::move(polished) : found;
 }
 
 /// Guesses from the last motion and forces which contacts are closed and which stick, until
@@ -473,26 +494,32 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
     state ^= state << 17U;
     return static_cast<double>(state >> 11U) / static_cast<double>(1ULL << 52U) - 1;
   };
-  for (std::size_t k = 0; k <= starts; ++k) {
+  const auto add = [&](NearEquilibrium found) {
+    const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
+      constexpr double kSame = 1e-6;
+      return (other.motion - found.motion).norm() <=
+             kSame * (grasp_.reach + found.motion.norm());
+    });
+    if (!is_known) result.push_back(std::move(found));
+  };
+  const auto start_of = [&](std::size_t k) {
     Reals start = Reals::Zero(grasp_.motions());
     const double size = k % 3 == 0 ? 10 : k % 3 == 1 ? 0.3 : 2;
     for (Eigen::Index j = 0; k > 1 && j < start.size(); ++j) {
       start[j] = size * grasp_.reach * random();
     }
-    std::optional<NearEquilibrium> found = k == 0 ? at_rest() : solve(start);
+    return start;
+  };
+  for (std::size_t k = 0; k <= starts; ++k) {
+    const Reals start = start_of(k);
+    const auto found = k == 0 ? at_rest() : solve(start);
     if (!found) continue;
     auto polished = polish(*found);
-    if (polished) {
-      found = std::move(polished);
-    } else if (k == 0) {
-      continue;
-    }
-    const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
-      constexpr double kSame = 1e-6;
-      return (other.motion - found->motion).norm() <=
-             kSame * (grasp_.reach + found->motion.norm());
-    });
-    if (!is_known) result.push_back(std::move(*found));
+    if (!polished && k == 0) continue;
+    add(polished ? std::move(*polished) : *found);
+  }
+  for (std::size_t k = 1; k <= starts && result.empty(); ++k) {
+    if (const auto found = solve_smoothly(start_of(k))) add(*found);
   }
   const bool is_pressed =
       std::any_of(grasp_.contacts.begin(), grasp_.contacts.end(),

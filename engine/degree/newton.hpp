@@ -44,6 +44,9 @@ class Newton {
   /// Starts from a motion, with friction smoothed over slips that become smaller and smaller.
   /// Returns nothing if that does not converge.
   std::optional<NearEquilibrium> solve(const Reals& start) const;
+  /// Does the same with the normal law smooth as well, and both laws without a kink. It
+  /// converges more often and takes longer, and the modes that it finds are less certain.
+  std::optional<NearEquilibrium> solve_smoothly(const Reals& start) const;
   /// Starts, in the plane, from modes that are only nearly right. The result may be no
   /// equilibrium.
   NearEquilibrium settle(NearEquilibrium near) const;
@@ -55,8 +58,7 @@ class Newton {
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
   /// Returns the different equilibria that are found from rest with all closed contacts
   /// sticking, and by solve() from `starts` motions: rest, then fixed pseudo-random ones. If
-  /// there are none, and no preloads, searches once more with all contacts pressed at first.
-  /// The modes of some are not certain.
+  /// there are none, tries solve_smoothly(), and without preloads once more with all contacts pressed at first. The modes of some are not certain.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
   /// Returns how forces answer a motion, against it, with friction smooth over slips of this
   /// size: minus the derivative of their sum.
@@ -76,6 +78,7 @@ class Newton {
   /// over which friction is smooth. A grasp that hangs together by its loads alone has no
   /// forces at rest, and needs it.
   double press_ = 0;
+  bool is_round_ = false;  ///< whether this is of solve_smoothly()
 };
 
 }  // namespace stickslip

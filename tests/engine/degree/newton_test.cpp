@@ -61,6 +61,20 @@ TEST(Newton, FindsPolishesAndFollowsThePinch) {
   expect_pushed(*followed, 1.2);
 }
 
+// It finds it from far off as well, where no pad touches. What slides for ever has none.
+TEST(Newton, FindsThePinchSmoothly) {
+  const GraspLaw law(pinch(kHalf, {1, -kHalf, 0}), NormalLaw::kUnilateral);
+  const RoundedGrasp grasp = rounded_middle(law);
+  for (const double far : {0.0, 3.0, -40.0}) {
+    const auto found = Newton(grasp).solve_smoothly(Reals::Constant(3, far));
+    ASSERT_TRUE(found) << far;
+    expect_pushed(*found, 1);
+  }
+  const GraspLaw heavy(pinch(kHalf, {0, Rational(-21, 10), 0}), NormalLaw::kUnilateral);
+  const RoundedGrasp falls = rounded_middle(heavy);
+  EXPECT_FALSE(Newton(falls).solve_smoothly(Reals::Zero(3)));
+}
+
 // Pads of friction 1/2 carry 2 in all.
 TEST(Newton, FindsNothingBeyondWhatFrictionCarries) {
   for (const auto& [weight, holds] :

@@ -5,6 +5,7 @@ import json
 import os
 import unittest
 from fractions import Fraction
+from fractions import Fraction as F
 
 from test_cli import (BAD_INPUT, CORPUS, DONE, FIG1, STABLE, UNDECIDED, UNSTABLE,
                       Case, read, stickslip)
@@ -239,6 +240,28 @@ class Answers(Case):
         self.assertIn("--examples DIR", err)
         self.assertFalse(os.path.exists(proof))
         self.assertIn("--examples DIR writes both", stickslip("decide", grasp)[1])
+
+    def test_tolerances_of_fingers_are_too_wide(self):
+        # Three fingers with two contacts each: corners of the box at which Newton's method is lost are decided.
+        unit = [(F(-23001, 25049), F(-9920, 25049)), (F(-31755, 34493), F(-13468, 34493)), (F(540, 829), F(-629, 829)),
+                (F(225, 353), F(-272, 353)), (F(165, 1517), F(1508, 1517)), (F(671, 1921), F(1800, 1921))]
+        heights = F(-3, 10), F(1, 5), F(-11, 20), F(-1, 20), F(-9, 20), F(1, 20)
+        words = [[str(F(x)) for x in (*u, z)] for u, z in zip(unit, heights)]
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/2", "defaults": {"friction": "13/20", "preload": 1},
+            "contacts": [{"position": p, "normal": [str(-x) for x in u] + ["0"]} for p, u in zip(words, unit)],
+            "wrench": ["349/905", "698/905", "-698/181", "1047/9050", "-8027/18100", "-349/4525"]})
+        tolerances = "normal=0.035,friction=5%,position=1/60"
+        folder = self.path("examples")
+        code, out, _ = stickslip("decide", grasp, "--uncertain", tolerances, "--examples", folder, "--exit-code")
+        self.assertEqual(code, FRAGILE, out)
+        for verdict in ("stable", "unstable"):
+            example = os.path.join(folder, f"{verdict}.json")
+            self.accepted(example, os.path.join(folder, f"{verdict}.certificate.json"), verdict=verdict)
+            for old, new in zip(unit, json.loads(read(example))["contacts"]):
+                n = [F(x) for x in new["normal"]]
+                along = -n[0] * old[0] - n[1] * old[1]
+                self.assertLessEqual(sum(x * x for x in n) - along ** 2, F("0.035") ** 2 * along ** 2)
 
     def test_examples_of_what_is_not_fragile(self):
         folder = self.path("examples")

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "box_numbers.hpp"
 #include "commands.hpp"
@@ -22,6 +23,11 @@ namespace {
 void print_json(const Json& json, const NumberOptions& output) {
   std::cout << finished(json, output.floats).dump(1) << '\n';
 }
+
+/// \{ The limits of options.
+constexpr std::size_t kMostSamples = 1000000;
+constexpr std::uint64_t kMostSeed = 1000000000;
+/// \}
 
 struct WarnedAnswer {
   Answer answer;
@@ -96,6 +102,8 @@ struct DecideArguments {
   bool no_warnings = false;
   bool answer_by_exit_code = false;
   std::string time_limit;
+  std::size_t samples = 0;
+  std::uint64_t seed = 1;
 };
 
 WarnedAnswer answered(Question question, const DecideArguments& arguments, LongWork& work) {
@@ -148,12 +156,35 @@ void write_certificate(const Answer& answer, const std::string& file) {
   }
 }
 
-/// Writes the two grasps of a fragile box, each with the certificate of its verdict. Says on
-/// standard error if there are none.
-void write_examples(const Answer& answer, const std::string& folder) {
+/// Draws the samples that were asked for from a box without one verdict. Says on standard error
+/// if it has one.
+std::optional<Samples> drawn(Answer& answer, const DecideArguments& arguments, LongWork& work) {
+  if (arguments.samples == 0) return std::nullopt;
+  const bool has_one = is_stable(answer.verdict).has_value();
+  if (has_one) {
+    std::cerr << "stickslip: --samples drew nothing: the verdict is proved for every grasp in "
+                 "the box\n";
+    return std::nullopt;
+  }
+  Samples samples{arguments.seed};
+  work.finishes([&] {
+    decide_samples(answer.question, arguments.samples, arguments.search, samples, [&] {
+      work.say("samples: " + std::to_string(samples.stable) + " stable, " +
+               std::to_string(samples.unstable) + " unstable of " +
+               std::to_string(arguments.samples));
+    });
+  });
+  add_samples(answer.verdict, samples);
+  return samples;
+}
+
+/// Writes the two grasps of a fragile box and the samples that are unstable, each with the
+/// certificate of its verdict. Says on standard error if there are none.
+void write_examples(const Answer& answer, const Samples* samples, const std::string& folder) {
   if (folder.empty()) return;
   const auto* fragile = std::get_if<Fragile>(&answer.verdict);
-  if (fragile == nullptr) {
+  const bool has_failures = samples != nullptr && !samples->failures.empty();
+  if (fragile == nullptr && !has_failures) {
     const GraspBox* box = answer.question.box();
     const bool is_box = box != nullptr && !box->is_point();
     say_nothing_written(
@@ -164,9 +195,17 @@ void write_examples(const Answer& answer, const std::string& folder) {
   }
   const NormalLaw law = answer.question.law;
   const std::string producer = producer_of(answer.engine());
-  write_proved_files("--examples", folder,
-                     {{"stable", proved_grasp(fragile->stable, law, true, producer)},
-                      {"unstable", proved_grasp(fragile->unstable, law, false, producer)}});
+  std::vector<std::pair<std::string, ProvedFiles>> files;
+  if (fragile != nullptr) {
+    files = {{"stable", proved_grasp(fragile->stable, law, true, producer)},
+             {"unstable", proved_grasp(fragile->unstable, law, false, producer)}};
+  }
+  if (has_failures) {
+    for (const auto& [number, failure] : samples->failures) {
+      files.emplace_back("sample" + std::to_string(number), failure);
+    }
+  }
+  write_proved_files("--examples", folder, files);
 }
 
 /// Returns the exit code of the worst answer: unstable, then fragile, then undecided, then
@@ -193,6 +232,14 @@ int decide(const DecideArguments& arguments) {
     throw InputError("", option, "the grasp has cases, and this is about the proof of one",
                      "choose the case with --case NAME");
   }
+  const GraspBox* box = questions.front().box();
+  if (arguments.samples != 0 && (by_case || box == nullptr || box->is_point())) {
+    throw InputError("", "--samples",
+                     by_case ? "the grasp has cases, and samples are of one box"
+                             : "the question is about one grasp, of which there are no samples",
+                     by_case ? "choose the case with --case NAME"
+                             : "say with --uncertain how far numbers may be off");
+  }
   LongWork work("deciding", time_limit_option(arguments.time_limit));
   std::vector<WarnedAnswer> answers;
   for (Question& question : questions) {
@@ -203,13 +250,17 @@ int decide(const DecideArguments& arguments) {
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);
   } else {
-    const auto& [answer, warnings] = answers.front();
+    auto& [answer, warnings] = answers.front();
+    const std::optional<Samples> samples = drawn(answer, arguments, work);
+    const Samples* some = samples ? &*samples : nullptr;
     write_certificate(answer, arguments.certificate);
-    write_examples(answer, arguments.examples);
+    write_examples(answer, some, arguments.examples);
     if (json) {
-      print_json(to_json(answer, warnings), arguments.output);
+      Json result = to_json(answer, warnings);
+      if (samples) result["samples"] = samples_json(*samples);
+      print_json(result, arguments.output);
     } else {
-      print_text(answer, warnings, arguments.output, arguments.examples);
+      print_text(answer, warnings, arguments.output, arguments.examples, some);
     }
   }
   return exit_code(answers, arguments.answer_by_exit_code);
@@ -242,8 +293,13 @@ void add_decide_command(Command& app, int& exit_code) {
   command
       ->add_option("--examples", arguments->examples,
                    "If the box is fragile, write two of its grasps there, stable.json and "
-                   "unstable.json, each with its certificate")
+                   "unstable.json, each with its certificate; and samples that are unstable")
       ->type_name("DIR");
+  add_count_option(*command, "--samples", arguments->samples,
+                   "If the box is fragile or undecided, decide so many of its grasps, drawn at "
+                   "random, and say which share holds; --examples DIR keeps those that do not",
+                   kMostSamples);
+  add_count_option(*command, "--seed", arguments->seed, "The seed of --samples", kMostSeed);
   add_node_limit_option(*command, arguments->search.node_limit);
   add_time_limit_option(*command, arguments->time_limit);
   arguments->output.add_to(*command);

@@ -264,6 +264,32 @@ std::string second_text(const Answer& answer) {
          "the one asked\nabout as two doubles do that are next to each other.\n";
 }
 
+/// Returns a share in percent, as it is known.
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g %%", 100 * share);
+  return text;
+}
+
+/// Returns what samples of a box say.
+std::string samples_text(const Samples* samples) {
+  if (samples == nullptr) return "";
+  const std::size_t n = samples->count();
+  if (n == 0) return "Samples: none was decided.\n";
+  const auto counted = [](std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what;
+  };
+  const StableShare share = stable_share(*samples);
+  return "\nSamples: " + counted(n, n == 1 ? "grasp" : "grasps") +
+         " drawn from the box, each number uniform in its interval (seed " +
+         std::to_string(samples->seed) + "),\neach decided, with a proof that was checked: " +
+         counted(samples->stable, "stable") + ", " + counted(samples->unstable, "unstable") +
+         (samples->undecided == 0 ? "" : ", " + counted(samples->undecided, "undecided")) +
+         ".\nWith a confidence of 95 % between " + percent(share.low) + " and " +
+         percent(share.high) + " of the grasps that are drawn so hold; of one side,\nat least " +
+         percent(share.at_least) + ". A sample proves nothing about any other grasp.\n\n";
+}
+
 /// Returns the meaning of the numbers.
 std::string legend(const Answer& answer) {
   if (answer.question.mechanism() != nullptr) {
@@ -284,7 +310,7 @@ std::string legend(const Answer& answer) {
 }  // namespace
 
 void print_text(const Answer& answer, const Warnings& warnings, const NumberOptions& output,
-                const std::string& examples) {
+                const std::string& examples, const Samples* samples) {
   const Question& question = answer.question;
   NumberText text(output);
   std::vector<UncertainNumber> uncertain;
@@ -305,7 +331,7 @@ void print_text(const Answer& answer, const Warnings& warnings, const NumberOpti
                                           : uncertain_text(*question.box(), uncertain, text))
             << motions_text(question)
             << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
-            << second_text(answer)
+            << second_text(answer) << samples_text(samples)
             << enclosure_text(enclosed, answer.bits,
                               !std::holds_alternative<Undecided>(answer.verdict))
             << legend(answer) << text.note() << conventions_text(question)

@@ -22,6 +22,7 @@
 #include "stickslip/interfaces/preload_answer.hpp"
 #include "stickslip/interfaces/radius_answer.hpp"
 #include "stickslip/interfaces/region_plot.hpp"
+#include "stickslip/interfaces/samples_answer.hpp"
 #include "stickslip/interfaces/states_plot.hpp"
 #include "stickslip/interfaces/statics_answer.hpp"
 
@@ -150,13 +151,29 @@ Work box_asked(const Given& given) {
   const Question asked = given.in_box();
   const GraspBox box = asked.grasp.as_box();
   if (box.is_point() && !box.is_bounded() && !needs_enclosure(box)) refuse_certain();
-  return [asked, box, options = given.search(), limit = given.time()] {
+  const auto count = given.as<std::size_t>("samples");
+  Samples samples{given.as<std::uint64_t>("seed")};
+  if (count != 0 && box.is_point()) refuse_certain();
+  return [asked, box, count, samples, options = given.search(),
+          limit = given.time()]() mutable {
     BoxDecision found{out_of_time(limit)};
     limit.finishes([&] { found = decide_box(box, asked.law, options); });
+    const bool draws = count != 0 && !is_stable(found.verdict);
+    if (draws) {
+      limit.finishes([&] { decide_samples(asked, count, options, samples); });
+      add_samples(found.verdict, samples);
+    }
     Json json{{"verdict", name_of(found.verdict)},
               {"engine", box_engine(asked)},
               {"normal_law", to_string(asked.law)},
               {"wrench", wrench_json(box.middle().wrench)}};
+    if (draws) {
+      json["samples"] = samples_json(samples);
+      json["samples"]["failures"] = Json::array();
+      for (const auto& [number, files] : samples.failures) {
+        json["samples"]["failures"].push_back(files_json(files));
+      }
+    }
     const auto proofs = proved_decision(box, asked.law, found, producer_of(box_engine(asked)));
     if (proofs.size() == 1) json["proof"] = files_json(proofs[0]);
     if (proofs.size() == 2) {

@@ -65,6 +65,7 @@ from .results import (
     Radius,
     Region,
     Residual,
+    Samples,
     SlipStates,
     StabilityMap,
     answer_of,
@@ -110,6 +111,8 @@ def decide(
     threads: int = 0,
     warnings: bool = False,
     max_motion: Any = None,
+    samples: int = 0,
+    seed: int = 1,
 ) -> BoxDecision: ...
 
 
@@ -144,6 +147,8 @@ def decide(
     threads: int = 0,
     warnings: bool = False,
     max_motion: Any = None,
+    samples: int = 0,
+    seed: int = 1,
 ) -> Union[Decision, Decisions, BoxDecision]:
     """Will the grasp hold its load passively? A verdict, with evidence.
 
@@ -177,6 +182,8 @@ def decide(
         max_motion: count only equilibria whose motion is within this: a length and an angle, such
             as ("1/100", "1/50"), a number for each coordinate, "1000x" the natural motion, or "none"
             for no bound (docs/model.md). The grasp's own if None; of one question.
+        samples, seed: with ``uncertain``, where the box has not one verdict, decide so many of its grasps,
+            drawn at random: ``BoxDecision.samples`` says which share holds.
 
     Raises:
         InputError: an argument is wrong, there is no load, or a preloaded contact has a normal of
@@ -191,7 +198,11 @@ def decide(
         tolerances = as_uncertain(uncertain)
         return _boxed(BoxDecision, _ask(
             "decide_box", about, wrench, preload, normal_law, node_limit, max_motion,
-            time_limit=time_limit, uncertain=tolerances), about, uncertain=tolerances)
+            time_limit=time_limit, uncertain=tolerances, samples=as_count("samples", samples, 1000000),
+            seed=as_count("seed", seed, 1000000000)), about, uncertain=tolerances)
+    if samples:
+        raise InputError("", "samples", "the question is about one grasp, of which there are no samples",
+                         "say with uncertain how far numbers may be off")
     method = as_engine(engine)
     at_once = as_count("threads", threads, 1024)
     many = Questions(grasp, wrench, friction, preload)
@@ -983,6 +994,10 @@ def _boxed(kind: Type[AnyAnswer], answer: Dict[str, Any], grasp: Grasp, **more: 
             answer[name] = Proof.of(answer[name], answer)
     if "examples" in answer:
         answer["examples"] = tuple(Proof.of(files, answer) for files in answer["examples"])
+    if "samples" in answer:
+        samples = answer["samples"]
+        samples["failures"] = tuple(Proof.of(files, answer) for files in samples["failures"])
+        answer["samples"] = Samples(**samples)
     return answer_of(kind, answer, grasp=grasp, **more)
 
 

@@ -206,6 +206,22 @@ class Decision(Answer):
         return self.plot() if _is_shown(self.grasp) else None
 
 
+@dataclass(frozen=True)
+class Samples:
+    """Grasps drawn from a box at random, each decided, with a proof that was checked."""
+
+    count: int
+    seed: int
+    stable: int
+    unstable: int
+    undecided: int
+    share: Optional[Mapping[str, float]] = None
+    """With the given "confidence" from "low" to "high" of all grasps that are drawn so hold, and of one
+    side "at_least" (Clopper and Pearson). None if none was drawn."""
+    failures: Tuple[Proof, ...] = field(default=(), repr=False)
+    """Those that are unstable."""
+
+
 @dataclass(frozen=True, repr=False)
 class BoxDecision(Answer):
     """A verdict about every grasp in a box, with its evidence."""
@@ -234,6 +250,8 @@ class BoxDecision(Answer):
     """What may help, if anything is known to."""
     near: Optional[Tuple[Fraction, ...]] = None
     """If undecided: a motion at which the laws seem to hold in doubles."""
+    samples: Optional[Samples] = None
+    """What samples say, if they were asked for and the box has not one verdict."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
     """Work counters of the engine; reproducible."""
 

@@ -65,7 +65,7 @@ TEST(Newton, FindsPolishesAndFollowsThePinch) {
 TEST(Newton, FindsThePinchSmoothly) {
   const GraspLaw law(pinch(kHalf, {1, -kHalf, 0}), NormalLaw::kUnilateral);
   const RoundedGrasp grasp = rounded_middle(law);
-  for (const double far : {0.0, 3.0, -40.0}) {
+  for (const double far : {0.0, 3.0, -8.0}) {
     const auto found = Newton(grasp).solve_smoothly(Reals::Constant(3, far));
     ASSERT_TRUE(found) << far;
     expect_pushed(*found, 1);

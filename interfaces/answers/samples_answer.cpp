@@ -7,20 +7,22 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/number_text.hpp"
 #include "stickslip/engine/box_sampler.hpp"
 
 namespace stickslip {
 namespace {
 
-constexpr double kError = 0.05;
-constexpr double kGrain = 1e6;  // shares are printed with fewer digits than functions have
+constexpr double kError = 0.05;  // 1 - confidence
+constexpr long long kGrain = 1000000;  // much coarser than what the function knows
 
-double lower(double trials, double successes, double error) {
+/// Returns the one-sided lower bound, which is wrong with at most this probability.
+Rational lower(double trials, double successes, double error) {
   using boost::math::binomial_distribution;
   const double p =
       successes > 0 ? binomial_distribution<>::find_lower_bound_on_p(trials, successes, error)
                     : 0;
-  return std::floor(p * kGrain) / kGrain;
+  return {Integer(static_cast<long long>(std::floor(p * kGrain))), Integer(kGrain)};
 }
 
 }  // namespace
@@ -74,10 +76,10 @@ Json samples_json(const Samples& samples) {
             {"undecided", samples.undecided}};
   if (samples.count() == 0) return json;
   const StableShare share = stable_share(samples);
-  json["share"] = {{"confidence", 1 - kError},
-                   {"low", share.low},
-                   {"high", share.high},
-                   {"at_least", share.at_least}};
+  json["share"] = {{"confidence", number_json(Rational(19, 20))},
+                   {"low", number_json(share.low)},
+                   {"high", number_json(share.high)},
+                   {"at_least", number_json(share.at_least)}};
   return json;
 }
 

@@ -264,10 +264,10 @@ std::string second_text(const Answer& answer) {
          "the one asked\nabout as two doubles do that are next to each other.\n";
 }
 
-/// Returns a share in percent, as it is known.
-std::string percent(double share) {
+/// Returns a share in percent, with the digits that matter.
+std::string percent(const Rational& share) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g %%", 100 * share);
+  std::snprintf(text, sizeof text, "%.4g %%", 100 * to_double(share));
   return text;
 }
 

@@ -215,7 +215,7 @@ class Samples:
     stable: int
     unstable: int
     undecided: int
-    share: Optional[Mapping[str, float]] = None
+    share: Optional[Mapping[str, Fraction]] = None
     """With the given "confidence" from "low" to "high" of all grasps that are drawn so hold, and of one
     side "at_least" (Clopper and Pearson). None if none was drawn."""
     failures: Tuple[Proof, ...] = field(default=(), repr=False)

@@ -43,7 +43,7 @@ class Samples(Case):
             for seed in range(1, 21):
                 found = self.samples(file, 40, "--seed", seed)
                 self.assertEqual(found["undecided"], 0)
-                shares.append(found["share"]["low"] <= 0.5 <= found["share"]["high"])
+                shares.append(F(found["share"]["low"]) <= F(1, 2) <= F(found["share"]["high"]))
             self.assertGreaterEqual(sum(shares), 18)
             self.assertEqual(self.samples(file, 40, "--seed", 3), self.samples(file, 40, "--seed", 3))
 

@@ -55,6 +55,26 @@ def test_balls_of_loads(fig1, tmp_path):
         stickslip.check(path, answer.certificate, uncertain="wrench=ball:1:width=2")
 
 
+def test_samples(tmp_path):
+    """A contact pressed with 10 holds a push of 5 iff its friction is 1/2 or more."""
+    pressed = Grasp([[0, 0]], [[0, 1]], "1/2", wrench=(5, -10, 0))
+    answer = decide(pressed, uncertain={"friction": "1/10"}, samples=30, seed=5)
+    path = tmp_path / "g.json"
+    path.write_text(pressed.to_text())
+    found = program("decide", path, "--uncertain", "friction=1/10", "--samples", "30", "--seed", "5")["samples"]
+    samples = answer.samples
+    assert answer.verdict == "fragile"
+    assert (samples.count, samples.seed, samples.undecided) == (30, 5, 0)
+    assert all(found[name] == getattr(samples, name) for name in ("stable", "unstable", "undecided"))
+    assert {name: Fraction(share) for name, share in found["share"].items()} == samples.share
+    assert len(samples.failures) == samples.unstable and all(proof.check() for proof in samples.failures)
+    assert all(Grasp.from_text(proof.grasp).friction[0] < Fraction(1, 2) for proof in samples.failures)
+    assert decide(pressed, uncertain={"friction": "1/10"}).samples is None
+    assert decide(pressed, (3, -10, 0), uncertain={"friction": "1/10"}, samples=3).samples is None
+    with pytest.raises(InputError, match="samples: the question is about one grasp"):
+        decide(pressed, samples=3)
+
+
 def test_arguments(fig1):
     for value, message in [(1, "uncertain: "), ({"mu": 1}, "no kind of number"), ("", "uncertain"),
                            ({"friction": None}, "friction"), ({"friction": "x"}, "friction"),

@@ -33,11 +33,12 @@ struct Samples {
 
 /// Which share of the grasps that are drawn so is stable, with a confidence of 95 % (C. J.
 /// Clopper and E. S. Pearson, "The use of confidence or fiducial limits illustrated in the case
-/// of the binomial", 1934). Each of the three numbers is rounded to the side that claims less.
+/// of the binomial", 1934). Each of the three numbers is rounded to a millionth, to
+/// the side that claims less.
 struct StableShare {
-  double low;       ///< the lower end of the two-sided interval
-  double high;      ///< its upper end
-  double at_least;  ///< the one-sided lower bound
+  Rational low;       ///< the lower end of the two-sided interval
+  Rational high;      ///< its upper end
+  Rational at_least;  ///< the one-sided lower bound
 };
 
 /// Returns the share of which the samples tell. Those without a verdict count as unstable below

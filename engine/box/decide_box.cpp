@@ -47,12 +47,12 @@ class ExampleSearch {
   void try_lost_corners() {
     constexpr std::size_t kStarts = 12;
     const RoundedGrasp middle = rounded_middle(GraspLaw(box_, law_).middle());
-    const std::vector<NearEquilibrium> middles = Newton(middle).solve_from(kStarts);
-    if (middles.empty()) return;
+    const std::optional<NearEquilibrium> near = Newton(middle).solve_thoroughly(kStarts);
+    if (!near) return;
     constexpr std::size_t kCorners = 64;
     constexpr std::size_t kMostDecided = 8;
     std::size_t tried = 0;
-    examples_.visit_lost_corners(middles.front(), kCorners, [&](const Place& place) {
+    examples_.visit_lost_corners(*near, kCorners, [&](const Place& place) {
       if (tried == 0) try_at(examples_.at(examples_.middle()));
       if (!stable_) return false;
       try_at(examples_.at(place));

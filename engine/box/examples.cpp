@@ -307,7 +307,7 @@ void Examples::visit_lost_corners(const NearEquilibrium& equilibrium, std::size_
     const Newton newton(grasp);
     constexpr std::size_t kStarts = 12;
     if (newton.follow(equilibrium) || newton.solve_smoothly(equilibrium.motion) ||
-        !newton.solve_from(kStarts).empty()) {
+        newton.solve_thoroughly(kStarts)) {
       continue;
     }
     if (!visit(place_at(rounded, at))) return;

@@ -485,15 +485,41 @@ NearEquilibrium Newton::at_rest() const {
   return rest;
 }
 
+namespace {
+
+/// Fixed motions to start from: rest first, then pseudo-random ones of three sizes.
+class Starts {
+ public:
+  explicit Starts(const RoundedGrasp& grasp) : grasp_(grasp) {}
+
+  Reals next() {
+    Reals start = Reals::Zero(grasp_.motions());
+    const double size = count_ % 3 == 0 ? 0.3 : count_ % 3 == 1 ? 2 : 10;
+    for (Eigen::Index j = 0; count_ > 0 && j < start.size(); ++j) {
+      start[j] = size * grasp_.reach * random();
+    }
+    ++count_;
+    return start;
+  }
+
+ private:
+  /// Returns a number from -1 to 1, by xorshift.
+  double random() {
+    state_ ^= state_ << 13U;
+    state_ ^= state_ >> 7U;
+    state_ ^= state_ << 17U;
+    return static_cast<double>(state_ >> 11U) / static_cast<double>(1ULL << 52U) - 1;
+  }
+
+  const RoundedGrasp& grasp_;
+  std::size_t count_ = 0;
+  std::uint64_t state_ = 88172645463325252ULL;
+};
+
+}  // namespace
+
 std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
   std::vector<NearEquilibrium> result;
-  std::uint64_t state = 88172645463325252ULL;
-  const auto random = [&] {  // xorshift: from -1 to 1
-    state ^= state << 13U;
-    state ^= state >> 7U;
-    state ^= state << 17U;
-    return static_cast<double>(state >> 11U) / static_cast<double>(1ULL << 52U) - 1;
-  };
   const auto add = [&](NearEquilibrium found) {
     const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
       constexpr double kSame = 1e-6;
@@ -502,24 +528,14 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
     });
     if (!is_known) result.push_back(std::move(found));
   };
-  const auto start_of = [&](std::size_t k) {
-    Reals start = Reals::Zero(grasp_.motions());
-    const double size = k % 3 == 0 ? 10 : k % 3 == 1 ? 0.3 : 2;
-    for (Eigen::Index j = 0; k > 1 && j < start.size(); ++j) {
-      start[j] = size * grasp_.reach * random();
-    }
-    return start;
-  };
-  for (std::size_t k = 0; k <= starts; ++k) {
-    const Reals start = start_of(k);
-    const auto found = k == 0 ? at_rest() : solve(start);
+  const NearEquilibrium rest = at_rest();
+  if (auto polished = polish(rest)) add(std::move(*polished));
+  Starts motions(grasp_);
+  for (std::size_t k = 0; k < starts; ++k) {
+    auto found = solve(motions.next());
     if (!found) continue;
     auto polished = polish(*found);
-    if (!polished && k == 0) continue;
-    add(polished ? std::move(*polished) : *found);
-  }
-  for (std::size_t k = 1; k <= starts && result.empty(); ++k) {
-    if (const auto found = solve_smoothly(start_of(k))) add(*found);
+    add(polished ? std::move(*polished) : std::move(*found));
   }
   const bool is_pressed =
       std::any_of(grasp_.contacts.begin(), grasp_.contacts.end(),
@@ -533,6 +549,16 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
     }
   }
   return result;
+}
+
+std::optional<NearEquilibrium> Newton::solve_thoroughly(std::size_t starts) const {
+  std::vector<NearEquilibrium> found = solve_from(starts);
+  if (!found.empty()) return std::move(found.front());
+  Starts motions(grasp_);
+  for (std::size_t k = 0; k < starts; ++k) {
+    if (auto smoothly = solve_smoothly(motions.next())) return smoothly;
+  }
+  return std::nullopt;
 }
 
 }  // namespace stickslip

@@ -58,8 +58,12 @@ class Newton {
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
   /// Returns the different equilibria that are found from rest with all closed contacts
   /// sticking, and by solve() from `starts` motions: rest, then fixed pseudo-random ones. If
-  /// there are none, tries solve_smoothly(), and without preloads once more with all contacts pressed at first. The modes of some are not certain.
+  /// there are none, and no preloads, searches once more with all contacts pressed at first.
+  /// The modes of some are not certain.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
+  /// Returns the first equilibrium that is found by solve_from() and then by solve_smoothly()
+  /// from other motions, which takes long where there is none.
+  std::optional<NearEquilibrium> solve_thoroughly(std::size_t starts) const;
   /// Returns how forces answer a motion, against it, with friction smooth over slips of this
   /// size: minus the derivative of their sum.
   Eigen::MatrixXd answer(const Reals& motion, double smooth) const;

@@ -177,6 +177,10 @@ std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& fa
   return bound;
 }
 
+Rational characteristic_length(const GraspBox& box) {
+  return in_two_digits(spread_of(box).half);
+}
+
 GraspBox grown(GraspBox box, const RationalRow& load, const std::vector<Rational>& preloads) {
   const auto add = [](Interval& number, const Rational& more) {
     number.low += more;

@@ -63,6 +63,11 @@ void add_range(Json& json, const PreloadRange& range) {
   json["each_for_itself"] = !range.boxes.empty();
 }
 
+void add_alike(Json& json, const ContactGroups& alike) {
+  Json& groups = json["equal"] = Json::array();
+  for (const std::vector<std::size_t>& group : alike) groups.push_back(group);
+}
+
 void add_unbalanced(Json& json, const std::vector<ModelWarning>& warnings) {
   json["warnings"] = warnings_json(warnings);
 }
@@ -89,6 +94,39 @@ std::vector<GraspBox> loads_of(const std::vector<Question>& questions,
   return loads;
 }
 
+ContactGroups alike_from(const std::string& text, const GraspBox& grasp) {
+  if (text == "normals") return contacts_of_one_direction(grasp);
+  if (text == "none") return {};
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(
+        "", "equal", problem,
+        "give normals for contacts whose normals have one direction, none, or groups "
+        "of contacts, as in 0,1:2,3");
+  };
+  ContactGroups groups(1);
+  std::vector<char> is_known(grasp.contacts.size());
+  std::string digits;
+  for (const char c : text + ":") {
+    if (c >= '0' && c <= '9' && digits.size() < 9) {
+      digits += c;
+      continue;
+    }
+    if ((c != ',' && c != ':') || digits.empty()) refuse("found " + quote(text));
+    const std::size_t i = std::stoul(digits);
+    digits.clear();
+    if (i >= is_known.size()) {
+      refuse("there is no contact " + std::to_string(i) + " among " +
+             std::to_string(is_known.size()));
+    }
+    if (is_known[i] != 0) refuse("contact " + std::to_string(i) + " stands twice");
+    is_known[i] = 1;
+    groups.back().push_back(i);
+    if (c == ':') groups.emplace_back();
+  }
+  groups.pop_back();
+  return groups;
+}
+
 std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law) {
   held.ball.reset();
   QuestionOptions options;
@@ -100,7 +138,8 @@ std::vector<ModelWarning> unbalanced(GraspBox held, NormalLaw law) {
   return warnings;
 }
 
-Json preload_json(const std::vector<Question>& questions, const LeastPreload& least) {
+Json preload_json(const std::vector<Question>& questions, const LeastPreload& least,
+                  const ContactGroups& alike) {
   Json json = question_json(questions.front());
   const NormalLaw law = questions.front().law;
   Json& loads = json["loads"] = Json::array();
@@ -118,11 +157,14 @@ Json preload_json(const std::vector<Question>& questions, const LeastPreload& le
   json["limit"] = number_json(least.limit);
   add_range(json, least.range);
   json["boxes"] = least.refused.size();
+  json["looked"] = least.looked;
+  add_alike(json, alike);
   if (least.preloads) add_unbalanced(json, unbalanced(least.held.front().box, law));
   return json;
 }
 
-Json preload_json(const Question& question, const Rational& budget, const BallPreload& found) {
+Json preload_json(const Question& question, const Rational& budget, const BallPreload& found,
+                  const ContactGroups& alike) {
   const Quality& quality = found.quality;
   Json json = question_json(question);
   if (!question.case_name.empty()) json["case"] = question.case_name;
@@ -139,6 +181,8 @@ Json preload_json(const Question& question, const Rational& budget, const BallPr
   json["bound"] = found.bound ? number_json(*found.bound) : Json();
   add_range(json, found.range);
   json["boxes"] = found.refused.size();
+  json["looked"] = found.looked;
+  add_alike(json, alike);
   if (holds) add_unbalanced(json, unbalanced(quality.ball, question.law));
   return json;
 }

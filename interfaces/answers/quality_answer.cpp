@@ -2,6 +2,7 @@
 #include "stickslip/interfaces/quality_answer.hpp"
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/uncertain_numbers.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -26,6 +27,7 @@ QualityAsked quality_asked(const QualityText& text) {
   LoadBall& ball = asked.shape;
   if (!text.length.empty()) {
     ball.length = positive_option("--length", text.length, "torques are divided by it");
+    asked.has_length = true;
   }
   if (!text.about.empty()) ball.set_about(rationals_at("--about", text.about));
   ball.body = text.body;
@@ -37,7 +39,9 @@ QualityAsked quality_asked(const QualityText& text) {
   return asked;
 }
 
-LoadBall on_only_body(LoadBall shape, const Question& question) {
+LoadBall shape_for(const QualityAsked& asked, const Question& question) {
+  LoadBall shape = asked.shape;
+  if (!asked.has_length) shape.length = characteristic_length(question.grasp.as_box());
   const Mechanism* mechanism = question.mechanism();
   if (shape.body.empty() && mechanism != nullptr && mechanism->bodies.size() == 1) {
     shape.body = mechanism->bodies.front().name;

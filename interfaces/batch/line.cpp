@@ -102,9 +102,9 @@ LineResult LineDecider::failed(const BatchLine& line, const InputError& error) c
 
 std::string LineDecider::add_quality(Json& result, const Question& question,
                                      const std::string& line) const {
-  const auto& [asked_shape, options] = *options_.quality;
-  const LoadBall shape = on_only_body(asked_shape, question);
-  const Quality quality = find_quality(question.grasp.as_box(), question.law, shape, options);
+  const LoadBall shape = shape_for(*options_.quality, question);
+  const Quality quality =
+      find_quality(question.grasp.as_box(), question.law, shape, options_.quality->options);
   const Json found = finished(quality_json(question, quality), false);
   for (const char* field : {"proved", "refuted", "scales", "not_resisted"}) {
     if (found.contains(field)) result[field] = found[field];
@@ -131,7 +131,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
                         options_.inertia ? Intervals::kRefused : Intervals::kAllowed),
         options_.question, "", !options_.inertia);
     if (options_.quality) {
-      grasp_for_ball(question, on_only_body(options_.quality->shape, question), "");
+      grasp_for_ball(question, shape_for(*options_.quality, question), "");
     }
     result["name"] = question.description().name;
     const auto answer = [&](const char* field, const auto& verdict) {

@@ -131,7 +131,7 @@ std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text
       command
           .add_option("--length", text.length,
                       "Characteristic length of the object, by which torques are divided; "
-                      "else 1")
+                      "else half the spread of the contacts")
           ->type_name("L"),
       command
           .add_option("--about", text.about,

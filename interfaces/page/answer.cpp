@@ -331,7 +331,8 @@ class PageAnswer {
     try {
       if (!limit_of(limits_.time).finishes([&] { find(found); })) {
         say((found.is_null() ? "not known within " : "no more is known within ") +
-            to_readable_string(Rational(limits_.time.count(), 1000)) + " seconds");
+            to_readable_string(Rational(limits_.time.count(), 1000)) +
+            (limits_.time.count() == 1000 ? " second" : " seconds"));
       }
     } catch (const NotToBeHad& reason) {
       say(reason.why);
@@ -509,8 +510,9 @@ class PageAnswer {
     part(json, "quality", [&](Json& found) {
       const GraspBox grasp = centre().grasp.as_box();
       if (!grasp.is_point()) refuse_box();
-      const LoadBall shape =
-          on_only_body(question_.uncertain.ball.value_or(LoadBall{1}), centre());
+      const LoadBall shape = shape_for({question_.uncertain.ball.value_or(LoadBall{1}),
+                                        question_.uncertain.ball.has_value()},
+                                       centre());
       if (grasp.mechanism && shape.body.empty()) {
         throw NotToBeHad{
             "there are several bodies; `stickslip quality --body NAME` finds that of loads on "

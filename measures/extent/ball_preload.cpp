@@ -39,7 +39,7 @@ class BallSearch {
         budget_(budget),
         options_(options),
         progress_(progress),
-        patterns_(grasp, options.balanced) {
+        patterns_(grasp, options.balanced, options.alike) {
     options_.box = of_many(options.box, grasp);
     shape_.radius = 1;
     GraspBox unit = grasp_;
@@ -237,7 +237,7 @@ class BallSearch {
     Cover cover;
     cover.emplace(unknown,
                   BoundedBox{PreloadBox(grasp_.contacts.size(), Interval{0, budget_})});
-    const std::size_t most_boxes = options_.most_boxes == 0 ? 200 : options_.most_boxes;
+    const std::size_t most_boxes = options_.most_boxes_of_ball();
     std::size_t count = 0;
     const auto is_of_interest = [&] {
       return cover.begin()->first > (1 + options_.accuracy) * result_.quality.proved;
@@ -277,6 +277,7 @@ class BallSearch {
         }
         cover.emplace(std::move(boxes[k].first), std::move(boxes[k].second));
       }
+      result_.looked = count;
       if (cover.begin()->first < unknown) {
         result_.bound = cover.begin()->first;
         keep_refused(cover);

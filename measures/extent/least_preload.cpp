@@ -42,7 +42,7 @@ class LeastSearch {
         law_(law),
         options_(options),
         progress_(progress),
-        patterns_(loads.front(), options.balanced) {
+        patterns_(loads.front(), options.balanced, options.alike) {
     options_.box = of_many(options.box, loads.front());
     for (const GraspBox& load : asked_) {
       load.check();
@@ -269,7 +269,7 @@ class LeastSearch {
   void bound() {
     OpenBoxes open;
     open.emplace(0, PreloadBox(asked_.front().contacts.size(), Interval{0, ceiling()}));
-    const std::size_t most_boxes = options_.most_boxes == 0 ? 1000 : options_.most_boxes;
+    const std::size_t most_boxes = options_.most_boxes_of_sum();
     std::size_t count = 0;
     const auto is_of_interest = [&](const Rational& least) {
       return !found() || least < (1 - options_.accuracy) * sum();
@@ -299,6 +299,7 @@ class LeastSearch {
           if (least < ceiling()) open.emplace(std::move(least), std::move(*half));
         }
       }
+      result_.looked = count;
       result_.bound = open.empty() ? ceiling() : std::min(open.begin()->first, ceiling());
       report();
     }

@@ -15,6 +15,29 @@ Rational sum_of(const RationalRow& preloads) {
   return sum;
 }
 
+ContactGroups contacts_of_one_direction(const GraspBox& grasp) {
+  if (grasp.mechanism) return {};
+  const auto is_along = [](const RationalRow& n, const RationalRow& other) {
+    const Rational along = dot(n, other);
+    return along.sign() > 0 && along * along == dot(n, n) * dot(other, other);
+  };
+  ContactGroups groups;
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& other) {
+      return is_along(grasp.contacts[i].normal, grasp.contacts[other.front()].normal);
+    });
+    if (group == groups.end()) {
+      groups.push_back({i});
+    } else {
+      group->push_back(i);
+    }
+  }
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                              [](const auto& group) { return group.size() == 1; }),
+               groups.end());
+  return groups;
+}
+
 }  // namespace stickslip
 
 namespace stickslip::extent_detail {

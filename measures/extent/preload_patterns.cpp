@@ -2,10 +2,10 @@
 #include "preload_patterns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
 
+#include "preload_boxes.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -14,17 +14,20 @@ namespace stickslip::extent_detail {
 using namespace box_detail;
 namespace {
 
-/// A side of a friction cone: the wrench that its contact exerts with a normal force of 1.
+/// A side of a friction cone: what its contact adds to each equation with a normal force of 1,
+/// first the wrench that it exerts.
 struct ConeSide {
   std::size_t contact;
-  std::array<Rational, 3> wrench;
+  RationalRow terms;
 };
 
 [[noreturn]] void fail_balanced(const std::string& problem, const std::string& remedy) {
   throw InputError("", "balanced", problem, remedy);
 }
 
-std::vector<ConeSide> cone_sides(const GraspBox& grasp) {
+/// Returns the sides of all cones. Equations after the first three say that contacts of a group
+/// press alike.
+std::vector<ConeSide> cone_sides(const GraspBox& grasp, const ContactGroups& alike) {
   std::vector<ConeSide> sides;
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     const UncertainContact& c = grasp.contacts[i];
@@ -39,6 +42,15 @@ std::vector<ConeSide> cone_sides(const GraspBox& grasp) {
       const Rational y = (c.normal[1] + mu * c.normal[0]) / *length;
       sides.push_back({i, {x, y, c.position[0].low * y - c.position[1].low * x}});
       if (mu.is_zero()) break;
+    }
+  }
+  for (ConeSide& side : sides) {
+    for (const std::vector<std::size_t>& group : alike) {
+      for (std::size_t k = 1; k < group.size(); ++k) {
+        side.terms.emplace_back(side.contact == group[k - 1] ? 1
+                                : side.contact == group[k]   ? -1
+                                                             : 0);
+      }
     }
   }
   return sides;
@@ -87,12 +99,13 @@ std::vector<SideForces> balanced_forces(const std::vector<ConeSide>& sides) {
     one[k] = 1;
     found.push_back({std::move(one), std::uint64_t{1} << k});
   }
-  for (std::size_t j = 0; j < 3; ++j) {
+  const std::size_t equations = sides.empty() ? 0 : sides.front().terms.size();
+  for (std::size_t j = 0; j < equations; ++j) {
     std::vector<SideForces> next;
     RationalRow off;
     for (const SideForces& f : found) {
       Rational sum = 0;
-      for (std::size_t k = 0; k < sides.size(); ++k) sum += f.forces[k] * sides[k].wrench[j];
+      for (std::size_t k = 0; k < sides.size(); ++k) sum += f.forces[k] * sides[k].terms[j];
       if (sum.is_zero()) next.push_back(f);
       off.push_back(std::move(sum));
     }
@@ -114,12 +127,28 @@ std::vector<SideForces> balanced_forces(const std::vector<ConeSide>& sides) {
 
 }  // namespace
 
-PreloadPatterns::PreloadPatterns(const GraspBox& grasp, bool balanced)
-    : are_contacts_(!balanced), contacts_(grasp.contacts.size()) {
+PreloadPatterns::PreloadPatterns(const GraspBox& grasp, bool balanced,
+                                 const ContactGroups& alike)
+    : are_contacts_(!balanced && alike.empty()), contacts_(grasp.contacts.size()) {
   if (!balanced) {
+    std::vector<char> is_grouped(contacts_);
+    for (const std::vector<std::size_t>& group : alike) {
+      patterns_.emplace_back(contacts_);
+      for (const std::size_t i : group) {
+        patterns_.back()[i] = Rational(1, static_cast<long long>(group.size()));
+        is_grouped[i] = 1;
+      }
+    }
     for (std::size_t i = 0; i < contacts_; ++i) {
+      if (is_grouped[i] != 0) continue;
       patterns_.emplace_back(contacts_);
       patterns_.back()[i] = 1;
+    }
+    RationalRow given = preloads_of(grasp);
+    const Rational sum = sum_of(given);
+    if (!sum.is_zero() && !weights(given)) {
+      for (Rational& preload : given) preload /= sum;
+      patterns_.push_back(std::move(given));
     }
     return;
   }
@@ -133,7 +162,7 @@ PreloadPatterns::PreloadPatterns(const GraspBox& grasp, bool balanced)
         "there are " + std::to_string(contacts_) + " contacts",
         "preloads that balance are sought of at most " + std::to_string(kMostContacts));
   }
-  const std::vector<ConeSide> sides = cone_sides(grasp);
+  const std::vector<ConeSide> sides = cone_sides(grasp, alike);
   for (const SideForces& f : balanced_forces(sides)) {
     RationalRow preloads(contacts_);
     Rational sum = 0;

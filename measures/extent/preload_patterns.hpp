@@ -7,17 +7,18 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/core/box.hpp"
+#include "stickslip/measures/preload.hpp"
 
 namespace stickslip::extent_detail {
 
 class PreloadPatterns {
  public:
-  /// Makes one pattern for each contact alone; or, if `balanced`, the extreme ones among the
-  /// preloads that friction can balance without a load and a motion. Throws InputError if these
-  /// are not known: that takes one body in the plane, few contacts and rational lengths.
+  /// Makes one pattern for each group, for each contact in none, and for the grasp's own
+  /// preloads; or, if `balanced`, the extreme ones among the preloads that are equal within
+  /// each group and that friction can balance without a load and a motion. Throws InputError if
+  /// these are not known: that takes one body in the plane, few contacts and rational lengths.
   /// Requires one grasp.
-  PreloadPatterns(const GraspBox& grasp, bool balanced);
+  PreloadPatterns(const GraspBox& grasp, bool balanced, const ContactGroups& alike);
 
   /// Returns true if each contact has its own pattern, so that weights are preloads.
   bool are_contacts() const { return are_contacts_; }

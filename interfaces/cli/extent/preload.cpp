@@ -23,6 +23,7 @@ struct PreloadArguments {
   QuestionArguments question;
   bool hold = false;
   bool balanced = false;
+  std::string equal = "normals";
   std::string budget;
   std::string length;
   std::string about;
@@ -34,8 +35,9 @@ struct PreloadArguments {
   std::string time_limit;
   NumberOptions output;
 
-  PreloadOptions options() const {
+  PreloadOptions options(const GraspBox& grasp) const {
     PreloadOptions options;
+    options.alike = alike_from(equal, grasp);
     options.box.node_limit = node_limit;
     options.balanced = balanced;
     options.accuracy = accuracy_option(accuracy);
@@ -73,6 +75,26 @@ std::string boxes_text(const std::vector<ProvedPreloads>& boxes) {
          " of preloads, which together cover them";
 }
 
+/// Returns why no more boxes were looked at.
+std::string end_text(std::size_t looked, std::size_t most) {
+  return std::to_string(looked) + (looked == 1 ? " box was" : " boxes were") + " looked at" +
+         (looked >= most ? ", as many as --boxes allows" : "") + ".\n";
+}
+
+/// Returns which contacts press alike.
+std::string alike_text(const ContactGroups& alike) {
+  if (alike.empty()) return "";
+  std::string groups;
+  for (const std::vector<std::size_t>& group : alike) {
+    std::string contacts;
+    for (const std::size_t i : group)
+      contacts += (contacts.empty() ? "" : ", ") + std::to_string(i);
+    groups += (groups.empty() ? "" : "; ") + contacts;
+  }
+  return "Contacts that press alike: " + groups +
+         " (--equal); multiples of the file's own preloads were tried, too.\n";
+}
+
 /// Prints the last lines about proofs, if they were written.
 void print_folder(const std::string& folder, const RationalRow& preloads,
                   const PreloadRange& range, NumberText& text) {
@@ -91,10 +113,11 @@ void print_folder(const std::string& folder, const RationalRow& preloads,
 class LeastText {
  public:
   LeastText(const std::vector<Question>& questions, const LeastPreload& least,
-            const PreloadArguments& arguments)
+            const PreloadArguments& arguments, const PreloadOptions& options)
       : questions_(questions),
         least_(least),
         arguments_(arguments),
+        options_(options),
         text_(arguments.output),
         loads_(questions.size() == 1 ? "the load" : "all loads") {
     if (questions.front().uncertain.ball) {
@@ -157,6 +180,8 @@ class LeastText {
               (arguments_.balanced ? ", balanced or not" : "") + ": proved for\n" +
               boxes_text(least_.refused) + ".\n";
     }
+    words += alike_text(options_.alike);
+    if (least_.looked > 0) words += end_text(least_.looked, options_.most_boxes_of_sum());
     if (least_.preloads) return words + range_meaning(least_.range, loads_.c_str());
     return words + "No preloads were sought of a sum above " + text_(least_.limit) + ".\n";
   }
@@ -164,18 +189,20 @@ class LeastText {
   const std::vector<Question>& questions_;
   const LeastPreload& least_;
   const PreloadArguments& arguments_;
+  const PreloadOptions& options_;
   NumberText text_;
   std::string loads_;
 };
 
 int hold(const PreloadArguments& arguments) {
   const std::vector<Question> questions = arguments.question.any_questions();
+  const std::vector<GraspBox> loads = loads_of(questions, arguments.question.name_of_file());
+  const PreloadOptions options = arguments.options(loads.front());
   LongWork work("preload", time_limit_option(arguments.time_limit));
   LeastPreload least;
   const bool is_done = work.finishes([&] {
     least = find_least_preload(
-        loads_of(questions, arguments.question.name_of_file()), questions.front().law,
-        arguments.options(), [&](const LeastPreload& so_far) {
+        loads, questions.front().law, options, [&](const LeastPreload& so_far) {
           least = so_far;
           work.say((so_far.preloads ? "held by " + to_readable_string(sum_of(*so_far.preloads))
                                     : std::string("nothing held")) +
@@ -188,11 +215,11 @@ int hold(const PreloadArguments& arguments) {
                        proved_preload(questions.front().law, least));
   }
   if (arguments.output.json) {
-    Json json = preload_json(questions, least);
+    Json json = preload_json(questions, least, options.alike);
     work.add_ending(json);
     std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else {
-    LeastText(questions, least, arguments).print();
+    LeastText(questions, least, arguments, options).print();
     std::cout << work.ending();
   }
   if (least.preloads) return kDone;
@@ -200,7 +227,7 @@ int hold(const PreloadArguments& arguments) {
 }
 
 void print_ball(const Question& question, const Rational& budget, const BallPreload& found,
-                const PreloadArguments& arguments) {
+                const PreloadArguments& arguments, const PreloadOptions& options) {
   const Quality& quality = found.quality;
   const bool exact = arguments.output.exact;
   NumberText text(arguments.output);
@@ -234,6 +261,8 @@ void print_ball(const Question& question, const Rational& budget, const BallPrel
               << " resist a larger ball than the bound: proved\nfor "
               << boxes_text(found.refused) << ".\n";
   }
+  std::cout << alike_text(options.alike)
+            << end_text(found.looked, options.most_boxes_of_ball());
   if (holds) {
     std::cout << range_meaning(found.range, "the ball");
     print_folder(arguments.certificates, found.preloads, found.range, text);
@@ -254,18 +283,18 @@ int ball(const PreloadArguments& arguments) {
   text.about = arguments.about;
   text.body = arguments.body;
   const Question question = arguments.question.any_question();
-  const LoadBall shape = on_only_body(quality_asked(text).shape, question);
+  const LoadBall shape = shape_for(quality_asked(text), question);
   if (question.uncertain.any()) {
     throw InputError("", "--uncertain", "the ball is what is sought with --budget",
                      "leave it out, or ask --hold");
   }
   const GraspBox grasp = loads_of({question}, arguments.question.name_of_file()).front();
+  const PreloadOptions options = arguments.options(grasp);
   LongWork work("preload", time_limit_option(arguments.time_limit));
   BallPreload found;
   work.finishes([&] {
     found = find_ball_preload(
-        grasp, question.law, shape, budget, arguments.options(),
-        [&](const BallPreload& so_far) {
+        grasp, question.law, shape, budget, options, [&](const BallPreload& so_far) {
           found = so_far;
           work.say("proved up to " + to_readable_string(so_far.quality.proved) +
                    (so_far.bound ? ", bound " + to_readable_string(*so_far.bound) : ""));
@@ -276,11 +305,11 @@ int ball(const PreloadArguments& arguments) {
                        proved_preload(question, found));
   }
   if (arguments.output.json) {
-    Json json = preload_json(question, budget, found);
+    Json json = preload_json(question, budget, found, options.alike);
     work.add_ending(json);
     std::cout << finished(std::move(json), arguments.output.floats).dump(1) << '\n';
   } else {
-    print_ball(question, budget, found, arguments);
+    print_ball(question, budget, found, arguments, options);
     std::cout << work.ending();
   }
   return found.quality.stable == true            ? kDone
@@ -310,7 +339,7 @@ void add_preload_command(Command& app, int& exit_code) {
        {std::tuple{
             "--length", &arguments->length, "L",
             "With --budget, as of quality: characteristic length of the object, by which "
-            "torques are divided; else 1"},
+            "torques are divided; else half the spread of the contacts"},
         std::tuple{"--about", &arguments->about, "X,Y",
                    "With --budget: the point about which torques are; else the origin"},
         std::tuple{"--body", &arguments->body, "NAME",
@@ -321,6 +350,14 @@ void add_preload_command(Command& app, int& exit_code) {
       "--balanced", arguments->balanced,
       "Seek preloads that friction balances before the load comes, of one body in "
       "the plane; the bound is about all preloads even so");
+  command
+      ->add_option(
+          "--equal", arguments->equal,
+          "Which contacts press alike, unless all preloads are a multiple of the file's: "
+          "normals for those whose normals have one direction, as those of a jaw; none; "
+          "or groups of contacts, as in 0,1:2,3. The bound is about all preloads even so")
+      ->type_name("GROUPS")
+      ->capture_default_str();
   command
       ->add_option("--accuracy", arguments->accuracy,
                    "Stop when what is found and the bound differ by this part")
@@ -357,7 +394,7 @@ void add_preload_command(Command& app, int& exit_code) {
     try {
       exit_code = arguments->hold ? hold(*arguments) : ball(*arguments);
     } catch (const InputError& error) {
-      if (error.place() != "balanced") throw;
+      if (error.place() != "balanced" && error.place() != "equal") throw;
       throw in_options(error, arguments->question.name_of_file());
     }
   });

@@ -100,10 +100,11 @@ struct QualityFound {
 };
 
 QualityFound find(const QualityArguments& arguments, LongWork& work) {
-  auto [shape, options] = quality_asked(arguments.quality);
+  const QualityAsked asked = quality_asked(arguments.quality);
+  QualityOptions options = asked.options;
   options.radius.box.node_limit = arguments.node_limit;
   Question question = arguments.question.any_question();
-  shape = on_only_body(std::move(shape), question);
+  const LoadBall shape = shape_for(asked, question);
   const GraspBox grasp = grasp_for_ball(question, shape, arguments.question.name_of_file());
   Quality found;
   work.finishes([&] {

@@ -9,6 +9,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
@@ -21,7 +22,7 @@ namespace {
 struct CompareArguments {
   QuestionArguments question;
   std::vector<std::string> methods;
-  std::string length = "1";
+  std::string length;
   std::string inertia;
   std::string max_force = "1";
   std::string accuracy = "1%";
@@ -43,6 +44,7 @@ Rational positive_length(const std::string& text) {
 /// has its mass about its origin, at the characteristic length.
 struct Compared {
   Rational length;
+  bool has_length;  ///< whether it was given
   Inertia inertia;
   Comparison comparison{};
 };
@@ -78,6 +80,7 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
   for (const Interval& w : question.grasp.wrench()) load.push_back(w.low);
   std::cout << "  load w    " << text(load) << '\n'
             << "  length L  " << text(answer.length)
+            << (answer.has_length ? "" : ", half the spread of the contacts")
             << ", by which torques are divided (--length)\n"
             << "  inertia   centre " << inertia_text(answer.inertia, text) << " (--inertia)\n";
   if (comparison.load_class) std::cout << "  class     " << *comparison.load_class << '\n';
@@ -123,7 +126,6 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
 
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
-  const Rational length = positive_length(arguments.length);
   const RationalRow most_forces = rationals_at("--max-force", arguments.max_force);
   for (const Rational& f : most_forces) {
     if (f.sign() > 0) continue;
@@ -136,8 +138,11 @@ int compare(const CompareArguments& arguments) {
   const Question question = arguments.certificate.empty() ? as_one_body(asked) : asked;
   if (question.mechanism() != nullptr) return compare_bodies(question, arguments);
   const bool in_space = question.in_space();
+  const bool has_length = !arguments.length.empty();
+  const Rational length = has_length ? positive_length(arguments.length)
+                                     : characteristic_length(question.grasp.as_box());
   Compared answer{
-      length,
+      length, has_length,
       arguments.inertia.empty()
           ? Inertia::of_length(length, in_space)
           : inertia_of("--inertia", rationals_at("--inertia", arguments.inertia), in_space)};
@@ -208,9 +213,8 @@ void add_compare_command(Command& app, int& exit_code) {
   command
       ->add_option("--length", arguments->length,
                    "Characteristic length of the object, by which grasp wrench spaces divide "
-                   "torques")
-      ->type_name("L")
-      ->capture_default_str();
+                   "torques; else half the spread of the contacts")
+      ->type_name("L");
   command
       ->add_option(
           "--inertia", arguments->inertia,

@@ -121,7 +121,7 @@
   const loads = () =>
     page.loads(
       page.load(),
-      view.frame.centre,
+      page.actsAt(page.load(), view.frame),
       view.bodies.map((rings) => page.middleOf(rings[0] || [])),
     );
 

@@ -215,7 +215,7 @@
   // In space: contacts run over the body, and the load acts at a point that is dragged, too.
 
   let loadAt = null; // that point; null: the middle of the drawing
-  page.loadPoint = () => loadAt || (page.keepView || { frame: page.frame() }).frame.centre;
+  page.loadPoint = () => loadAt || page.actsAt(page.load(), (page.keepView || { frame: page.frame() }).frame);
   const kFine = 1e-4; // of a size: of places on the body
   const kFineNormal = 1e-6;
 

@@ -89,6 +89,23 @@
   };
 
   /**
+   * Where the load of one body is drawn: the point of its line of action that is nearest to the middle of the drawing, so that a
+   * weight has no torque beside it. The middle itself if there is no such line or it is far away, and where the load is dragged.
+   */
+  page.actsAt = function (load, { centre, radius }) {
+    const kNear = 2; // sizes of the grasp
+    if (!load || page.answer.live) return centre;
+    const axes = centre.length;
+    const force = axes === 3 ? load.slice(0, 3) : [...load.slice(0, 2), 0];
+    const about = axes === 3 ? cross(centre, force) : [0, 0, centre[0] * force[1] - centre[1] * force[0]];
+    const torque = (axes === 3 ? load.slice(3) : [0, 0, load[2]]).map((x, j) => x - about[j]);
+    const square = dot(force, force);
+    if (!(square > 0) || Math.abs(dot(torque, force)) > 1e-9 * Math.sqrt(square * dot(torque, torque))) return centre;
+    const arm = cross(force, torque).map((x) => x / square);
+    return Math.hypot(...arm) > kNear * radius ? centre : add(centre, 1, arm.slice(0, axes));
+  };
+
+  /**
    * The middle of the drawing and the size of the grasp: the origin, unless the grasp is far away
    * from it.
    */

@@ -17,7 +17,7 @@
   let look = { azimuth: -0.9, height: 0.45, distance: 5.2 };
   const kHome = { ...look };
   /** Where the load's arrow begins; about it is the torque that is drawn. */
-  page.loadPoint = () => page.frame().centre;
+  page.loadPoint = () => page.actsAt(page.load(), page.frame());
   let target = [0, 0, 0]; // what is looked at: the middle of the body
   let reach = 1; // its size
 
@@ -344,23 +344,6 @@
         return ghost;
       });
     }
-    // The axes of the file's frame, in a corner of the body's surroundings.
-    const corner = view.ends[0].map((x) => x - 0.4);
-    [
-      [1, 0, 0],
-      [0, 1, 0],
-      [0, 0, 1],
-    ].forEach((axis, j) => {
-      parts.push(
-        arrow(
-          corner,
-          axis.map((x) => 0.38 * x),
-          "muted",
-          0.008,
-        ),
-        sprite("xyz"[j], vector.add(corner, 0.5, axis), 0.16),
-      );
-    });
     return { parts: parts.filter(Boolean), motion, factor, forces, loads, unit, coneLength };
   }
 
@@ -428,7 +411,42 @@
     camera.position.set(...eye);
     camera.up.set(0, 0, 1);
     camera.lookAt(...target);
+    const [wide, high] = view.size;
+    renderer.setViewport(0, 0, wide, high);
+    renderer.autoClear = true;
     renderer.render(scene, camera);
+    // The axes lie over a corner, turned as the rest.
+    const size = Math.min(kAxes, wide / 4);
+    const towards = vector.unit(vector.add(eye, -1, target));
+    axesCamera.position.set(...towards.map((x) => 4 * x));
+    axesCamera.up.set(0, 0, 1);
+    axesCamera.lookAt(0, 0, 0);
+    renderer.autoClear = false;
+    renderer.clearDepth();
+    renderer.setViewport(0, 0, size, size);
+    renderer.render(axes, axesCamera);
+  }
+  const kAxes = 110; // pixels
+  let axes = null; // those of the file's frame
+  const axesCamera = new THREE.OrthographicCamera(-0.72, 0.72, 0.72, -0.72, 0.1, 10);
+  function makeAxes() {
+    axes = new THREE.Scene();
+    axes.add(new THREE.AmbientLight(0xffffff, 1));
+    [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ].forEach((axis, j) =>
+      axes.add(
+        arrow(
+          [0, 0, 0],
+          axis.map((x) => 0.42 * x),
+          "muted",
+          0.012,
+        ),
+        sprite("xyz"[j], vector.add([0, 0, 0], 0.56, axis), 0.22),
+      ),
+    );
   }
 
   /** The corners of the box around points. */
@@ -470,12 +488,13 @@
     renderer.setSize(width, height);
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
-    for (const part of scene ? scene.children : [])
+    for (const part of [scene, axes].flatMap((old) => (old ? old.children : [])))
       part.traverse((o) => {
         if (o.geometry && !o.geometry.userData.kept) o.geometry.dispose();
         if (o.material && o.material.map) o.material.map.dispose();
         if (o.material) o.material.dispose();
       });
+    makeAxes();
     scene = new THREE.Scene();
     scene.background = colour("paper");
     scene.add(new THREE.AmbientLight(0xffffff, 0.75));

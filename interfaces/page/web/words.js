@@ -238,8 +238,8 @@
     const reasons = new Map();
     for (const message of page.answer.messages || []) {
       const [, part, reason] = /^(states|region|margin|map|quality|statics|lost): (.*)$/.exec(message) || [null, "", message];
-      // In space nobody expects them of one body.
-      if (page.isSpatial() && !page.mechanism() && ["states", "region", "map"].includes(part)) continue;
+      // In space nobody expects of one body what is found in the plane only.
+      if (page.isSpatial() && !page.mechanism() && reason.endsWith("in the plane only.")) continue;
       reasons.set(reason, [...(reasons.get(reason) || []), part]);
     }
     return [...reasons].map(([reason, parts]) => (parts[0] ? parts.join(", ") + ": " : "") + reason);

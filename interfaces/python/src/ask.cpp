@@ -9,6 +9,7 @@
 #include "exact.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/earlier/friction_margin.hpp"
 #include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/answer.hpp"
@@ -65,9 +66,14 @@ class Given {
   Inertia inertia(bool in_space = false) const {
     return inertia_of("inertia", numbers(options_["inertia"], 0, "inertia"), in_space);
   }
+  /// Returns the length by which torques are divided: that given, or what suits the grasp.
+  Rational length(const char* remedy) const {
+    if (!options_["length"].is_none()) return positive("length", remedy);
+    return characteristic_length(in_box().grasp.as_box());
+  }
   /// Returns the shape of a ball of loads.
-  LoadBall ball(Rational length) const {
-    LoadBall shape{1, std::move(length)};
+  LoadBall ball() const {
+    LoadBall shape{1, length("give a number above 0")};
     if (!options_["about"].is_none()) {
       shape.set_about(numbers(options_["about"], 0, "about"));
     }
@@ -221,9 +227,7 @@ Work quality_asked_of(const Given& given) {
   if (!given["at_most"].is_none()) {
     options.at_most = given.positive("at_most", "give a number above 0");
   }
-  return [asked = given.about(),
-          shape = given.ball(given.positive("length", "give a number above 0")), options,
-          limit = given.time()] {
+  return [asked = given.about(), shape = given.ball(), options, limit = given.time()] {
     Quality found;
     const auto end = ended_by(limit, [&] {
       found = find_quality(asked.grasp.as_box(), asked.law, shape, options,
@@ -253,6 +257,8 @@ Work preload_asked(const Given& given) {
     }
     asked.push_back(question_in_box(given.grasp, with_load));
   }
+  const std::vector<GraspBox> of_loads = loads_of(asked, "");
+  options.alike = alike_from(given.as<std::string>("equal"), of_loads.front());
   if (given["budget"].is_none()) {
     return [asked, options, limit = given.time()] {
       const NormalLaw law = asked.front().law;
@@ -261,21 +267,20 @@ Work preload_asked(const Given& given) {
         found = find_least_preload(loads_of(asked, ""), law, options,
                                    [&](const LeastPreload& so_far) { found = so_far; });
       });
-      Json json = with_end(preload_json(asked, found), end);
+      Json json = with_end(preload_json(asked, found, options.alike), end);
       set_proofs(json["proofs"], proved_preload(law, found));
       return json;
     };
   }
   const Rational budget =
       given.positive("budget", "it is the sum of preloads: give a number above 0");
-  return [one = asked.front(), options, budget,
-          shape = given.ball(exact(given["length"], "length")), limit = given.time()] {
+  return [one = asked.front(), options, budget, shape = given.ball(), limit = given.time()] {
     BallPreload found;
     const auto end = ended_by(limit, [&] {
       found = find_ball_preload(loads_of({one}, "").front(), one.law, shape, budget, options,
                                 [&](const BallPreload& so_far) { found = so_far; });
     });
-    Json json = with_end(preload_json(one, budget, found), end);
+    Json json = with_end(preload_json(one, budget, found, options.alike), end);
     set_proofs(json["proofs"], proved_preload(one, found));
     return json;
   };
@@ -419,7 +424,7 @@ Work compare_asked(const Given& given) {
   const bool space = given.grasp.content.in_space();
   CompareOptions options;
   options.methods = given.as<std::vector<std::string>>("methods");
-  options.length = given.positive("length", "a characteristic length must be above 0");
+  options.length = given.length("a characteristic length must be above 0");
   options.most_forces = numbers(given["max_force"], 1, "max_force");
   for (const Rational& f : options.most_forces) {
     if (f.sign() > 0) continue;

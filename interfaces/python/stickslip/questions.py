@@ -259,7 +259,7 @@ def quality(
     grasp: Grasp,
     wrench: Any = None,
     *,
-    length: Number = 1,
+    length: Optional[Number] = None,
     about: Any = None,
     body: str = "",
     friction: Optional[Number] = None,
@@ -278,7 +278,8 @@ def quality(
 
     Args:
         grasp, wrench, friction, preload, normal_law, max_motion: as of ``decide``.
-        length: characteristic length of the object, by which torques are divided.
+        length: characteristic length of the object, by which torques are divided; half the spread of
+            the contacts if None.
         about: the point that torques are about; the origin if it is left out.
         body: of several bodies the name of the one that the loads are on.
         at_most: no larger ball is of interest.
@@ -290,7 +291,7 @@ def quality(
     answer = _ask(
         "quality", about_grasp, wrench, preload, normal_law, node_limit, max_motion,
         time_limit=time_limit,
-        length=as_number(length, "length"), about=as_row_or_none(about, "about", None), body=str(body),
+        length=as_number_or_none(length, "length"), about=as_row_or_none(about, "about", None), body=str(body),
         at_most=as_number_or_none(at_most, "at_most"), accuracy=as_number(accuracy, "accuracy"))
     proofs = answer.get("proofs", {})
     answer.update({field: proofs[name] for name, field in
@@ -305,10 +306,11 @@ def best_preload(
     *,
     budget: Optional[Number] = None,
     uncertain: Union[str, Mapping[str, Number]] = "",
-    length: Number = 1,
+    length: Optional[Number] = None,
     about: Any = (),
     body: str = "",
     balanced: bool = False,
+    equal: Any = "normals",
     friction: Optional[Number] = None,
     normal_law: str = "unilateral",
     accuracy: Number = "1/20",
@@ -324,10 +326,13 @@ def best_preload(
         wrench: one load, or without a budget (n, 3), in space (n, 6): all of them are to be held.
         budget: the sum of preloads; then the ball around the load is sought.
         uncertain: without a budget a ball of loads to be held, "wrench=ball:1/2:length=2".
-        length, about, body: with a budget the length by which torques are divided, the point about
-            which they are, () for the origin, and of an Assembly the body of the loads.
+        length, about, body: with a budget the length by which torques are divided (None: half the spread of
+            the contacts), the point about which they are, () for the origin, and of an Assembly the body of the loads.
         balanced: seek preloads that friction balances before the load comes, of one body in the
             plane. The bound is about all preloads even so.
+        equal: which contacts press alike, unless all preloads are a multiple of the grasp's: "normals" for
+            those whose normals have one direction, "none", or groups, as in [(0, 1), (2, 3)]. The bound is
+            about all preloads even so.
         accuracy: stop when what is found and the bound differ by this part.
         boxes: look at so many boxes of preloads for the bound; 0: so many as suit most questions.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
@@ -343,13 +348,16 @@ def best_preload(
         time_limit=time_limit, needed=False,
         loads=[about_grasp._load(row) for row in rows],
         budget=as_number_or_none(budget, "budget"), uncertain=as_uncertain(uncertain),
-        length=as_number(length, "length"),
+        length=as_number_or_none(length, "length"),
         about=as_list(about, "about", (len(about),), "a point") if len(about) else [], body=body,
-        balanced=bool(balanced), accuracy=as_number(accuracy, "accuracy"),
+        balanced=bool(balanced),
+        equal=equal if isinstance(equal, str) else ":".join(",".join(str(i) for i in group) for group in equal),
+        accuracy=as_number(accuracy, "accuracy"),
         boxes=as_count("boxes", boxes))
     ball = {} if answer["preloads"] is None else answer
     return answer_of(
         BestPreload, answer, grasp=about_grasp, radius=ball.get("proved"),
+        equal=tuple(tuple(group) for group in answer["equal"]),
         refuted=ball.get("not_resisted_at"),
         proofs={name: Proof.of(files, answer) for name, files in answer["proofs"].items()})
 
@@ -511,7 +519,7 @@ def plot_states(grasp: Grasp) -> Picture:
 
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
-    methods: Sequence[str] = (), length: Any = 1, inertia: Any = None, certificate: bool = False,
+    methods: Sequence[str] = (), length: Any = None, inertia: Any = None, certificate: bool = False,
     max_motion: Any = None, max_force: Any = 1, accuracy: Any = "1/100", time_limit: Number = 0,
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
@@ -521,7 +529,8 @@ def compare(
             the class alone is known, that of ``statics``, and there are no methods to choose.
         methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"). Two are
             about the plane alone: "three-state-compliance" and "grasp-wrench-space-Linf".
-        length: characteristic of the object, by which grasp wrench spaces divide torques.
+        length: characteristic of the object, by which grasp wrench spaces divide torques; half the spread
+            of the contacts if None.
         inertia: (3,): the centre of mass and the squared radius of gyration about it, which
             strong stability needs; (0, 0, length**2) if None. In space (6,) or (9,): the centre
             and xx, yy, zz, and perhaps xy, xz, yz, of the tensor of inertia about it, over the mass.
@@ -539,7 +548,7 @@ def compare(
     """
     about, snapped = _asked(grasp, preload)
     if isinstance(about, Assembly):
-        for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length != 1),
+        for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length is not None),
                                ("max_force", np.ndim(max_force) > 0 or max_force != 1)):
             if is_given:
                 raise InputError("", name, "the grasp is of several bodies",
@@ -549,7 +558,7 @@ def compare(
     answer = _ask(
         "compare", about, wrench, preload, normal_law, 0, max_motion, time_limit=time_limit,
         methods=list(methods),
-        length=as_number(length, "length"), certificate=bool(certificate),
+        length=as_number_or_none(length, "length"), certificate=bool(certificate),
         max_force=as_numbers(max_force, "max_force", len(about)), accuracy=as_number(accuracy, "accuracy"),
         inertia=None if inertia is None else as_inertia(inertia, about._coordinates))
     rows = tuple(Method(row["method"], row["source"], row["about"] == "load", row["verdict"],

@@ -374,6 +374,10 @@ class BestPreload(Answer):
     """With a budget: of the ball of loads that is proved to be resisted."""
     refuted: Optional[Fraction] = None
     """With a budget: of one with a load that is not."""
+    equal: Tuple[Tuple[int, ...], ...] = ()
+    """Which contacts were to press alike."""
+    looked: int = 0
+    """Boxes of preloads that were looked at for the bound."""
     warnings: Tuple[ModelWarning, ...] = ()
     """That the preloads do not balance, if they do not."""
     proofs: Dict[str, Proof] = field(default_factory=dict, repr=False)

@@ -670,10 +670,14 @@ class Compare(Case):
         self.fails("margin", floor, "--friction", "--direction", "1,0,0", naming=["--class"])
 
     def test_length_is_printed(self):
-        for words, length in (((), "1"), (("--length", "0.08"), "2/25")):
-            self.assertIn(f"length L  {length}, by which torques are divided",
-                          stickslip("compare", FIG1, *words)[1])
-            self.assertEqual(self.json("compare", FIG1, *words)["length"], length)
+        half = ", half the spread of the contacts"
+        # Of a pinch in millimetres, too: its pads are 61.3 apart, which is two digits up.
+        pinch = self.write("mm.json", {"format": "stickslip-grasp/2", "defaults": {"friction": 1}, "wrench": [0, 0, 0], "contacts": [
+            {"position": [x, 7], "normal": [-x, 0]} for x in (-30.7, 30.6)]})
+        for file, words, length, default in ((FIG1, (), "1", half), (FIG1, ("--length", "0.08"), "2/25", ""), (pinch, (), "31", half)):
+            self.assertIn(f"length L  {length}{default}, by which torques are divided", stickslip("compare", file, *words)[1])
+            self.assertEqual(self.json("compare", file, *words)["length"], length)
+            self.assertEqual(self.json("quality", file, "--at-most", "1/8", "--wrench", "0,0,0", *words)["ball"]["length"], length)
         for words, square in ((("--length", "1/3"), "1/9"),
                               (("--length", "1/3", "--inertia", "1,2,3"), "3")):
             self.assertEqual(

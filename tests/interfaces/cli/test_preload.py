@@ -203,7 +203,7 @@ class Preload(Case):
             if not least or least > 100:
                 continue
             held += 1
-            answer = self.hold(grasp)
+            answer = self.hold(grasp, "--equal", "none")
             self.assertLessEqual(F(answer["bound"]), least, grasp)
             self.assertGreaterEqual(F(answer["sum"]), least, grasp)
             self.assertLess(F(answer["sum"]), F(106, 100) * least, grasp)
@@ -216,7 +216,8 @@ class Preload(Case):
         while held < 8:
             grasp, contacts, loads = self.random_grasp(rng)
             least, of_all = (self.by_z3(contacts, loads, balanced) for balanced in (True, False))
-            found = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--balanced", "--json")[1])
+            found = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--balanced", "--equal", "none",
+                                         "--json")[1])
             if least is None:
                 self.assertIsNone(found["sum"], grasp)
             if not least or least > 100 or not of_all:
@@ -239,6 +240,39 @@ class Preload(Case):
         for grasp in (vise, jaws):
             answer = self.hold(grasp, "--balanced", "--boxes", "20")
             self.assertLessEqual(F(answer["sum"]), F(8067))
+
+    def test_contacts_that_press_alike(self):
+        """A torque of 1 on a plate between pads at +-1: two pads on a diagonal hold it with 1/2 each, and all four with 1/4."""
+        pads = [{"position": [x, y], "normal": [-x, 0], "friction": 0} for x in (-1, 1) for y in (-1, 1)]
+        grasp = {"format": "stickslip-grasp/2", "contacts": pads, "wrench": [0, 0, 1]}
+        for words, groups, free in ((("--equal", "none"), [], True), ((), [[0, 1], [2, 3]], False),
+                                    (("--equal", "0,3:1,2"), [[0, 3], [1, 2]], False)):
+            answer = self.hold(grasp, "--boxes", "50", *words)
+            self.assertEqual(answer["equal"], groups)
+            self.assertGreaterEqual(F(answer["sum"]), F(answer["bound"]))
+            self.assertGreater(answer["looked"], 0)
+            for group in groups:
+                self.assertEqual(len({F(answer["preloads"][i]) for i in group}), 1)
+            # The file's own preloads are tried, whatever is to be alike.
+            own = {**grasp, "contacts": [{**pad, "preload": preload} for pad, preload in zip(pads, (3, 0, 0, 3))]}
+            self.assertLessEqual(F(self.hold(own, "--boxes", "50", *words)["sum"]), 6)
+        for words, found in (("0,4", "no contact 4 among 4"), ("0,1:1,2", "contact 1 stands twice"), ("0,,1", "found"), ("jaw", "found"),
+                             ("0:", "found"), ("", "found")):
+            self.fails("preload", self.write("g.json", grasp), "--hold", "--equal", words, naming=("--equal", found))
+
+    def test_pads_of_a_vice_are_set_alike(self):
+        with open(VISE, encoding="utf-8") as file:
+            vise = json.load(file)
+        vise["cases"] = vise["cases"][1:2]
+        for words in ((), ("--balanced",)):
+            answer = self.hold(vise, "--boxes", "20", *words)
+            self.assertEqual(answer["equal"], [[0, 1], [2, 3], [4, 5]])
+            preloads = [F(p) for p in answer["preloads"]]
+            self.assertEqual(preloads[::2], preloads[1::2])
+            self.assertEqual(sum(preloads), F(24200, 3))  # 4 mu P = 1210
+        words = stickslip("preload", self.write("v.json", vise), "--hold", "--boxes", "8")[1]
+        self.assertIn("Contacts that press alike: 0, 1; 2, 3; 4, 5 (--equal)", words)
+        self.assertIn("as many as --boxes allows", words)
 
     def test_more_breaks_it(self):
         answer = self.hold(GAP)

@@ -164,6 +164,8 @@ class Renderer {
   setPixelRatio() {}
   setSize() {}
   setClearColor() {}
+  setViewport() {}
+  clearDepth() {}
   render() {
     ++this.rendered;
   }

@@ -262,6 +262,42 @@ test("a load of several bodies is drawn at each, with what it turns", () => {
   assert.match(text("#body-legend"), /torque on up 4 N m/);
 });
 
+test("a load is drawn where it acts, without a torque beside it", () => {
+  const contacts = [
+    { position: [-1, 0], normal: [1, 0], preload: 9, friction: 1 },
+    { position: [1, 0], normal: [-1, 0], preload: 9, friction: 1 },
+  ];
+  const planar = { format: "stickslip-grasp/2", contacts, loads: [{ weight: 2, at: ["1/2", "-1/4"] }] };
+  const inSpace = (load) => ({
+    format: "stickslip-grasp/2",
+    contacts: contacts.map((c) => ({ ...c, position: [...c.position, 3], normal: [...c.normal, 0] })),
+    ...load,
+  });
+  const at = { weight: 2, at: ["1/2", "1/4", 7] };
+  for (const [grasp, place] of [
+    [planar, [0.5, 0]],
+    [inSpace({ loads: [at] }), [0.5, 0.25]],
+    // Far away, or with a torque about itself, it stays in the middle.
+    [inSpace({ loads: [{ ...at, at: [40, 0, 0] }] }), null],
+    [inSpace({ loads: [at, { torque: [0, 0, 1] }] }), null],
+  ]) {
+    const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "load-")), "g.json");
+    fs.writeFileSync(file, JSON.stringify(grasp));
+    const { page, text } = openWith(pageOf(file));
+    const frame = page.frame();
+    const point = page.actsAt(page.load(), frame);
+    if (place) place.forEach((x, j) => assert.ok(Math.abs(point[j] - x) < 1e-9, String(point)));
+    else assert.deepStrictEqual(point, frame.centre);
+    if (grasp === planar) assert.doesNotMatch(text("#body-legend"), /torque/);
+  }
+});
+
+test("what is not known of a region in space is said", () => {
+  const { text } = openWith(pageOf(example("space-corner")), { messages: ["states: the grasp is in space, and this is found in the plane only.", "region: not known within 1 second."] });
+  assert.match(text("#why"), /region: not known within 1 second/);
+  assert.doesNotMatch(text("#why"), /in the plane only/);
+});
+
 test("a length that is irrational makes no box", () => {
   const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "page-")), "cup.json");
   const contact = (position, normal) => ({ position, normal });

@@ -46,6 +46,11 @@ bool is_within(const RationalRow& motion, const RationalRow& bound);
 /// nor preload. O(contacts).
 std::optional<RationalRow> natural_bound(const GraspBox& box, const Rational& factor);
 
+/// Returns a length by which torques may be compared with forces where nobody gives one: half
+/// of the widest side of the box around the contacts, rounded up to two digits; of one point
+/// its distance from the origin, or 1. O(contacts).
+Rational characteristic_length(const GraspBox& box);
+
 /// Returns the grasp with a load and preloads that are larger by these, which is the member 1
 /// of a margin. The preloads are those of contacts and then the forces of springs. Empty rows
 /// add nothing.

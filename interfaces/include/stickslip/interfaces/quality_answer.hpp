@@ -26,15 +26,16 @@ struct QualityText {
 /// A question about a quality, but for the grasp.
 struct QualityAsked {
   LoadBall shape{1};         ///< the shape of the ball; its radius does not matter
+  bool has_length = false;   ///< whether its length was given
   QualityOptions options{};  ///< the options of the search
 };
 
 /// Returns the question that they ask. Throws InputError naming the option.
 QualityAsked quality_asked(const QualityText& text);
 
-/// Returns the ball on the only body of a mechanism, if there is only one and the ball names
-/// none; else the ball as it is.
-LoadBall on_only_body(LoadBall shape, const Question& question);
+/// Returns the shape of the ball for a grasp: without a length it has that of
+/// characteristic_length(), and if it names no body, it is on the only one of a mechanism.
+LoadBall shape_for(const QualityAsked& asked, const Question& question);
 
 /// Returns the one grasp, of that file, whose quality is asked for. Throws InputError if
 /// numbers are uncertain, or if there can be no such ball of loads.

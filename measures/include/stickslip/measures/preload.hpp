@@ -25,15 +25,30 @@ namespace stickslip {
 /// Returns the sum of preloads. O(contacts).
 Rational sum_of(const RationalRow& preloads);
 
+/// Groups of contacts that press alike, such as those of one jaw: indices of contacts, each in
+/// one group at most. Contacts in none are by themselves.
+using ContactGroups = std::vector<std::vector<std::size_t>>;
+
+/// Returns the groups of two or more contacts whose normals have one direction.
+ContactGroups contacts_of_one_direction(const GraspBox& grasp);
+
 /// How far a search for preloads goes.
 struct PreloadOptions {
   SearchOptions box{};  ///< the options of each proof
   /// Seek preloads that friction can balance without a load, as those of a hand that closes
   /// before the load comes. Bounds are about all preloads even so.
   bool balanced = false;
+  /// Seek preloads that are equal within each group, or multiples of the grasp's own. Bounds
+  /// are about all preloads even so.
+  ContactGroups alike{};
   Rational accuracy{1, 20};    ///< stops when found and bound differ by this part
-  std::size_t most_boxes = 0;  ///< boxes of preloads that are looked at for the bound; 0: 1000
-                               ///< for a sum and 200 for a ball
+  std::size_t most_boxes = 0;  ///< boxes of preloads that are looked at for the bound; 0: as
+                               ///< many as the next two say
+
+  /// Returns the limit for a sum.
+  std::size_t most_boxes_of_sum() const { return most_boxes == 0 ? 1000 : most_boxes; }
+  /// Returns the limit for a ball.
+  std::size_t most_boxes_of_ball() const { return most_boxes == 0 ? 200 : most_boxes; }
 };
 
 /// A box of preloads with a load, and the proof of its verdict. One grasp has no proof here: it
@@ -65,6 +80,7 @@ struct LeastPreload {
   Rational bound{0};  ///< no preloads whose sum is below this hold all loads; 0: nothing known
   std::vector<ProvedPreloads> refused{};  ///< boxes that cover the preloads of a sum below the
                                           ///< bound, with one refused load each
+  std::size_t looked = 0;                 ///< boxes that were looked at for the bound
   Rational limit{0};                      ///< no preloads of a larger sum were sought
 };
 
@@ -83,6 +99,7 @@ struct BallPreload {
   std::optional<Rational> bound{};        ///< no preloads of such a sum resist a larger ball
   std::vector<ProvedPreloads> refused{};  ///< boxes that cover the preloads of such a sum, with
                                           ///< one refused load each
+  std::size_t looked = 0;                 ///< boxes that were looked at for the bound
 };
 
 /// Returns preloads that resist nearly the largest ball of this length, point and body about

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/engine/decide_in_time.hpp"
-
 #include <utility>
 
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/engine/newton_equilibria.hpp"
 #include "stickslip/engine/second_question.hpp"
 
@@ -59,6 +58,16 @@ Answer unanswered(Question question, Undecided why) {
   Problem problem = problem_of(question);
   Answer answer{std::move(question), std::move(why), BranchWork{}};
   answer.problem = std::move(problem);
+  return answer;
+}
+
+Answer decide_in_time(const Question& question, const SearchOptions& options,
+                      const TimeLimit& limit) {
+  if (!limit.seconds()) return decide(question, options);
+  Answer answer = unanswered(question, out_of_time(limit));
+  limit.finishes([&] {
+    answer = decide(question, options, [&](const Answer& first) { answer = first; });
+  });
   return answer;
 }
 

@@ -394,7 +394,10 @@ void add_preload_command(Command& app, int& exit_code) {
     try {
       exit_code = arguments->hold ? hold(*arguments) : ball(*arguments);
     } catch (const InputError& error) {
-      if (error.place() != "balanced" && error.place() != "equal") throw;
+      if (error.place() == "equal") {
+        throw InputError("", "--equal", error.problem(), error.remedy());
+      }
+      if (error.place() != "balanced") throw;
       throw in_options(error, arguments->question.name_of_file());
     }
   });

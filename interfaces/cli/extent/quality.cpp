@@ -12,6 +12,7 @@
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
 #include "stickslip/interfaces/quality_plot.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -142,15 +143,19 @@ int quality(const QualityArguments& arguments) {
 /// Returns the resisted part of one plane: exactly for one body in the plane, else cell by
 /// cell.
 ResistedSection resisted_in(LoadSection section, const QualityFound& found,
-                            const CellsAsked& cells) {
+                            const CellsAsked& cells, const TimeLimit& limit) {
   const auto& [question, quality] = found;
   const auto& [s, t] = section.axes;
+  LongWork work("a plane of loads", limit);
   if (question.box() == nullptr) {
     const WrenchPlane plane(question.loaded().wrench, wrench_of(s.along), wrench_of(t.along));
-    auto region = resistible_set(problem_of(question), plane);
-    return {std::move(section), std::get<ResistibleSet>(std::move(region)).region};
+    ResistedSection resisted{section, std::vector<MapCell>{}};
+    work.finishes([&] {
+      auto region = resistible_set(problem_of(question), plane);
+      resisted = {section, std::get<ResistibleSet>(std::move(region)).region};
+    });
+    return resisted;
   }
-  LongWork work("a plane of loads");
   auto proved = proved_cells(quality.ball.middle(), question.law, s, t, cells, work);
   return {std::move(section), std::move(proved)};
 }
@@ -169,19 +174,19 @@ Question question_to_draw(const QualityFound& found) {
 }
 
 int draw_quality(const QualityArguments& arguments) {
-  LongWork work("quality");
+  LongWork work("quality", time_limit_option(arguments.time_limit));
   const QualityFound found = find(arguments, work);
   CellsAsked cells = arguments.cells;
   cells.node_limit = arguments.node_limit;
   std::vector<ResistedSection> sections;
   if (found.quality.stable == true) {
     for (LoadSection& section : load_sections(found.quality)) {
-      sections.push_back(resisted_in(std::move(section), found, cells));
+      sections.push_back(resisted_in(std::move(section), found, cells, work.limit()));
     }
   }
   const Question drawn = question_to_draw(found);
-  write_whole_file(arguments.output, plot_quality(drawn, decide(drawn, to_draw()).verdict,
-                                                  found.quality, sections));
+  const Verdict verdict = decide_in_time(drawn, to_draw(), work.limit()).verdict;
+  write_whole_file(arguments.output, plot_quality(drawn, verdict, found.quality, sections));
   return found.quality.stable ? kDone : kUndecidedWithinLimit;
 }
 
@@ -190,6 +195,7 @@ void add_quality_options(Command& command, QualityArguments& arguments) {
   arguments.question.add_with_enclosures_to(command);
   add_ball_options(command, arguments.quality);
   add_node_limit_option(command, arguments.node_limit);
+  add_time_limit_option(command, arguments.time_limit);
 }
 
 }  // namespace
@@ -222,7 +228,6 @@ void add_quality_command(Command& app, int& exit_code) {
                    "Write the ball that is resisted there, proved.json, and the load that is "
                    "not, refuted.json, each with its certificate for stickslip-check")
       ->type_name("DIR");
-  add_time_limit_option(*command, arguments->time_limit);
   arguments->numbers.add_to(*command);
   command->footer(footer_text(
       "A load w + z, z = (force, torque), is in the ball of radius R around the load w if\n"

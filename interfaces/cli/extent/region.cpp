@@ -274,7 +274,7 @@ int draw_region(const RegionArguments& arguments) {
     return draw_region_in_cells(question, arguments.in_cells(), arguments.output);
   }
   const WrenchPlane plane = arguments.plane(question);
-  LongWork work("region");
+  LongWork work("region", time_limit_option(arguments.time_limit));
   RegionAnswer answer{question, plane, {}, {}, out_of_time(work.limit())};
   work.finishes([&] { answer = region_answer(question, plane, options_of(arguments, work)); });
   if (answer.undecided) {
@@ -378,6 +378,7 @@ void add_region_plot(Command& plot, int& exit_code) {
   Command* command = plot.add_subcommand(
       "region", "The resistible wrenches of a plane, by default forces at zero torque");
   add_region_options(*command, *arguments);
+  add_time_limit_option(*command, arguments->time_limit);
   add_output_option(*command, arguments->output, "SVG file");
   command->footer(footer_text("", kExitCodesWithLimit,
                               "stickslip plot region fig1.json --preload 1 -o region.svg"));

@@ -125,8 +125,9 @@ int answer_region_in_cells(const Question& question, const RegionCellsArguments&
 int draw_region_in_cells(const Question& question, const RegionCellsArguments& arguments,
                          const std::string& output) {
   const LoadWindow plane = plane_of(question, arguments);
-  LongWork work("region");
-  write_whole_file(output, picture(question, plane, cells_of(question, plane, arguments, work)));
+  LongWork work("region", time_limit_option(arguments.time_limit));
+  write_whole_file(output,
+                   picture(question, plane, cells_of(question, plane, arguments, work)));
   return kDone;
 }
 

@@ -2,9 +2,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "long_work.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/grasp_plot.hpp"
 #include "stickslip/interfaces/states_plot.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
@@ -12,13 +14,14 @@
 namespace stickslip {
 namespace {
 
-std::string picture_of(const Question& question) {
-  return plot_grasp(question, decide(question, to_draw()).verdict);
+std::string picture_of(const Question& question, const TimeLimit& limit) {
+  return plot_grasp(question, decide_in_time(question, to_draw(), limit).verdict);
 }
 
 void add_grasp_plot(Command& plot, int& exit_code) {
   struct Arguments {
     QuestionArguments question;
+    std::string time_limit;
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
@@ -27,11 +30,13 @@ void add_grasp_plot(Command& plot, int& exit_code) {
                                          "and motion that hold it; in space from "
                                          "three sides");
   arguments->question.add_to(*command);
+  add_time_limit_option(*command, arguments->time_limit);
   add_output_option(*command, arguments->output, "SVG file");
   command->footer(
       footer_text("", kExitCodes, "stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg"));
   command->callback([arguments, &exit_code] {
-    write_whole_file(arguments->output, picture_of(arguments->question.any_question()));
+    write_whole_file(arguments->output, picture_of(arguments->question.any_question(),
+                                                   time_limit_option(arguments->time_limit)));
     exit_code = kDone;
   });
 }

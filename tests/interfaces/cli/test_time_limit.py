@@ -57,6 +57,20 @@ class TimeLimit(Case):
             if code == DONE:
                 self.quality(file, "--length", "1/4", *limit)  # whatever it knows, the checkers accept
 
+    def test_pictures_show_what_is_known(self):
+        for words, code in ((("grasp", CUP, "--wrench", "0,0,-1,0,0,0"), DONE), (("quality", CUP, "--wrench", "0,0,-1,0,0,0"), UNDECIDED),
+                            (("region", CUP), DONE), (("region", FIG1), UNDECIDED)):
+            file = self.path("picture.svg")
+            found, out, err = stickslip("plot", *words, *AT_ONCE, "-o", file)
+            self.assertEqual((found, out), (code, ""), words)
+            if words == ("region", FIG1):
+                self.assertIn("no region is known: the time limit of 1e-6 s was over first", err)
+                continue
+            self.assertIn("</svg>", read(file))
+            if words[0] == "quality":
+                self.assertIn("undecided", read(file))
+            os.remove(file)
+
     def test_a_radius_agrees_with_one_that_takes_longer(self):
         words = ("radius", FIG1, "--uncertain", "friction=10%,wrench=5%,position=1/100,stiffness=5%")
         full = self.json(*words)

@@ -22,4 +22,8 @@ Undecided out_of_time(const TimeLimit& limit);
 /// throws.
 Answer unanswered(Question question, Undecided why);
 
+/// Decides a question, or answers what is known when the time is over.
+Answer decide_in_time(const Question& question, const SearchOptions& options,
+                      const TimeLimit& limit);
+
 }  // namespace stickslip

@@ -3062,7 +3062,7 @@ class MovingLeaf:
         self.sizes = [1 if bits is None else 1 << max(map(int.bit_length, x)) for x in self.rays]
         # What does work: whether it is mixed, v(r) and A(r). The load is a closed one, with h for v.
         moved = [tuple(Fraction(z, self.over) for z in self.moved(x)) for x in self.rays]
-        self.weight = weight((self.c, self.over, *self.y)) + region.cone.weight
+        self.weight = max(weight((self.c, self.over, *self.y)), region.cone.weight)
         heights = [Fraction(x[size]) for x in self.rays]
         loads = [self.above(work.numerator, work.denominator, one) for work, one in zip(map(box.loads.most_work, moved), self.sizes)]
         self.works: List[Tuple[bool, List[Extent], List[Extent]]] = [
@@ -3099,7 +3099,7 @@ class MovingLeaf:
         normals, rows, factor = term.in_integers
         size = len(self.y)
         rubs = term.friction.high > 0
-        Work.spend((4 + 10 * rubs) * len(normals) * len(self.rays) * (self.weight + weight(normals[0])) ** 2)
+        Work.spend((4 + 10 * rubs) * len(normals) * len(self.rays) * max(self.weight, weight(normals[0])) ** 2)
         across = Across(self, term, c, kappa, psi) if rubs else None
         heights = [[dot(n, x) for n in normals] for x in self.rays]
         own_heights = [dot(n, self.y) for n in normals]

@@ -296,7 +296,7 @@ Number PairBound<Number>::twice(std::size_t r, std::size_t s) const {
                                         : larger(v.high * most, v.low * most);
       sum = sum + work;
     }
-    count(sum, 4);
+    count(sum, 8);
   }
   return sum;
 }

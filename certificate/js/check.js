@@ -2399,69 +2399,108 @@ function moving_twist({y, c}) {
   return {over, c: along, y: own, at: ({d, h}) => d.map((x, j) => along * x + h * own[j])};
 }
 
+const ceiling = (n, d) => (n > 0n ? (n + d - 1n) / d : n / d);  // d > 0
+
+/** Numbers of a moving leaf, exactly. */
+const EXACTLY = {
+  zero: ZERO,
+  size: () => 1n,
+  above: (n, d) => Fraction.of(n, d),
+  root: (n, d, size, sign) => root_above(new Fraction(n, d), sign),
+  multiple: (factor, x) => factor.times(x),
+  minus: (x) => x.negated(),
+  plus: (a, b) => a.plus(b),
+  times: (a, b) => a.times(b),
+  compare: (a, b) => a.compare(b),
+};
+
 /**
- * A_i(r), exactly, at each ray. With s = slips[c] d and t = slips[c] (c d + h y), which are S d times rows.d and S y(r) times rows.d
- * twist.over, S y(r) − κ s is (κ_d t − twist.over κ_n s) over all three.
+ * As whole multiples of 2^-96, each rounded to the side on which B is not smaller. A ray stands for the multiple of it that has a largest
+ * number near 1, its own being over that size.
  */
-function works_of(contact, generators, twist, kappa, psi) {
-  const {rows, square, gamma} = contact;
+const UPWARDS = {
+  zero: 0n,
+  size: ({x}) => 1n << BigInt(Math.max(...x.map((one) => bit_length(absolute(one))))),
+  above: (n, d, size) => ceiling(n << 96n, d * size),
+  // The bound of §6 differs from the root by less than a part in 2^62.
+  root: (n, d, size, sign) => {
+    const root = integer_root((n << 192n) / (d * size * size));
+    return (sign > 0 ? root : -root) + (root >> 62n) + 2n;
+  },
+  multiple: (factor, x) => ceiling(factor.n * x, factor.d),
+  minus: (x) => -x,
+  plus: (a, b) => a + b,
+  times: (a, b) => a * b,
+  compare: (a, b) => (a > b ? 1 : a < b ? -1 : 0),
+};
+
+/**
+ * A_i(r) at each ray. With s = slips[c] d and t = slips[c] (c d + h y), which are S d times rows.d and S y(r) times rows.d twist.over,
+ * S y(r) − κ s is (κ_d t − twist.over κ_n s) over all three.
+ */
+function works_of(contact, generators, twist, kappa, psi, numbers) {
+  const {rows, square, gamma} = contact, largest_of = (list) => list.reduce((a, b) => (numbers.compare(b, a) > 0 ? b : a));
   const plane = contact.n.length < 3, weights = [gamma.d, gamma.d, gamma.d, gamma.n];
   const weighted = (a, b) => a.reduce((sum, x, j) => sum + (plane ? 1n : weights[j]) * x * b[j], 0n);
-  const length = plane ? ONE : square, gamma_d = plane ? 1n : gamma.d;
-  const over = rows.d * twist.over * kappa.d, own = twist.over * kappa.n;
-  const psi_d = common_denominator(psi), psi_n = over_denominator(psi, psi_d);
+  const length = plane ? ONE : square, gamma_d = plane ? 1n : gamma.d, over = rows.d * twist.over * kappa.d, own = twist.over * kappa.n;
+  const psi_d = common_denominator(psi), psi_n = over_denominator(psi, psi_d), along_d = gamma_d * psi_d * rows.d;
   const stretch = plane ? ONE : contact.tilt.half().plus(ONE);
-  const root = (n, d, sign) => root_above(new Fraction(n * length.n, d * length.d), sign);
+  const squares_d = length.d * over * over * gamma_d, along_squares_d = length.d * along_d * along_d;
   return generators.map((ray) => {
-    const moved = twist.at(ray);
-    return largest(rows.normals.map((normal, c) => {
-      const power = Fraction.of(dot(normal, moved), rows.d * twist.over);
+    const moved = twist.at(ray), size = numbers.size(ray);
+    return largest_of(rows.normals.map((normal, c) => {
+      const power = numbers.above(dot(normal, moved), rows.d * twist.over, size);
       if (contact.mu[1].isZero()) return power;
       const s = rows.slips[c].map((row) => dot(row, ray.d)), t = rows.slips[c].map((row) => dot(row, moved));
-      const left = t.map((x, j) => kappa.d * x - own * s[j]);
-      let work = stretch.times(root(weighted(left, left), over * over * gamma_d, 1));
-      if (psi.length > 0) {
-        const along = weighted(psi_n, s), along_d = gamma_d * psi_d * rows.d;
-        work = work.plus(root(along * along, along_d * along_d, along < 0n ? -1 : 1));
-      }
+      const left = t.map((x, j) => kappa.d * x - own * s[j]), squares = weighted(left, left);
+      if (is_long(squares)) spend_products(20 * products_of(words(squares), words(squares_d)));
       spend(20);
-      return power.plus(largest(contact.mu.map((mu) => mu.times(work))));
+      let work = numbers.multiple(stretch, numbers.root(length.n * squares, squares_d, size, 1));
+      if (psi.length > 0) {
+        const along = weighted(psi_n, s);
+        work = numbers.plus(work, numbers.root(length.n * along * along, along_squares_d, size, along < 0n ? -1 : 1));
+      }
+      return numbers.plus(power, largest_of(contact.mu.map((mu) => numbers.multiple(mu, work))));
     }));
   });
 }
 
-/** `leaf-bound` of a moving leaf: what is wrong, or null. Each of `terms` is of two lists by ray, [least, largest] and A. */
-function moving_refusal(region, node) {
+/** What refuses a moving leaf, or null. */
+function moving_refusal(region, node, numbers) {
   const {box, generators} = region, twist = moving_twist(node), listed = new Map(node.slips.map((slip) => [slip.i, slip]));
-  const one = (x) => Fraction.of(x);
-  const zero_or = (x) => (x.sign() < 0 ? ZERO : x);
-  const times = (v, work) => v[work.sign() > 0 ? 1 : 0].times(work);
-  const both_above = (v, work) => zero_or(v[1]).times(zero_or(work));
-  const terms = [{
-    product: times, v: generators.map(({h}) => [one(h), one(h)]),
-    works: generators.map((ray) => box.loads.most(twist.at(ray).map((x) => Fraction.of(x, twist.over)))),
-  }];
+  const sizes = generators.map(numbers.size), larger = (a, b) => (numbers.compare(a, b) > 0 ? a : b);
+  const extents = (ends, d) => ends.map(([low, high], r) => [numbers.minus(numbers.above(-low, d, sizes[r])), numbers.above(high, d, sizes[r])]);
+  const positive = (x) => larger(x, numbers.zero);
+  // Of v and A, each with its least and its largest.
+  const closed = (v, work) => v.flatMap((x) => work.map((y) => numbers.times(x, y))).reduce(larger);
+  const mixed = (v, work) => numbers.times(positive(v[1]), positive(work[1]));
+  const loads = generators.map((ray, r) => {
+    const most = box.loads.most(twist.at(ray).map((x) => Fraction.of(x, twist.over)));
+    return numbers.above(most.n, most.d, sizes[r]);
+  });
+  const both = (x) => [x, x];
+  const terms = [{product: closed, v: extents(generators.map(({h}) => both(h)), 1n), works: loads.map(both)}];
   box.contacts.forEach((contact, i) => {
     const press = contact.spring ? CLOSED : region.press(contact.rows);
     if (press === OPEN) return;
     const {kappa, psi} = listed.get(i) ?? {kappa: ZERO, psi: []};
-    terms.push({
-      product: press === CLOSED ? times : both_above,
-      v: generators.map((ray) => pressures(contact.rows, ray).map((v) => Fraction.of(v, contact.rows.scale))),
-      works: works_of(contact, generators, twist, kappa, psi),
-    });
+    // Where v of a spring is below 0, a larger A is no bound.
+    const works = contact.spring
+      ? extents(generators.map((ray) => both(dot(contact.rows.normals[0], twist.at(ray)))), contact.rows.d * twist.over)
+      : works_of(contact, generators, twist, kappa, psi, numbers).map(both);
+    terms.push({product: press === CLOSED ? closed : mixed, v: extents(generators.map((ray) => pressures(contact.rows, ray)), contact.rows.scale), works});
   });
   let mask = region.everyone;
   for (let r = 0; r < generators.length; ++r) {
     for (let s = 0; s <= r; ++s) {
-      const sum = new Sum(1);
+      let twice = numbers.zero;
+      spend(4 * terms.length);
       for (const {product, v, works} of terms) {
-        spend(8);
-        sum.add_fractions([product(v[r], works[s]).plus(product(v[s], works[r]))]);
+        twice = numbers.plus(twice, numbers.plus(product(v[r], works[s]), product(v[s], works[r])));
       }
-      const [[twice]] = sum.total();
-      if (twice > 0n) return 'B is above 0 on two rays';
-      if (r === s && twice === 0n) mask &= generators[r].barred;
+      const sign = numbers.compare(twice, numbers.zero);
+      if (sign > 0) return 'B is above 0 on two rays';
+      if (r === s && sign === 0) mask &= generators[r].barred;
     }
   }
   return mask !== 0n ? null : 'B(r, r) = 0 on rays that are not barred together';
@@ -2585,7 +2624,7 @@ function check_trees(question, nodes, roots, tree_place, tally) {
     if (bound !== null && is_beyond(region, bound)) return [];
     if (node.kind === 'moving') {
       if (region.isBarred) return [];
-      const found = moving_refusal(region, node);
+      const found = moving_refusal(region, node, UPWARDS) === null ? null : moving_refusal(region, node, EXACTLY);
       if (found !== null) refuse('leaf-bound', found);
       if (pull !== null && !moves_along(region, node, pull)) refuse('leaf-direction', 'y(x)·A(d - h d0) is below 0 on two rays');
       return [];

@@ -43,6 +43,7 @@ GENES = {
     "separation": [0, 1, 4],
     "plane": [0, 1, 4],
     "long_planes": [False, False, True],
+    "moving": [False, False, True],  # leaves whose twist moves
     "moment_curve": [False, True],
     "chain": [0, 50, 100],  # of a hundred nodes: those whose second child is a leaf
     "nodes": [4, 16, 64, 200],
@@ -154,7 +155,8 @@ class Maker:
         if gene["uncertain"]:
             question["uncertain"] = {gene["uncertain"]: "1%"}
             words += ["--uncertain", f"{gene['uncertain']}=1%"]
-        nodes = self.tree(["leaf", *leaf], dimension + 1)
+        moving = ["moving", *leaf, self.number(["0"]), [[0, "0", ["0"] * (3 + ("torsion" in grasp["contacts"][0])) if gene["space"] else "0"]]]
+        nodes = self.tree(moving if gene["moving"] else ["leaf", *leaf], dimension + 1)
         text = json.dumps({"format": "stickslip-certificate/2", "question": question, "verdict": "unstable", "tree": nodes},
                           separators=(",", ":"))
         return json.dumps(grasp, separators=(",", ":")), text, words

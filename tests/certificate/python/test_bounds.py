@@ -24,7 +24,7 @@ def proofs():
     return found
 
 
-NODES = ("slip", "separation", "plane", "leaf", "part")
+NODES = ("slip", "separation", "plane", "leaf", "moving", "part")
 
 
 def lists_in(content):
@@ -78,9 +78,9 @@ def change(rng, certificate, bound):
         # What the leaf stands for is cut: of the two children one has the leaf, or both.
         zero, leaf = ["leaf", *[0] * len(bound)], tree[k]
         tree[k:k + 1] = [plane_at(rng, certificate, bound), *rng.choice(([leaf, zero], [leaf, zero], [zero, leaf], [leaf, leaf]))]
-    elif tree[k][0] in ("leaf", "plane"):
+    elif tree[k][0] in ("leaf", "moving", "plane"):
         numbers = tree[k]
-        numbers[rng.randrange(1, len(numbers))] = str(rng.choice((0, 1, -1, Fraction(1, 2))))
+        numbers[rng.randrange(1, len(numbers) - (numbers[0] == "moving"))] = str(rng.choice((0, 1, -1, Fraction(1, 2))))
 
 
 class BoundsTest(Case):

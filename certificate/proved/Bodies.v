@@ -473,6 +473,7 @@ Proof.
   - apply lifted_lengths. pose proof (same_shape _ _ _ St) as S. apply (f_equal (@List.length _)) in S. now rewrite !map_length in S.
   - intros w d h l a g y Ob A. apply obeys_lift in Ob. pose proof (rubs _ _ _ St w _ h l a g (combination G y) Ob A) as Ru.
     unfold work_within in *. rewrite !slip_lift. exact Ru.
+  - intros w d h l a g Ob A. apply obeys_lift in Ob. rewrite !slip_lift. exact (brakes _ _ _ St w _ h l a g Ob A).
   - intros a g' C. destruct (holds _ _ _ St a g' C) as (g & C' & E). exists g. split; [exact C'|].
     intros y. rewrite !slip_lift. apply E.
   - intros d. rewrite !slip_lift. apply (slides _ _ _ St).

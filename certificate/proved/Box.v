@@ -28,6 +28,9 @@ Record cbox := CBox {
   box_slack : list interval -> Q          (* the largest |n|^2 / |n0|^2 - 1 of a geometry *)
 }.
 
+(* Ratchets and springs have none. *)
+Definition has_friction (b : cbox) : bool := match box_normal b with [] => false | _ => true end.
+
 Section Inside.
 Open Scope R_scope.
 
@@ -163,6 +166,10 @@ Definition edge_scaling (b : cbox) : scaling :=
   scaling_of_trees (map (edge_tree b)
     (minus_ends (box_friction b) ++ ends (box_friction b) ++ full_range (box_friction b))).
 
+(* N and the slip's forms at the corners, in integers. *)
+Definition corner_forms (b : cbox) : multi (list form) :=
+  let s := forms_scaling b in mmap (map (map (to_integer s))) (geometry_tree b).
+
 Definition make_row (b : cbox) : row :=
   let none := Scaling 1 1 in
   let fs := if box_signed b then none else forms_scaling b in
@@ -178,7 +185,7 @@ Definition make_row (b : cbox) : row :=
   let numerator := if box_signed b then (times es * times ps)%Z else 1%Z in
   let denominator := if box_signed b then (over es * over ps * power n)%Z else 1%Z in
   let g := content [numerator; denominator] in
-  Row b (if box_signed b then Tip [] else mmap (map (map (to_integer fs))) (geometry_tree b)) fs
+  Row b (if box_signed b then Tip [] else corner_forms b) fs
     (map (to_integer ms) (box_weights b)) ms
     (if box_signed b then same_at_corners (tau_tree b) else Nat.eqb n 0)
     tau (mmap negative tau)
@@ -247,11 +254,11 @@ Proof.
   change [] with (map Q2R []) at 2. now rewrite map_nth.
 Qed.
 
-Lemma forms_corners j d : box_signed b = false ->
+Lemma forms_corners j d :
   Rows.dot (nth j (Rows.N r :: Rows.slips r) []) d =
-  unit (forms_scaling b) * eval (fun t => rdot (nth j t []) d) (forms (make_row b)) shares_in.
+  unit (forms_scaling b) * eval (fun t => rdot (nth j t []) d) (corner_forms b) shares_in.
 Proof.
-  intros NS. cbn [forms make_row]. rewrite NS, rational_corners, eval_mmap, <- eval_multiple. apply eval_same.
+  unfold corner_forms. rewrite rational_corners, eval_mmap, <- eval_multiple. apply eval_same.
   intros a Ha. pose proof (map_nth (map (to_integer (forms_scaling b))) a [] j) as E.
   cbn [map] in E. rewrite E. unfold forms_scaling. apply qdot_to_integers. intros q Hq.
   apply in_concat. exists (nth j a []). split; [|exact Hq].

@@ -97,6 +97,9 @@ Record stands (k : R) (r r' : Rows.row) : Prop := Stands {
   no_rubbing : Rows.rho r' = 0 -> Rows.rho r = 0;
   rubs : forall w d h l a g y, Rows.obeys w d h l r (a, g) -> 0 <= a ->
     work_within r' k a d y (Rows.product (Rows.weights r) g (Rows.slip r y));
+  (* on its own slip friction does work below 0, and no less than the one's *)
+  brakes : forall w d h l a g, Rows.obeys w d h l r (a, g) -> 0 <= a ->
+    Rows.product (Rows.weights r) g (Rows.slip r d) <= - (Rows.rho r' * a) * Rows.size (Rows.weights r') (Rows.slip r' d);
   (* friction that the one can hold, the other can *)
   holds : forall a g', Rows.size (Rows.weights r') g' <= Rows.rho r' * a ->
     exists g, Rows.size (Rows.weights r) g <= Rows.rho r * a /\
@@ -133,6 +136,7 @@ Lemma stands_for_itself r : Rows.positive (Rows.weights r) -> stands 0 r r.
 Proof.
   intros P. constructor; try reflexivity; try assumption; try lra; try (intros; assumption).
   - intros w d h l a g y Ob _. eapply obeys_within; eassumption.
+  - intros w d h l a g (_ & _ & D) _. now right.
   - intros a g H. now exists g.
 Qed.
 
@@ -286,8 +290,8 @@ Proof.
       intros M. rewrite Pull. now apply Shut.
 Qed.
 
-Lemma open_works w b r a g : seen_in b r -> Rows.obeys w d h l r (a, g) -> box_spring b = false ->
-  forallb (nowhere_positive rays) (pull_tips (make_row b)) = true -> Rows.work r (a, g) yv = 0.
+Lemma open_works w b r a g z : seen_in b r -> Rows.obeys w d h l r (a, g) -> box_spring b = false ->
+  forallb (nowhere_positive rays) (pull_tips (make_row b)) = true -> Rows.work r (a, g) z = 0.
 Proof.
   intros Se (Law & Cone & _) Sp Open. destruct (seen_stands _ _ Se) as (r' & k & p & F & mu & t & I & St & _ & _).
   pose proof (v_nonpos rays d h l ws W spanned b r' p F mu t I Open) as V.
@@ -327,7 +331,7 @@ Proof.
     destruct (box_spring (box row) || _) eqn:Closed; [exact (Add false eq_refl)|].
     apply orb_false_iff in Closed as [Sp _].
     destruct (forallb (nowhere_positive rays) _) eqn:Open; [|exact (Add true Sp)].
-    rewrite (open_works w (box row) r a g I Oc Sp Open). lra.
+    rewrite (open_works w (box row) r a g yv I Oc Sp Open). lra.
 Qed.
 
 Lemma exact_form more : forallb (fun q => (m * Qnum q) mod Zpos (Qden q) =? 0)%Z more = true ->

@@ -80,6 +80,7 @@ Inductive node :=
   | Plane (numbers : list Q)          (* without the number of l in a verdict: as in the file *)
   | Cut (name : parameter) (index : Z) (at_number : Q)             (* `part` *)
   | Leaf (y : list Q)
+  | Moving (y : list Q) (along_motion : Q) (brakes : list (Z * (Q * list Q)))   (* a leaf; a number and a slip of contacts *)
   | Held (piece : Z).                 (* a leaf, of a plane of loads *)
 
 Record witness := Witness {

@@ -160,6 +160,25 @@ Definition read_statement (s : shape) (at_path : path) (value : json) : result s
                asked_ball := match uncertain with Some (_, b) => b | None => None end;
                asked_bound := match bound with Some numbers => Some (Bounded numbers) | None => None end |} |}.
 
+(** F; and FORCES, or a number and a slip of each contact. *)
+Definition read_friction (s : shape) (contact : Z) (at_path : path) (value : json) : result (list Q) :=
+  if spatial s then
+    read_numbers (match numbered (soft s) contact with Some true => 4 | _ => 3 end) at_path value
+  else let* x := read_fraction at_path value in Fine [x].
+
+Definition read_force (s : shape) (at_path : path) (value : json) : result (Z * (Q * list Q)) :=
+  match value with
+  | Array [contact; along; across] =>
+      let* i := read_index at_path contact in
+      let* a := read_fraction at_path along in
+      let* f := read_friction s i at_path across in
+      Fine (i, (a, f))
+  | _ => expected "[contact, number, force or slip]" at_path value
+  end.
+
+Definition read_forces (s : shape) : path -> json -> result stated_forces :=
+  read_array "an array [[contact, number, force or slip], ...]" (read_force s).
+
 (** Nodes. *)
 Definition read_parameter (s : shape) (at_path : path) (value : json) : result parameter :=
   let is name := is_text name value in
@@ -201,10 +220,19 @@ Definition read_node (s : shape) (at_path : path) (value : json) : result node :
         if has_length (twist + (if of_plane s then 3 else if of_margin s then 2 else 1)) items
         then let* a := each read_fraction at_path items in Fine (Plane a)
         else expected "plane, and a number for each coordinate of a point" at_path value
+      else if (kind =? "moving") && negb (of_margin s || of_plane s) then
+        if has_length (twist + 2) items
+        then
+          let n := Z.to_nat twist in
+          let* y := each read_fraction at_path (firstn n items) in
+          let* c := read_fraction at_path (nth n items Null) in
+          let* them := read_forces s at_path (nth (S n) items Null) in
+          Fine (Moving y c them)
+        else expected "moving, a number for each component of a twist, one more, and an array" at_path value
       else if (kind =? "held") && of_plane s then let* k := contact_of items in Fine (Held k)
       else if (kind =? "part") && negb (of_margin s || of_plane s) then
         let* '(p, i, c) := read_cut s at_path items value in Fine (Cut p i c)
-      else expected "slip, separation, plane, leaf or, without a direction, part" at_path value
+      else expected "slip, separation, plane, leaf or, without a direction, moving or part" at_path value
   | _ => expected "an array that begins with the kind of the node" at_path value
   end.
 
@@ -212,11 +240,6 @@ Definition read_nodes (s : shape) : path -> json -> result (list node) :=
   read_array "an array of nodes" (read_node s).
 
 (** Witnesses and points. *)
-Definition read_friction (s : shape) (contact : Z) (at_path : path) (value : json) : result (list Q) :=
-  if spatial s then
-    read_numbers (match numbered (soft s) contact with Some true => 4 | _ => 3 end) at_path value
-  else let* x := read_fraction at_path value in Fine [x].
-
 Definition read_share (s : shape) (at_path : path) (value : json) : result (Z * list Q) :=
   match value with
   | Array [index; share] =>
@@ -427,20 +450,7 @@ Definition read_claim (s : shape) (at_path : path) (value : json) : result claim
   | _ => expected what at_path value
   end.
 
-(** Rigid contacts: FORCES, nodes. *)
-Definition read_force (s : shape) (at_path : path) (value : json) : result (Z * (Q * list Q)) :=
-  match value with
-  | Array [contact; along; across] =>
-      let* i := read_index at_path contact in
-      let* a := read_fraction at_path along in
-      let* f := read_friction s i at_path across in
-      Fine (i, (a, f))
-  | _ => expected "[contact, number, friction]" at_path value
-  end.
-
-Definition read_forces (s : shape) : path -> json -> result stated_forces :=
-  read_array "an array [[contact, number, friction], ...]" (read_force s).
-
+(** Rigid contacts: nodes. *)
 Definition read_multiplier (at_path : path) (value : json) : result (Z * Q) :=
   match value with
   | Array [contact; number] =>

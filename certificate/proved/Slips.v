@@ -461,7 +461,7 @@ End Cones.
 Definition work_within (r : Rows.row) (k a : R) (d y : list R) (phi : R) : Prop :=
   let s := Rows.slip r d in
   let t := Rows.slip r y in
-  (phi <= Rows.rho r * a * ((1 + 3 / 2 * k) * Rows.size (Rows.weights r) t) /\
+  (phi <= Rows.rho r * a * ((1 + k / 2) * Rows.size (Rows.weights r) t) /\
    (0 < Rows.size (Rows.weights r) s ->
     phi <= Rows.rho r * a * (- Rows.product (Rows.weights r) s t / Rows.size (Rows.weights r) s +
                              3 / 2 * k * Rows.size (Rows.weights r) t)))%R.
@@ -472,7 +472,7 @@ Proof.
   intros P (_ & Cone & Diss). unfold work_within. set (ws := Rows.weights r) in *.
   pose proof (Rows.size_nonneg ws (Rows.slip r y)). split.
   - eapply Rle_trans; [apply (Rows.product_bound _ _ _ P)|].
-    replace (Rows.rho r * a * ((1 + 3 / 2 * 0) * Rows.size ws (Rows.slip r y)))%R
+    replace (Rows.rho r * a * ((1 + 0 / 2) * Rows.size ws (Rows.slip r y)))%R
       with (Rows.rho r * a * Rows.size ws (Rows.slip r y))%R by lra.
     now apply Rmult_le_compat_r.
   - intros S. rewrite (Rows.against_slip _ _ _ _ P Cone Diss S). right. field. lra.
@@ -565,11 +565,14 @@ Proof.
   - exact (IH j).
 Qed.
 
+Lemma forms_are : forms it = corner_forms b.
+Proof. unfold it. cbn [forms make_row]. now rewrite unsigned. Qed.
+
 Lemma slip_corners e d' :
-  product (Rows.slip r d') e = u * eval (fun t => product (slip_of t d') e) (forms it) ss.
+  product (Rows.slip r d') e = u * eval (fun t => product (slip_of t d') e) (corner_forms b) ss.
 Proof.
   assert (A : forall ws0 j e, Rows.product ws0 (skipn j (Rows.slip r d')) e =
-    u * eval (fun t => Rows.product ws0 (skipn j (slip_of t d')) e) (forms it) ss).
+    u * eval (fun t => Rows.product ws0 (skipn j (slip_of t d')) e) (corner_forms b) ss).
   { induction ws0 as [|w ws0 IH]; intros j [|z e0].
     1, 2: cbn; rewrite eval_constant; ring.
     - rewrite (eval_same _ (fun _ => 0)), eval_constant by (intros a _; cbv beta; destruct (skipn j (slip_of a d')); reflexivity).
@@ -579,17 +582,17 @@ Proof.
         Rows.product ws0 (skipn (S j) (slip_of t d')) e0))
         by (intros a _; cbv beta; now rewrite product_skipn, nth_slip_of).
       rewrite eval_sum, eval_multiple, IH.
-      pose proof (forms_corners b r p F mu st I (S j) d' unsigned) as E. cbn [nth] in E.
+      pose proof (forms_corners b r p F mu st I (S j) d') as E. cbn [nth] in E.
       assert (N : nth j (Rows.slip r d') 0 = Rows.dot (nth j (Rows.slips r) []) d').
       { unfold Rows.slip. change 0 with (Rows.dot [] d') at 1. apply (map_nth (fun f => Rows.dot f d')). }
-      rewrite N, E. fold u ss. unfold it.
+      rewrite N, E. fold u ss.
       match goal with |- w * z * (u * ?A) + u * ?B = u * (w * z * ?A' + ?B') =>
         change A' with A; change B' with B end. ring. }
   exact (A G 0%nat e).
 Qed.
 
-Lemma N_corners d' : Rows.dot (Rows.N r) d' = u * eval (fun t => rdot (nth 0 t []) d') (forms it) ss.
-Proof. exact (forms_corners b r p F mu st I 0 d' unsigned). Qed.
+Lemma N_corners d' : Rows.dot (Rows.N r) d' = u * eval (fun t => rdot (nth 0 t []) d') (corner_forms b) ss.
+Proof. exact (forms_corners b r p F mu st I 0 d'). Qed.
 
 (* A sum over the rays of the point. *)
 Fixpoint sum_over (H : form -> R) (ws : list (R * form)) : R :=
@@ -644,7 +647,7 @@ Qed.
 
 Lemma slip_in_cone : in_cone ms gens (Rows.slip r d).
 Proof.
-  intros e D. rewrite slip_corners.
+  intros e D. rewrite slip_corners, <- forms_are.
   assert (eval (fun t => product (slip_of t d) e) (forms it) ss <= 0).
   { apply eval_most; [apply (shares_valid b r p F mu st I)|]. intros t0 Ht. rewrite product_rays.
     apply sums_nonpos; [exact W|]. intros q Hq. apply D. now apply ray_slip. }
@@ -672,7 +675,7 @@ Proof.
       - rewrite <- product_rays. apply (Heavy (fun t => product (slip_of t d) e)).
         + intros t1 Ht1. rewrite product_rays. apply sums_nonpos; [exact W|]. intros q Hq. apply D.
           now apply ray_slip.
-        + pose proof (slip_corners e d) as E.
+        + pose proof (slip_corners e d) as E. rewrite <- forms_are in E.
           rewrite (Rows.size_zero G _ e metric_positive Zero) in E. pose proof u_positive.
           apply Rmult_eq_reg_l with u; [|lra]. rewrite <- E. ring. }
     apply Forall_forall. intros [w q] Hwq. cbn.
@@ -695,21 +698,21 @@ Proof. rewrite size_is. unfold Rows.size. now rewrite (inner_is ms). Qed.
 
 (* A length is at most the mean of those at the corners. *)
 Lemma size_corners d' : Rows.size (Rows.weights r) (Rows.slip r d') <=
-  u * eval (fun t0 => Rows.size (Rows.weights r) (slip_of t0 d')) (forms it) ss.
+  u * eval (fun t0 => Rows.size (Rows.weights r) (slip_of t0 d')) (corner_forms b) ss.
 Proof.
   pose proof (weights_positive _ _ _ _ _ _ I) as WP. pose proof u_positive as UP.
   pose proof (shares_valid b r p F mu st I) as SV.
   set (t := Rows.slip r d'). pose proof (Rows.size_nonneg (Rows.weights r) t) as T0.
-  assert (E0 : 0 <= eval (fun t0 => Rows.size (Rows.weights r) (slip_of t0 d')) (forms it) ss)
+  assert (E0 : 0 <= eval (fun t0 => Rows.size (Rows.weights r) (slip_of t0 d')) (corner_forms b) ss)
     by (apply eval_least; [exact SV|]; intros; apply Rows.size_nonneg).
   destruct (Rle_lt_or_eq_dec 0 _ T0) as [P|Z]; [|rewrite <- Z; apply Rmult_le_pos; lra].
   apply Rmult_le_reg_r with (Rows.size (Rows.weights r) t); [exact P|].
   rewrite Rows.size_square by exact WP. rewrite product_is. unfold t at 1. rewrite slip_corners. fold t.
-  replace (mu_unit * (u * eval (fun t0 => product (slip_of t0 d') t) (forms it) ss))
-    with (u * eval (fun t0 => mu_unit * product (slip_of t0 d') t) (forms it) ss) by (rewrite eval_multiple; ring).
+  replace (mu_unit * (u * eval (fun t0 => product (slip_of t0 d') t) (corner_forms b) ss))
+    with (u * eval (fun t0 => mu_unit * product (slip_of t0 d') t) (corner_forms b) ss) by (rewrite eval_multiple; ring).
   rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. rewrite Rmult_comm, <- eval_multiple.
   assert (D : 0 <= eval (fun t0 => Rows.size (Rows.weights r) t * Rows.size (Rows.weights r) (slip_of t0 d') +
-    -1 * (mu_unit * product (slip_of t0 d') t)) (forms it) ss).
+    -1 * (mu_unit * product (slip_of t0 d') t)) (corner_forms b) ss).
   { apply eval_least; [exact SV|]. intros t0 _. rewrite <- product_is.
     pose proof (Rows.product_bound _ (slip_of t0 d') t WP). lra. }
   rewrite eval_sum, eval_multiple with (c := -1) in D. lra.
@@ -877,7 +880,7 @@ Proof.
   (* over rho a, at a corner *)
   set (e := fun t0 => let z := real (slip_at t0 y) in
     (if moves then - Rows.product W' s z / Rows.size W' s else Rows.size W' z) + 3 / 2 * k * Rows.size W' z).
-  assert (LE := size_corners yv). fold W' t in LE.
+  assert (LE := size_corners yv). rewrite <- forms_are in LE. fold W' t in LE.
   assert (Len : Rows.size W' t <= u * eval (fun t0 => Rows.size W' (real (slip_at t0 y))) (forms it) ss).
   { eapply Rle_trans; [exact LE|]. right. f_equal. apply eval_same. intros t0 _. unfold yv. now rewrite slip_of_integers. }
   assert (Phi : phi <= Rows.rho r * a * (u * eval e (forms it) ss)).
@@ -888,7 +891,7 @@ Proof.
     { unfold e. cbv zeta. rewrite eval_sum, eval_multiple. destruct moves; [|ring].
       rewrite (eval_same (fun t0 => - Rows.product W' s (real (slip_at t0 y)) / Rows.size W' s)
         (fun t0 => - / Rows.size W' s * (mu_unit * product (slip_of t0 yv) s))).
-      - rewrite !eval_multiple. rewrite (Rows.product_sym W' s t). unfold W' at 1, t. rewrite product_is, slip_corners.
+      - rewrite !eval_multiple. rewrite (Rows.product_sym W' s t). unfold W' at 1, t. rewrite product_is, slip_corners, <- forms_are.
         fold W'. unfold Rdiv. ring.
       - intros t0 _. unfold yv. rewrite slip_of_integers. unfold W' at 1. rewrite product_is, Rows.product_sym.
         fold W'. unfold Rdiv. ring. }
@@ -898,8 +901,8 @@ Proof.
     - eapply Rle_trans; [apply Against, MV; reflexivity|]. apply Rmult_le_compat_l; [exact RA|].
       apply Rplus_le_compat_l. apply Rmult_le_compat_l; [lra|exact Len].
     - eapply Rle_trans; [exact Cone|]. apply Rmult_le_compat_l; [exact RA|].
-      replace (E + 3 / 2 * k * E) with ((1 + 3 / 2 * k) * E) by ring. apply Rmult_le_compat_l; [lra|exact Len]. }
-  rewrite N_corners.
+      replace (E + 3 / 2 * k * E) with ((1 + 3 / 2 * k) * E) by ring. apply Rmult_le_compat; [lra|apply Rows.size_nonneg|lra|exact Len]. }
+  rewrite N_corners, <- forms_are.
   apply Rle_trans with (a * eval (fun t0 => u * Q2R factor * IZR (dot (nth 0 t0 []) y) + Rows.rho r * (u * Q2R factor * e t0))
     (forms it) ss).
   - rewrite eval_sum, !eval_multiple.

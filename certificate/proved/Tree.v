@@ -4,7 +4,7 @@
    equilibrium. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Matrix Load Bound.
-From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Walk.
+From Proved Require Import Lists Question Cone Meaning Numbers Root Box Terms Slips Leaf Moving Walk.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -84,11 +84,31 @@ Definition leaf_fails (s : setting) (strict : list (list form)) (rays : list ray
       else Some "leaf-direction"%string
     else Some "leaf-bound"%string.
 
+(* Nothing pushes and no load grows where twists move, but what a proof by degree asks about. *)
+Definition moving_fails (s : setting) (strict : list (list form)) (rays : list ray) (y : list Q) (along_motion : Q)
+    (brakes : list (Z * (Q * list Q))) : option string :=
+  let sc := scaling_of (along_motion :: y ++ List.concat (map (fun f => fst (snd f) :: snd (snd f)) brakes)) in
+  let c := to_integer sc along_motion in
+  let y := map (to_integer sc) y in
+  let them := map (fun f => (fst f, (to_integer sc (fst (snd f)), map (to_integer sc) (snd (snd f))))) brakes in
+  let of_contacts (exact : bool) := carriers exact (unit_of sc) rays them (rows s) 0 [] in
+  let holds := moving_holds strict rays (the_load s) c y (unit_of sc) in
+  match of_contacts false with
+  | None => Some "moving-list"%string
+  | Some cs =>
+      if barred strict rays || beyond_bound (the_bound s) strict rays then None
+      else if Nat.eqb (List.length (known_push (pushes s))) 0 && forallb is_zero (load_growth (the_load s)) &&
+              (holds cs || match of_contacts true with Some cs => holds cs | None => false end) then
+        if direction_holds rays c y (a_multiple (pushes s)) then None else Some "leaf-direction"%string
+      else Some "leaf-bound"%string
+  end.
+
 (* What a leaf that is held says; without pieces there are none. *)
 Definition end_fails (held : Z -> list ray -> option string) (s : setting) (strict : list (list form)) (rays : list ray)
     (n : node) : option string :=
   match n with
   | Leaf y => leaf_fails s strict rays y
+  | Moving y c brakes => moving_fails s strict rays y c brakes
   | Held k => held k rays
   | _ => Some "node-contact"%string
   end.
@@ -120,9 +140,6 @@ Fixpoint set_named (name : parameter) (new : interval) (names : list parameter) 
   | n :: names', i :: is' => if same_parameter n name then new :: is' else i :: set_named name new names' is'
   | _, _ => is
   end.
-
-(* Ratchets and springs have none. *)
-Definition has_friction (b : cbox) : bool := match box_normal b with [] => false | _ => true end.
 
 Definition get (b : cbox) (name : parameter) : option interval :=
   match name with
@@ -209,7 +226,7 @@ Definition slip_forms (row : row) : list form := map of_motion (firstn (List.len
 (* The children of a node, or the rule that fails. *)
 Definition split (s : setting) (n : node) : list (branch setting) + string :=
   match n with
-  | Leaf _ | Held _ => inl []
+  | Leaf _ | Moving _ _ _ | Held _ => inl []
   | Plane a =>
       let a := plane_numbers (dimension_of s) a in
       let f := map (to_integer (scaling_of a)) a in
@@ -523,7 +540,7 @@ Proof.
   set (u := unit (forms_scaling (box row))). assert (U : 0 < u) by apply unit_positive.
   set (T := first_tip (forms row)).
   assert (Nth : forall j, nth j (Rows.slip r' d) 0 = u * rdot (nth (S j) T []) d).
-  { intros j. pose proof (forms_corners (box row) r' p F mu t I (S j) d Sg) as X.
+  { intros j. pose proof (forms_corners (box row) r' p F mu t I (S j) d) as X. rewrite <- (forms_are (box row) Sg) in X.
     rewrite SS, eval_first, <- E in X. transitivity (Rows.dot (nth j (Rows.slips r') []) d); [|exact X].
     unfold Rows.slip. change 0 with (Rows.dot [] d) at 1. apply (map_nth (fun f => Rows.dot f d)). }
   assert (Of : forall f, rdot (of_motion f) (h :: l :: d) = rdot f d) by (intros; apply rdot_of_motion).
@@ -556,7 +573,7 @@ Lemma split_covers s n bs x : is_leaf n = false -> split s n = inl bs -> solves 
   exists b, In b bs /\ takes solves b x.
 Proof.
   intros NL H S.
-  destruct n as [i|i|a|name i c|y|k]; cbn [split] in H; try discriminate NL.
+  destruct n as [i|i|a|name i c|y|y c fs|k]; cbn [split] in H; try discriminate NL.
   - destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (negb (has_friction (box row))); [discriminate|].
     destruct (slip_certain row) eqn:SC; [|discriminate]. cbn [negb] in H.
@@ -636,6 +653,36 @@ Proof.
   apply orb_true_iff in C as [C|C]; [|exact (L _ C)]. apply andb_true_iff in C as [_ C]. exact (L _ C).
 Qed.
 
+Lemma moving_refuted s strict rays y along brakes x :
+  moving_fails s strict rays y along brakes = None -> Forall (knows strict) rays ->
+  spans (map coordinates rays) (fun a => rdot a x) -> Forall (not_zero x) strict ->
+  solves s x -> False.
+Proof.
+  unfold moving_fails. intros H G (ws & W & Sp) T (sys & d & h & l & fs & c & -> & C0 & S & SL & Bd).
+  set (sc := scaling_of _) in *. set (c' := to_integer sc along) in *. set (y' := map (to_integer sc) y) in *.
+  assert (FP : 0 < Q2R (unit_of sc)).
+  { rewrite unit_of_is by apply common_denominator_positive. apply unit_positive. }
+  destruct (carriers false _ _ _ _ _ _) as [cs|] eqn:C in H; [|discriminate].
+  destruct (beyond_bound (the_bound s) strict rays) eqn:Be.
+  { exact (nothing_beyond strict rays h l d ws (the_bound s) G T W Sp Bd Be). }
+  rewrite orb_false_r in H. destruct (barred strict rays) eqn:B.
+  { apply (not_barred strict rays (h :: l :: d) G T ws Sp rays); auto.
+    eapply Forall_impl; [|exact W]. intros p [_ Hp]. right.
+    apply in_map_iff in Hp as (q & Hq & Hin). exists q. auto. }
+  destruct (_ && (_ || _)) eqn:M in H; [|discriminate].
+  apply andb_true_iff in M as [M Ho]. apply andb_true_iff in M as [Kp Gr]. apply Nat.eqb_eq, length_zero_iff_nil in Kp.
+  destruct (direction_holds _ _ _ _) eqn:D in H; [|discriminate].
+  assert (Refuted : forall exact them cs', carriers exact (unit_of sc) rays them (rows s) 0 [] = Some cs' ->
+    moving_holds strict rays (the_load s) c' y' (unit_of sc) cs' = false).
+  { intros exact them cs' C'.
+    apply (moving_refutes strict rays d h l G T ws W Sp c' y' (unit_of sc) FP exact (rows s) (the_load s)
+      _ sys fs them cs' S); [|exact C'|exact Gr].
+    unfold pushed. rewrite Kp. cbn [map]. unfold Degree.times at 2. cbn [map]. rewrite Degree.dot_nil, Rminus_0_r.
+    apply Rmult_le_pos; [exact C0|]. exact (moves_along rays d h l ws W Sp c' y' _ D). }
+  rewrite (Refuted false _ cs C) in Ho. destruct (carriers true _ _ _ _ _ _) as [cs'|] eqn:C' in Ho; [|discriminate].
+  now rewrite (Refuted true _ cs' C') in Ho.
+Qed.
+
 Lemma Forall_separating (P : form -> Prop) rows before : Forall P before ->
   (forall r f, In r rows -> separates r = Some f -> box_spring (box r) = false -> P f) ->
   Forall P (separating rows before).
@@ -686,6 +733,7 @@ Lemma end_shows held (shown : list R -> Prop) s strict rays n x :
 Proof.
   intros He Le H K Sp T S. destruct n; try discriminate Le; cbn in H.
   - exfalso. eapply leaf_refuted; eassumption.
+  - exfalso. eapply moving_refuted; eassumption.
   - now apply (He piece).
 Qed.
 

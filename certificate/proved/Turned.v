@@ -237,7 +237,7 @@ Proof.
   assert (Slip : forall d, Rows.slip (space_contact_row c) d =
     vector_list (across n (seen n0 n (moved c (screw_of d))))).
   { intros d. rewrite space_slip_is, slip_across. fold n. now rewrite across_seen. }
-  constructor; try reflexivity; [apply three_positive|exact K| | | |].
+  constructor; try reflexivity; [apply three_positive|exact K| | | | |].
   - cbn [Rows.rho turned_row space_contact_row]. intros Z.
     assert (friction c = 0) as ->; [|ring]. apply Rmult_integral in Z as [Z|Z]; [exact Z|]. fold L in Z. lra.
   - intros w d h l a g y (_ & Cone & Diss) A0. unfold work_within.
@@ -255,9 +255,8 @@ Proof.
       destruct (across_length t Ftt) as [_ Hi]. fold tau in Hi.
       eapply Rle_trans; [exact G|].
       replace (friction c * norm n * a * norm tau) with (friction c * a * (norm n * norm tau)) by ring.
-      replace (friction c * L * a * ((1 + 3 / 2 * k) * norm t)) with (friction c * a * (L * norm t * (1 + 3 / 2 * k))) by ring.
-      apply Rmult_le_compat_l; [exact MA|]. eapply Rle_trans; [exact Hi|].
-      apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. lra.
+      replace (friction c * L * a * ((1 + k / 2) * norm t)) with (friction c * a * (L * norm t * (1 + k / 2))) by ring.
+      apply Rmult_le_compat_l; [exact MA|exact Hi].
     + intros S0. set (sigma := across n s) in *.
       destruct (across_length s Fs) as [Lo Hi]. fold sigma in Lo, Hi.
       assert (N0 : 0 < norm n) by (apply sqrt_lt_R0; apply nn_positive).
@@ -304,6 +303,14 @@ Proof.
         by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
       replace ((norm m * norm s) * (norm m * norm t)) with (L * L * k * norm s * norm t) in H
         by (rewrite <- mm, <- norm_square; ring). lra.
+  - intros w d h l a g (_ & _ & Diss) A0. rewrite seen_slip, !Slip in *.
+    cbn [Rows.weights Rows.rho turned_row space_contact_row] in *. rewrite !size_three in *. fold n in Diss |- *. rewrite Diss.
+    set (s := seen n0 n (moved c (screw_of d))) in *. change (length c) with (norm n). fold L.
+    destruct (across_length s (seen_flat _)) as [Lo _].
+    replace (- (friction c * norm n * a) * norm (across n s)) with (- (friction c * a) * (norm n * norm (across n s))) by ring.
+    replace (- (friction c * L * a) * norm s) with (- (friction c * a) * (L * norm s)) by ring.
+    assert (MA : 0 <= friction c * a) by now apply Rmult_le_pos.
+    apply (Rmult_le_compat_l _ _ _ MA) in Lo. lra.
   - intros a g' C. cbn [Rows.weights Rows.rho turned_row space_contact_row] in *. fold L in C.
     rewrite <- size_of_list in C. change (length c) with (norm n). set (f := vector_of g') in *.
     exists (vector_list (turned_force f)). rewrite size_three. split.

@@ -73,7 +73,7 @@ Variable split : setting -> node -> list branch + string.
 (* The rule that fails, at a leaf with these strict functions and rays. *)
 Variable leaf_fails : setting -> list (list form) -> list ray -> node -> option string.
 
-Definition is_leaf (n : node) : bool := match n with Leaf _ | Held _ => true | _ => false end.
+Definition is_leaf (n : node) : bool := match n with Leaf _ | Moving _ _ _ | Held _ => true | _ => false end.
 
 Definition at_leaf (r : region) : list (list form) * list ray :=
   fold_left (fun sr fs => (fs :: fst sr, map (add_strict fs) (snd sr))) (moving r)

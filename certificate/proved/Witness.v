@@ -497,7 +497,7 @@ Proof.
     rewrite TE. destruct e; cbn [Rows.product]; ring.
   - exists (unit (forms_scaling b)). split; [apply unit_positive|]. intros h l _ ds e.
     unfold ws. rewrite !(product_is b r p F mu t I).
-    rewrite (slip_corners b r p F mu t I Sg e (real ds)). unfold shares_in. rewrite SS, eval_first.
+    rewrite (slip_corners b r p F mu t I e (real ds)), <- (forms_are b Sg). unfold shares_in. rewrite SS, eval_first.
     rewrite slip_of_integers. cbn [tl]. rewrite E. fold b. ring.
 Qed.
 

@@ -124,7 +124,7 @@ type size =
     points : int; twists : int }
 
 let size_of_tree size tree =
-  let leaves = List.length (List.filter (function Leaf _ | Held _ -> true | _ -> false) tree) in
+  let leaves = List.length (List.filter (function Leaf _ | Moving _ | Held _ -> true | _ -> false) tree) in
   { size with nodes = size.nodes + List.length tree; leaves = size.leaves + leaves }
 
 (* The parts of [0, oo) that the intervals of a margin leave. *)

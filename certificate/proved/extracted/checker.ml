@@ -1557,6 +1557,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Moving of q list * q * (Big_int_Z.big_int * (q * q list)) list
 | Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
@@ -1967,6 +1968,13 @@ type cbox = { box_names : parameter list; box_geometry : interval list;
               box_spring : bool; box_turns : bool;
               box_slack : (interval list -> q) }
 
+(** val has_friction : cbox -> bool **)
+
+let has_friction b =
+  match b.box_normal with
+  | [] -> false
+  | _ :: _ -> true
+
 type row = { box : cbox; forms : form list multi; forms_scale : scaling;
              metric : Big_int_Z.big_int list; metric_scale : scaling;
              slip_certain : bool; tau : form multi; minus_tau : form multi;
@@ -2120,6 +2128,11 @@ let edge_scaling b =
       (app (minus_ends b.box_friction)
         (app (ends b.box_friction) (full_range b.box_friction))))
 
+(** val corner_forms : cbox -> form list multi **)
+
+let corner_forms b =
+  let s = forms_scaling b in mmap (map (map (to_integer s))) (geometry_tree b)
+
 (** val make_row : cbox -> row **)
 
 let make_row b =
@@ -2152,12 +2165,9 @@ let make_row b =
     else Big_int_Z.unit_big_int
   in
   let g = content (numerator0 :: (denominator :: [])) in
-  { box = b; forms =
-  (if b.box_signed
-   then Tip []
-   else mmap (map (map (to_integer fs))) (geometry_tree b)); forms_scale =
-  fs; metric = (map (to_integer ms) b.box_weights); metric_scale = ms;
-  slip_certain =
+  { box = b; forms = (if b.box_signed then Tip [] else corner_forms b);
+  forms_scale = fs; metric = (map (to_integer ms) b.box_weights);
+  metric_scale = ms; slip_certain =
   (if b.box_signed then same_at_corners (tau_tree b) else Nat.eqb n0 O);
   tau = tau0; minus_tau = (mmap negative tau0); edges_plus =
   (edges0 (minus_ends b.box_friction)); edges_minus =
@@ -2651,6 +2661,14 @@ let alpha_term m a mixed0 row0 =
 
 let alpha_over a row0 =
   Z.mul a.qden row0.pull_scale.over
+
+(** val ray_motion : form -> form **)
+
+let ray_motion = function
+| [] -> []
+| _ :: l0 -> (match l0 with
+              | [] -> []
+              | _ :: d' -> d')
 
 type vector = q list
 
@@ -3618,6 +3636,339 @@ let mechanism_boxes bits0 d its contacts0 =
    | Some boxes -> Some (app boxes (map element_box its.elements))
    | None -> None)
 
+(** val h_of : form -> Big_int_Z.big_int **)
+
+let h_of q0 =
+  nth O q0 Big_int_Z.zero_big_int
+
+(** val twist_at : Big_int_Z.big_int -> form -> form -> form **)
+
+let twist_at c y q0 =
+  combine0 c (ray_motion q0) (h_of q0) y
+
+type measure =
+| Exactly of q * q * q * q
+| Shortly of Big_int_Z.big_int * Big_int_Z.big_int * Big_int_Z.big_int
+
+(** val exact_measure : row -> q -> measure **)
+
+let exact_measure row0 u =
+  let unit1 = unit_of row0.metric_scale in
+  let scale = reduced (qmult (qmult row0.box.box_square unit1) (qmult u u)) in
+  Exactly (u, scale, (reduced (qmult scale unit1)),
+  (reduced
+    (qplus { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+      (qmult { qnum = Big_int_Z.unit_big_int; qden =
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) } row0.slack))))
+
+(** val shifted : Big_int_Z.big_int -> q -> Big_int_Z.big_int **)
+
+let shifted bits0 q0 =
+  up (Z.shiftl q0.qnum bits0) q0.qden
+
+(** val short_measure : row -> measure **)
+
+let short_measure row0 =
+  let unit1 = unit_of row0.metric_scale in
+  let scale = reduced (qmult row0.box.box_square unit1) in
+  let aside = reduced (qmult scale unit1) in
+  let part0 = { qnum = Big_int_Z.unit_big_int; qden =
+    (Z.to_pos
+      (Z.shiftl Big_int_Z.unit_big_int (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        Big_int_Z.unit_big_int))))))) }
+  in
+  Shortly
+  ((shifted (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+     (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+     (Big_int_Z.mult_int_big_int 2
+     ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+     Big_int_Z.unit_big_int))))))
+     (qmult
+       (qplus { qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int } part0) (root_above aside))),
+  (Z.opp
+    (shifted (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2
+      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+      Big_int_Z.unit_big_int))))))
+      (qopp
+        (qmult
+          (qminus { qnum = Big_int_Z.unit_big_int; qden =
+            Big_int_Z.unit_big_int } part0) (root_below aside))))),
+  (shifted (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))
+    (qmult
+      (qmult
+        (qplus { qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int } part0)
+        (qplus { qnum = Big_int_Z.unit_big_int; qden =
+          Big_int_Z.unit_big_int }
+          (qmult { qnum = Big_int_Z.unit_big_int; qden =
+            (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) }
+            row0.slack))) (root_above scale))))
+
+(** val friction_within :
+    measure -> Big_int_Z.big_int -> Big_int_Z.big_int -> q **)
+
+let friction_within m p square =
+  match m with
+  | Exactly (u, scale, aside, stretch) ->
+    let along = qmult aside (inject_Z (Z.mul p p)) in
+    qdiv
+      (qplus
+        (if Z.ltb p Big_int_Z.zero_big_int
+         then qopp (root_below along)
+         else root_above along)
+        (qmult stretch (root_above (qmult scale (inject_Z square))))) u
+  | Shortly (most, least, length0) ->
+    { qnum =
+      (Z.add
+        (Z.mul p (if Z.ltb p Big_int_Z.zero_big_int then least else most))
+        (Z.mul length0
+          (Z.add
+            (Z.sqrt
+              (Z.shiftl square (Big_int_Z.mult_int_big_int 2
+                (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+                (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+                (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))))
+            Big_int_Z.unit_big_int))); qden =
+      (Z.to_pos
+        (Z.shiftl Big_int_Z.unit_big_int (Big_int_Z.mult_int_big_int 2
+          (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+          (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+          ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+          Big_int_Z.unit_big_int)))))))) }
+
+type carrier = { carried : row; forms_scaled : scaling;
+                 at_corners : form list list; measured : measure;
+                 kappa : Big_int_Z.big_int; psi : form; may_open : bool }
+
+(** val carrier_of :
+    bool -> q -> row -> Big_int_Z.big_int -> form -> bool -> carrier **)
+
+let carrier_of exact0 factor0 row0 kappa0 psi0 may_open0 =
+  if row0.box.box_signed
+  then let s = forms_scaling row0.box in
+       let them = corner_forms row0.box in
+       { carried = row0; forms_scaled = s; at_corners = (tips them);
+       measured =
+       (if exact0
+        then exact_measure row0 (reduced (qmult (unit_of s) factor0))
+        else short_measure row0); kappa = kappa0; psi = psi0; may_open =
+       may_open0 }
+  else let s = row0.forms_scale in
+       let them = row0.forms in
+       { carried = row0; forms_scaled = s; at_corners = (tips them);
+       measured =
+       (if exact0
+        then exact_measure row0 (reduced (qmult (unit_of s) factor0))
+        else short_measure row0); kappa = kappa0; psi = psi0; may_open =
+       may_open0 }
+
+(** val psi_within : row -> Big_int_Z.big_int -> form -> bool **)
+
+let psi_within row0 kappa0 psi0 =
+  (&&) (Z.leb Big_int_Z.zero_big_int kappa0)
+    (Z.leb (Z.mul row0.metric_scale.times (inner_of row0.metric psi0 psi0))
+      (Z.mul row0.metric_scale.over (Z.mul kappa0 kappa0)))
+
+(** val stated :
+    row -> Big_int_Z.big_int ->
+    (Big_int_Z.big_int * (Big_int_Z.big_int * form)) list ->
+    ((Big_int_Z.big_int * form) * (Big_int_Z.big_int * (Big_int_Z.big_int * form))
+    list) * bool **)
+
+let stated row0 number them = match them with
+| [] -> (((Big_int_Z.zero_big_int, []), []), true)
+| p :: them' ->
+  let (i, p0) = p in
+  let (kappa0, psi0) = p0 in
+  if Z.eqb i number
+  then (((kappa0, psi0), them'),
+         ((&&) (has_friction row0.box) (psi_within row0 kappa0 psi0)))
+  else (((Big_int_Z.zero_big_int, []), them), true)
+
+(** val carriers :
+    bool -> q -> ray list -> (Big_int_Z.big_int * (Big_int_Z.big_int * form))
+    list -> row list -> Big_int_Z.big_int -> carrier list -> carrier list
+    option **)
+
+let rec carriers exact0 factor0 rays0 them rows0 number before =
+  match rows0 with
+  | [] -> (match them with
+           | [] -> Some before
+           | _ :: _ -> None)
+  | row0 :: rows' ->
+    let (p, good) = stated row0 number them in
+    let (p0, others) = p in
+    let (kappa0, psi0) = p0 in
+    if (&&) good ((||) (negb row0.box.box_spring) (Nat.eqb row0.parameters O))
+    then let vs = pull_tips row0 in
+         let it = carrier_of exact0 factor0 row0 kappa0 psi0 in
+         carriers exact0 factor0 rays0 others rows'
+           (Z.add number Big_int_Z.unit_big_int)
+           (if (||) row0.box.box_spring (forallb (nowhere_negative rays0) vs)
+            then (it false) :: before
+            else if forallb (nowhere_positive rays0) vs
+                 then before
+                 else (it true) :: before)
+    else None
+
+(** val corner_work : carrier -> form -> form -> form list -> q **)
+
+let corner_work it yq d t =
+  let row0 = it.carried in
+  let along = inject_Z (dot (nth O t []) yq) in
+  if row0.box.box_spring
+  then along
+  else let z0 =
+         slip_at t (combine0 Big_int_Z.unit_big_int yq (Z.opp it.kappa) d)
+       in
+       let friction0 =
+         friction_within it.measured
+           (inner_of row0.metric it.psi (slip_at t d))
+           (inner_of row0.metric z0 z0)
+       in
+       qplus along
+         (largest_q
+           (map (fun mu -> qmult mu friction0) (ends row0.box.box_friction)))
+
+(** val most_work : carrier -> q -> form -> form -> q **)
+
+let most_work it factor0 yq d =
+  let u = reduced (qmult (unit_of it.forms_scaled) factor0) in
+  reduced (qmult u (largest_q (map (corner_work it yq d) it.at_corners)))
+
+(** val scaled_work :
+    Big_int_Z.big_int -> form -> q -> form -> carrier -> q **)
+
+let scaled_work c y factor0 q0 it =
+  reduced
+    (qmult (unit_of it.carried.pull_scale)
+      (most_work it factor0 (twist_at c y q0) (ray_motion q0)))
+
+(** val load_work : load -> Big_int_Z.big_int -> form -> q -> form -> q **)
+
+let load_work ld c y factor0 q0 =
+  reduced
+    (work_of ld
+      (map (fun z0 -> qmult factor0 (inject_Z z0)) (twist_at c y q0))).high
+
+(** val all_works :
+    load -> Big_int_Z.big_int -> form -> q -> carrier list -> form -> q list **)
+
+let all_works ld c y factor0 cs q0 =
+  (load_work ld c y factor0 q0) :: (map_all (scaled_work c y factor0 q0) cs)
+
+type press = { opens : bool; least_pull : Big_int_Z.big_int;
+               most_pull : Big_int_Z.big_int; effort : Big_int_Z.big_int }
+
+(** val press_of : form -> carrier -> Big_int_Z.big_int -> press **)
+
+let press_of q0 it work =
+  let vs = map (fun f -> dot f q0) (pull_tips it.carried) in
+  { opens = it.may_open; least_pull = (Z.opp (largest (map Z.opp vs)));
+  most_pull = (largest vs); effort = work }
+
+(** val pressed : press -> press -> Big_int_Z.big_int **)
+
+let pressed a b =
+  if a.opens
+  then Z.mul (Z.max Big_int_Z.zero_big_int a.most_pull)
+         (Z.max Big_int_Z.zero_big_int b.effort)
+  else Z.mul
+         (if Z.ltb Big_int_Z.zero_big_int b.effort
+          then a.most_pull
+          else a.least_pull) b.effort
+
+(** val presses_of :
+    form -> carrier list -> Big_int_Z.big_int list -> press list **)
+
+let rec presses_of q0 cs works =
+  match cs with
+  | [] -> []
+  | it :: cs' ->
+    (match works with
+     | [] -> []
+     | w :: works' -> (press_of q0 it w) :: (presses_of q0 cs' works'))
+
+(** val pressed_all :
+    press list -> press list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+let rec pressed_all a b sum0 =
+  match a with
+  | [] -> sum0
+  | x :: a' ->
+    (match b with
+     | [] -> sum0
+     | y :: b' -> pressed_all a' b' (Z.add sum0 (pressed x y)))
+
+type at_ray = { the_ray : ray; at_h : Big_int_Z.big_int;
+                load_effort : Big_int_Z.big_int; presses : press list }
+
+(** val at_ray_of :
+    carrier list -> ray -> Big_int_Z.big_int list -> at_ray **)
+
+let at_ray_of cs r = function
+| [] ->
+  { the_ray = r; at_h = Big_int_Z.zero_big_int; load_effort =
+    Big_int_Z.zero_big_int; presses = [] }
+| load0 :: works' ->
+  { the_ray = r; at_h = (h_of r.coordinates); load_effort = load0; presses =
+    (presses_of r.coordinates cs works') }
+
+(** val work_between : at_ray -> at_ray -> Big_int_Z.big_int **)
+
+let work_between a b =
+  pressed_all a.presses b.presses (Z.mul a.at_h b.load_effort)
+
+(** val bound_of : at_ray -> at_ray -> Big_int_Z.big_int **)
+
+let bound_of a b =
+  Z.add (work_between a b) (work_between b a)
+
+(** val all_pairs : ('a1 -> 'a1 -> bool) -> 'a1 list -> bool **)
+
+let rec all_pairs test l = match l with
+| [] -> true
+| a :: l' -> (&&) (forallb (test a) l) (all_pairs test l')
+
+(** val moving_holds :
+    form list list -> ray list -> load -> Big_int_Z.big_int -> form -> q ->
+    carrier list -> bool **)
+
+let moving_holds strict0 rays0 ld c y factor0 cs =
+  let works =
+    map (fun r -> (r, (all_works ld c y factor0 cs r.coordinates))) rays0
+  in
+  let s = scaling_of (concat (map snd works)) in
+  let them =
+    map (fun p -> at_ray_of cs (fst p) (map_all (to_integer s) (snd p))) works
+  in
+  (&&)
+    (all_pairs (fun a b -> Z.leb (bound_of a b) Big_int_Z.zero_big_int) them)
+    (barred strict0
+      (map (fun a -> a.the_ray)
+        (filter (fun a -> Z.eqb (bound_of a a) Big_int_Z.zero_big_int) them)))
+
+(** val direction_holds :
+    ray list -> Big_int_Z.big_int -> form -> matrix -> bool **)
+
+let direction_holds rays0 c y a =
+  let rows0 = map (map (to_integer (scaling_of (concat a)))) a in
+  all_pairs (fun p q0 ->
+    Z.leb Big_int_Z.zero_big_int
+      (Z.add (dot (fst p) (snd q0)) (dot (fst q0) (snd p))))
+    (map (fun r -> ((twist_at c y r.coordinates),
+      (map (fun f -> dot f r.coordinates) rows0))) rays0)
+
 (** val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
 
 let contains a b =
@@ -3793,6 +4144,7 @@ let child advisor r b =
 
 let is_leaf = function
 | Leaf _ -> true
+| Moving (_, _, _) -> true
 | Held _ -> true
 | _ -> false
 
@@ -3968,12 +4320,52 @@ let leaf_fails s strict0 rays0 y =
             else Some "leaf-direction"
        else Some "leaf-bound"
 
+(** val moving_fails :
+    setting -> form list list -> ray list -> q list -> q ->
+    (Big_int_Z.big_int * (q * q list)) list -> string option **)
+
+let moving_fails s strict0 rays0 y along_motion brakes =
+  let sc =
+    scaling_of
+      (along_motion :: (app y
+                         (concat
+                           (map (fun f -> (fst (snd f)) :: (snd (snd f)))
+                             brakes))))
+  in
+  let c = to_integer sc along_motion in
+  let y0 = map (to_integer sc) y in
+  let them =
+    map (fun f -> ((fst f), ((to_integer sc (fst (snd f))),
+      (map (to_integer sc) (snd (snd f)))))) brakes
+  in
+  let of_contacts = fun exact0 ->
+    carriers exact0 (unit_of sc) rays0 them s.rows Big_int_Z.zero_big_int []
+  in
+  let holds = moving_holds strict0 rays0 s.the_load c y0 (unit_of sc) in
+  (match of_contacts false with
+   | Some cs ->
+     if (||) (barred strict0 rays0) (beyond_bound s.the_bound strict0 rays0)
+     then None
+     else if (&&)
+               ((&&) (Nat.eqb (length s.pushes.known_push) O)
+                 (forallb is_zero s.the_load.load_growth))
+               ((||) (holds cs)
+                 (match of_contacts true with
+                  | Some cs0 -> holds cs0
+                  | None -> false))
+          then if direction_holds rays0 c y0 s.pushes.a_multiple
+               then None
+               else Some "leaf-direction"
+          else Some "leaf-bound"
+   | None -> Some "moving-list")
+
 (** val end_fails :
     (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
     list -> ray list -> node -> string option **)
 
 let end_fails held0 s strict0 rays0 = function
 | Leaf y -> leaf_fails s strict0 rays0 y
+| Moving (y, c, brakes) -> moving_fails s strict0 rays0 y c brakes
 | Held k -> held0 k rays0
 | _ -> Some "node-contact"
 
@@ -4054,13 +4446,6 @@ let rec set_named name new0 names is =
        if same_parameter n0 name
        then new0 :: is'
        else i :: (set_named name new0 names' is'))
-
-(** val has_friction : cbox -> bool **)
-
-let has_friction b =
-  match b.box_normal with
-  | [] -> false
-  | _ :: _ -> true
 
 (** val get : cbox -> parameter -> interval option **)
 
@@ -4392,9 +4777,9 @@ let is_share_of b f =
       (qeq_bool (sum_of_products f b.box_normal) { qnum =
         Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
 
-(** val presses : cbox -> Big_int_Z.big_int -> bool **)
+(** val presses0 : cbox -> Big_int_Z.big_int -> bool **)
 
-let presses b v =
+let presses0 b v =
   (||) b.box_spring (Z.ltb Big_int_Z.zero_big_int v)
 
 (** val sliding : cbox -> form -> q list **)
@@ -4432,7 +4817,7 @@ let state_of r x given =
             g; is_against = true }
      else None
    | None ->
-     if (||) ((||) (all_zero slip) (negb (presses b v)))
+     if (||) ((||) (all_zero slip) (negb (presses0 b v)))
           (qeq_bool (mu_of b) { qnum = Big_int_Z.zero_big_int; qden =
             Big_int_Z.unit_big_int })
      then Some { state_row = r; state_v = v; state_slip = slip; state_share =
@@ -4505,7 +4890,7 @@ let rec add_friction c ws g forms0 sum0 =
 let wrench_of s =
   let r = s.state_row in
   let b = r.box in
-  if presses b s.state_v
+  if presses0 b s.state_v
   then let a = { qnum = (Z.mul s.state_v r.pull_scale.times); qden =
          (Z.to_pos r.pull_scale.over) }
        in
@@ -5270,9 +5655,9 @@ let plus_interval a b =
   { low = (reduced (qplus a.low b.low)); high =
     (reduced (qplus a.high b.high)) }
 
-(** val shifted : interval -> q -> interval **)
+(** val shifted0 : interval -> q -> interval **)
 
-let shifted a c =
+let shifted0 a c =
   { low = (reduced (qplus a.low c)); high = (reduced (qplus a.high c)) }
 
 (** val plus_intervals : interval list -> interval list -> interval list **)
@@ -5315,7 +5700,7 @@ let pressures b lambda =
 let loads_at s lambda =
   let n0 = s.dimension_of in
   map (fun k ->
-    shifted (work_of s.the_load (unit_vector n0 k))
+    shifted0 (work_of s.the_load (unit_vector n0 k))
       (qmult lambda
         (nth k s.the_load.load_growth { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int }))) (seq O n0)
@@ -5367,7 +5752,7 @@ let reach_holds n0 left columns0 reach =
               (qplus sum0
                 (qmult
                   (most_of
-                    (shifted d
+                    (shifted0 d
                       (if Nat.eqb k l
                        then qopp { qnum = Big_int_Z.unit_big_int; qden =
                               Big_int_Z.unit_big_int }
@@ -5490,7 +5875,7 @@ type sticking_proof = { stuck_twist : vector;
                         stuck_answers : (Big_int_Z.big_int * matrix) list;
                         stuck_reach : vector; stuck_energy : q }
 
-type sticker = { as_resting : resting; presses0 : vector }
+type sticker = { as_resting : resting; presses1 : vector }
 
 (** val sticker_box : sticker -> cbox **)
 
@@ -5513,7 +5898,7 @@ let does_rub t =
 (** val on_list : sticker -> bool **)
 
 let on_list t =
-  (||) (does_rub t) (negb (is_nothing t.presses0))
+  (||) (does_rub t) (negb (is_nothing t.presses1))
 
 (** val with_presses :
     resting list -> Big_int_Z.big_int -> (Big_int_Z.big_int * vector) list ->
@@ -5531,7 +5916,7 @@ let rec with_presses them i all_presses before =
          (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
            Big_int_Z.unit_big_int } r.resting_box.box_stiffness.low)
     then with_presses them' (Z.add i Big_int_Z.unit_big_int) others
-           ({ as_resting = r; presses0 = h } :: before)
+           ({ as_resting = r; presses1 = h } :: before)
     else None
 
 (** val stickers :
@@ -5637,7 +6022,7 @@ let stuck_left n0 s d them lambda =
 
 let off_most columns0 k l =
   most_of
-    (shifted
+    (shifted0
       (nth k (nth l columns0 [])
         (exactly { qnum = Big_int_Z.zero_big_int; qden =
           Big_int_Z.unit_big_int }))
@@ -5673,7 +6058,7 @@ let more_bound n0 reach t =
       (qplus sum0
         (qmult
           (absolute
-            (nth l t.presses0 { qnum = Big_int_Z.zero_big_int; qden =
+            (nth l t.presses1 { qnum = Big_int_Z.zero_big_int; qden =
               Big_int_Z.unit_big_int }))
           (nth l reach { qnum = Big_int_Z.zero_big_int; qden =
             Big_int_Z.unit_big_int })))) (seq O n0) { qnum =
@@ -5762,7 +6147,7 @@ let share_at n0 d reach lambda t k =
 (** val share_most : nat -> vector -> vector -> q -> sticker -> q **)
 
 let share_most n0 d reach lambda t =
-  if (&&) (is_nothing t.presses0) (no_motion d)
+  if (&&) (is_nothing t.presses1) (no_motion d)
   then { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
   else let k = (sticker_box t).box_stiffness in
        qmax { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
@@ -5785,7 +6170,7 @@ let far_most d reach c lambda t l =
     (qplus
       (qmult
         (absolute
-          (nth l t.presses0 { qnum = Big_int_Z.zero_big_int; qden =
+          (nth l t.presses1 { qnum = Big_int_Z.zero_big_int; qden =
             Big_int_Z.unit_big_int }))
         (root_above
           (qdiv
@@ -5855,7 +6240,7 @@ let stuck_column n0 them l =
     if on_list t
     then plus_intervals sum0
            (ranges n0 (sticker_box t)
-             (((nth l t.presses0 { qnum = Big_int_Z.zero_big_int; qden =
+             (((nth l t.presses1 { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int }) :: (nth l t.as_resting.answers [])) :: []))
     else sum0) them
     (repeat
@@ -5897,9 +6282,9 @@ let part_fails advisor two_sided most_depth0 alpha0 beta s = function
            answers0; rest_reach = reach } with
    | Some rule -> Some (rule, None)
    | None -> None)
-| PartSticking (d0, friction0, presses1, answers0, reach, energy) ->
+| PartSticking (d0, friction0, presses2, answers0, reach, energy) ->
   (match sticking_fails two_sided s alpha0 beta { stuck_twist = d0;
-           stuck_friction = friction0; stuck_presses = presses1;
+           stuck_friction = friction0; stuck_presses = presses2;
            stuck_answers = answers0; stuck_reach = reach; stuck_energy =
            energy } with
    | Some rule -> Some (rule, None)
@@ -7002,7 +7387,7 @@ let plane_fails advisor most two_sided n0 rows0 w u v pieces nodes =
     (map (plane_node n0) nodes)
 
 type held = { h_point : q list; h_normal : q list; h_friction : q;
-              h_torsion : q; h_of : nat option; h_by : nat option }
+              h_torsion : q; h_of0 : nat option; h_by : nat option }
 
 (** val at_q : q list -> nat -> q **)
 
@@ -7027,7 +7412,7 @@ let held_of alone factor0 c =
          (if alone
           then { qnum = Big_int_Z.zero_big_int; qden =
                  Big_int_Z.unit_big_int }
-          else c.torsion); h_of = (if alone then Some O else c.of_body);
+          else c.torsion); h_of0 = (if alone then Some O else c.of_body);
          h_by = (if alone then None else c.by_body) }
   else None
 
@@ -7122,7 +7507,7 @@ let press_and_rub c d =
                              (qplus (at_q d (S (S O)))
                                (qminus (qmult rx py) (qmult ry px)))
                          in
-                         let press =
+                         let press0 =
                            reduced
                              (qplus (qplus (qmult nx ux) (qmult ny uy))
                                (qmult nz uz))
@@ -7133,13 +7518,13 @@ let press_and_rub c d =
                                (qplus (qplus (qmult nx rx) (qmult ny ry))
                                  (qmult nz rz)))
                          in
-                         (press,
+                         (press0,
                          (qplus
                            (qminus
                              (qmult (square_of_normal c)
                                (reduced
                                  (qplus (qplus (qmult ux ux) (qmult uy uy))
-                                   (qmult uz uz)))) (qmult press press))
+                                   (qmult uz uz)))) (qmult press0 press0))
                            (qmult turn turn)))
                        | _ :: _ ->
                          ((qopp { qnum = Big_int_Z.unit_big_int; qden =
@@ -7154,12 +7539,12 @@ let press_and_rub c d =
 (** val unopposed_by : held -> q list -> bool **)
 
 let unopposed_by c d =
-  let (press, rub) = press_and_rub c d in
+  let (press0, rub) = press_and_rub c d in
   (&&)
     (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-      Big_int_Z.unit_big_int } press)
+      Big_int_Z.unit_big_int } press0)
     (qle_bool (qmult (qmult c.h_friction c.h_friction) rub)
-      (qmult press press))
+      (qmult press0 press0))
 
 (** val is_loose : element -> bool **)
 
@@ -7181,10 +7566,10 @@ let relative_q all c =
   match c.h_by with
   | Some n0 ->
     map reduced
-      (add_multiple (of_number_q all c.h_of)
+      (add_multiple (of_number_q all c.h_of0)
         (qopp { qnum = Big_int_Z.unit_big_int; qden =
           Big_int_Z.unit_big_int }) (of_number_q all (Some n0)))
-  | None -> of_number_q all c.h_of
+  | None -> of_number_q all c.h_of0
 
 type standing = { s_numbers : nat; s_dimension : nat;
                   s_bodies : rigid_body list; s_contacts : held list;
@@ -7379,7 +7764,7 @@ let add_contact ws = function
      add_on_body c.h_by
        (qopp { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int })
        w
-       (add_on_body c.h_of { qnum = Big_int_Z.unit_big_int; qden =
+       (add_on_body c.h_of0 { qnum = Big_int_Z.unit_big_int; qden =
          Big_int_Z.unit_big_int } w ws)
    | None -> ws)
 
@@ -9011,9 +9396,9 @@ let read_list_of_cases read at_path value0 =
        | _ :: _ -> Fine ()) (fun _ ->
       bind (check_names at_path (map fst them)) (fun _ -> Fine them)))
 
-(** val bound_of : bool -> nat -> q -> q -> q list **)
+(** val bound_of0 : bool -> nat -> q -> q -> q list **)
 
-let bound_of in_space0 count0 length0 angle =
+let bound_of0 in_space0 count0 length0 angle =
   if in_space0
   then let size1 = S (S (S (S (S (S O))))) in
        let lengths = S (S (S O)) in
@@ -9048,7 +9433,7 @@ let read_bound in_space0 joints count0 at_path value0 = match value0 with
       (fun members ->
       bind (member "length" read_above_0 at_path members) (fun length0 ->
         bind (member "angle" read_above_0 at_path members) (fun angle -> Fine
-          (bound_of in_space0 count0 length0 angle)))))
+          (bound_of0 in_space0 count0 length0 angle)))))
 | _ ->
   read_sized (Z.of_nat count0)
     "an array of a number for each coordinate, or an object of length and angle"
@@ -10473,7 +10858,7 @@ let asked_element asked it =
 (** val ball_asked :
     grasp -> options -> interval list -> (stated_ball * ball) option result **)
 
-let ball_asked file asked stated =
+let ball_asked file asked stated0 =
   match asked.asked_ball with
   | Some b ->
     let here = of_question "uncertain" in
@@ -10513,7 +10898,7 @@ let ball_asked file asked stated =
             (fun _ ->
             bind
               (check_that
-                (forallb (fun it -> qeq_bool it.low it.high) stated) here
+                (forallb (fun it -> qeq_bool it.low it.high) stated0) here
                 "expected a load without intervals") (fun _ ->
               bind
                 (match file.bodies_read with
@@ -10581,7 +10966,7 @@ let bound_asked file asked =
                           (match file.names_of_joints with
                            | [] ->
                              Fine (Some
-                               (bound_of file.in_space file.coordinates_read
+                               (bound_of0 file.in_space file.coordinates_read
                                  length0 angle))
                            | _ :: _ ->
                              refuse here
@@ -10828,9 +11213,9 @@ let pose file asked =
         (fun _ ->
         bind (check_plane file asked) (fun _ ->
           bind (check_statics0 file asked) (fun _ ->
-            bind (wrench_asked file asked) (fun stated ->
+            bind (wrench_asked file asked) (fun stated0 ->
               bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
-                bind (ball_asked file asked stated) (fun ball0 ->
+                bind (ball_asked file asked stated0) (fun ball0 ->
                   bind (bound_asked file asked) (fun bound ->
                     let them = map_all (asked_contact asked) file.all_contacts
                     in
@@ -10942,7 +11327,7 @@ let pose file asked =
                             (fun other_boxes ->
                             let widened =
                               map (widen (find_tolerance "wrench" asked))
-                                stated
+                                stated0
                             in
                             let certain0 = forallb is_exact widened in
                             bind
@@ -10984,7 +11369,7 @@ let pose file asked =
                                 | None ->
                                   map (fun _ -> { qnum =
                                     Big_int_Z.zero_big_int; qden =
-                                    Big_int_Z.unit_big_int }) stated
+                                    Big_int_Z.unit_big_int }) stated0
                               in
                               bind
                                 (check_that
@@ -11021,7 +11406,7 @@ let pose file asked =
                                  | None -> None); max_motion = bound };
                                 free_coordinates = file.names_of_bodies;
                                 joint_coordinates = file.names_of_joints;
-                                stated_wrench = stated; the_options =
+                                stated_wrench = stated0; the_options =
                                 { asked_wrench = asked.asked_wrench;
                                 asked_case = asked.asked_case;
                                 asked_preload = asked.asked_preload;
@@ -11327,6 +11712,53 @@ let read_statement s at_path value0 =
                            | Some numbers0 -> Some (Bounded numbers0)
                            | None -> None) } }))))))))))))
 
+(** val read_friction :
+    shape -> Big_int_Z.big_int -> path -> json -> q list result **)
+
+let read_friction s contact0 at_path value0 =
+  if s.spatial
+  then read_numbers
+         (match numbered s.soft contact0 with
+          | Some b ->
+            if b
+            then (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+                   Big_int_Z.unit_big_int))
+            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                   Big_int_Z.unit_big_int)
+          | None ->
+            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+              Big_int_Z.unit_big_int)) at_path value0
+  else bind (read_fraction at_path value0) (fun x -> Fine (x :: []))
+
+(** val read_force :
+    shape -> path -> json -> (Big_int_Z.big_int * (q * q list)) result **)
+
+let read_force s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, number, force or slip]" at_path value0
+   | contact0 :: l ->
+     (match l with
+      | [] -> expected "[contact, number, force or slip]" at_path value0
+      | along :: l0 ->
+        (match l0 with
+         | [] -> expected "[contact, number, force or slip]" at_path value0
+         | across :: l1 ->
+           (match l1 with
+            | [] ->
+              bind (read_index at_path contact0) (fun i ->
+                bind (read_fraction at_path along) (fun a ->
+                  bind (read_friction s i at_path across) (fun f -> Fine (i,
+                    (a, f)))))
+            | _ :: _ ->
+              expected "[contact, number, force or slip]" at_path value0))))
+| _ -> expected "[contact, number, force or slip]" at_path value0
+
+(** val read_forces : shape -> path -> json -> stated_forces result **)
+
+let read_forces s =
+  read_array "an array [[contact, number, force or slip], ...]" (read_force s)
+
 (** val read_parameter : shape -> path -> json -> parameter result **)
 
 let read_parameter s at_path value0 =
@@ -11429,20 +11861,42 @@ let read_node s at_path value0 =
                                else expected
                                       "plane, and a number for each coordinate of a point"
                                       at_path value0
-                          else if (&&) ((=) kind "held") s.of_plane
-                               then bind (contact_of items) (fun k -> Fine
-                                      (Held k))
-                               else if (&&) ((=) kind "part")
-                                         (negb ((||) s.of_margin s.of_plane))
-                                    then bind
-                                           (read_cut s at_path items value0)
-                                           (fun pat ->
-                                           let (p0, c) = pat in
-                                           let (p, i) = p0 in
-                                           Fine (Cut (p, i, c)))
+                          else if (&&) ((=) kind "moving")
+                                    (negb ((||) s.of_margin s.of_plane))
+                               then if has_length
+                                         (Z.add twist0
+                                           (Big_int_Z.mult_int_big_int 2
+                                           Big_int_Z.unit_big_int)) items
+                                    then let n0 = Z.to_nat twist0 in
+                                         bind
+                                           (each read_fraction at_path
+                                             (firstn n0 items)) (fun y ->
+                                           bind
+                                             (read_fraction at_path
+                                               (nth n0 items Null)) (fun c ->
+                                             bind
+                                               (read_forces s at_path
+                                                 (nth (S n0) items Null))
+                                               (fun them -> Fine (Moving (y,
+                                               c, them)))))
                                     else expected
-                                           "slip, separation, plane, leaf or, without a direction, part"
+                                           "moving, a number for each component of a twist, one more, and an array"
                                            at_path value0
+                               else if (&&) ((=) kind "held") s.of_plane
+                                    then bind (contact_of items) (fun k ->
+                                           Fine (Held k))
+                                    else if (&&) ((=) kind "part")
+                                              (negb
+                                                ((||) s.of_margin s.of_plane))
+                                         then bind
+                                                (read_cut s at_path items
+                                                  value0) (fun pat ->
+                                                let (p0, c) = pat in
+                                                let (p, i) = p0 in
+                                                Fine (Cut (p, i, c)))
+                                         else expected
+                                                "slip, separation, plane, leaf or, without a direction, moving or part"
+                                                at_path value0
          | _ ->
            expected "an array that begins with the kind of the node" at_path
              value0))
@@ -11453,24 +11907,6 @@ let read_node s at_path value0 =
 
 let read_nodes s =
   read_array "an array of nodes" (read_node s)
-
-(** val read_friction :
-    shape -> Big_int_Z.big_int -> path -> json -> q list result **)
-
-let read_friction s contact0 at_path value0 =
-  if s.spatial
-  then read_numbers
-         (match numbered s.soft contact0 with
-          | Some b ->
-            if b
-            then (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
-                   Big_int_Z.unit_big_int))
-            else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                   Big_int_Z.unit_big_int)
-          | None ->
-            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-              Big_int_Z.unit_big_int)) at_path value0
-  else bind (read_fraction at_path value0) (fun x -> Fine (x :: []))
 
 (** val read_share :
     shape -> path -> json -> (Big_int_Z.big_int * q list) result **)
@@ -11856,34 +12292,6 @@ let read_claim s at_path value0 =
                        else expected what at_path value0)))))
    | _ -> expected what at_path value0)
 
-(** val read_force :
-    shape -> path -> json -> (Big_int_Z.big_int * (q * q list)) result **)
-
-let read_force s at_path value0 = match value0 with
-| Array items ->
-  (match items with
-   | [] -> expected "[contact, number, friction]" at_path value0
-   | contact0 :: l ->
-     (match l with
-      | [] -> expected "[contact, number, friction]" at_path value0
-      | along :: l0 ->
-        (match l0 with
-         | [] -> expected "[contact, number, friction]" at_path value0
-         | across :: l1 ->
-           (match l1 with
-            | [] ->
-              bind (read_index at_path contact0) (fun i ->
-                bind (read_fraction at_path along) (fun a ->
-                  bind (read_friction s i at_path across) (fun f -> Fine (i,
-                    (a, f)))))
-            | _ :: _ -> expected "[contact, number, friction]" at_path value0))))
-| _ -> expected "[contact, number, friction]" at_path value0
-
-(** val read_forces : shape -> path -> json -> stated_forces result **)
-
-let read_forces s =
-  read_array "an array [[contact, number, friction], ...]" (read_force s)
-
 (** val read_multiplier : path -> json -> (Big_int_Z.big_int * q) result **)
 
 let read_multiplier at_path value0 = match value0 with
@@ -12254,8 +12662,8 @@ let read_certificate q0 value0 =
            (next_read "question"
              (read_statement (asked false false false false)) rest0)
            (fun pat0 ->
-           let (stated, rest1) = pat0 in
-           let o = stated.options_stated in
+           let (stated0, rest1) = pat0 in
+           let o = stated0.options_stated in
            let s =
              asked (asks_margin o) (asks_plane o)
                ((&&) (asks_class o)
@@ -12272,19 +12680,19 @@ let read_certificate q0 value0 =
               else Fine (default_bits, rest1)) (fun pat1 ->
              let (b, rest2) = pat1 in
              if s.of_statics
-             then bind (read_statics s rest2) (fun it -> Fine (stated,
+             then bind (read_statics s rest2) (fun it -> Fine (stated0,
                     { bits = b; body = it }))
              else if s.of_plane
-                  then bind (read_region s rest2) (fun it -> Fine (stated,
+                  then bind (read_region s rest2) (fun it -> Fine (stated0,
                          { bits = b; body = it }))
                   else if s.of_class
                        then bind (read_class s rest2) (fun it -> Fine
-                              (stated, { bits = b; body = it }))
+                              (stated0, { bits = b; body = it }))
                        else bind (next_read "verdict" (read_verdict s) rest2)
                               (fun pat2 ->
                               let (good, rest3) = pat2 in
                               bind (read_body0 s good rest3) (fun it -> Fine
-                                (stated, { bits = b; body = it })))))))
+                                (stated0, { bits = b; body = it })))))))
    | _ -> expected "an object {...}" [] value0)
 
 (** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
@@ -12356,8 +12764,8 @@ let same_bound a b =
 
 (** val broken_question_rule : statement -> posed -> string option **)
 
-let broken_question_rule stated asked =
-  let said = stated.options_stated in
+let broken_question_rule stated0 asked =
+  let said = stated0.options_stated in
   let options0 = asked.the_options in
   let count0 = fun items ->
     fold_left (fun count0 _ -> Z.add count0 Big_int_Z.unit_big_int) items
@@ -12370,10 +12778,11 @@ let broken_question_rule stated asked =
        | Some its -> count0 its.elements
        | None -> Big_int_Z.zero_big_int)
   in
-  if negb (Z.eqb stated.stated_contacts m)
+  if negb (Z.eqb stated0.stated_contacts m)
   then Some "question-contacts"
   else if negb
-            (same_list same_interval stated.wrench_stated asked.stated_wrench)
+            (same_list same_interval stated0.wrench_stated
+              asked.stated_wrench)
        then Some "question-wrench"
        else if negb
                  (same_option qeq_bool said.asked_preload
@@ -12439,7 +12848,7 @@ let ask asked file =
 let judge advisor asked text =
   let q0 = asked.the_question in
   bind (read_certificate q0 text) (fun pat ->
-    let (stated, it) = pat in
-    (match broken_question_rule stated asked with
+    let (stated0, it) = pat in
+    (match broken_question_rule stated0 asked with
      | Some rule -> Fine ((Rejected (rule, Nowhere)), it)
      | None -> Fine ((check advisor q0 it), it)))

@@ -411,6 +411,7 @@ type node =
 | Plane of q list
 | Cut of parameter * Big_int_Z.big_int * q
 | Leaf of q list
+| Moving of q list * q * (Big_int_Z.big_int * (q * q list)) list
 | Held of Big_int_Z.big_int
 
 type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
@@ -597,6 +598,8 @@ type cbox = { box_names : parameter list; box_geometry : interval list;
               box_spring : bool; box_turns : bool;
               box_slack : (interval list -> q) }
 
+val has_friction : cbox -> bool
+
 type row = { box : cbox; forms : form list multi; forms_scale : scaling;
              metric : Big_int_Z.big_int list; metric_scale : scaling;
              slip_certain : bool; tau : form multi; minus_tau : form multi;
@@ -649,6 +652,8 @@ val tau_tree : cbox -> q list multi
 val pull_scaling : cbox -> scaling
 
 val edge_scaling : cbox -> scaling
+
+val corner_forms : cbox -> form list multi
 
 val make_row : cbox -> row
 
@@ -753,6 +758,8 @@ val alpha : form list list -> ray list -> bool -> row -> q -> form -> q
 val alpha_term : Big_int_Z.big_int -> q -> bool -> row -> term
 
 val alpha_over : q -> row -> Big_int_Z.big_int
+
+val ray_motion : form -> form
 
 type vector = q list
 
@@ -922,6 +929,81 @@ val element_box : element -> cbox
 val mechanism_boxes :
   Big_int_Z.big_int -> nat -> mechanism -> contact list -> cbox list option
 
+val h_of : form -> Big_int_Z.big_int
+
+val twist_at : Big_int_Z.big_int -> form -> form -> form
+
+type measure =
+| Exactly of q * q * q * q
+| Shortly of Big_int_Z.big_int * Big_int_Z.big_int * Big_int_Z.big_int
+
+val exact_measure : row -> q -> measure
+
+val shifted : Big_int_Z.big_int -> q -> Big_int_Z.big_int
+
+val short_measure : row -> measure
+
+val friction_within : measure -> Big_int_Z.big_int -> Big_int_Z.big_int -> q
+
+type carrier = { carried : row; forms_scaled : scaling;
+                 at_corners : form list list; measured : measure;
+                 kappa : Big_int_Z.big_int; psi : form; may_open : bool }
+
+val carrier_of :
+  bool -> q -> row -> Big_int_Z.big_int -> form -> bool -> carrier
+
+val psi_within : row -> Big_int_Z.big_int -> form -> bool
+
+val stated :
+  row -> Big_int_Z.big_int ->
+  (Big_int_Z.big_int * (Big_int_Z.big_int * form)) list ->
+  ((Big_int_Z.big_int * form) * (Big_int_Z.big_int * (Big_int_Z.big_int * form))
+  list) * bool
+
+val carriers :
+  bool -> q -> ray list -> (Big_int_Z.big_int * (Big_int_Z.big_int * form))
+  list -> row list -> Big_int_Z.big_int -> carrier list -> carrier list option
+
+val corner_work : carrier -> form -> form -> form list -> q
+
+val most_work : carrier -> q -> form -> form -> q
+
+val scaled_work : Big_int_Z.big_int -> form -> q -> form -> carrier -> q
+
+val load_work : load -> Big_int_Z.big_int -> form -> q -> form -> q
+
+val all_works :
+  load -> Big_int_Z.big_int -> form -> q -> carrier list -> form -> q list
+
+type press = { opens : bool; least_pull : Big_int_Z.big_int;
+               most_pull : Big_int_Z.big_int; effort : Big_int_Z.big_int }
+
+val press_of : form -> carrier -> Big_int_Z.big_int -> press
+
+val pressed : press -> press -> Big_int_Z.big_int
+
+val presses_of : form -> carrier list -> Big_int_Z.big_int list -> press list
+
+val pressed_all :
+  press list -> press list -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+type at_ray = { the_ray : ray; at_h : Big_int_Z.big_int;
+                load_effort : Big_int_Z.big_int; presses : press list }
+
+val at_ray_of : carrier list -> ray -> Big_int_Z.big_int list -> at_ray
+
+val work_between : at_ray -> at_ray -> Big_int_Z.big_int
+
+val bound_of : at_ray -> at_ray -> Big_int_Z.big_int
+
+val all_pairs : ('a1 -> 'a1 -> bool) -> 'a1 list -> bool
+
+val moving_holds :
+  form list list -> ray list -> load -> Big_int_Z.big_int -> form -> q ->
+  carrier list -> bool
+
+val direction_holds : ray list -> Big_int_Z.big_int -> form -> matrix -> bool
+
 val contains : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
 
 type height = Big_int_Z.big_int * ray
@@ -1019,6 +1101,10 @@ val without_bound : setting -> setting
 val leaf_fails :
   setting -> form list list -> ray list -> q list -> string option
 
+val moving_fails :
+  setting -> form list list -> ray list -> q list -> q ->
+  (Big_int_Z.big_int * (q * q list)) list -> string option
+
 val end_fails :
   (Big_int_Z.big_int -> ray list -> string option) -> setting -> form list
   list -> ray list -> node -> string option
@@ -1038,8 +1124,6 @@ val get_named :
 
 val set_named :
   parameter -> interval -> parameter list -> interval list -> interval list
-
-val has_friction : cbox -> bool
 
 val get : cbox -> parameter -> interval option
 
@@ -1112,7 +1196,7 @@ val sum_of_products : q list -> q list -> q
 
 val is_share_of : cbox -> q list -> bool
 
-val presses : cbox -> Big_int_Z.big_int -> bool
+val presses0 : cbox -> Big_int_Z.big_int -> bool
 
 val sliding : cbox -> form -> q list
 
@@ -1277,7 +1361,7 @@ val range_of : vector -> interval
 
 val plus_interval : interval -> interval -> interval
 
-val shifted : interval -> q -> interval
+val shifted0 : interval -> q -> interval
 
 val plus_intervals : interval list -> interval list -> interval list
 
@@ -1319,7 +1403,7 @@ type sticking_proof = { stuck_twist : vector;
                         stuck_answers : (Big_int_Z.big_int * matrix) list;
                         stuck_reach : vector; stuck_energy : q }
 
-type sticker = { as_resting : resting; presses0 : vector }
+type sticker = { as_resting : resting; presses1 : vector }
 
 val sticker_box : sticker -> cbox
 
@@ -1584,7 +1668,7 @@ val plane_fails :
   option
 
 type held = { h_point : q list; h_normal : q list; h_friction : q;
-              h_torsion : q; h_of : nat option; h_by : nat option }
+              h_torsion : q; h_of0 : nat option; h_by : nat option }
 
 val at_q : q list -> nat -> q
 
@@ -1859,7 +1943,7 @@ val read_list_of_cases :
   (path -> json -> (string * interval list) result) -> path -> json ->
   (string * interval list) list result
 
-val bound_of : bool -> nat -> q -> q -> q list
+val bound_of0 : bool -> nat -> q -> q -> q list
 
 val read_above_0 : path -> json -> q result
 
@@ -2125,6 +2209,14 @@ val names_member : string -> json -> bool
 
 val read_statement : shape -> path -> json -> statement result
 
+val read_friction :
+  shape -> Big_int_Z.big_int -> path -> json -> q list result
+
+val read_force :
+  shape -> path -> json -> (Big_int_Z.big_int * (q * q list)) result
+
+val read_forces : shape -> path -> json -> stated_forces result
+
 val read_parameter : shape -> path -> json -> parameter result
 
 val read_cut :
@@ -2134,9 +2226,6 @@ val read_cut :
 val read_node : shape -> path -> json -> node result
 
 val read_nodes : shape -> path -> json -> node list result
-
-val read_friction :
-  shape -> Big_int_Z.big_int -> path -> json -> q list result
 
 val read_share : shape -> path -> json -> (Big_int_Z.big_int * q list) result
 
@@ -2181,11 +2270,6 @@ val read_spatial_point : shape -> path -> json -> witness result
 val is_point0 : json -> bool
 
 val read_claim : shape -> path -> json -> claim result
-
-val read_force :
-  shape -> path -> json -> (Big_int_Z.big_int * (q * q list)) result
-
-val read_forces : shape -> path -> json -> stated_forces result
 
 val read_multiplier : path -> json -> (Big_int_Z.big_int * q) result
 

@@ -7,22 +7,6 @@
 namespace stickslip_check {
 namespace {
 
-/// Positive multiples of `vectors`, all by one factor, without denominators; `*scale` undoes
-/// it.
-std::vector<Form> make_forms(const std::vector<Vector>& vectors, Rational* scale) {
-  Vector all;
-  for (const Vector& v : vectors) all.insert(all.end(), v.begin(), v.end());
-  const Form form = make_form(all, scale);
-  std::vector<Form> forms;
-  auto next = form.begin();
-  for (const Vector& v : vectors) {
-    const auto end = next + static_cast<std::ptrdiff_t>(v.size());
-    forms.emplace_back(next, end);
-    next = end;
-  }
-  return forms;
-}
-
 void add_new(std::vector<Form>& forms, const Vector& v) {
   Form form = make_form(v);
   if (std::find(forms.begin(), forms.end(), form) == forms.end()) {

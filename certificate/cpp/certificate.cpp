@@ -821,6 +821,9 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
   Node node;
   if (kind == "leaf") {
     node.numbers = numbers(value, place, 1, dimension_);
+  } else if (kind == "moving" && !margin_ && !plane_) {
+    node.kind = NodeKind::kMoving;
+    node.moving = std::make_shared<const MovingTwist>(moving(value, place));
   } else if (kind == "plane") {
     node.kind = NodeKind::kPlane;
     const std::size_t more = plane_ ? 3 : margin_ ? 2 : 1;  // than a motion has
@@ -845,12 +848,30 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
     json_.expect(kind == "slip" || kind == "separation", value.items[0], place,
                  plane_    ? "slip, separation, plane, leaf or held"
                  : margin_ ? "slip, separation, plane or leaf"
-                           : "slip, separation, plane, part or leaf");
+                           : "slip, separation, plane, part, leaf or moving");
     node.kind = kind == "slip" ? NodeKind::kSlip : NodeKind::kSeparation;
     json_.expect(value.is_array(2), value, place, "a kind and a contact");
     node.contact = index(value.items[1], place);
   }
   return node;
+}
+
+MovingTwist CertificateReader::moving(const Value& value, const std::string& place) const {
+  json_.expect(value.is_array(dimension_ + 3), value, place,
+               R"(["moving", y1, ..., c, [[contact, kappa, psi], ...]])");
+  MovingTwist twist;
+  for (std::size_t j = 0; j < dimension_; ++j) {
+    twist.y.push_back(number(value.items[1 + j], place));
+  }
+  twist.c = number(value.items[dimension_ + 1], place);
+  for (const Value& entry :
+       list(value.items.back(), place, "an array [[contact, kappa, psi], ...]")) {
+    json_.expect(entry.is_array(3), entry, place, "[contact, kappa, psi]");
+    const Integer contact = index(entry.items[0], place);
+    twist.slips.push_back({contact, number(entry.items[1], place),
+                           friction(entry.items[2], place, friction_numbers(contact))});
+  }
+  return twist;
 }
 
 }  // namespace stickslip_check

@@ -119,6 +119,7 @@ class CertificateReader {
   Vector friction(const Value& value, const std::string& place, std::size_t size) const;
   std::vector<RigidForce> forces_of(const Value& value, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
+  MovingTwist moving(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 
   JsonReader json_;

@@ -166,6 +166,20 @@ Form make_form(const Vector& x, Rational* scale) {
   return form;
 }
 
+std::vector<Form> make_forms(const std::vector<Vector>& vectors, Rational* scale) {
+  Vector all;
+  for (const Vector& v : vectors) all.insert(all.end(), v.begin(), v.end());
+  const Form form = make_form(all, scale);
+  std::vector<Form> forms;
+  auto next = form.begin();
+  for (const Vector& v : vectors) {
+    const auto end = next + static_cast<std::ptrdiff_t>(v.size());
+    forms.emplace_back(next, end);
+    next = end;
+  }
+  return forms;
+}
+
 Form negative(Form a) {
   for (Integer& coordinate : a) coordinate = -coordinate;
   return a;

@@ -54,6 +54,8 @@ using Form = std::vector<Integer>;
 Integer make_primitive(Form& x);
 /// The positive multiple of `x` without denominators and common factors; x = *scale times it.
 Form make_form(const Vector& x, Rational* scale = nullptr);
+/// Those of several, all by one factor.
+std::vector<Form> make_forms(const std::vector<Vector>& vectors, Rational* scale = nullptr);
 Form negative(Form a);
 Integer dot(const Form& a, const Form& b);
 int sign_of_dot(const Form& a, const Form& b);

@@ -131,13 +131,16 @@ void TreeWalk::visit(const Node& node) {
                     "more than " + std::to_string(most) + " nodes above this one");
   }
   std::optional<Rejected> rejected;
-  if (node.kind != NodeKind::kLeaf && node.kind != NodeKind::kHeld) {
+  const bool moves = node.kind == NodeKind::kMoving;
+  if (node.kind != NodeKind::kLeaf && node.kind != NodeKind::kHeld && !moves) {
     push(node, std::move(region));
   } else {
     ++leaves_;
     try {
       if (node.kind == NodeKind::kHeld) {
         check_held(region, node.contact);
+      } else if (moves) {
+        check_moving(region, *node.moving);
       } else {
         check_leaf(std::move(region), node.numbers);
       }
@@ -213,10 +216,15 @@ void TreeWalk::settle(Region& region, const Generators& generators) {
   region.settled = std::make_shared<const Settled>(region.settled->within(generators));
 }
 
+/// Whether the region is barred or beyond the bound.
+bool TreeWalk::stands_for_nothing(const Generators& generators) const {
+  return generators.barred() || is_beyond(roots_[trees_ - 1].beyond, generators);
+}
+
 /// `leaf-bound`, `leaf-direction`.
 void TreeWalk::check_leaf(Region region, const Vector& y) {
   const Generators generators(*region.box, region.cone, region.strict);
-  if (generators.barred() || is_beyond(roots_[trees_ - 1].beyond, generators)) return;
+  if (stands_for_nothing(generators)) return;
   settle(region, generators);
   if (!region.settled || !region.settled->proves(generators, y)) {
     ++exact_leaves_;
@@ -230,6 +238,22 @@ void TreeWalk::check_leaf(Region region, const Vector& y) {
   for (std::size_t j = 0; j < y.size(); ++j) add(pull, y[j], direction[j]);
   if (side(generators, {make_form(pull)}) <= 0) {
     throw rejection("leaf-direction", "y.A(d - h d0) is below 0 somewhere");
+  }
+}
+
+/// `moving-list`, `leaf-bound`, `leaf-direction`.
+void TreeWalk::check_moving(const Region& region, const MovingTwist& twist) {
+  if (const auto found = list_refusal(*region.box, twist)) throw rejection("moving-list", *found);
+  const Generators generators(*region.box, region.cone, region.strict);
+  if (stands_for_nothing(generators)) return;
+  bool exact = false;
+  const auto found = leaf_refusal(*region.box, generators, twist, &exact);
+  if (exact) ++exact_leaves_;
+  if (found) throw rejection("leaf-bound", *found);
+  const std::vector<Vector>& direction = roots_[trees_ - 1].direction;
+  if (direction.empty()) return;
+  if (const auto below = direction_refusal(generators, twist, direction)) {
+    throw rejection("leaf-direction", *below);
   }
 }
 

@@ -11,13 +11,22 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "moving.hpp"
 #include "plane.hpp"
 #include "region.hpp"
 #include "settled.hpp"
 
 namespace stickslip_check {
 
-enum class NodeKind : std::int8_t { kSlip, kSeparation, kPlane, kLeaf, kPart, kHeld };
+enum class NodeKind : std::int8_t {
+  kSlip,
+  kSeparation,
+  kPlane,
+  kLeaf,
+  kMoving,
+  kPart,
+  kHeld
+};
 
 /// A node as the certificate states it; only its shape has been checked.
 struct Node {
@@ -27,7 +36,8 @@ struct Node {
   Integer contact;
   Vector
       numbers;  ///< a of a plane, one for each coordinate of a point; y of a leaf; c of a part
-  Parameter parameter = Parameter::kWrench;  ///< of a part
+  Parameter parameter = Parameter::kWrench;         ///< of a part
+  std::shared_ptr<const MovingTwist> moving = {};  ///< of a leaf whose twist moves
 };
 
 /// The two halves of a box.
@@ -110,6 +120,8 @@ class TreeWalk {
   Region child();
   void settle(Region& region, const Generators& generators);
   void check_leaf(Region region, const Vector& y);
+  void check_moving(const Region& region, const MovingTwist& twist);
+  bool stands_for_nothing(const Generators& generators) const;
   void check_held(const Region& region, const Integer& piece) const;
   void push(const Node& node, Region region);
   std::string path(unsigned ahead) const;

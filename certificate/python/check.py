@@ -1648,6 +1648,7 @@ class Node(NamedTuple):
     name: str = ""
     normal: List[Tuple[int, Fraction]] = []
     tangent: List[Tuple[int, Vector]] = []
+    own: List[Tuple[int, Fraction, Vector]] = []
 
 
 class RestProof(NamedTuple):
@@ -2229,8 +2230,16 @@ def read_node(source: Source, value: Any, place: str, more: int) -> Node:
         return Node(kind, numbers=source.vector(rest, place) + (Fraction(0),) * (not more))
     if kind == "leaf" and len(rest) == dimension:
         return Node(kind, numbers=source.vector(rest, place))
+    if kind == "moving" and not more and len(rest) == dimension + 2:
+        own = []
+        for entry in source.array(rest.pop(), place):
+            index, kappa, psi = source.array(entry, place, 3)
+            i = source.index(index, place)
+            own.append((i, source.number(kappa, place), read_friction(source, psi, place, i)))
+        return Node(kind, numbers=source.vector(rest, place), own=own)
     source.fail(place, "must be [\"slip\", i], [\"separation\", i], [\"plane\", a1, ...] with "
-                       f"{dimension + 1 + more} numbers or [\"leaf\", y1, ...] with {dimension}")
+                       f"{dimension + 1 + more} numbers or [\"leaf\", y1, ...] with {dimension}"
+                       + ", or [\"moving\", y1, ..., c, [[i, kappa, psi], ...]]" * (not more))
 
 
 # ---- §3 The question agrees, and the stable verdict -------------------------------------------
@@ -2483,6 +2492,14 @@ class Terms:
         self.slip = [[integers(row)[0] + (0, 0) for row in rows] for rows in self.rows]
         # What one ray costs in a leaf.
         self.steps = sum(map(weight, itertools.chain(self.all_v, *self.slip)))
+
+    @functools.cached_property
+    def in_integers(self) -> Tuple[List[Integers], List[List[Integers]], int]:
+        """N and the rows of the slip at all corners, times the number that stands last."""
+        size, count = self.dimension, 1 + len(self.rows[0])
+        flat, factor = integers([entry for n, rows in zip(self.N, self.rows) for row in (n, *rows) for entry in row])
+        rows = [flat[k:k + size] for k in range(0, len(flat), size)]
+        return rows[::count], [rows[k + 1:k + count] for k in range(0, len(rows), count)], factor
 
     def extremes(self, points: Sequence[Integers]) -> Tuple[List[int], List[int]]:
         """The signs, at least, of the least and of the largest v on each point."""
@@ -3019,6 +3036,176 @@ def check_leaf(region: Region, y: Vector) -> None:
             raise Rejected("leaf-direction", f"y.A(d - h d0) = {show(dot(pull, x))} at {show(x)}")
 
 
+def check_own(box: Box, own: Sequence[Tuple[int, Fraction, Vector]]) -> None:
+    """`moving-list`."""
+    last = -1
+    for i, kappa, psi in own:
+        if not last < i < len(box.terms) or not box.terms[i].rows[0]:
+            raise Rejected("moving-list", f"contact {show(i)} after {show(last)}, of {len(box.terms)}")
+        if kappa < 0 or dot(starred(psi, box.contacts[i].gamma), psi) > kappa ** 2:
+            raise Rejected("moving-list", f"psi = {show(psi)} of contact {i} is longer than {show(kappa)}")
+        last = i
+
+
+Extent = Tuple[Any, Any]  # the least and the largest, as exact numbers or as whole ones
+
+
+class MovingLeaf:
+    """§4, a leaf whose twist moves: B(r, r') for its rays. With `bits` numbers are whole multiples of 2^-bits, each rounded to the
+    side on which B is not smaller, and a ray stands for the multiple of it that has a largest coordinate below 1."""
+
+    def __init__(self, region: Region, node: Node, bits: Optional[int]) -> None:
+        self.region, self.bits = region, bits
+        (*self.y, self.c), self.over = integers(node.numbers)  # y and c are these over that
+        self.rays = [x for x, _ in region.generators()]
+        box, size = region.box, len(self.y)
+        self.sizes = [1 if bits is None else 1 << max(map(int.bit_length, x)) for x in self.rays]
+        # What does work: whether it is mixed, v(r) and A(r). The load is a closed one, with h for v.
+        moved = [tuple(Fraction(z, self.over) for z in self.moved(x)) for x in self.rays]
+        self.weight = weight((self.c, self.over, *self.y)) + region.cone.weight
+        heights = [Fraction(x[size]) for x in self.rays]
+        loads = [self.above(work.numerator, work.denominator, one) for work, one in zip(map(box.loads.most_work, moved), self.sizes)]
+        self.works: List[Tuple[bool, List[Extent], List[Extent]]] = [
+            (False, [self.extent(h, h, one) for h, one in zip(heights, self.sizes)], [(load, load) for load in loads])]
+        own = {i: (kappa, psi) for i, kappa, psi in node.own}
+        for i, (term, c) in enumerate(zip(box.terms, box.contacts)):
+            self.add(term, c, *own.get(i, (Fraction(0), ())))
+
+    def moved(self, x: Integers) -> Integers:
+        """y(x), times self.over."""
+        h = x[len(self.y)]
+        return tuple(self.c * d + h * y for d, y in zip(x, self.y))
+
+    def above(self, n: int, d: int, size: int) -> Any:
+        """n/d over the size of its ray."""
+        return Fraction(n, d) if self.bits is None else -((-n << self.bits) // (d * size))
+
+    def extent(self, low: Fraction, high: Fraction, size: int) -> Extent:
+        return -self.above(-low.numerator, low.denominator, size), self.above(high.numerator, high.denominator, size)
+
+    def root(self, n: int, d: int, size: int, sign_: int = 1) -> Any:
+        """The bound of √(n/d), or of −√(n/d)."""
+        if self.bits is None:
+            return root_above(Fraction(sign_ * n, d))
+        # What §6 says differs from the root by less than a part in 2^62.
+        root = math.isqrt((n << 2 * self.bits) // (d * size * size))
+        return sign_ * root + (root >> 62) + 2
+
+    def times(self, factor: Fraction, x: Any) -> Any:
+        return factor * x if self.bits is None else -(-factor.numerator * x // factor.denominator)
+
+    def add(self, term: Terms, c: Parameters, kappa: Fraction, psi: Vector) -> None:
+        """One contact, unless it is open."""
+        normals, rows, factor = term.in_integers
+        size = len(self.y)
+        rubs = term.friction.high > 0
+        Work.spend((4 + 10 * rubs) * len(normals) * len(self.rays) * (self.weight + weight(normals[0])) ** 2)
+        across = Across(self, term, c, kappa, psi) if rubs else None
+        heights = [[dot(n, x) for n in normals] for x in self.rays]
+        own_heights = [dot(n, self.y) for n in normals]
+        preload, stiffness = c.bounds["preload"], c.bounds["stiffness"]
+        pressures = []
+        for x, height in zip(self.rays, heights):
+            least, most = min(height), max(height)
+            pressures.append((preload.low * x[size] - max(k * most for k in stiffness) / factor,
+                              preload.high * x[size] - min(k * least for k in stiffness) / factor))
+        v_side = 1 if term.spring else side(*zip(*pressures))
+        if v_side < 0:
+            return
+        found = []
+        for x, one, height in zip(self.rays, self.sizes, heights):
+            works = [self.c * high + x[size] * own for high, own in zip(height, own_heights)]
+            most = max(self.above(work, self.over * factor, one) + (across.most(corner, x, one) if across else 0)
+                       for corner, work in enumerate(works))
+            # v of a spring may be below 0, where a larger A is no bound.
+            found.append((-self.above(-works[0], self.over * factor, one) if term.spring else most, most))
+        self.works.append((v_side == 0, [self.extent(*v, one) for v, one in zip(pressures, self.sizes)], found))
+
+    def bound(self, r: int, s: int) -> Any:
+        """2 B, times something positive."""
+        total = 0
+        for mixed_, v, most in self.works:
+            for a, b in ((r, s), (s, r)):
+                if mixed_:
+                    total += max(0, v[a][1]) * max(0, most[b][1])
+                else:
+                    total += max(one * other for one in v[a] for other in most[b])
+        if self.bits is None:
+            length = words((Fraction(total).denominator,))
+            Work.divide(4 * len(self.works), length, length)
+        return total
+
+    def refusal(self) -> Optional[str]:
+        """`leaf-bound`: why it does not hold, or None."""
+        rays, flat = self.region.generators(), []
+        Work.spend(len(rays) ** 2 * len(self.works) * self.weight)
+        for r, x in enumerate(self.rays):
+            for s, other in enumerate(self.rays[:r + 1]):
+                bound = self.bound(r, s)
+                if bound > 0:
+                    return f"B = {show(Fraction(bound) / 2)} at {show(x)} and {show(other)}"
+            if bound == 0:
+                flat.append(rays[r])
+        return None if self.region.bars(flat) else "B(r, r) = 0 on rays that are not barred together"
+
+    def check_direction(self) -> None:
+        """`leaf-direction`."""
+        length = len(self.y) + 2
+        flat, _ = integers([c for row in self.region.direction for c in row])
+        rows = [flat[k:k + length] for k in range(0, len(flat), length)]
+        pairs = [(self.moved(x), [dot(row, x) for row in rows]) for x in self.rays]
+        Work.spend(len(pairs) ** 2 * self.weight)
+        for (y, pull), (other_y, other_pull) in itertools.combinations_with_replacement(pairs, 2):
+            if dot(y, other_pull) + dot(other_y, pull) < 0:
+                raise Rejected("leaf-direction", f"y.A(d - h d0) is below 0 for y = {show(y)} and {show(other_y)}")
+
+
+class Across:
+    """The friction of a contact in a moving leaf."""
+
+    def __init__(self, leaf: MovingLeaf, term: Terms, c: Parameters, kappa: Fraction, psi: Vector) -> None:
+        self.leaf, self.stretch, self.friction = leaf, 1 + term.tilt / 2, set(term.friction)
+        _, self.rows, factor = term.in_integers
+        square = dot(c.normal, c.normal) if len(c.normal) == 3 else Fraction(1)  # L²; it plays no part in the plane
+        gamma = c.gamma or Fraction(1)
+        self.weights = (gamma.denominator,) * 3 + (gamma.numerator,)
+        # S y(x) − κ s is `along` s and h `across`, by corner, over this:
+        self.along = leaf.c * kappa.denominator - leaf.over * kappa.numerator
+        self.own = [[kappa.denominator * dot(row, leaf.y) for row in rows] for rows in self.rows]
+        over = factor * leaf.over * kappa.denominator
+        self.square, self.over = square.numerator, square.denominator * gamma.denominator * over ** 2
+        psi, psi_over = integers(psi)
+        self.psi = tuple(map(operator.mul, self.weights, psi))
+        self.psi_over = square.denominator * (gamma.denominator * psi_over * factor) ** 2
+
+    def most(self, corner: int, x: Integers, size: int) -> Any:
+        leaf, h = self.leaf, x[len(self.leaf.y)]
+        slip = [dot(row, x) for row in self.rows[corner]]
+        left = [self.along * s + h * own for s, own in zip(slip, self.own[corner])]
+        length = leaf.root(self.square * sum(w * z * z for w, z in zip(self.weights, left)), self.over, size)
+        most = leaf.times(self.stretch, length)
+        if self.psi:
+            product = dot(self.psi, slip)
+            most += leaf.root(self.square * product * product, self.psi_over, size, sign(product))
+        return max(leaf.times(mu, most) for mu in self.friction)
+
+
+def check_moving(region: Region, node: Node) -> None:
+    """`moving-list`, `leaf-bound`, and §6, `leaf-direction`."""
+    check_own(region.box, node.own)
+    if region.bars(region.generators()) or is_beyond(region):
+        return
+    for bits in (96, None):
+        leaf = MovingLeaf(region, node, bits)
+        found = leaf.refusal()
+        if found is None:
+            break
+    else:
+        raise Rejected("leaf-bound", found or "")
+    if region.direction:
+        leaf.check_direction()
+
+
 def children(region: Region, node: Node) -> List[Region]:
     """§4, the table of nodes: the children in order."""
     i, box = node.contact, region.box
@@ -3069,6 +3256,9 @@ def check_node(region: Region, node: Node) -> List[Region]:
         raise Rejected("node-depth", f"{region.depth} nodes stand above this one")
     if node.kind == "held":
         check_held(region, node.contact)
+        return []
+    if node.kind == "moving":
+        check_moving(region, node)
         return []
     if node.kind != "leaf":
         return children(region, node)
@@ -5034,7 +5224,7 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         report.update(result="malformed", path=printable(failure.place) or None,
                       found=printable(failure.problem))
         return report, printable(str(failure)) + "\n", 2
-    leaves = sum(node.kind in ("leaf", "held") for node in certificate.trees())
+    leaves = sum(node.kind in ("leaf", "moving", "held") for node in certificate.trees())
     resisted = certificate.resisted + resisted_ranges(certificate.claims or [])
     asked, growth = question.asked, question.asked.preload_direction
     if certificate.states is not None:

@@ -1507,12 +1507,22 @@ class CertificateReader {
       array_of(value, place, length + 1);
       return {kind, a: value.slice(1).map((x) => read_number(x, place))};
     }
+    if (kind === 'moving' && this.may_cut) {
+      array_of(value, place, this.size + 3);
+      const numbers = value.slice(1, -1).map((x) => read_number(x, place));
+      const slips = array_of(value[this.size + 2], place).map((entry) => {
+        const [i, kappa, psi] = array_of(entry, place, 3);
+        const contact = read_index(i, place);
+        return {i: contact, kappa: read_number(kappa, place), psi: this.friction(psi, place, contact)};
+      });
+      return {kind, y: numbers.slice(0, this.size), c: numbers[this.size], slips};
+    }
     if (kind === 'part' && this.may_cut) {
       const [, name, index, at] = array_of(value, place, 4);
       if (!this.names.includes(name)) expected(`one of ${this.names.join(', ')}`, name, place);
       return {kind, name, i: read_index(index, place), at: read_number(at, place)};
     }
-    return expected(`slip, separation, plane, ${this.may_cut ? 'part ' : ''}or leaf`, kind, place);
+    return expected(`slip, separation, plane, ${this.may_cut ? 'part, moving ' : ''}or leaf`, kind, place);
   }
 
   part(value, place) {
@@ -2368,6 +2378,101 @@ function space_bound(region, contact, i, y, moves, closed) {
   return {term, d};
 }
 
+// ---------------------------------------------------------------------------- Leaves whose twist moves (§4)
+
+/** `moving-list`: what is wrong, or null. */
+function list_refusal({box}, slips) {
+  let last = -1;
+  for (const {i, kappa, psi} of slips) {
+    if (i <= last || i >= box.contacts.length || box.contacts[i].n.length === 1) return `contact ${printable(i)} has no place in it`;
+    const {gamma} = box.contacts[i], square = psi.reduce((sum, x, j) => sum.plus(j < 3 ? x.times(x) : x.times(x).times(gamma)), ZERO);
+    if (kappa.sign() < 0 || square.compare(kappa.times(kappa)) > 0) return `psi of contact ${i} is longer than kappa`;
+    last = i;
+  }
+  return null;
+}
+
+/** What is common to all contacts: y(x) is (c d + h y) / over in integers, the stated numbers being y / over and c / over. */
+function moving_twist({y, c}) {
+  const over = common_denominator([...y, c]);
+  const [own, [along]] = [over_denominator(y, over), over_denominator([c], over)];
+  return {over, c: along, y: own, at: ({d, h}) => d.map((x, j) => along * x + h * own[j])};
+}
+
+/**
+ * A_i(r), exactly, at each ray. With s = slips[c] d and t = slips[c] (c d + h y), which are S d times rows.d and S y(r) times rows.d
+ * twist.over, S y(r) − κ s is (κ_d t − twist.over κ_n s) over all three.
+ */
+function works_of(contact, generators, twist, kappa, psi) {
+  const {rows, square, gamma} = contact;
+  const plane = contact.n.length < 3, weights = [gamma.d, gamma.d, gamma.d, gamma.n];
+  const weighted = (a, b) => a.reduce((sum, x, j) => sum + (plane ? 1n : weights[j]) * x * b[j], 0n);
+  const length = plane ? ONE : square, gamma_d = plane ? 1n : gamma.d;
+  const over = rows.d * twist.over * kappa.d, own = twist.over * kappa.n;
+  const psi_d = common_denominator(psi), psi_n = over_denominator(psi, psi_d);
+  const stretch = plane ? ONE : contact.tilt.half().plus(ONE);
+  const root = (n, d, sign) => root_above(new Fraction(n * length.n, d * length.d), sign);
+  return generators.map((ray) => {
+    const moved = twist.at(ray);
+    return largest(rows.normals.map((normal, c) => {
+      const power = Fraction.of(dot(normal, moved), rows.d * twist.over);
+      if (contact.mu[1].isZero()) return power;
+      const s = rows.slips[c].map((row) => dot(row, ray.d)), t = rows.slips[c].map((row) => dot(row, moved));
+      const left = t.map((x, j) => kappa.d * x - own * s[j]);
+      let work = stretch.times(root(weighted(left, left), over * over * gamma_d, 1));
+      if (psi.length > 0) {
+        const along = weighted(psi_n, s), along_d = gamma_d * psi_d * rows.d;
+        work = work.plus(root(along * along, along_d * along_d, along < 0n ? -1 : 1));
+      }
+      spend(20);
+      return power.plus(largest(contact.mu.map((mu) => mu.times(work))));
+    }));
+  });
+}
+
+/** `leaf-bound` of a moving leaf: what is wrong, or null. Each of `terms` is of two lists by ray, [least, largest] and A. */
+function moving_refusal(region, node) {
+  const {box, generators} = region, twist = moving_twist(node), listed = new Map(node.slips.map((slip) => [slip.i, slip]));
+  const one = (x) => Fraction.of(x);
+  const zero_or = (x) => (x.sign() < 0 ? ZERO : x);
+  const times = (v, work) => v[work.sign() > 0 ? 1 : 0].times(work);
+  const both_above = (v, work) => zero_or(v[1]).times(zero_or(work));
+  const terms = [{
+    product: times, v: generators.map(({h}) => [one(h), one(h)]),
+    works: generators.map((ray) => box.loads.most(twist.at(ray).map((x) => Fraction.of(x, twist.over)))),
+  }];
+  box.contacts.forEach((contact, i) => {
+    const press = contact.spring ? CLOSED : region.press(contact.rows);
+    if (press === OPEN) return;
+    const {kappa, psi} = listed.get(i) ?? {kappa: ZERO, psi: []};
+    terms.push({
+      product: press === CLOSED ? times : both_above,
+      v: generators.map((ray) => pressures(contact.rows, ray).map((v) => Fraction.of(v, contact.rows.scale))),
+      works: works_of(contact, generators, twist, kappa, psi),
+    });
+  });
+  let mask = region.everyone;
+  for (let r = 0; r < generators.length; ++r) {
+    for (let s = 0; s <= r; ++s) {
+      const sum = new Sum(1);
+      for (const {product, v, works} of terms) {
+        spend(8);
+        sum.add_fractions([product(v[r], works[s]).plus(product(v[s], works[r]))]);
+      }
+      const [[twice]] = sum.total();
+      if (twice > 0n) return 'B is above 0 on two rays';
+      if (r === s && twice === 0n) mask &= generators[r].barred;
+    }
+  }
+  return mask !== 0n ? null : 'B(r, r) = 0 on rays that are not barred together';
+}
+
+/** `leaf-direction` of one: whether y(r)·A e(r') + y(r')·A e(r) is nowhere below 0, with A e by rows, as of check_trees. */
+function moves_along({generators}, node, pull) {
+  const twist = moving_twist(node), all = generators.map((ray) => [twist.at(ray), pull.map((row) => dot(row, ray.x))]);
+  return all.every(([y, pull], r) => all.slice(0, r + 1).every(([other_y, other_pull]) => dot(y, other_pull) + dot(other_y, pull) >= 0n));
+}
+
 // ---------------------------------------------------------------------------- Trees (§4)
 
 /** The steps from a root; what a tree is part of is the first, if it has a name. */
@@ -2434,15 +2539,15 @@ function is_beyond({generators, everyone}, bound) {
 }
 
 /**
- * Trees of regions. turned: of a tree of list 2, the function y·A(d − h d⁰) of y. bound: B, null if motions are not bounded or it is a
+ * Trees of regions. pull: of a tree of list 2, A (d − h d⁰) by rows, times one positive number. bound: B, null if motions are not bounded or it is a
  * tree of a wall. Adds to tally.
  */
 function check_trees(question, nodes, roots, tree_place, tally) {
   const {m, size} = question;
   const where = (path, number) => [path === null ? tree_place : path.toString() || 'root', number];
-  walk(nodes, roots, m, where, (node, {region, turned, bound}, refuse) => {
+  walk(nodes, roots, m, where, (node, {region, pull, bound}, refuse) => {
     ++tally.nodes;
-    const child = (step, make) => [step, () => ({region: make(), turned, bound})];
+    const child = (step, make) => [step, () => ({region: make(), pull, bound})];
     if (node.kind === 'slip' || node.kind === 'separation') {
       if (node.i >= m) refuse('node-contact', `there is no contact ${printable(node.i)}`);
       const contact = region.box.contacts[node.i], step = `${node.kind} ${node.i}`, space = contact.n.length === 3;
@@ -2475,13 +2580,22 @@ function check_trees(question, nodes, roots, tree_place, tally) {
           .map(([step, box]) => child(step, () => region.withBox(box())));
     }
     ++tally.leaves;
+    const wrong = node.kind === 'moving' ? list_refusal(region, node.slips) : null;
+    if (wrong !== null) refuse('moving-list', wrong);
     if (bound !== null && is_beyond(region, bound)) return [];
+    if (node.kind === 'moving') {
+      if (region.isBarred) return [];
+      const found = moving_refusal(region, node);
+      if (found !== null) refuse('leaf-bound', found);
+      if (pull !== null && !moves_along(region, node, pull)) refuse('leaf-direction', 'y(x)·A(d - h d0) is below 0 on two rays');
+      return [];
+    }
     const y = integral(node.a);
     const refusal = leaf_refusal(region, node.a, y);
     if (refusal !== null) refuse('leaf-bound', refusal);
-    if (turned !== null && !region.isBarred) {
-      const row = turned(y);
-      if (region.generators.some(({d, h, l}) => dot(row, [...d, h, l]) < 0n)) {
+    if (pull !== null && !region.isBarred) {
+      const row = pull[0].map((_, k) => dot(y, pull.map((one) => one[k])));
+      if (region.generators.some(({x}) => dot(row, x) < 0n)) {
         refuse('leaf-direction', 'y·A(d - h d0) is below 0 on a ray');
       }
     }
@@ -2811,19 +2925,17 @@ function check_degree(question, box, part, place, tally, of) {
       if (!spring && whole.generators.some((ray) => pressures(rows, ray)[0] < 0n)) refuse('degree-law', `v may be below 0 at contact ${i}`);
     });
   }
-  // y·A e, a multiple above 0 of it.
-  const turned = (y) => integral(about(
-      part.twist.map((_, j) => dot_fractions(y.map((x) => new Fraction(x, 1n)), part.direction.map((r) => r[j]))), ZERO));
+  const pull = part.direction.map((row) => about(row, ZERO));  // A e
   const roots = [];
-  const list = (one, prefix, halfway, function_of_leaf) => {
+  const list = (one, prefix, halfway, one_pull) => {
     for (const [name] of walls) {
       const path = new Path(null, `${place}, ${prefix}wall ${name}`);
-      roots.push({path, make: () => ({region: region_on(one, name, halfway), turned: function_of_leaf, bound: null})});
+      roots.push({path, make: () => ({region: region_on(one, name, halfway), pull: one_pull, bound: null})});
     }
   };
   const single = box.isPoint() && (of === undefined || (of.high !== null && of.low.equals(of.high)));
   if (!single) list(box, '', false, null);
-  list(box.middle(), 'middle ', true, turned);
+  list(box.middle(), 'middle ', true, pull.map((row) => over_denominator(row, common_denominator(pull.flat()))));
   check_trees(question, part.tree, roots, place, tally);
   ++tally.degrees;
 }
@@ -2900,7 +3012,7 @@ function check_segments(question, box, {resisted, segments, tree}, tally) {
   }
   if (low !== null) gaps.push({low, high: null, has_low, has_high: false});
   check_trees(question, tree, gaps.map((gap) => ({path: new Path(null, ''),
-    make: () => ({region: range_root(question, box, gap), turned: null, bound: question.max_motion})})), null, tally);
+    make: () => ({region: range_root(question, box, gap), pull: null, bound: question.max_motion})})), null, tally);
   tally.segments = segments.length;
   tally.trees = gaps.length;
 }
@@ -2923,7 +3035,7 @@ function check_claims(question, box, claims, tally) {
     if (kind === 'unstable') {
       const range = {low, high, has_low: k === 0 && low.isZero() && !unloaded, has_high: false};
       check_trees(question, tree, [{path: new Path(null, place),
-        make: () => ({region: range_root(question, box, range), turned: null, bound: question.max_motion})}], place, tally);
+        make: () => ({region: range_root(question, box, range), pull: null, bound: question.max_motion})}], place, tally);
       refuted.push([low, high, range.has_low]);
       ++tally.trees;
       return;
@@ -3006,7 +3118,7 @@ function check(grasp, certificate, options = {}) {
       check_parts(question, box, proof.parts, tally);
     } else if (proof.tree !== undefined) {
       check_trees(question, proof.tree, [{path: new Path(null, ''),
-        make: () => ({region: range_root(question, box), turned: null, bound: question.max_motion})}], null, tally);
+        make: () => ({region: range_root(question, box), pull: null, bound: question.max_motion})}], null, tally);
     } else {
       check_witness(question, box, proof.point, ONE, ZERO, null);
     }

@@ -3164,9 +3164,10 @@ class Across:
     """The friction of a contact in a moving leaf."""
 
     def __init__(self, leaf: MovingLeaf, term: Terms, c: Parameters, kappa: Fraction, psi: Vector) -> None:
-        self.leaf, self.stretch, self.friction = leaf, 1 + term.tilt / 2, set(term.friction)
         _, self.rows, factor = term.in_integers
-        square = dot(c.normal, c.normal) if len(c.normal) == 3 else Fraction(1)  # L²; it plays no part in the plane
+        # In the plane neither δ nor L² plays a part.
+        tilt, square = (term.tilt, dot(c.normal, c.normal)) if len(c.normal) == 3 else (Fraction(0), Fraction(1))
+        self.leaf, self.stretch, self.friction = leaf, 1 + tilt / 2, set(term.friction)
         gamma = c.gamma or Fraction(1)
         self.weights = (gamma.denominator,) * 3 + (gamma.numerator,)
         # S y(x) − κ s is `along` s and h `across`, by corner, over this:

@@ -58,6 +58,17 @@ struct NodeText {
   std::string operator()(const TwistLeaf& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
   }
+  std::string operator()(const MovingLeaf& node) const {
+    std::string own;
+    for (const auto& [contact, rate, slip] : node.own) {
+      const std::string numbers = list(slip);
+      own += (own.empty() ? "[" : ",[") + std::to_string(contact.index()) + "," +
+             number(Rational(rate)) + "," + (slip.size() == 1 ? numbers : "[" + numbers + "]") +
+             "]";
+    }
+    return "[\"moving\"," + list(node.twist) + "," + number(Rational(node.rate)) + ",[" + own +
+           "]]";
+  }
   std::string operator()(const TreeNode& node) const { return std::visit(*this, node); }
   std::string operator()(const LoadSplit& node) const {
     return "[\"plane\",0,0,0," + list(std::array{node.f[2], node.f[0], node.f[1]}) + "]";

@@ -45,6 +45,9 @@ class MovingEquilibrium {
   /// Returns the moves of the equilibrium on the way to where it goes farthest along each of
   /// these rows, either way.
   std::vector<Reals> extremes(const Eigen::MatrixXd& rows) const;
+  /// Returns how far the equilibrium moves to so many fixed pseudo-random places, about, where
+  /// it is not lost. Two of three are corners of the box, with normals turned as far as they may.
+  std::vector<Reals> cloud(std::size_t places) const;
 
  private:
   const RoundedBox& box_;

@@ -3,7 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "equilibrium_cloud.hpp"
 #include "moving_equilibrium.hpp"
+#include "moving_refuter.hpp"
 #include "prove_stable.hpp"
 #include "stickslip/lp/exact_system.hpp"
 #include "wall_refuter.hpp"
@@ -81,7 +83,8 @@ struct DegreeSubject {
   RoundedGrasp grasp;   ///< the grasp in the middle, or the only one
   ForceSpan span;       ///< the span of all grasps' forces
   NormalLaw law;        ///< the law of all contacts
-  const GraspLaw* box;  ///< nullptr: one grasp in the plane
+  const GraspLaw* box;     ///< nullptr: one grasp in the plane
+  const GraspLaw* middle;  ///< the law of the grasp in the middle of the box; nullptr as before
 };
 
 class DegreeSearch {
@@ -102,6 +105,7 @@ class DegreeSearch {
  private:
   std::optional<DegreeProof> prove_by_size(const NearEquilibrium& near);
   std::optional<DegreeProof> prove_by_moves(const NearEquilibrium& near);
+  std::optional<DegreeProof> prove_by_cloud(const NearEquilibrium& near);
   std::optional<DegreeProof> prove_in_mode(const NearEquilibrium& near, double size,
                                            std::size_t node_limit);
   std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near,
@@ -119,6 +123,7 @@ class DegreeSearch {
 };
 
 /// Tries one size after another: if the equilibrium moves little, that is all that matters.
+/// If it moves far in a box, walls around a cloud come before those that take many nodes.
 std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& near) {
   constexpr double kLeastQuick = 1e-3;
   const std::size_t limit = limits_.node_limit;
@@ -134,7 +139,12 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
     attempts.pop_back();
     for (Attempt& attempt : attempts) attempt.is_simplex = true;
   }
+  bool is_quick = true;
   for (const Attempt& attempt : attempts) {
+    if (limits_.is_wide && limit > 0 && is_quick && attempt.node_limit != kFewNodes) {
+      is_quick = false;
+      if (auto proof = prove_by_cloud(near)) return proof;
+    }
     if (attempt.node_limit == 0 || (limit == 0 && attempt.size < kLeastQuick)) break;
     Walls walls(about_.grasp, about_.span, near, attempt.size, about_.box);
     if (!walls.is_sound()) return std::nullopt;
@@ -213,7 +223,8 @@ std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& n
   const double left = part * force;
   const Eigen::MatrixXd answer =
       Newton(about_.grasp).answer(near.motion, slip * left / stiffness);
-  Walls walls(about_.grasp, about_.span, near, answer, left);
+  Walls walls(about_.grasp, about_.span, near, answer, answer,
+              Eigen::VectorXd::Constant(answer.rows(), left));
   if (!walls.is_sound()) return std::nullopt;
   return prove_with(
       std::move(walls),
@@ -251,6 +262,69 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
     walls.enclose(moves);
     auto proof = prove_with(std::move(walls), attempt, {Pull::kFitted, Pull::kStiff});
     if (proof) return proof;
+  }
+  return std::nullopt;
+}
+
+/// Tries walls around a cloud of equilibria of grasps of the box, with room around it so that
+/// what slips there slips one way, and with leaves whose twists move. A wall that is not
+/// refuted moves to where doubles see a reason at the point at which it failed.
+std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
+  const bool is_verdict = !about_.box->is_family && !about_.box->hull;
+  if (!is_verdict || about_.span.rank() > kMostOfParallelepipeds) return std::nullopt;
+  constexpr std::size_t kPlaces = 100;
+  constexpr std::size_t kMostOfOne = 1000;  // pieces of one shape
+  constexpr std::size_t kMostOfAll = 2000;  // pieces beyond which no other is tried
+  constexpr int kMostGrowths = 6;
+  if (work_.pieces > kMostOfAll) return std::nullopt;
+  const RoundedBox rounded(*about_.box);
+  const CloudCoordinates cloud(about_.grasp, about_.span, near,
+                               MovingEquilibrium(rounded, near).cloud(kPlaces));
+  if (!(cloud.press > 0)) return std::nullopt;
+  MovingRefuter refuter(*about_.box, *about_.middle, work_);
+  for (const auto& [factor, least] :
+       {std::pair{10.0, 0.12}, {4.0, 0.06}, {2.5, 0.02}, {25.0, 0.3}}) {
+    Eigen::VectorXd room = (factor * cloud.extent).cwiseMax(least * cloud.press);
+    for (int growth = 0; growth <= kMostGrowths; ++growth) {
+      if (work_.pieces > kMostOfAll) return std::nullopt;
+      ++work_.proofs;
+      std::vector<double> sizes(room.begin(), room.end());
+      std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+                       sizes.end());
+      const Eigen::MatrixXd answer =
+          Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
+      const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
+      if (!walls.is_sound()) return std::nullopt;
+      DegreeProof proof = walls.proof(Pull::kAnswer, false);
+      if (!has_rank(proof, about_.span.rank()) ||
+          !is_within(proof, about_.box->max_motion)) {
+        break;
+      }
+      if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) break;
+      std::optional<std::size_t> open;
+      const std::size_t last = work_.pieces + kMostOfOne;
+      for (std::size_t tree = 0; tree < 2 * proof.wall_count() && !open; ++tree) {
+        const std::size_t wall = tree % proof.wall_count();
+        const std::size_t left = last > work_.pieces ? last - work_.pieces : 0;
+        if (!refuter.refute(proof, wall, tree >= proof.wall_count(), left)) open = wall;
+      }
+      if (!open) return proof;
+      if (refuter.lost_at().size() == 0) break;
+      double best = 0;
+      double farther = 1;
+      for (const double part : {0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
+        const double bound = refuter.bound_at(proof, part * refuter.lost_at()) / part;
+        if (bound < best) {
+          best = bound;
+          farther = part;
+        }
+      }
+      if (!(best < 0)) break;
+      constexpr double kClear = 1e-6;
+      if (best > -kClear) farther = 1.4;
+      if (farther == 1) farther = 1.25;
+      room[static_cast<Eigen::Index>(*open / 2)] *= farther;
+    }
   }
   return std::nullopt;
 }
@@ -307,14 +381,16 @@ std::optional<DegreeProof> DegreeSearch::prove_with(Walls walls, const Attempt& 
 std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& middle,
                                            const NearEquilibrium& near,
                                            const DegreeLimits& limits, SearchWork& work) {
-  const DegreeSubject about{rounded_middle(middle), ForceSpan(box), box.normal_law, &box};
+  const DegreeSubject about{rounded_middle(middle), ForceSpan(box), box.normal_law, &box,
+                            &middle};
   if (!about.span.has_loads_of(box)) return std::nullopt;
   LawRefuter refuter(box, middle, work);
   return DegreeSearch(about, refuter, limits, work).prove_box(near);
 }
 
 std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& work) {
-  const DegreeSubject about{rounded_grasp(problem), ForceSpan(problem), problem.law(), nullptr};
+  const DegreeSubject about{rounded_grasp(problem), ForceSpan(problem), problem.law(), nullptr,
+                            nullptr};
   if (!about.span.has_load_of(problem)) return std::nullopt;
   CrowdWalls walls(problem);
   CrowdRefuter refuter(walls, work);

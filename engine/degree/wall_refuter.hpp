@@ -27,7 +27,7 @@ class WallRefuter {
 };
 
 /// Refutes walls for any law.
-class LawRefuter final : public WallRefuter {
+class LawRefuter : public WallRefuter {
  public:
   /// Takes the laws of a box and of the grasp in its middle.
   LawRefuter(const Law& box, const Law& middle, SearchWork& work)
@@ -36,6 +36,11 @@ class LawRefuter final : public WallRefuter {
   bool refute(DegreeProof& proof, std::size_t wall, bool second,
               std::size_t node_limit) override;
   bool all_are_closed(const DegreeProof& proof) const override;
+
+ protected:
+  const Law& box() const { return box_; }        ///< the law of list 1
+  const Law& middle() const { return middle_; }  ///< the law of list 2
+  SearchWork& work() { return work_; }           ///< the counters to add to
 
  private:
   const Law& box_;

@@ -87,14 +87,14 @@ Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquili
 }
 
 Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
-             const Eigen::MatrixXd& answer, double force)
-    : middle_(middle), span_(span), near_(near), stiffness_(answer), rows_(answer) {
+             const Eigen::MatrixXd& answer, const Eigen::MatrixXd& rows,
+             const Eigen::VectorXd& room)
+    : middle_(middle), span_(span), near_(near), stiffness_(answer), rows_(rows), room_(room) {
   const Eigen::Index rank = rows_.rows();
   steps_.assign(2 * static_cast<std::size_t>(rank), 0);
-  room_.setConstant(rank, force);
   above_ = room_;
   below_ = room_;
-  sound_ = static_cast<std::size_t>(rank) == span.rank() && force > 0 &&
+  sound_ = static_cast<std::size_t>(rank) == span.rank() && room_.minCoeff() > 0 &&
            are_independent(rows_.rowwise().normalized());
 }
 

@@ -26,10 +26,11 @@ class Walls {
   Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
         double size, const Law* box);
 
-  /// Chooses walls across the smooth forces with which `answer` answers motions. On them this
-  /// much force is left over.
+  /// Takes walls across these rows, at the distances `room`. `answer` is how smooth forces
+  /// answer motions.
   Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
-        const Eigen::MatrixXd& answer, double force);
+        const Eigen::MatrixXd& answer, const Eigen::MatrixXd& rows,
+        const Eigen::VectorXd& room);
 
   /// Returns whether they can enclose anything.
   bool is_sound() const { return sound_; }

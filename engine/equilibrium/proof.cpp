@@ -13,7 +13,7 @@ bool has_rank(const DegreeProof& proof, std::size_t rank) {
 
 std::size_t leaf_count(const Trees& trees) {
   return static_cast<std::size_t>(std::count_if(trees.begin(), trees.end(), [](const auto& n) {
-    return std::holds_alternative<TwistLeaf>(n);
+    return std::holds_alternative<TwistLeaf>(n) || std::holds_alternative<MovingLeaf>(n);
   }));
 }
 

@@ -41,6 +41,9 @@ struct NodeCheck {
   std::optional<std::string> operator()(const PartSplit& /*node*/) const {
     return "a part of a box, in the tree of one grasp";
   }
+  std::optional<std::string> operator()(const MovingLeaf& /*node*/) const {
+    return "a leaf whose twist moves, in the tree of one grasp in the plane";
+  }
   std::optional<std::string> operator()(const TwistLeaf& node) const {
     if (!refutes(problem, region, node)) return "the twist does not refute the region";
     return std::nullopt;

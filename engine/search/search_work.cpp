@@ -7,6 +7,7 @@ namespace stickslip {
 
 std::vector<std::pair<std::string, std::size_t>> counters(const SearchWork& work) {
   return {{"nodes", work.nodes},
+          {"pieces", work.pieces},
           {"leaves", work.leaves},
           {"rays", work.rays},
           {"most_rays", work.most_rays},
@@ -22,6 +23,7 @@ std::vector<std::pair<std::string, std::size_t>> counters(const SearchWork& work
 
 SearchWork& SearchWork::operator+=(const SearchWork& part) {
   nodes += part.nodes;
+  pieces += part.pieces;
   leaves += part.leaves;
   rays += part.rays;
   most_rays = std::max(most_rays, part.most_rays);

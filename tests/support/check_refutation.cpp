@@ -100,6 +100,10 @@ class Walker {
     demand(false, "node-kind");
   }
 
+  void visit(const Place& /*place*/, const MovingLeaf& /*node*/) const {
+    demand(false, "node-kind");
+  }
+
   std::size_t checked(ContactId contact) const {
     demand(contact.index() < problem_.size(), "node-contact");
     return contact.index();
@@ -138,6 +142,7 @@ struct Printer {
     for (const Integer& entry : node.plane) out << ' ' << entry;
   }
   void operator()(const PartSplit& node) const { out << "part " << node.index; }
+  void operator()(const MovingLeaf& /*node*/) const { out << "moving"; }
   void operator()(const TwistLeaf& node) const {
     out << "leaf";
     for (const Integer& entry : node.twist) out << ' ' << entry;

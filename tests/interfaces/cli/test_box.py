@@ -79,7 +79,7 @@ class Asking(Case):
                          (["-2", "2", "-2"], "unilateral", "intervals"))
         self.assertNotIn("bits", answer)
         self.assertEqual(set(answer["stats"]),
-                         {"nodes", "leaves", "rays", "most_rays", "pairs", "ray_bits", "twist_bits", "filter_hits", "exact_checks",
+                         {"nodes", "pieces", "leaves", "rays", "most_rays", "pairs", "ray_bits", "twist_bits", "filter_hits", "exact_checks",
                           "proofs", "examples", "parts"})
 
     def test_tolerances_widen(self):

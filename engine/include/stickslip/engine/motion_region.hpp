@@ -103,6 +103,11 @@ class MotionRegion : public StrictCone {
   /// Returns whether the virtual twist y proves, exactly, that no solution lies here: by the
   /// rule `leaf-bound` of the format and, if there is a pull, `leaf-direction`.
   bool is_refuted(const Row& y, const PullRule* pull) const;
+  /// Returns whether a twist that moves proves the same: by `moving-list`, `leaf-bound` and
+  /// `leaf-direction`. Requires that the law is no margin and has no hull of loads. O(rays^2
+  /// contacts), and for each ray and contact a root at each corner of the geometry where
+  /// doubles do not tell.
+  bool is_refuted(const MovingLeaf& leaf, const PullRule* pull) const;
 
  private:
   MotionRegion(const Law& law, StrictCone cone, bool is_of_wall = false);

@@ -36,8 +36,24 @@ struct TwistLeaf {
   Row twist;  ///< y
 };
 
+/// A leaf with a virtual twist y(x) = rate d + h twist that moves with the point (d, h, l). What
+/// friction does for certain, it works against a contact's own slip, limits the work of the part
+/// that follows the motion (certificate/FORMAT.md, section 4, "Leaf whose twist moves").
+struct MovingLeaf {
+  /// The part of a contact's friction that is known to work against its own slip.
+  struct OwnSlip {
+    ContactId contact;  ///< the contact
+    Integer rate;       ///< kappa >= 0, the part of y that follows the slip
+    Row slip;           ///< psi, |psi| <= kappa, with as many numbers as a slip
+  };
+  Row twist;                 ///< y
+  Integer rate;              ///< c
+  std::vector<OwnSlip> own;  ///< by increasing contact; of all others kappa and psi are 0
+};
+
 /// A node: one of four kinds of split, or a leaf.
-using TreeNode = std::variant<SlipSplit, SeparationSplit, PlaneCut, TwistLeaf, PartSplit>;
+using TreeNode =
+    std::variant<SlipSplit, SeparationSplit, PlaneCut, TwistLeaf, MovingLeaf, PartSplit>;
 /// Trees in preorder, one after another.
 using Trees = std::vector<TreeNode>;
 

@@ -29,13 +29,18 @@ class PullRule {
     return std::none_of(points.begin(), points.end(),
                         [&](const Point& x) { return value(function, x).sign() < 0; });
   }
+  /// Returns A(d - h d0) at a point, times one positive number that is the same for all points.
+  template <class Point>
+  Row at(const Point& x) const {
+    Row exact;
+    for (const Row& row : rows_) exact.emplace_back(value(row, x));
+    return exact;
+  }
   /// Returns -A(d - h d0) at a point, up to a positive factor. Only the last step is rounded,
   /// since d - h d0 may be small beside d.
   template <class Point>
   Reals against(const Point& x) const {
-    Row exact;
-    for (const Row& row : rows_) exact.emplace_back(-value(row, x));
-    return in_doubles(exact);
+    return in_doubles(negated(at(x)));
   }
 
  private:

@@ -12,7 +12,8 @@ namespace stickslip {
 
 /// The work of searches, by counters; reproducible.
 struct SearchWork {
-  std::size_t nodes = 0;         ///< nodes of all trees, completed or given up
+  std::size_t nodes = 0;         ///< nodes of all other trees, completed or given up
+  std::size_t pieces = 0;        ///< nodes of trees whose leaves' twists move
   std::size_t leaves = 0;        ///< leaves that were confirmed
   std::size_t rays = 0;          ///< generators of all regions, lines counted twice
   std::size_t most_rays = 0;     ///< generators of the region that had most

@@ -48,7 +48,8 @@ bool may_be_above(const Enclosure& a) {
 void count(const Rational& a, std::uint64_t operations) {
   const std::uint64_t words =
       mpz_size(a.get_num_mpz_t()) + mpz_size(a.get_den_mpz_t());
-  spend(kStepsOfRational * operations, words, words);
+  spend(kStepsOfRational * operations);
+  spend(4 * operations, words, words);  // numerators, denominators and what they have in common
 }
 
 void count(const Enclosure&, std::uint64_t operations) {

@@ -155,8 +155,7 @@ MovingLeaf moving_leaf(const GraspLaw& law, RationalRow y, const RationalRow& ow
   auto next = whole.begin() + static_cast<std::ptrdiff_t>(law.motions);
   MovingLeaf leaf{{whole.begin(), next}, whole.back(), {}};
   for (std::size_t i = 0; i < law.contacts.size(); ++i) {
-    const auto end =
-        next + 1 + static_cast<std::ptrdiff_t>(law.contacts[i].slip_numbers());
+    const auto end = next + 1 + static_cast<std::ptrdiff_t>(law.contacts[i].slip_numbers());
     leaf.own.push_back({ContactId(i), *next, {next + 1, end}});
     next = end;
   }

@@ -489,19 +489,17 @@ std::string robustness_certificate_text(const Question& question, RobustnessKind
   const GraspBox& grasp = question.grasp.as_box();
   std::vector<Rational> forces = options.most_forces;
   if (forces.size() == 1) forces.assign(grasp.contacts.size(), forces[0]);
-  std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
-                     Json(producer).dump() + ",\n \"question\": {\"contacts\": " +
-                     std::to_string(grasp.contacts.size()) + ", \"wrench\": [" +
-                     wrench_text(question.grasp.wrench()) + "], \"robustness\": \"" +
-                     (kind == RobustnessKind::kContact ? "contact" : "grasp") +
-                     "\", \"length\": " + number(options.length) + ", \"max_force\": [" +
-                     list(forces) + "]},\n " + kVerdict + "\"bounds\", \"lower\": " +
-                     number(found.lower) + ", \"upper\": " + number(found.upper) +
-                     ",\n \"combination\": ";
+  std::string text =
+      "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " + Json(producer).dump() +
+      ",\n \"question\": {\"contacts\": " + std::to_string(grasp.contacts.size()) +
+      ", \"wrench\": [" + wrench_text(question.grasp.wrench()) + "], \"robustness\": \"" +
+      (kind == RobustnessKind::kContact ? "contact" : "grasp") +
+      "\", \"length\": " + number(options.length) + ", \"max_force\": [" + list(forces) +
+      "]},\n " + kVerdict + "\"bounds\", \"lower\": " + number(found.lower) +
+      ", \"upper\": " + number(found.upper) + ",\n \"combination\": ";
   if (found.best) {
     text += "{\"distance\": " + number(found.best->distance) +
-            ", \"inverse_square\": " + number(found.best->inverse_square) +
-            ", \"forces\": [";
+            ", \"inverse_square\": " + number(found.best->inverse_square) + ", \"forces\": [";
     std::string separator = "\n  ";
     for (std::size_t i = 0; i < forces.size(); ++i) {
       const SpringState state = found.best->states[i];

@@ -41,7 +41,8 @@ CloudCoordinates::CloudCoordinates(const RoundedGrasp& middle, const ForceSpan& 
   rows.resize(0, d);
   if (!slips.empty()) {
     Eigen::MatrixXd all(static_cast<Eigen::Index>(slips.size()), d);
-    for (Eigen::Index k = 0; k < all.rows(); ++k) all.row(k) = slips[static_cast<std::size_t>(k)];
+    for (Eigen::Index k = 0; k < all.rows(); ++k)
+      all.row(k) = slips[static_cast<std::size_t>(k)];
     const SingularValues values = singular_values(all);
     constexpr double kNothing = 1e-3;
     while (sticking < values.values.size() &&
@@ -67,8 +68,7 @@ CloudCoordinates::CloudCoordinates(const RoundedGrasp& middle, const ForceSpan& 
   };
   constexpr double kSoft = 1e-6;
   const Eigen::MatrixXd forces =
-      others.transpose() *
-      (springs + kSoft * springs.norm() * Eigen::MatrixXd::Identity(d, d));
+      others.transpose() * (springs + kSoft * springs.norm() * Eigen::MatrixXd::Identity(d, d));
   constexpr double kFlat = 1e-4;
   Eigen::MatrixXd chosen = with(forces);
   if (!chosen.allFinite() || singular_values(chosen).values.minCoeff() < kFlat) {

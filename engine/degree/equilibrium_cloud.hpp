@@ -13,15 +13,15 @@
 namespace stickslip::degree_detail {
 
 /// Coordinates of motions around an equilibrium: first along the slips of the contacts that
-/// stick, which all friction that is left is against; then across forces. Within each of the two
-/// they are the principal axes of the cloud.
+/// stick, which all friction that is left is against; then across forces. Within each of the
+/// two they are the principal axes of the cloud.
 struct CloudCoordinates {
   Eigen::MatrixXd rows;    ///< the coordinates, as functions of motions, by rows
   Eigen::VectorXd extent;  ///< how far the cloud reaches, by coordinate
   double press;            ///< how far a typical contact that presses is pressed in
 
-  /// Takes an equilibrium of the grasp in the middle of a box, and how far from it equilibria of
-  /// others are.
+  /// Takes an equilibrium of the grasp in the middle of a box, and how far from it equilibria
+  /// of others are.
   CloudCoordinates(const RoundedGrasp& middle, const ForceSpan& span,
                    const NearEquilibrium& near, const std::vector<Reals>& cloud);
 };

@@ -304,7 +304,8 @@ std::vector<Reals> MovingEquilibrium::cloud(std::size_t places) const {
     for (const double first : {1e-3, 0.05, 1.0}) {
       constexpr double kLeast = 1e-6;
       Reals motion = start_.motion;
-      if (!SmoothGrasp(there).settle(motion, first * there.reach, kLeast * there.reach)) continue;
+      if (!SmoothGrasp(there).settle(motion, first * there.reach, kLeast * there.reach))
+        continue;
       result.emplace_back(motion - start_.motion);
       break;
     }

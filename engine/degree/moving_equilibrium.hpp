@@ -46,7 +46,8 @@ class MovingEquilibrium {
   /// these rows, either way.
   std::vector<Reals> extremes(const Eigen::MatrixXd& rows) const;
   /// Returns how far the equilibrium moves to so many fixed pseudo-random places, about, where
-  /// it is not lost. Two of three are corners of the box, with normals turned as far as they may.
+  /// it is not lost. Two of three are corners of the box, with normals turned as far as they
+  /// may.
   std::vector<Reals> cloud(std::size_t places) const;
 
  private:

@@ -37,9 +37,8 @@ MovingSubject at_point(const Law& law, const Reals& middle, const Reals& way) {
   Reals point = Reals::Zero(static_cast<Eigen::Index>(law.coordinates()));
   point.head(middle.size()) = middle + way;
   point[middle.size()] = 1;
-  MovingSubject about{middle,
-                      {point},
-                      std::vector<Separation>(law.contacts.size(), Separation::kMixed)};
+  MovingSubject about{
+      middle, {point}, std::vector<Separation>(law.contacts.size(), Separation::kMixed)};
   const MovingWork work(law, about.points, about.separations);
   for (const MovingWork::Part& part : work.parts()) {
     Separation& separation = about.separations[part.contact];
@@ -82,12 +81,11 @@ bool MovingRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
   const Law& law = second ? middle() : box();
   const PullRule pull(proof.direction, proof.twist);
   std::size_t nodes = 0;
-  return append_tree(
-      Piece{MotionRegion::wall(law, proof, wall), {}}, proof.trees,
-      [&](const Piece& piece, std::size_t depth) -> std::optional<Branch> {
-        if (++nodes > node_limit || depth > kDeepest) return std::nullopt;
-        return examine(proof, second ? &pull : nullptr, piece, depth);
-      });
+  return append_tree(Piece{MotionRegion::wall(law, proof, wall), {}}, proof.trees,
+                     [&](const Piece& piece, std::size_t depth) -> std::optional<Branch> {
+                       if (++nodes > node_limit || depth > kDeepest) return std::nullopt;
+                       return examine(proof, second ? &pull : nullptr, piece, depth);
+                     });
 }
 
 std::optional<MovingRefuter::Branch> MovingRefuter::examine(const DegreeProof& proof,
@@ -105,14 +103,15 @@ std::optional<MovingRefuter::Branch> MovingRefuter::examine(const DegreeProof& p
   const MovingSubject about = on_piece(law, centre, region, pull);
   MovingTwists twists(law, about);
   std::optional<MovingLeaf> leaf;
-  const auto found = twists.find(piece.guess, kRounds, [&](const MovingTwists::Coordinates& at) {
-    for (const int bits : {7, 10, 14, 20, 30}) {
-      leaf = twists.leaf(at, bits);
-      ++work().exact_checks;
-      if (region.is_refuted(*leaf, pull)) return true;
-    }
-    return false;
-  });
+  const auto found =
+      twists.find(piece.guess, kRounds, [&](const MovingTwists::Coordinates& at) {
+        for (const int bits : {7, 10, 14, 20, 30}) {
+          leaf = twists.leaf(at, bits);
+          ++work().exact_checks;
+          if (region.is_refuted(*leaf, pull)) return true;
+        }
+        return false;
+      });
   if (found.accepted) {
     ++work().leaves;
     return Branch{std::move(*leaf), {}};
@@ -130,7 +129,9 @@ std::optional<MovingRefuter::Branch> MovingRefuter::examine(const DegreeProof& p
   constexpr std::size_t kShallow = 2;
   if (alone != nullptr && depth >= kShallow) {
     MovingTwists at(law, at_point(law, centre, lost_at_));
-    if (!at.find(found.coordinates, kRoundsAtPoint, [](const auto&) { return true; }).accepted) {
+    if (!at.find(found.coordinates, kRoundsAtPoint, [](const auto&) {
+             return true;
+           }).accepted) {
       return std::nullopt;
     }
   }
@@ -173,9 +174,9 @@ std::optional<MovingRefuter::Branch> MovingRefuter::examine(const DegreeProof& p
   const double half = (places.row(across).maxCoeff() + places.row(across).minCoeff()) / 2;
   const RationalRow& row = proof.walls[static_cast<std::size_t>(across)];
   RationalRow plane = row;
-  plane.emplace_back(-dot(row, proof.twist) -
-                     rational_from_double(std::ldexp(std::round(std::ldexp(half, kGrain)),
-                                                     -kGrain)));
+  plane.emplace_back(
+      -dot(row, proof.twist) -
+      rational_from_double(std::ldexp(std::round(std::ldexp(half, kGrain)), -kGrain)));
   plane.emplace_back(0);
   PlaneCut cut{primitive_multiple(plane)};
   Branch branch{cut, {}};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Refutes the walls of a parallelepiped of motions by virtual twists that move with the point
-/// (certificate/FORMAT.md, section 4). That is for boxes: a wall far from all equilibria of a box
-/// is refuted in few pieces, where twists that do not move need very many.
+/// (certificate/FORMAT.md, section 4). That is for boxes: a wall far from all equilibria of a
+/// box is refuted in few pieces, where twists that do not move need very many.
 #pragma once
 
 #include "engine/motion/tree_walk.hpp"
@@ -19,11 +19,11 @@ class MovingRefuter final : public LawRefuter {
 
   bool refute(DegreeProof& proof, std::size_t wall, bool second,
               std::size_t node_limit) override;
-  /// Returns how far from the middle of the parallelepiped, in the law's units, the point of the
-  /// last wall that was not refuted is where leaves fail first.
+  /// Returns how far from the middle of the parallelepiped, in the law's units, the point of
+  /// the last wall that was not refuted is where leaves fail first.
   const Reals& lost_at() const { return lost_at_; }
-  /// Returns the bound of the best leaf for this point alone: below 0 if no grasp of the box has
-  /// an equilibrium there for which doubles see no reason.
+  /// Returns the bound of the best leaf for this point alone: below 0 if no grasp of the box
+  /// has an equilibrium there for which doubles see no reason.
   double bound_at(const DegreeProof& proof, const Reals& way) const;
 
  private:

@@ -80,9 +80,9 @@ struct Attempt {
 
 /// The grasps that are to be proved stable.
 struct DegreeSubject {
-  RoundedGrasp grasp;   ///< the grasp in the middle, or the only one
-  ForceSpan span;       ///< the span of all grasps' forces
-  NormalLaw law;        ///< the law of all contacts
+  RoundedGrasp grasp;      ///< the grasp in the middle, or the only one
+  ForceSpan span;          ///< the span of all grasps' forces
+  NormalLaw law;           ///< the law of all contacts
   const GraspLaw* box;     ///< nullptr: one grasp in the plane
   const GraspLaw* middle;  ///< the law of the grasp in the middle of the box; nullptr as before
 };
@@ -289,15 +289,15 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
       if (work_.pieces > kMostOfAll) return std::nullopt;
       ++work_.proofs;
       std::vector<double> sizes(room.begin(), room.end());
-      std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+      std::nth_element(sizes.begin(),
+                       sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
                        sizes.end());
       const Eigen::MatrixXd answer =
           Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
       const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
       if (!walls.is_sound()) return std::nullopt;
       DegreeProof proof = walls.proof(Pull::kAnswer, false);
-      if (!has_rank(proof, about_.span.rank()) ||
-          !is_within(proof, about_.box->max_motion)) {
+      if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
         break;
       }
       if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) break;

@@ -36,8 +36,8 @@ ExactSlip padded(const Row& slip) {
 /// Returns |psi| <= kappa.
 bool is_within(const LawContact& c, const MovingLeaf::OwnSlip& own) {
   const ExactSlip psi = padded(own.slip);
-  return own.rate.sign() >= 0 && c.product(psi, psi) <= own.rate * own.rate *
-                                                            denominator(c.spin_weight);
+  return own.rate.sign() >= 0 &&
+         c.product(psi, psi) <= own.rate * own.rate * denominator(c.spin_weight);
 }
 
 /// The bounds of one leaf on the points of a region, each computed when it is first asked for.
@@ -119,8 +119,8 @@ class ExactWork {
         };
         const Rational scale = row.slip_factor * Rational(denominator(c.spin_weight));
         const ExactSlip slid = slip_on(rest);
-        const Rational square = c.squared_length * Rational(c.product(slid, slid)) /
-                                (scale * row.slip_factor);
+        const Rational square =
+            c.squared_length * Rational(c.product(slid, slid)) / (scale * row.slip_factor);
         along = (1 + c.tilt / 2) * short_sqrt(square, kBits).upper;
         if (own != nullptr) {
           const Rational product = Rational(c.product(psi, slip_on(motion))) / scale;

@@ -22,8 +22,8 @@ class LeastSum {
  public:
   explicit LeastSum(Eigen::Index size) : columns_(size + 1, 64) {}
 
-  /// Adds a vector that is part of the convex combination, or else of the multiples, and returns
-  /// its place.
+  /// Adds a vector that is part of the convex combination, or else of the multiples, and
+  /// returns its place.
   std::size_t add(const Eigen::VectorXd& vector, bool is_convex) {
     const auto n = static_cast<Eigen::Index>(norms_.size());
     if (n == columns_.cols()) columns_.conservativeResize(Eigen::NoChange, 2 * n);
@@ -163,8 +163,8 @@ MovingTwists::MovingTwists(const Law& law, MovingSubject about)
   pulling_.resize(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
     for (Eigen::Index l = 0; l < count; ++l) {
-      pulling_(k, l) = ways_[static_cast<std::size_t>(k)].dot(
-          about_.pulls[static_cast<std::size_t>(l)]);
+      pulling_(k, l) =
+          ways_[static_cast<std::size_t>(k)].dot(about_.pulls[static_cast<std::size_t>(l)]);
     }
   }
   pulling_ = (pulling_ + pulling_.transpose()).eval();
@@ -225,9 +225,8 @@ Eigen::VectorXd MovingTwists::gradient(std::size_t which, Eigen::Index point) co
   const CornerRow& row = c.corners[static_cast<std::size_t>(q)];
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
   Reals on_twist = row.normal_rounded;
-  const auto rubs = std::find_if(rubbing_.begin(), rubbing_.end(), [&](const Rubbing& r) {
-    return r.contact == part.contact;
-  });
+  const auto rubs = std::find_if(rubbing_.begin(), rubbing_.end(),
+                                 [&](const Rubbing& r) { return r.contact == part.contact; });
   if (rubs != rubbing_.end()) {
     const MovingWork::Slip slip = work_.slip(part, point);
     const double slope = slip.slope * (1 + c.tilted / 3);
@@ -270,7 +269,7 @@ MovingTwists::Cut MovingTwists::cut(Eigen::Index first, Eigen::Index other, bool
     const auto add = [&](Eigen::Index of, Eigen::Index work) {
       const double most = part.most[work];
       const double v = part.closed ? most > 0 ? part.high[of] : part.low[of]
-                       : most > 0  ? std::max(part.high[of], 0.0)
+                       : most > 0 ? std::max(part.high[of], 0.0)
                                    : 0;
       if (v == 0) return;
       auto& known = gradients_[k][static_cast<std::size_t>(work)];
@@ -320,8 +319,8 @@ MovingTwists::Found MovingTwists::find(const Coordinates& guess, int rounds,
   };
   if (take(evaluate(at))) return best;
   const auto psi_of = [&](const Rubbing& rubs) {
-    return at.segment(rubs.first + 1, static_cast<Eigen::Index>(
-                                          law_.contacts[rubs.contact].slip_dimension()));
+    return at.segment(rubs.first + 1,
+                      static_cast<Eigen::Index>(law_.contacts[rubs.contact].slip_dimension()));
   };
   LeastSum sum(size_);
   for (const Rubbing& rubs : rubbing_) {
@@ -409,8 +408,8 @@ MovingLeaf MovingTwists::leaf(const Coordinates& coordinates, int bits) const {
   }
   for (const auto& [contact, first] : rubbing_) {
     const LawContact& c = law_.contacts[contact];
-    MovingLeaf::OwnSlip own{ContactId(contact), whole(std::max(near.rates[contact], 0.0), rate_grain),
-                            {}};
+    MovingLeaf::OwnSlip own{
+        ContactId(contact), whole(std::max(near.rates[contact], 0.0), rate_grain), {}};
     IntegerVector<4> psi{};
     for (std::size_t j = 0; j < c.slip_numbers(); ++j) {
       double entry = 0;

@@ -3,10 +3,10 @@
 /// The search for virtual twists that move with the point, in doubles: proposals for leaves
 /// (certificate/FORMAT.md, section 4, "Leaf whose twist moves").
 ///
-/// **Method.** With y(x) = c (d - h d0) + h y0 the bound of each pair of points is convex in (c,
-/// y0, kappa, psi). The leaf whose largest bound is least, of all leaves of norm 1, is sought by
-/// cutting planes: minus the point of least norm of the hull of all gradients seen so far is the
-/// leaf to try next.
+/// **Method.** With y(x) = c (d - h d0) + h y0 the bound of each pair of points is convex in
+/// (c, y0, kappa, psi). The leaf whose largest bound is least, of all leaves of norm 1, is
+/// sought by cutting planes: minus the point of least norm of the hull of all gradients seen so
+/// far is the leaf to try next.
 #pragma once
 
 #include <Eigen/Core>
@@ -82,7 +82,7 @@ class MovingTwists {
   MovingSubject about_;
   MovingWork work_;
   std::vector<Rubbing> rubbing_;
-  Eigen::Index size_ = 0;   ///< the number of coordinates
+  Eigen::Index size_ = 0;    ///< the number of coordinates
   std::vector<Reals> ways_;  ///< d - h d0
   double reach_ = 0;         ///< the largest entry of these
   Eigen::MatrixXd pulling_;  ///< (d - h d0) . A (d' - h' d0), by pairs, symmetric

@@ -83,8 +83,8 @@ void MovingWork::set(const RoundedLeaf& leaf) {
     for (std::size_t corner = 0; corner < c.corners.size(); ++corner) {
       const auto q = static_cast<Eigen::Index>(corner);
       const CornerRow& row = c.corners[corner];
-      work = leaf.rate * part.rises.col(q) +
-             row.normal_rounded.dot(leaf.twist) * heights_.array();
+      work =
+          leaf.rate * part.rises.col(q) + row.normal_rounded.dot(leaf.twist) * heights_.array();
       normal_size = std::max(normal_size, row.normal_rounded.norm());
       if (!part.slips.empty()) {
         along.setZero();

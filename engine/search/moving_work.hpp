@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// The work of forces on virtual twists that move with the point, in doubles
-/// (certificate/FORMAT.md, section 4, "Leaf whose twist moves"). It proposes, and with its error
-/// bounds tells where exact numbers are not needed.
+/// (certificate/FORMAT.md, section 4, "Leaf whose twist moves"). It proposes, and with its
+/// error bounds tells where exact numbers are not needed.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,8 +25,8 @@ struct RoundedLeaf {
 /// The bounds A_i(r) and B(r, r') on some points of a law that is no margin and has no hull.
 class MovingWork {
  public:
-  /// Takes points (d, h, l) in the law's units. `separations` says of each contact whether it is
-  /// closed, open or mixed on their cone. The law must outlive this.
+  /// Takes points (d, h, l) in the law's units. `separations` says of each contact whether it
+  /// is closed, open or mixed on their cone. The law must outlive this.
   MovingWork(const Law& law, const std::vector<Reals>& points,
              const std::vector<Separation>& separations);
 

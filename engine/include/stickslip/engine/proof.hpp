@@ -36,9 +36,10 @@ struct TwistLeaf {
   Row twist;  ///< y
 };
 
-/// A leaf with a virtual twist y(x) = rate d + h twist that moves with the point (d, h, l). What
-/// friction does for certain, it works against a contact's own slip, limits the work of the part
-/// that follows the motion (certificate/FORMAT.md, section 4, "Leaf whose twist moves").
+/// A leaf with a virtual twist y(x) = rate d + h twist that moves with the point (d, h, l).
+/// What friction does for certain, it works against a contact's own slip, limits the work of
+/// the part that follows the motion (certificate/FORMAT.md, section 4, "Leaf whose twist
+/// moves").
 struct MovingLeaf {
   /// The part of a contact's friction that is known to work against its own slip.
   struct OwnSlip {

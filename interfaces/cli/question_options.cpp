@@ -75,21 +75,6 @@ Question read_contacts(const std::string& file) {
   return contacts_alone(read_any_grasp_file(file, Intervals::kRefused));
 }
 
-Grasp read_planar_contacts(const std::string& file) {
-  const Question question = read_contacts(file);
-  const std::string name = file == "-" ? "<stdin>" : file;
-  const std::string first = question.grasp.contacts() == 0 ? "wrench" : "contacts[0].position";
-  if (question.mechanism() != nullptr) {
-    throw InputError(name, "bodies", "the grasp has several bodies",
-                     "this is done for one body only; stickslip decide answers for several");
-  }
-  if (question.in_space()) {
-    throw InputError(name, first, "the grasp is in space",
-                     "this is done in the plane only; stickslip decide answers in space");
-  }
-  return question.grasp.planar_middle().grasp;
-}
-
 void add_grasp_argument(Command& command, std::string& file) {
   command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
       ->type_name("FILE")

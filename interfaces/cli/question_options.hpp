@@ -120,10 +120,6 @@ std::string engine_text(const std::string& engine, NormalLaw law);
 /// intervals.
 Question read_contacts(const std::string& file);
 
-/// Reads the contacts of one body in the plane, whatever the load is; the body may be the only
-/// one of a file of version 3. Throws InputError for any other grasp.
-Grasp read_planar_contacts(const std::string& file);
-
 /// Adds the GRASP argument alone.
 void add_grasp_argument(Command& command, std::string& file);
 

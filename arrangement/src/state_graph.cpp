@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "distinct_planes.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -30,33 +31,32 @@ StateGraph state_graph(const StatePlanes& planes,
     throw InputError("", "graph", "all motions that press nothing together are in one cell",
                      "ask for the modes slip, full or closed");
   }
+  StateGraph graph;
+  std::vector<Row> closed;
+  for (const FacePlane& plane : planes.planes) {
+    if (plane.side == AllowedSigns::kZero) closed.push_back(plane.row);
+  }
+  graph.dimension =
+      static_cast<int>(planes.coordinates) - arrangement_detail::rank_of(closed);
   FaceOptions options;
   options.go_on = go_on;
-  StateGraph graph;
-  const FaceCounts counts = count_faces(planes.coordinates, planes.planes, options);
-  for (std::size_t j = 0; j < counts.by_dimension.size(); ++j) {
-    if (counts.by_dimension[j] > 0) graph.dimension = static_cast<int>(j);
-  }
   options.least_dimension = std::max(0, graph.dimension - 1);
   std::unordered_map<std::string, std::size_t> cells;
   std::string first_cell;
   std::vector<std::string> signs_of_facets;
-  const FaceCounts found = visit_faces(
-      planes.coordinates, planes.planes,
-      [&](const Face& face) {
-        std::string signs = signs_of(face, planes.planes.size());
-        if (face.dimension() < graph.dimension) {
-          signs_of_facets.push_back(std::move(signs));
-          graph.facets.push_back({planes.text(face), 0, 0});
-        } else {
-          if (cells.empty()) first_cell = signs;
-          cells.emplace(std::move(signs), graph.cells.size());
-          graph.cells.push_back(planes.text(face));
-        }
-        return true;
-      },
-      options);
-  graph.complete = counts.complete && found.complete;
+  const FaceVisitor visitor = [&](const Face& face) {
+    std::string signs = signs_of(face, planes.planes.size());
+    if (face.dimension() < graph.dimension) {
+      signs_of_facets.push_back(std::move(signs));
+      graph.facets.push_back({planes.text(face), 0, 0});
+    } else {
+      if (cells.empty()) first_cell = signs;
+      cells.emplace(std::move(signs), graph.cells.size());
+      graph.cells.push_back(planes.text(face));
+    }
+    return true;
+  };
+  graph.complete = visit_faces(planes.coordinates, planes.planes, visitor, options).complete;
   if (!graph.complete) {
     graph.facets.clear();
     return graph;

@@ -2,10 +2,11 @@
 #include "stickslip/earlier/robustness.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
-#include "earlier/robustness/rigid_motions.hpp"
 #include "earlier/robustness/robustness_search.hpp"
+#include "stickslip/arrangement/faces.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
@@ -51,6 +52,29 @@ std::vector<SpringState> first_combination(const ForceModel& model) {
     first.push_back(contact.can_stick() ? SpringState::kStick : SpringState::kSlip);
   }
   return first;
+}
+
+/// Returns the combinations of states of all motions in the plane: one for each face of the
+/// arrangement of the planes N.y = 0 and T.y = 0, of which there are O(m^2).
+std::set<std::vector<SpringState>> states_of_motions(const ForceModel& model) {
+  const std::size_t m = model.contacts.size();
+  std::vector<FacePlane> planes;  // those of N, then those of T
+  for (const ForceContact& contact : model.contacts) planes.push_back({contact.normal.integers});
+  for (const ForceContact& contact : model.contacts) {
+    planes.push_back({contact.tangents.front().integers});
+  }
+  std::set<std::vector<SpringState>> found;
+  visit_faces(model.coordinates, planes, [&](const Face& face) {
+    std::vector<SpringState> states;
+    for (std::size_t i = 0; i < m; ++i) {
+      states.push_back(face.sign(i) == Sign::kPositive   ? SpringState::kDetached
+                       : face.sign(m + i) == Sign::kZero ? SpringState::kStick
+                                                         : SpringState::kSlip);
+    }
+    found.insert(std::move(states));
+    return true;
+  });
+  return found;
 }
 
 }  // namespace

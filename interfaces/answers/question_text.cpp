@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/interfaces/question_text.hpp"
 
+#include <utility>
+
 #include "stickslip/core/error.hpp"
 #include "stickslip/interfaces/option_text.hpp"
 
@@ -33,6 +35,15 @@ QuestionOptions question_options(const QuestionText& text) {
   }
   options.law = text.normal_law == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
+}
+
+Question contacts_alone(GraspFile file) {
+  if (!file.content.has_certain_elements()) {
+    throw InputError("", "grasp", "some number is an interval", "give one grasp");
+  }
+  QuestionOptions without_load;
+  without_load.wrench = RationalRow(file.content.wrench().size());
+  return as_one_body(ask(std::move(file), without_load));
 }
 
 }  // namespace stickslip

@@ -121,6 +121,15 @@ StatesQuestion states_question(GraspBox grasp, SlipLines lines, StateSet set) {
   return {std::move(grasp), std::move(lines), std::move(rows), std::move(planes), {}};
 }
 
+FaceCounts count_states(const StatesQuestion& question, std::size_t limit) {
+  const StatePlanes& planes = question.planes;
+  if (limit == 0) return count_faces(planes.coordinates, planes.planes, question.faces);
+  std::size_t found = 0;
+  return visit_faces(
+      planes.coordinates, planes.planes, [&](const Face&) { return found++ < limit; },
+      question.faces);
+}
+
 std::vector<std::vector<RationalRow>> read_directions(const std::string& file) {
   InputFile input(file, "a file of directions");
   try {

@@ -11,6 +11,7 @@
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/interfaces/option_text.hpp"
+#include "stickslip/interfaces/question_text.hpp"
 #include "stickslip/interfaces/results.hpp"
 #include "stickslip/interfaces/verdict_answer.hpp"
 
@@ -78,6 +79,12 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
     options_text_ += to_string(quality->shape) + "\n";
     quality->options.radius.box.node_limit = options_.node_limit;
   }
+  if (const auto& states = options_.states) {
+    options_text_ += std::string("states;") + name_of(states->set) + ";" +
+                     std::to_string(states->lines.count) + ";" +
+                     (states->lines.snap ? "snap;" : ";") + std::to_string(states->limit) +
+                     "\n";
+  }
 }
 
 std::string LineDecider::key(const std::string& line) const {
@@ -120,12 +127,33 @@ std::string LineDecider::add_quality(Json& result, const Question& question,
                           proof->verdict, kProducer, proof->bits);
 }
 
+LineOutcome LineDecider::add_states(Json& result, const std::string& line) const {
+  const StatesAsked& asked = *options_.states;
+  const Question contacts = contacts_alone(parse_any_grasp(line, "", Intervals::kRefused));
+  const StatesQuestion question =
+      states_question(contacts.grasp.as_box(), asked.lines, asked.set);
+  const FaceCounts counts = count_states(question, asked.limit);
+  const Json found = finished(states_counts_json(question, counts), false);
+  result["name"] = contacts.description().name;
+  for (const char* field :
+       {"by_dimension", "distinct_states", "distinct_planes", "rank", "warnings"}) {
+    if (found.contains(field)) result[field] = found[field];
+  }
+  if (counts.complete) return LineOutcome::kDecided;
+  result["limit"] = "there are more than " + std::to_string(asked.limit) + " states";
+  return LineOutcome::kUndecided;
+}
+
 LineResult LineDecider::decide(const BatchLine& line) const {
   if (line.unreadable) return failed(line, *line.unreadable);
   LineOutcome outcome = LineOutcome::kDecided;
   std::string certificate;
   Json result = {{"line", line.number}, {"key", key(line.text)}};
   try {
+    if (options_.states) {
+      outcome = add_states(result, line.text);
+      return {line.number, text_of(result), outcome};
+    }
     const Question question = ask_with_options(
         parse_any_grasp(line.text, "",
                         options_.inertia ? Intervals::kRefused : Intervals::kAllowed),

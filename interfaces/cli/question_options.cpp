@@ -72,25 +72,7 @@ std::string engine_text(const std::string& engine, NormalLaw law) {
 }
 
 Question read_contacts(const std::string& file) {
-  GraspFile grasp = read_any_grasp_file(file, Intervals::kRefused);
-  QuestionOptions without_load;
-  without_load.wrench = RationalRow(grasp.content.wrench().size());
-  return as_one_body(ask(std::move(grasp), without_load));
-}
-
-Grasp read_planar_contacts(const std::string& file) {
-  const Question question = read_contacts(file);
-  const std::string name = file == "-" ? "<stdin>" : file;
-  const std::string first = question.grasp.contacts() == 0 ? "wrench" : "contacts[0].position";
-  if (question.mechanism() != nullptr) {
-    throw InputError(name, "bodies", "the grasp has several bodies",
-                     "this is done for one body only; stickslip decide answers for several");
-  }
-  if (question.in_space()) {
-    throw InputError(name, first, "the grasp is in space",
-                     "this is done in the plane only; stickslip decide answers in space");
-  }
-  return question.grasp.planar_middle().grasp;
+  return contacts_alone(read_any_grasp_file(file, Intervals::kRefused));
 }
 
 void add_grasp_argument(Command& command, std::string& file) {
@@ -150,6 +132,33 @@ std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text
                       "Stop when what is proved and what is refuted differ by this part of it")
           ->type_name("A")
           ->capture_default_str()};
+}
+
+CommandOption* add_modes_option(Command& command, std::string& modes) {
+  return command
+      .add_option("--modes", modes,
+                  "Which states. slip: the signs of slip, as if no contact opened. full: and the "
+                  "signs of N.d. closed: slip while all contacts stay closed. cs: which contacts "
+                  "open. ss: contact modes, which open and how the others slip")
+      ->type_name("MODES")
+      ->choices({"slip", "full", "closed", "cs", "ss"})
+      ->capture_default_str();
+}
+
+std::vector<CommandOption*> add_state_set_options(Command& command, StateSetArguments& set) {
+  return {
+      add_modes_option(command, set.modes),
+      command
+          .add_option("--lines", set.lines,
+                      "Lines of slip of each contact in space; 0 is 2, across the normal and "
+                      "each other")
+          ->type_name("K")
+          ->check(whole_number(kMostSlipLines))
+          ->capture_default_str(),
+      command.add_flag("--snap", set.snap,
+                       "Take rational directions near those of --lines that are irrational"),
+      add_count_option(command, "--limit", set.limit,
+                       "End after so many states of a grasp; 0 is no end")};
 }
 
 void add_node_limit_option(Command& command, std::size_t& node_limit) {

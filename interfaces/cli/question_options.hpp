@@ -19,6 +19,7 @@
 #include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
 #include "stickslip/interfaces/question_text.hpp"
+#include "stickslip/interfaces/states_answer.hpp"
 
 namespace stickslip {
 
@@ -119,10 +120,6 @@ std::string engine_text(const std::string& engine, NormalLaw law);
 /// intervals.
 Question read_contacts(const std::string& file);
 
-/// Reads the contacts of one body in the plane, whatever the load is; the body may be the only
-/// one of a file of version 3. Throws InputError for any other grasp.
-Grasp read_planar_contacts(const std::string& file);
-
 /// Adds the GRASP argument alone.
 void add_grasp_argument(Command& command, std::string& file);
 
@@ -135,10 +132,10 @@ CommandOption::Check whole_number(std::uint64_t most);
 
 /// Adds an option whose value is a number of things, 0 or more; the help shows its default.
 template <class Count>
-void add_count_option(Command& command, const std::string& option, Count& count,
-                      const std::string& description,
-                      std::uint64_t most = std::numeric_limits<std::size_t>::max()) {
-  command.add_option(option, count, description)
+CommandOption* add_count_option(Command& command, const std::string& option, Count& count,
+                                const std::string& description,
+                                std::uint64_t most = std::numeric_limits<std::size_t>::max()) {
+  return command.add_option(option, count, description)
       ->type_name("N")
       ->check(whole_number(most))
       ->capture_default_str();
@@ -151,9 +148,24 @@ void add_uncertain_option(Command& command, std::string& uncertain,
 /// Adds --length, --about, --body, --at-most and --accuracy, for a question about a quality.
 std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text);
 
+/// The values of --modes, --lines, --snap and --limit.
+struct StateSetArguments {
+  std::string modes = "slip";
+  std::size_t lines = 0;
+  bool snap = false;
+  std::size_t limit = 0;
+
+  StatesAsked asked() const { return {state_set_named(modes), {lines, snap, {}}, limit}; }
+};
+
+/// Adds --modes.
+CommandOption* add_modes_option(Command& command, std::string& modes);
+
+/// Adds these options, for a command that counts states.
+std::vector<CommandOption*> add_state_set_options(Command& command, StateSetArguments& set);
+
 /// Adds --node-limit, for a command that searches by cones.
 void add_node_limit_option(Command& command, std::size_t& node_limit);
-
 
 /// Writes NAME.json and NAME.certificate.json for each name into that folder.
 void write_proved_files(const std::string& option, const std::string& folder,

@@ -415,25 +415,47 @@ TEST(ContactStates, ErrorsNameTheRemedy) {
               HasSubstr("motions have 18 coordinates"));
 }
 
-TEST(ContactStates, TwoBodiesMoveBesideEachOther) {
-  // A box on a box on the ground: each interface has the modes of a cube on a wall.
+/// A box of edge 2 on the ground, another on it, and perhaps a wall that both stand at; contacts
+/// in all corners.
+GraspBox box_on_box(bool at_wall) {
   auto mechanism = std::make_shared<Mechanism>();
   mechanism->in_space = true;
   mechanism->bodies = {{"lower"}, {"upper"}};
   GraspBox grasp = grasp_in_space();
   grasp.mechanism = mechanism;
+  const auto add = [&](std::size_t body, const RationalRow& position, const RationalRow& normal) {
+    add_contact(grasp, position, normal);
+    grasp.contacts.back().of = body;
+  };
   for (const std::size_t body : {0, 1}) {
+    const int height = 2 * static_cast<int>(body);
     for (const int s : {-1, 1}) {
       for (const int t : {-1, 1}) {
-        add_contact(grasp, {s, t, static_cast<int>(body)}, {0, 0, 1});
-        grasp.contacts.back().of = body;
+        add(body, {s, t, height}, {0, 0, 1});
         if (body == 1) grasp.contacts.back().by = 0;
+        if (at_wall) add(body, {-1, s, height + 1 + t}, {1, 0, 0});
       }
     }
   }
-  EXPECT_EQ(motion_coordinates(grasp), 12u);
-  EXPECT_EQ(total(grasp, StateSet::kOpening), 100u);
-  EXPECT_EQ(total(grasp, StateSet::kContact), 196u * 196u);
+  return grasp;
+}
+
+TEST(ContactStates, ABoxOnABox) {
+  const auto planes_of = [](const GraspBox& grasp, StateSet set) {
+    return state_planes(motion_coordinates(grasp), contact_rows_for_states(grasp, {}), set);
+  };
+  for (const bool at_wall : {false, true}) {
+    const StatePlanes planes = planes_of(box_on_box(at_wall), StateSet::kOpening);
+    EXPECT_EQ(planes.coordinates, 12u);
+    const std::vector<std::string> modes = test::checked_faces(12, planes.planes);
+    EXPECT_EQ(modes, test::faces_by_programs(12, planes.planes));
+    EXPECT_EQ(modes.size(), at_wall ? 2710u : 100u);
+  }
+  // Without a wall the boxes move beside each other as the lower one does beside the ground, so
+  // that each has the modes of a cube on a floor, whatever those of the other are.
+  const StatePlanes floor = planes_of(cube(1), StateSet::kContact);
+  EXPECT_EQ(test::checked_faces(6, floor.planes), test::faces_by_programs(6, floor.planes));
+  EXPECT_EQ(total(box_on_box(false), StateSet::kContact), 196u * 196u);
 }
 
 }  // namespace

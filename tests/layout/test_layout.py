@@ -15,7 +15,7 @@ ALLOWED = {
     "arrangement": {"core", "lp"},
     "engine": {"core", "lp", "arrangement"},
     "measures": {"core", "lp", "engine"},
-    "earlier": {"core", "lp", "engine"},
+    "earlier": {"core", "lp", "arrangement", "engine"},
     "certificate": {"core", "engine", "measures", "earlier"},
     "interfaces": {"core", "arrangement", "engine", "measures", "earlier", "certificate"},
 }

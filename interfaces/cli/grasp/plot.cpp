@@ -44,16 +44,21 @@ void add_grasp_plot(Command& plot, int& exit_code) {
 void add_states_plot(Command& plot, int& exit_code) {
   struct Arguments {
     std::string file;
+    std::string modes = "slip";
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
   Command* command = plot.add_subcommand(
-      "states", "The slip states: the sphere of motions, cut by one great circle a contact");
+      "states",
+      "The slip states: the sphere of motions, cut by one great circle a contact. In space, "
+      "of several bodies and with --modes: a row for each dimension");
   add_grasp_argument(*command, arguments->file);
+  add_modes_option(*command, arguments->modes);
   add_output_option(*command, arguments->output, "SVG file");
   command->footer(footer_text("", kExitCodes, "stickslip plot states fig1.json -o states.svg"));
   command->callback([arguments, &exit_code] {
-    write_whole_file(arguments->output, plot_states(read_planar_contacts(arguments->file)));
+    write_whole_file(arguments->output, plot_states(read_contacts(arguments->file).grasp,
+                                                   state_set_named(arguments->modes)));
     exit_code = kDone;
   });
 }

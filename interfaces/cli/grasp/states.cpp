@@ -24,16 +24,12 @@
 namespace stickslip {
 namespace {
 
-struct StatesArguments {
+struct StatesArguments : StateSetArguments {
   std::string file;
   std::string engine = "auto";
-  std::string modes = "slip";
-  std::size_t lines = 0;
-  bool snap = false;
   std::string directions;
   std::string closed;
   std::string dimension;
-  std::size_t limit = 0;
   unsigned threads = 0;
   std::string certificate;
   std::string time_limit;
@@ -123,11 +119,10 @@ StatesQuestion question_of(const StatesArguments& arguments, const AnyGrasp& gra
     throw InputError("", "--engine", "an engine for slip states of one body in the plane",
                      "leave it out");
   }
-  SlipLines lines{arguments.lines, arguments.snap, {}};
-  if (!arguments.directions.empty()) lines.given = read_directions(arguments.directions);
+  StatesAsked asked = arguments.asked();
+  if (!arguments.directions.empty()) asked.lines.given = read_directions(arguments.directions);
   try {
-    StatesQuestion question =
-        states_question(grasp.as_box(), std::move(lines), state_set_named(arguments.modes));
+    StatesQuestion question = states_question(grasp.as_box(), std::move(asked.lines), asked.set);
     if (!arguments.closed.empty()) question.require_closed(std::stoul(arguments.closed));
     if (!arguments.dimension.empty())
       question.require_dimension(std::stoul(arguments.dimension));
@@ -403,24 +398,7 @@ void add_states_command(Command& app, int& exit_code) {
   Command* command = app.add_subcommand(
       "states", "Enumerate the slip states consistent with rigid motion, and count cells");
   add_grasp_argument(*command, arguments->file);
-  command
-      ->add_option(
-          "--modes", arguments->modes,
-          "Which states. slip: the signs of slip, as if no contact opened. full: and the "
-          "signs of N.d. closed: slip while all contacts stay closed. cs: which contacts "
-          "open. ss: contact modes, which open and how the others slip")
-      ->type_name("MODES")
-      ->choices({"slip", "full", "closed", "cs", "ss"})
-      ->capture_default_str();
-  command
-      ->add_option("--lines", arguments->lines,
-                   "Lines of slip of each contact in space; 0 is 2, across the normal and each "
-                   "other")
-      ->type_name("K")
-      ->check(whole_number(kMostSlipLines))
-      ->capture_default_str();
-  command->add_flag("--snap", arguments->snap,
-                    "Take rational directions near those of --lines that are irrational");
+  add_state_set_options(*command, *arguments);
   command
       ->add_option("--directions", arguments->directions,
                    "JSON file with directions of lines in place of --lines: a list for each "
@@ -436,8 +414,6 @@ void add_states_command(Command& app, int& exit_code) {
                    "Only states whose motions have this dimension; 6 of 6 leave all freedom")
       ->type_name("D")
       ->check(whole_number(kMostFaceCoordinates));
-  add_count_option(*command, "--limit", arguments->limit,
-                   "End after so many states; 0 is no end");
   add_time_limit_option(*command, arguments->time_limit,
                         "End after so many seconds with the states that are found by then; 0 is "
                         "no limit");

@@ -50,6 +50,8 @@ struct BatchArguments {
   std::string inertia;
   bool asks_quality = false;
   QualityText quality;
+  bool asks_states = false;
+  StateSetArguments states;
   std::size_t node_limit = 0;
   std::string time_limit;
   int threads = 0;
@@ -65,7 +67,9 @@ BatchOptions batch_options(const BatchArguments& arguments) {
   if (arguments.asks_class) inertia = inertia_numbers("--inertia", arguments.inertia);
   std::optional<QualityAsked> quality;
   if (arguments.asks_quality) quality = quality_asked(arguments.quality);
-  return {arguments.question.options(), arguments.node_limit,  inertia, quality,
+  std::optional<StatesAsked> states;
+  if (arguments.asks_states) states = arguments.states.asked();
+  return {arguments.question.options(), arguments.node_limit,   inertia, quality, states,
           arguments.certificates,       arguments.certificates};
 }
 
@@ -402,6 +406,17 @@ void add_batch_command(Command& app, int& exit_code) {
   for (CommandOption* option : add_ball_options(*command, arguments->quality)) {
     option->needs(asks_quality);
   }
+  CommandOption* asks_states = command->add_flag(
+      "--states", arguments->asks_states,
+      "Ask not for the verdict but how many slip states or contact modes there are of each "
+      "dimension, as states does");
+  for (CommandOption* option : add_state_set_options(*command, arguments->states)) {
+    option->needs(asks_states);
+  }
+  for (const char* other : {"--class", "--quality", "--certificates", "--wrench", "--case",
+                            "--preload", "--normal-law"}) {
+    asks_states->excludes(command->get_option(other));
+  }
   CommandOption* shard =
       command
           ->add_option("--shard", arguments->shard,
@@ -426,7 +441,8 @@ void add_batch_command(Command& app, int& exit_code) {
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
       "grasp file, that of a ball of loads with the result's uncertain as --uncertain. The\n"
-      "node limit holds for each grasp. Memory does not grow with the file. An interruption\n"
+      "node limit holds for each grasp. With --states by_dimension stands in place of the\n"
+      "verdict, of the first states alone if there is a limit, too. Memory does not grow with the file. An interruption\n"
       "(Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two lines: FILE\n"
       "then ends in a whole line, and the same command with --resume goes on.\n"
       "On many machines: docs/batch.md.\n",

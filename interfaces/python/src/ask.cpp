@@ -21,9 +21,11 @@
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
 #include "stickslip/interfaces/preload_answer.hpp"
+#include "stickslip/interfaces/question_text.hpp"
 #include "stickslip/interfaces/radius_answer.hpp"
 #include "stickslip/interfaces/region_plot.hpp"
 #include "stickslip/interfaces/samples_answer.hpp"
+#include "stickslip/interfaces/states_answer.hpp"
 #include "stickslip/interfaces/states_plot.hpp"
 #include "stickslip/interfaces/statics_answer.hpp"
 
@@ -590,7 +592,9 @@ Work picture_asked(const Given& given) {
 }
 
 Work states_picture_asked(const Given& given) {
-  return [&given] { return Json(plot_states(given.grasp.loaded().grasp)); };
+  return [&given, set = state_set_named(given.as<std::string>("modes"))] {
+    return Json(plot_states(contacts_alone(given.grasp).grasp, set));
+  };
 }
 
 Work smtlib_asked(const Given& given) {

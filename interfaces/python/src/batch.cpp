@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "bindings.hpp"
 #include "exact.hpp"
@@ -19,13 +20,17 @@ namespace py = pybind11;
 
 constexpr const char* kGraspLines = "a file of grasps, one a line";
 
+/// The name of a set of states, lines of slip, whether they are snapped, and a limit.
+using AskedStates = std::tuple<std::string, std::size_t, bool, std::size_t>;
+
 /// Makes a decider. Values are as the command line spells them; an option that is not given is
 /// empty.
 LineDecider make_decider(const std::string& wrench, const std::string& case_name,
                          const std::string& preload, bool bilateral, std::size_t node_limit,
                          bool asks_class, const std::string& inertia,
                          const std::string& certificates, const std::string& certificate_folder,
-                         const std::optional<std::array<std::string, 5>>& quality) {
+                         const std::optional<std::array<std::string, 5>>& quality,
+                         const std::optional<AskedStates>& states) {
   BatchOptions options;
   QuestionText asked;
   asked.wrench = wrench;
@@ -38,6 +43,10 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
   if (quality) {
     const auto& [length, about, body, at_most, accuracy] = *quality;
     options.quality = quality_asked({length, about, body, at_most, accuracy});
+  }
+  if (states) {
+    const auto& [set, lines, snap, limit] = *states;
+    options.states = {state_set_named(set), {lines, snap, {}}, limit};
   }
   options.certificates = certificates;
   options.certificate_folder = certificate_folder;

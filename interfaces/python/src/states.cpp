@@ -18,6 +18,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/number_text.hpp"
+#include "stickslip/interfaces/question_text.hpp"
 #include "stickslip/interfaces/states_answer.hpp"
 
 namespace stickslip::python {
@@ -173,12 +174,8 @@ StatesQuestion states_question_of(const GraspFile& file, const py::dict& options
       }
     }
   }
-  GraspBox grasp = file.content.as_box();
-  if (!file.content.has_certain_elements()) {
-    throw InputError("", "grasp", "some number is an interval", "give one grasp");
-  }
   StatesQuestion question =
-      states_question(std::move(grasp), std::move(lines),
+      states_question(contacts_alone(file).grasp.as_box(), std::move(lines),
                       state_set_named(options["modes"].cast<std::string>()));
   if (!options["at_least_closed"].is_none()) {
     question.require_closed(options["at_least_closed"].cast<std::size_t>());

@@ -118,7 +118,8 @@ class LineDecider:
     def __init__(
         self, wrench: str, case: str, preload: str, bilateral: bool, node_limit: int,
         asks_class: bool, inertia: str, certificates: str, certificate_folder: str,
-        quality: Optional[Tuple[str, str, str, str, str]]
+        quality: Optional[Tuple[str, str, str, str, str]],
+        states: Optional[Tuple[str, int, bool, int]]
     ) -> None: ...
     def decide(
         self, file: str, begin: int, end: int, lines_before: int

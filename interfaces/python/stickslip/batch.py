@@ -23,7 +23,7 @@ from typing import Any, BinaryIO, Dict, List, NoReturn, Optional, Tuple, Union
 
 from . import _core, batch_chunk
 from .arguments import as_time_limit
-from .batch_chunk import Asked, Chunk, Decided, QualityAsked
+from .batch_chunk import Asked, Chunk, Decided, QualityAsked, StatesAsked
 from .batch_cluster import Cluster
 from .batch_files import Cutter, Interrupted, Interruption, Output
 from .errors import InputError
@@ -41,6 +41,8 @@ CHUNKS_OF_A_THREAD = 2
 """One that it decides, and the next."""
 MOST_BYTES_HELD = 1 << 28
 """Of results whose turn has not come."""
+MOST_LINES = 64
+"""Of slip of a contact."""
 FETCHERS = 8
 """Threads: an answer of a worker that has just died is waited for, beside the others."""
 SECONDS_WITHOUT_WORKERS = 3
@@ -94,8 +96,8 @@ def parser() -> Parser:
     add("--case", metavar="NAME", default="", help="the case of the file whose load is applied")
     add("--preload", metavar="P", default="",
         help="preload of every contact (replaces the file's)")
-    add("--normal-law", choices=("unilateral", "bilateral"), default="unilateral",
-        help="may contacts open? As of stickslip batch; default: %(default)s")
+    add("--normal-law", choices=("unilateral", "bilateral"),
+        help="may contacts open? As of stickslip batch; default: unilateral")
     add("--output", "-o", metavar="FILE", default="-",
         help="file for the results, which is added to as they come; default: standard output")
     add("--resume", action="store_true",
@@ -122,6 +124,16 @@ def parser() -> Parser:
     add("--accuracy", metavar="A", default="",
         help="for --quality: stop when what is proved and what is refuted differ by this part of it; "
         "default: 1%%")
+    add("--states", dest="asks_states", action="store_true",
+        help="ask not for the verdict but how many slip states or contact modes there are of each "
+        "dimension, as stickslip states does")
+    add("--modes", choices=("slip", "full", "closed", "cs", "ss"), help="for --states: which; default: slip")
+    add("--lines", metavar="K", type=whole_number, default=0,
+        help="for --states: lines of slip of each contact in space; 0 is 2")
+    add("--snap", action="store_true",
+        help="for --states: take rational directions near those of --lines that are irrational")
+    add("--limit", metavar="N", type=whole_number, default=0,
+        help="for --states: end after so many states of a grasp; 0 is no end")
     add("--node-limit", metavar="N", type=whole_number, default=0,
         help="of each grasp: undecided after N nodes of the search; 0 is no limit")
     add("--time-limit", metavar="SECONDS", default="0",
@@ -151,6 +163,15 @@ def arguments(words: List[str]) -> argparse.Namespace:
         if getattr(given, name) and not given.asks_quality:
             raise InputError("", "--" + name.replace("_", "-"), "no verdict depends on it",
                              "ask for the --quality")
+    for name in StatesAsked._fields:
+        if getattr(given, name) and not given.asks_states:
+            raise InputError("", "--" + name, "no verdict depends on it", "ask for the --states")
+    if given.lines > MOST_LINES:
+        raise InputError("", "--lines", f"{given.lines} is too large", f"give at most {MOST_LINES}")
+    for name in ("asks_class", "asks_quality", "certificates", "wrench", "case", "preload", "normal_law"):
+        if getattr(given, name) and given.asks_states:
+            option = "--" + name.replace("asks_", "").replace("_", "-")
+            raise InputError("", "--states", f"there is {option} as well", "give one of the two")
     try:
         given.seconds = as_time_limit(given.time_limit)
     except InputError as error:
@@ -239,7 +260,9 @@ class Batch:
                            given.node_limit, given.asks_class, given.inertia,
                            given.certificates,
                            os.path.abspath(given.certificates) if given.certificates else "",
-                           quality if given.asks_quality else None)
+                           quality if given.asks_quality else None,
+                           StatesAsked(given.modes or "slip", given.lines, given.snap, given.limit)
+                           if given.asks_states else None)
         self._decider = self.asked.decider()
         self.tally = _core.BatchTally()
         self._file = self._open_input()

@@ -35,6 +35,15 @@ class QualityAsked(NamedTuple):
     accuracy: str
 
 
+class StatesAsked(NamedTuple):
+    """Which states are counted; 0 is as the command line has it."""
+
+    modes: str
+    lines: int
+    snap: bool
+    limit: int
+
+
 class Asked(NamedTuple):
     """What is asked about each line, as the command line spells it; empty where it says nothing."""
 
@@ -52,6 +61,8 @@ class Asked(NamedTuple):
     """The same folder, by its absolute path."""
     quality: Optional[QualityAsked] = None
     """Beside the verdict; not with a class."""
+    states: Optional[StatesAsked] = None
+    """In place of the verdict."""
 
     def decider(self) -> _core.LineDecider:
         return _core.LineDecider(*self)

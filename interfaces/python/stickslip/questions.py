@@ -511,10 +511,12 @@ def plot_grasp(
                         limit=None))
 
 
-def plot_states(grasp: Grasp) -> Picture:
+def plot_states(grasp: Grasp, *, modes: str = "slip") -> Picture:
     """A picture of the slip states, as SVG: the sphere of motions, cut by one great circle a
-    contact."""
-    return Picture(_core.ask(_require_grasp(grasp)._planar(), "states picture", {}))
+    contact. In space, of several bodies and with other ``modes``, those of ``find_states``: a row
+    for each dimension of their motions."""
+    one_of("modes", modes, ("slip", "full", "closed", "cs", "ss"))
+    return Picture(_core.ask(_require_grasp(grasp)._data, "states picture", {"modes": modes}))
 
 
 def compare(

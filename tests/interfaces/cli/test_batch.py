@@ -159,6 +159,64 @@ class Batch(Case):
         self.fails("batch", path, "-o", out, "--resume", naming=["options"])
         self.fails("batch", path, "--quality", "--length", 2, "-o", out, "--resume", naming=["options"])
 
+    def test_states_are_counted_as_by_the_command(self):
+        """Of a grasp in the plane, a cube, and two bodies, one of which is alone; under no load."""
+        cube = {"format": "stickslip-grasp/2", "name": "cube", "defaults": {"friction": "1/2"}, "wrench": [0] * 6,
+                "contacts": [{"position": [x, y, 0], "normal": [0, 0, 1]} for x in (-1, 1) for y in (-1, 1)]}
+        blocks = {"format": "stickslip-grasp/3", "bodies": [{"name": "lower"}, {"name": "upper"}],
+                  "contacts": [{"position": [x, 1], "normal": [0, 1], "friction": 1, "of": "upper", **by} for x, by in ((-1, {"by": "lower"}), (2, {}))]}
+        alone = {**blocks, "bodies": [{"name": "upper"}], "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": 1, "of": "upper"}]}
+        lines = [grasp(1), cube, blocks, alone]
+        path = self.write("lines.jsonl", "".join(json.dumps(line) + "\n" for line in lines))
+        found = {}
+        for options in ((), ("--modes", "full"), ("--modes", "closed", "--lines", "1"), ("--modes", "cs"), ("--modes", "ss")):
+            results = found[options] = self.results(path, "--states", *options)
+            for line, result in zip(lines, results):
+                one = self.write("one.json", line)
+                self.assertEqual(set(result), {"line", "key", "name", "by_dimension", "distinct_states", "distinct_planes", "rank", "check"})
+                flat = not options and len(result["by_dimension"]) == 4  # by another enumerator, unless lines are named
+                if flat:
+                    self.assertEqual(result["distinct_states"], self.json("states", one)["distinct_states"])
+                answer = self.json("states", one, *options, *(("--lines", "1") if flat else ()))
+                self.assertEqual({field: result[field] for field in ("by_dimension", "distinct_states", "distinct_planes", "rank")},
+                                 {field: answer[field] for field in ("by_dimension", "distinct_states", "distinct_planes", "rank")})
+        self.assertEqual([result["distinct_states"] for result in found[("--modes", "ss")]][1], 196)
+        keys = {results[0]["key"] for results in found.values()}
+        keys |= {self.results(path, "--states", *more, code=code)[0]["key"]
+                 for more, code in ((("--snap",), DONE), (("--limit", 5), UNDECIDED), (("--lines", 1), BAD_INPUT)) if code != BAD_INPUT}
+        self.assertEqual(len(keys), len(found) + 2)
+
+    def test_states_have_a_limit_of_each_grasp(self):
+        path, out = self.lines([1, 2]), self.path("out.jsonl")
+        [whole, _] = self.results(path, "--states")
+        self.assertEqual(whole["distinct_states"], 27)
+        self.assertEqual(self.results(path, "--states", "--limit", 27)[0]["by_dimension"], whole["by_dimension"])
+        for result in self.results(path, "--states", "--limit", 26, code=UNDECIDED):
+            self.assertEqual((sum(result["by_dimension"]), result["distinct_states"]), (26, 26))
+            self.assertEqual(result["limit"], "there are more than 26 states")
+        words = ("batch", path, "--states", "--limit", 26, "-o", out)
+        self.assertEqual([stickslip(*words), stickslip(*words, "--resume")], [(UNDECIDED, "", "")] * 2)
+
+    def test_states_that_nobody_can_count(self):
+        """Errors of a line are its result, and a warning is that of the command."""
+        contact = {"position": [0, 0, 1], "normal": [0, 0, 1]}
+        solid = {"format": "stickslip-grasp/2", "defaults": {"friction": 1}, "contacts": [contact], "wrench": [0] * 6}
+        tilted = {**solid, "contacts": [{"position": [x, y, 0], "normal": [0, tilt, 1]} for x, y, tilt in ((-1, -1, 0), (-1, 1, 0), (1, -1, 0), (1, 1, "1e-6"))]}
+        path = self.write("lines.jsonl", "".join(json.dumps(line) + "\n" for line in (solid, tilted, {**solid, "contacts": [{**contact, "friction": [1, 2]}]})))
+        said = f"stickslip: {path}: {{}} of 3 lines could not be read, the first is line {{}}; their results say why\n"
+        all_of_them = said.format(3, 1)[:-1] + "; a batch has one grasp a line, while a file of one grasp is decided by itself\n"
+        results = self.results(path, "--states", "--lines", "3", code=BAD_INPUT, said=all_of_them)
+        self.assertEqual(results[0]["error"]["place"], "lines")
+        results = self.results(path, "--states", "--lines", "3", "--snap", code=BAD_INPUT, said=said.format(1, 3))
+        self.assertEqual(results[0]["distinct_states"], 13)
+        results = self.results(path, "--states", "--modes", "cs", code=BAD_INPUT, said=said.format(1, 3))
+        answer = self.json("states", self.write("one.json", tilted), "--modes", "cs")
+        self.assertEqual((results[1]["distinct_states"], results[1]["warnings"]), (16, answer["warnings"]))
+        for words in (("--modes", "cs"), ("--lines", "1"), ("--snap",), ("--limit", "1"), ("--class", "--states"), ("--quality", "--states"),
+                      ("--certificates", self.path("no"), "--states"), ("--wrench", "0,0,0", "--states"), ("--case", "x", "--states"),
+                      ("--preload", "1", "--states"), ("--normal-law", "bilateral", "--states")):
+            self.fails("batch", path, *words, naming=[words[0], "--states"])
+
     def test_an_undecided_line_has_no_quality(self):
         path, out = self.lines([20]), self.path("out.jsonl")
         words = ("batch", path, "--quality", "--node-limit", 1, "-o", out)

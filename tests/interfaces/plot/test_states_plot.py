@@ -176,5 +176,75 @@ class StatesPlot(unittest.TestCase):
         self.assertIn("at most 100", err)
 
 
+CUBE = {"format": "stickslip-grasp/2", "name": "cube on a floor", "defaults": {"friction": "1/2"}, "wrench": [0] * 6,
+        "contacts": [{"position": [x, y, 0], "normal": [0, 0, 1]} for x in (-1, 1) for y in (-1, 1)]}
+
+
+class StateLayers(unittest.TestCase):
+    """Rows of states by dimension: the states are those of the list, and lines are what their signs say."""
+
+    def check(self, grasp, *modes):
+        code, svg, err = stickslip("plot", "states", "-", *modes, stdin=json.dumps(grasp))
+        self.assertEqual((code, err), (0, ""))
+        answer = json.loads(stickslip("states", "-", "--json", "--list", *(modes or ("--lines", "0")), stdin=json.dumps(grasp))[1])
+        states = {state["state"]: state for state in answer["states"]}
+        picture = Picture(svg)
+        nodes, boxes = {}, {}
+        for node in picture.all("node"):
+            self.assertNotIn(node.get("data-state"), nodes)
+            nodes[node.get("data-state")] = int(node.get("data-dimension"))
+            [corners] = pictures.subpaths(node)
+            boxes[node.get("data-state")] = corners[0], corners[2]
+        self.assertEqual(nodes, {name: state["dimension"] for name, state in states.items()})
+        for name, (low, high) in boxes.items():
+            self.assertTrue(0 < low.real and high.real < float(picture.root.get("width")))
+            for other, (start, end) in boxes.items():
+                apart = high.real < start.real or end.real < low.real or high.imag < start.imag or end.imag < low.imag
+                self.assertTrue(apart or other == name)
+                self.assertEqual(low.imag < start.imag, nodes[name] > nodes[other])
+
+        def tends(above, below):
+            """Whether each row has 0 below, the same sign, or does not count above."""
+            return all(row in states[above][sign] or not any(row in states[above][s] for s in ("zero", "positive", "negative"))
+                       for sign in ("positive", "negative") for row in states[below][sign])
+
+        links = sorted((line.get("data-from"), line.get("data-to")) for line in picture.all("link"))
+        self.assertEqual(links, sorted((a, b) for a in states for b in states if nodes[a] == nodes[b] + 1 and tends(a, b)))
+        for line in picture.all("link"):
+            ends = [complex(float(line.get("x" + i)), float(line.get("y" + i))) for i in "12"]
+            for end, name, side in ((ends[0], line.get("data-from"), 1), (ends[1], line.get("data-to"), 0)):
+                low, high = boxes[name]
+                self.assertTrue(low.real < end.real < high.real)
+                self.assertAlmostEqual(end.imag, (low, high)[side].imag)
+        return nodes, links, picture
+
+    def test_a_cube_on_a_floor(self):
+        nodes, links, picture = self.check(CUBE)
+        self.assertEqual([list(nodes.values()).count(d) for d in range(7)], [0, 0, 0, 1, 12, 24, 14])
+        # The rhombic dodecahedron: an edge has two corners, which are cells, and two faces.
+        self.assertEqual(len(links), 2 * 24 + 2 * 24 + 12)
+        graph = json.loads(stickslip("states", "-", "--graph", "--json", stdin=json.dumps(CUBE))[1])
+        for facet in graph["facets"]:
+            self.assertEqual({graph["cells"][i] for i in facet["cells"]}, {a for a, b in links if b == facet["state"]})
+        self.assertIn("d = 5: 24", picture.texts())
+        with open(os.path.join(HERE, "..", "..", "..", "docs", "states-cube.svg"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), picture.svg)
+
+    def test_other_states(self):
+        blocks = {"format": "stickslip-grasp/3", "bodies": [{"name": "lower"}, {"name": "upper"}],
+                  "contacts": [{"position": [x, 1], "normal": [0, 1], "friction": 1, "of": "upper", "by": "lower"} for x in (-1, 2)]}
+        flat = grasp_of([((-1, 0), (1, 0)), ((0, -1), (0, 1))])
+        for grasp, *modes in ((CUBE, "cs"), (CUBE, "ss"), (CUBE, "closed"), (flat, "full"), (flat, "ss"), (blocks, "ss"), (grasp_of([]), "cs"),
+                              ({**CUBE, "contacts": CUBE["contacts"][:1]}, "full")):
+            self.check(grasp, "--modes", *modes)
+        self.check(blocks)
+
+    def test_too_many_states(self):
+        three = {**CUBE, "contacts": [{**contact, "normal": [i, 1 - i, 2]} for i, contact in enumerate(CUBE["contacts"][:3])]}
+        code, out, err = stickslip("plot", "states", "-", stdin=json.dumps(three))
+        self.assertEqual((code, out), (2, ""))
+        self.assertIn("more than 200 states", err)
+
+
 if __name__ == "__main__":
     unittest.main()

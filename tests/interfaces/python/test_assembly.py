@@ -156,7 +156,6 @@ HAND = EXAMPLES / "bodies-hand.json"
 @pytest.mark.parametrize("ask", [
     lambda a: stickslip.region(a),
     lambda a: stickslip.plot_region(a),
-    lambda a: stickslip.plot_states(a),
     lambda a: stickslip.slip_states(a),
     lambda a: stickslip.export(a),
     lambda a: stickslip.crosscheck(a, "stable"),

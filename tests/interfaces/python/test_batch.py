@@ -220,6 +220,7 @@ MIXED = ("\n \n" + "".join(lines_of(90)) + "{\n[]\n\x00\n" + "\n" * 5000 + "".jo
 
 @pytest.mark.parametrize("options", [(), ("--wrench", "-1/7,2,0", "--preload", "2"),
                                      ("--class",), ("--class", "--inertia", "-1/7,2,3"),
+                                     ("--states",), ("--states", "--modes", "ss", "--lines", "1", "--snap"),
                                      ("--normal-law", "bilateral", "--node-limit", "1")])
 def test_the_bytes_are_those_of_the_program(cluster, tmp_path, options):
     path = tmp_path / "mixed.jsonl"
@@ -239,8 +240,8 @@ def test_exit_codes(cluster, tmp_path):
             DONE, "", f"stickslip: {path}: the file is empty, there is no grasp in it\n")
     path.write_text(json.dumps(grasp(20)) + "\n")
     assert batch(path, *at) == (DONE, reference(path)[1], "")
-    assert batch(path, *at, "--node-limit", 1) == (
-        UNDECIDED, reference(path, "--node-limit", 1)[1], "")
+    for limit in (("--node-limit", 1), ("--states", "--limit", 1)):
+        assert batch(path, *at, *limit) == (UNDECIDED, reference(path, *limit)[1], "")
     # A load of a line of the plane and one of space; each says that the other's is not for it.
     path.write_text(json.dumps(grasp(20)) + "\n" + json.dumps(grasp_in_space()) + "\n")
     for wrench in ("0,1,0", "0,1,0,0,0,0"):
@@ -598,6 +599,12 @@ def test_usage(tmp_path, grasps):
     fails(grasps, "--quality", "--length", 0, naming=["--length", "above 0"])
     for option in ("--length", "--about", "--body", "--at-most", "--accuracy"):
         fails(grasps, option, 1, naming=[option, "--quality"])
+    for option, *value in (("--modes", "cs"), ("--lines", 1), ("--snap",), ("--limit", 1)):
+        fails(grasps, option, *value, naming=[option, "--states"])
+    fails(grasps, "--states", "--lines", 65, naming=["--lines", "64"])
+    for option, *value in (("--class",), ("--quality",), ("--certificates", "x"), ("--wrench", "0,0,0"), ("--case", "x"), ("--preload", 1),
+                           ("--normal-law", "bilateral")):
+        fails(grasps, "--states", option, *value, naming=[option, "--states"])
     fails(grasps, "--resume", naming=["--resume", "--output"])
     fails(grasps, "--workers", 2, "--scheduler", "x", naming=["--workers", "--scheduler"])
     fails(grasps, "-o", grasps, naming=["written over the input"])

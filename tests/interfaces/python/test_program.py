@@ -208,7 +208,8 @@ TEXTS = {"plot grasp": stickslip.plot_grasp, "plot states": stickslip.plot_state
     ("plot grasp", FIG1, {"wrench": (0, 3, 0), "preload": 2, "normal_law": "bilateral"}), ("plot grasp", FIG1, {}),
     ("plot grasp", PINCH, {}), ("plot grasp", PINCH, {"wrench": (0, 0, -6, 0, 0, 0)}),
     ("plot grasp", Grasp.from_file(EXAMPLES / "space-corner.json"), {}), ("plot grasp", BLOCKS, {}),
-    ("plot grasp", Grasp.from_file(EXAMPLES / "bodies-hand.json"), {}), ("plot states", FIG1, {}), ("plot region", FIG1, {}),
+    ("plot grasp", Grasp.from_file(EXAMPLES / "bodies-hand.json"), {}), ("plot states", FIG1, {}), ("plot states", FIG1, {"modes": "cs"}),
+    ("plot states", BLOCKS, {"modes": "cs"}), ("plot region", FIG1, {}),
     ("plot region", FIG1, {"torque": "1/2"}), ("plot region", FIG1, {"u": (0, 0, 1), "origin": (1, 0, 0)}),
     ("export", FIG1, {"preload": "1/2", "normal_law": "bilateral"}), ("export", PINCH, {})])
 def test_pictures_and_exports(tmp_path, name, grasp, options):

@@ -17,6 +17,7 @@
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/engine/question.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
+#include "stickslip/interfaces/states_answer.hpp"
 
 namespace stickslip {
 
@@ -79,6 +80,8 @@ struct BatchOptions {
   std::optional<RationalRow> inertia{};
   /// The balls of the quality to ask for beside the verdict. Not with `inertia`.
   std::optional<QualityAsked> quality{};
+  /// The states to count in place of a verdict. Not with `inertia`, `quality` or certificates.
+  std::optional<StatesAsked> states{};
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it
 };
@@ -104,6 +107,9 @@ class LineDecider {
   LineResult failed(const BatchLine& line, const InputError& error) const;
 
  private:
+  /// Adds the counts of states to the result. Returns whether the limit ended them.
+  LineOutcome add_states(Json& result, const std::string& line) const;
+
   /// Adds the quality to the result of a question that is stable. Returns the certificate of
   /// the ball of loads that is resisted; empty if there is none.
   std::string add_quality(Json& result, const Question& question,

@@ -24,4 +24,9 @@ struct QuestionText {
 /// Returns the options that they spell. Throws InputError naming the option, "--wrench".
 QuestionOptions question_options(const QuestionText& text);
 
+/// Returns the question about a grasp of which only the contacts matter, under no load; a file
+/// of one body alone becomes that of the body. Throws InputError as ask() does, and with the
+/// place "grasp" if some number of a contact is an interval.
+Question contacts_alone(GraspFile file);
+
 }  // namespace stickslip

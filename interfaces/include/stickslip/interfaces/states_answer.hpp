@@ -51,6 +51,17 @@ struct StatesQuestion {
 /// Returns the question. Throws InputError as contact_rows_for_states() and state_planes() do.
 StatesQuestion states_question(GraspBox grasp, SlipLines lines, StateSet set);
 
+/// The states that are counted of each of many grasps.
+struct StatesAsked {
+  StateSet set = StateSet::kSlip;  ///< the set of states
+  SlipLines lines{};               ///< the choice of lines, for every grasp
+  std::size_t limit = 0;           ///< the largest number of states to count; 0 is no limit
+};
+
+/// Returns the counts of states, or of the first `limit` in the order of visit_faces(). 0 is no
+/// limit.
+FaceCounts count_states(const StatesQuestion& question, std::size_t limit);
+
 /// Reads directions of lines: a JSON array with a list for each contact, of vectors across its
 /// normal. Throws InputError naming the file.
 std::vector<std::vector<RationalRow>> read_directions(const std::string& file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A picture of the slip states: the sphere of motions, cut by the great circles T_i.d = 0
+/// Pictures of slip states. In the plane: the sphere of motions, cut by the great circles T_i.d = 0
 /// (Haas-Heger et al., RSS 2018, Section IV and Fig. 5).
 ///
 /// The sphere is drawn as two discs, by Lambert's azimuthal equal-area projection: the
@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <string>
 
+#include "stickslip/arrangement/contact_states.hpp"
+#include "stickslip/core/box.hpp"
 #include "stickslip/core/grasp.hpp"
 
 namespace stickslip {
@@ -31,5 +33,16 @@ inline constexpr std::size_t kMostCirclesToDraw = 100;
 /// colour for each antipodal pair; many change shade with the number of contacts that slip +.
 /// Throws InputError if there are more than kMostCirclesToDraw distinct circles.
 std::string plot_states(const Grasp& grasp);
+
+/// States of more than these are too many to look at.
+inline constexpr std::size_t kMostStatesToDraw = 200;
+
+/// Returns the same picture for the slip states of one body in the plane. Other sets of states,
+/// those in space and those of several bodies, with the default lines of slip, have a row for
+/// each dimension of their motions, the largest on top. Each state is one element of class
+/// "node" with data-state and data-dimension. A line of class "link" goes from a state,
+/// data-from, to each state of one dimension less that its motions tend to, data-to. Throws
+/// InputError if there are more than kMostStatesToDraw states.
+std::string plot_states(const AnyGrasp& grasp, StateSet set);
 
 }  // namespace stickslip

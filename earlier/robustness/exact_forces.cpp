@@ -35,15 +35,13 @@ Rational length_above(const RationalRow& x) {
   return short_sqrt(dot(x, x), kLengthBits).upper;
 }
 
-/// Returns max(0, -y.N + mu |y.T|), rounded up: the most work against y of a force in the cone
-/// whose normal part is 1.
+}  // namespace
+
 Rational most_against(const ForceContact& contact, const Rational& along_normal,
                       const RationalRow& along_tangents) {
   const Rational most = contact.friction * length_above(along_tangents) - along_normal;
   return most.sign() > 0 ? most : Rational(0);
 }
-
-}  // namespace
 
 Multipliers::Multipliers(const Doubles& twist, const std::vector<MatrixTerm>& terms,
                          std::size_t size)

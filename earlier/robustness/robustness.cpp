@@ -45,14 +45,6 @@ std::optional<Robustness> known_answer(const ForceModel& model,
   return result;
 }
 
-std::vector<SpringState> first_combination(const ForceModel& model) {
-  std::vector<SpringState> first;
-  for (const ForceContact& contact : model.contacts) {
-    first.push_back(contact.can_stick() ? SpringState::kStick : SpringState::kSlip);
-  }
-  return first;
-}
-
 }  // namespace
 
 Robustness potential_contact_robustness(const GraspBox& grasp,

@@ -24,6 +24,23 @@ struct CombinationValue {
   std::optional<RobustForces> best{};  ///< the forces that show `lower`, if that is not 0
 };
 
+/// The best forces of one combination, and how much better none are.
+struct BestDistance {
+  ExactForces forces;  ///< their distance is below 0 if none are known
+  Rational most;       ///< no forces have a larger distance; below 0 if there are none
+  RationalRow twist;   ///< shows `most`
+};
+
+/// Returns the best forces of one combination. Requires that no contact without friction
+/// sticks.
+BestDistance best_distance(const ForceModel& model, const std::vector<SpringState>& states);
+
+/// Returns forces as vectors, by contact.
+std::vector<RationalRow> forces_on_object(const ForceModel& model, const ExactForces& forces);
+
+/// Returns the combination in which each contact with friction sticks and every other slips.
+std::vector<SpringState> first_combination(const ForceModel& model);
+
 /// Encloses the value of one combination. Requires that no contact without friction sticks.
 CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states);
 

@@ -42,6 +42,11 @@ const std::vector<Method>& all_methods() {
        "Haas-Heger et al. 2018", false, false},
       {MethodId::kGraspMap, "least singular value", "Li and Sastry 1988; Kim and Oh 1991",
        false, true},
+      {MethodId::kWrenchVolume, "volume of the wrench space", "Miller and Allen 1999", false,
+       true},
+      {MethodId::kLeastForce, "least normal forces", "Han, Trinkle and Li 2000", false, true},
+      {MethodId::kInternalMargin, "margin of internal forces", "Kerr and Roth 1986", false,
+       true},
       {MethodId::kCentroid, "distance of the centroid", "Ding et al. 2001", false, true},
   };
   return methods;

@@ -31,6 +31,9 @@ enum class MethodId {
   kGraspRobustness,
   kRigidMotionRobustness,
   kGraspMap,
+  kWrenchVolume,
+  kLeastForce,
+  kInternalMargin,
   kCentroid,
 };
 
@@ -83,6 +86,14 @@ MethodAnswer passive_answer(const GraspBox& grasp, NormalLaw law, NumberText& te
 MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, NumberText& text);
 MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
                              NumberText& text);
+/// \}
+
+/// \{ Return the measures of force_measures.hpp.
+MethodAnswer wrench_volume_answer(const GraspBox& grasp, const Rational& length,
+                                  NumberText& text);
+MethodAnswer least_force_answer(const GraspBox& grasp, NumberText& text);
+MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions& options,
+                                    NumberText& text);
 /// \}
 
 /// Throws InputError ("max_force") unless there is one largest force, or one for each contact.

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "method_answer.hpp"
+#include "stickslip/earlier/force_measures.hpp"
 #include "stickslip/earlier/grasp_map.hpp"
 #include "stickslip/earlier/robustness.hpp"
 
@@ -187,6 +188,111 @@ MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, Num
           "isotropy, the part of the largest that it is, " +
               in_words(shown(isotropy.low, isotropy.high, text)) + "; sqrt(det(G G^T)) = " +
               text.root(1, found.determinant) + "; neither cones nor preloads play a part",
+          std::move(evidence)};
+}
+
+namespace {
+
+/// A hull of more facets than these has no volume here.
+constexpr std::size_t kMostFacets = 5000;
+
+/// Returns bounds, or the number if both are it.
+std::string bounds_in_words(const Rational& lower, const Rational& upper, NumberText& text) {
+  return lower == upper ? text(lower) : in_words(shown(lower, upper, text));
+}
+
+Json rows_json(const std::vector<RationalRow>& rows) {
+  Json json = Json::array();
+  for (const RationalRow& row : rows) json.push_back(number_json(row));
+  return json;
+}
+
+Json least_force_json(const LeastForce& found) {
+  return {{"lower", number_json(found.lower)},
+          {"upper", found.upper ? number_json(*found.upper) : Json(nullptr)},
+          {"forces", rows_json(found.forces)},
+          {"motion", number_json(found.twist)}};
+}
+
+}  // namespace
+
+MethodAnswer wrench_volume_answer(const GraspBox& grasp, const Rational& length,
+                                  NumberText& text) {
+  if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
+  std::optional<HullVolume> found;
+  try {
+    found = wrench_space_volume(grasp, length, kMostFacets);
+  } catch (const InputError& error) {
+    return not_for(error);
+  }
+  if (!found) {
+    const std::string limit = std::to_string(kMostFacets) + " facets";
+    return {kNotComputed, "the hull has more than " + limit, {{"limit", limit}}};
+  }
+  Json evidence{{"lower", number_json(found->lower)}, {"upper", number_json(found->upper)}};
+  if (found->upper.is_zero()) {
+    return {"0", "the wrenches of unit normal forces are flat", std::move(evidence)};
+  }
+  return {bounds_in_words(found->lower, found->upper, text),
+          std::string("of the convex hull of 0 and unit normal forces with friction, ") +
+              (grasp.in_space() ? "whose discs are between polygons of eight corners"
+                                : "torques over the length"),
+          std::move(evidence)};
+}
+
+MethodAnswer least_force_answer(const GraspBox& grasp, NumberText& text) {
+  if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
+  LeastForce sum;
+  LeastForce largest;
+  try {
+    sum = least_force(grasp, ForceBound::kL1);
+    largest = least_force(grasp, ForceBound::kLinf);
+  } catch (const InputError& error) {
+    return not_for(error);
+  }
+  Json evidence{{"sum", least_force_json(sum)}, {"largest", least_force_json(largest)}};
+  if (!sum.balances || !largest.balances) {
+    return {"none", "no forces in the cones balance the load", std::move(evidence)};
+  }
+  if (!sum.upper || !largest.upper) {
+    return {kNotComputed, "whether forces in the cones balance the load is open",
+            std::move(evidence)};
+  }
+  return {bounds_in_words(sum.lower, *sum.upper, text),
+          "the least sum that balances the load; by others none need be above " +
+              bounds_in_words(largest.lower, *largest.upper, text) +
+              "; quality is of forces that arise passively",
+          std::move(evidence)};
+}
+
+MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions& options,
+                                    NumberText& text) {
+  if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
+  const RobustnessOptions asked = options.for_robustness();
+  InternalMargin found;
+  try {
+    found = internal_margin(grasp, asked);
+  } catch (const InputError& error) {
+    return not_for(error);
+  }
+  Json evidence{{"lower", number_json(found.lower)},
+                {"upper", number_json(found.upper)},
+                {"max_force", number_json(asked.most_forces)},
+                {"forces", rows_json(found.forces)},
+                {"motion", number_json(found.twist)}};
+  const std::string most =
+      asked.most_forces.size() == 1 ? text(asked.most_forces[0]) : text(asked.most_forces);
+  if (!found.balances) {
+    return {"none", "no forces up to " + most + " in the cones balance the load",
+            std::move(evidence)};
+  }
+  if (found.upper.is_zero()) {
+    return {"0", "no internal forces keep contacts away from breaking a condition",
+            std::move(evidence)};
+  }
+  return {bounds_in_words(found.lower, found.upper, text),
+          "how far the best forces up to " + most +
+              " are from breaking a condition at any contact",
           std::move(evidence)};
 }
 

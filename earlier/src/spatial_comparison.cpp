@@ -85,6 +85,12 @@ class MethodsInSpace {
           return robustness_answer(grasp_, method, options_, text_);
         case MethodId::kGraspMap:
           return grasp_map_answer(grasp_, options_.length, text_);
+        case MethodId::kWrenchVolume:
+          return wrench_volume_answer(grasp_, options_.length, text_);
+        case MethodId::kLeastForce:
+          return least_force_answer(grasp_, text_);
+        case MethodId::kInternalMargin:
+          return internal_margin_answer(grasp_, options_, text_);
         case MethodId::kCentroid:
           return centroid_answer(grasp_, options_.inertia.centre, text_);
         default:

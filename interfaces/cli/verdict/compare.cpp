@@ -226,8 +226,8 @@ void add_compare_command(Command& app, int& exit_code) {
   command
       ->add_option(
           "--max-force", arguments->max_force,
-          "The largest normal force, of the two robustnesses: one for all contacts, or one "
-          "for each")
+          "The largest normal force, of the robustnesses and the margin of internal forces: one "
+          "for all contacts, or one for each")
       ->type_name("F,...")
       ->capture_default_str();
   command
@@ -256,9 +256,11 @@ void add_compare_command(Command& app, int& exit_code) {
       "dissipation; potential contact robustness (PCR) and potential grasp robustness\n"
       "(PGR), how far the best internal forces of a hand keep contacts from breaking a\n"
       "condition, between two bounds; the robustness of rigid motions, the best of the states\n"
-      "that these allow; the least singular value of the grasp map; and the distance of the\n"
-      "centroid of the contacts from the centre of mass. A method that would take too long is "
-      "not computed.\n"
+      "that these allow; the least singular value of the grasp map; the volume of the wrench\n"
+      "space; the least normal forces that hold the load, by their sum and by the largest; the\n"
+      "margin of internal forces, how far the best are from breaking a condition; and the\n"
+      "distance of the centroid of the contacts from the centre of mass. A method that would\n"
+      "take too long is not computed.\n"
       "Motions are bounded of passive equilibrium alone.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"

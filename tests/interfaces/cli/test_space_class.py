@@ -192,7 +192,8 @@ class OtherMethods(SpaceClass):
             rows = self.json("compare", grasp)["methods"]
             measures = [row["method"] for row in rows[len(expected):]]
             self.assertEqual(measures, ["potential contact robustness", "potential grasp robustness",
-                                        "least singular value", "distance of the centroid"])
+                                        "least singular value", "volume of the wrench space", "least normal forces",
+                                        "margin of internal forces", "distance of the centroid"])
             rows = rows[:len(expected)]
             self.assertEqual([row["method"] for row in rows], list(expected))
             passive = rows[0]["verdict"]

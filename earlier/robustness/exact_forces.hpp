@@ -61,7 +61,8 @@ NodeBound node_bound(const ForceModel& model, const std::vector<StateSet>& sets,
                      const Rational& distance, const Multipliers& multipliers);
 
 /// Returns max(0, -y.N + mu |y.T|), rounded up, by y.N and y.T: the most work against y of a
-/// force in the cone whose normal part is 1.
+/// force in the cone whose normal part is 1. Where there is a pyramid, |y.T| is the largest
+/// -y.T along an edge.
 Rational most_against(const ForceContact& contact, const Rational& along_normal,
                       const RationalRow& along_tangents);
 

@@ -146,9 +146,10 @@ std::optional<Rational> hull_volume(const std::vector<RationalRow>& points,
 }
 
 std::optional<HullVolume> wrench_space_volume(const GraspBox& grasp, const Rational& length,
-                                              std::size_t most_facets) {
+                                              std::size_t most_facets, std::size_t edges) {
   RobustnessOptions options;
   options.length = length;
+  options.edges = edges;
   const ForceModel model(grasp, options);
   constexpr std::size_t kDirections = 9;
   const Directions directions(model, kDirections);
@@ -174,7 +175,7 @@ std::optional<HullVolume> wrench_space_volume(const GraspBox& grasp, const Ratio
   };
   const std::optional<Rational> inside = volume(false);
   if (!inside) return std::nullopt;
-  if (!grasp.in_space()) return HullVolume{*inside, *inside};
+  if (!grasp.in_space() || edges > 0) return HullVolume{*inside, *inside};
   const std::optional<Rational> around = volume(true);
   if (!around) return std::nullopt;
   return HullVolume{*inside, *around};

@@ -150,8 +150,10 @@ class LeastForceSearch {
 
 }  // namespace
 
-LeastForce least_force(const GraspBox& grasp, ForceBound bound) {
-  const ForceModel model(grasp, {});
+LeastForce least_force(const GraspBox& grasp, ForceBound bound, std::size_t edges) {
+  RobustnessOptions options;
+  options.edges = edges;
+  const ForceModel model(grasp, options);
   return LeastForceSearch(model, bound).run();
 }
 

@@ -36,8 +36,7 @@ std::optional<Robustness> known_answer(const ForceModel& model,
   }
   if (value.is_refuted) {
     result.balances = false;
-    result.proof = {
-        MixtureLeaf{leaf.twist, std::vector<RationalRow>(n, RationalRow(n))}};
+    result.proof = {MixtureLeaf{leaf.twist, std::vector<RationalRow>(n, RationalRow(n))}};
     return result;
   }
   if (!value.upper.is_zero()) return std::nullopt;

@@ -142,7 +142,7 @@ struct RobustnessSearch::Node {
   std::vector<StateSet> sets;
   Rational low;
   Rational high;
-  Rational upper;  ///< no value in the node is above
+  Rational upper;                            ///< no value in the node is above
   std::shared_ptr<const Multipliers> shown;  ///< what shows `upper`
   std::size_t place = 0;                     ///< that of the node in the proof
   std::vector<std::array<double, 3>> share{};
@@ -251,8 +251,7 @@ bool RobustnessSearch::bound(Node& node) {
     }
     if (!exact.square) return false;
     const Rational square = rounded_up(*exact.square);
-    Rational upper =
-        rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper);
+    Rational upper = rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper);
     if (upper < node.upper) {
       node.upper = std::move(upper);
       node.shown = tried;

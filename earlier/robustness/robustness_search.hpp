@@ -81,11 +81,11 @@ class RobustnessSearch {
   std::map<std::string, double> known_;  ///< proposed values of combinations
   std::vector<SpringState> proposed_;    ///< the best of them
   double proposed_value_ = 0;
-  CombinationValue best_;     ///< the best that is confirmed
-  Rational target_;           ///< no combination that was left out is above this
-  Rational target_square_;    ///< its square
-  double target_double_ = 0;  ///< near it
-  Rational leaves_upper_;     ///< at least the values of the combinations that were looked at
+  CombinationValue best_;       ///< the best that is confirmed
+  Rational target_;             ///< no combination that was left out is above this
+  Rational target_square_;      ///< its square
+  double target_double_ = 0;    ///< near it
+  Rational leaves_upper_;       ///< at least the values of the combinations that were looked at
   std::vector<Growing> grown_;  ///< the proof, from its root
 };
 

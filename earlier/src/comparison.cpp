@@ -72,9 +72,9 @@ class MethodsAsked {
       case MethodId::kGraspMap:
         return grasp_map_answer(grasp_.as_box(), options_.length, text_);
       case MethodId::kWrenchVolume:
-        return wrench_volume_answer(grasp_.as_box(), options_.length, text_);
+        return wrench_volume_answer(grasp_.as_box(), options_, text_);
       case MethodId::kLeastForce:
-        return least_force_answer(grasp_.as_box(), text_);
+        return least_force_answer(grasp_.as_box(), options_, text_);
       case MethodId::kInternalMargin:
         return internal_margin_answer(grasp_.as_box(), options_, text_);
       case MethodId::kCentroid:

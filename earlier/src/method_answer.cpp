@@ -140,7 +140,17 @@ std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bo
   return std::nullopt;
 }
 
-void check_forces(const Question& question, const CompareOptions& options) {
+void check_options(const Question& question, const CompareOptions& options) {
+  if (options.edges > 0 && !question.in_space()) {
+    throw InputError("", "edges", "the grasp is in the plane, where a cone has two edges",
+                     "leave it out");
+  }
+  constexpr std::size_t kMostEdges = 64;
+  if (options.edges > kMostEdges || options.edges == 1 || options.edges == 2) {
+    throw InputError("", "edges", "the value is " + std::to_string(options.edges),
+                     "a pyramid has from 3 to " + std::to_string(kMostEdges) +
+                         " edges here; 0 is a round cone");
+  }
   const std::size_t forces = options.most_forces.size();
   if (forces == 1 || forces == question.grasp.as_box().contacts.size()) return;
   throw InputError("", "max_force",
@@ -159,7 +169,7 @@ GraspBox point_grasp(const Question& question) {
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text) {
   using namespace earlier_detail;
-  check_forces(question, options);
+  check_options(question, options);
   if (!question.in_space()) {
     return compare_in_plane(problem_of(without_bound(question)), question.grasp, options, text);
   }

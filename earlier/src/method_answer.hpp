@@ -89,15 +89,17 @@ MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
 /// \}
 
 /// \{ Return the measures of force_measures.hpp.
-MethodAnswer wrench_volume_answer(const GraspBox& grasp, const Rational& length,
+MethodAnswer wrench_volume_answer(const GraspBox& grasp, const CompareOptions& options,
                                   NumberText& text);
-MethodAnswer least_force_answer(const GraspBox& grasp, NumberText& text);
+MethodAnswer least_force_answer(const GraspBox& grasp, const CompareOptions& options,
+                                NumberText& text);
 MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions& options,
                                     NumberText& text);
 /// \}
 
-/// Throws InputError ("max_force") unless there is one largest force, or one for each contact.
-void check_forces(const Question& question, const CompareOptions& options);
+/// Throws InputError ("max_force") unless there is one largest force, or one for each contact,
+/// and ("edges") at edges that no pyramid has.
+void check_options(const Question& question, const CompareOptions& options);
 
 /// Returns the grasp of a question in the plane or in space. Throws as problem_of() and
 /// point_in_space() do.

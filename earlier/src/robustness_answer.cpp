@@ -35,12 +35,17 @@ RobustnessOptions CompareOptions::for_robustness() const {
   result.most_forces = most_forces;
   result.accuracy = accuracy;
   result.node_limit = node_limit;
+  result.edges = edges;
   return result;
 }
 
 Robustness robustness_to_prove(const Question& question, RobustnessKind kind,
                                const CompareOptions& options) {
-  check_forces(question, options);
+  check_options(question, options);
+  if (options.edges > 0) {
+    throw InputError("", "edges", "a certificate is of round cones",
+                     "leave out the edges, or the certificate");
+  }
   const std::size_t count = question.grasp.as_box().contacts.size();
   if (count > kMostContacts) {
     throw InputError(
@@ -104,6 +109,21 @@ std::string in_words(const std::vector<SpringState>& states) {
 
 }  // namespace
 
+namespace {
+
+/// Says so where cones are pyramids.
+std::string by_pyramids(const CompareOptions& options) {
+  return options.edges == 0
+             ? ""
+             : "; with pyramids of " + std::to_string(options.edges) + " edges as cones";
+}
+
+void add_edges(Json& evidence, const CompareOptions& options) {
+  if (options.edges > 0) evidence["edges"] = options.edges;
+}
+
+}  // namespace
+
 MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                                const CompareOptions& options, NumberText& text) {
   const std::size_t most_contacts =
@@ -132,6 +152,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                 {"max_force", number_json(asked.most_forces)},
                 {"complete", found.is_complete},
                 {"nodes", found.nodes}};
+  add_edges(evidence, options);
   if (!found.has_full_rank) {
     return {"0", "the contacts leave a motion free, even if all stick", std::move(evidence)};
   }
@@ -159,6 +180,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
   } else {
     why = "whether forces can be away from breaking a condition is open";
   }
+  why += by_pyramids(options);
   if (!found.is_complete) {
     why += "; the search ended after " + std::to_string(found.nodes) + " nodes";
   }
@@ -216,12 +238,12 @@ Json least_force_json(const LeastForce& found) {
 
 }  // namespace
 
-MethodAnswer wrench_volume_answer(const GraspBox& grasp, const Rational& length,
+MethodAnswer wrench_volume_answer(const GraspBox& grasp, const CompareOptions& options,
                                   NumberText& text) {
   if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
   std::optional<HullVolume> found;
   try {
-    found = wrench_space_volume(grasp, length, kMostFacets);
+    found = wrench_space_volume(grasp, options.length, kMostFacets, options.edges);
   } catch (const InputError& error) {
     return not_for(error);
   }
@@ -230,27 +252,32 @@ MethodAnswer wrench_volume_answer(const GraspBox& grasp, const Rational& length,
     return {kNotComputed, "the hull has more than " + limit, {{"limit", limit}}};
   }
   Json evidence{{"lower", number_json(found->lower)}, {"upper", number_json(found->upper)}};
+  add_edges(evidence, options);
   if (found->upper.is_zero()) {
     return {"0", "the wrenches of unit normal forces are flat", std::move(evidence)};
   }
   return {bounds_in_words(found->lower, found->upper, text),
           std::string("of the convex hull of 0 and unit normal forces with friction, ") +
-              (grasp.in_space() ? "whose discs are between polygons of eight corners"
-                                : "torques over the length"),
+              (grasp.in_space() && options.edges == 0
+                   ? "whose discs are between polygons of eight corners"
+                   : "torques over the length") +
+              by_pyramids(options),
           std::move(evidence)};
 }
 
-MethodAnswer least_force_answer(const GraspBox& grasp, NumberText& text) {
+MethodAnswer least_force_answer(const GraspBox& grasp, const CompareOptions& options,
+                                NumberText& text) {
   if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
   LeastForce sum;
   LeastForce largest;
   try {
-    sum = least_force(grasp, ForceBound::kL1);
-    largest = least_force(grasp, ForceBound::kLinf);
+    sum = least_force(grasp, ForceBound::kL1, options.edges);
+    largest = least_force(grasp, ForceBound::kLinf, options.edges);
   } catch (const InputError& error) {
     return not_for(error);
   }
   Json evidence{{"sum", least_force_json(sum)}, {"largest", least_force_json(largest)}};
+  add_edges(evidence, options);
   if (!sum.balances || !largest.balances) {
     return {"none", "no forces in the cones balance the load", std::move(evidence)};
   }
@@ -261,7 +288,7 @@ MethodAnswer least_force_answer(const GraspBox& grasp, NumberText& text) {
   return {bounds_in_words(sum.lower, *sum.upper, text),
           "the least sum that balances the load; by others none need be above " +
               bounds_in_words(largest.lower, *largest.upper, text) +
-              "; quality is of forces that arise passively",
+              "; quality is of forces that arise passively" + by_pyramids(options),
           std::move(evidence)};
 }
 
@@ -280,6 +307,7 @@ MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions&
                 {"max_force", number_json(asked.most_forces)},
                 {"forces", rows_json(found.forces)},
                 {"motion", number_json(found.twist)}};
+  add_edges(evidence, options);
   const std::string most =
       asked.most_forces.size() == 1 ? text(asked.most_forces[0]) : text(asked.most_forces);
   if (!found.balances) {
@@ -292,7 +320,7 @@ MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions&
   }
   return {bounds_in_words(found.lower, found.upper, text),
           "how far the best forces up to " + most +
-              " are from breaking a condition at any contact",
+              " are from breaking a condition at any contact" + by_pyramids(options),
           std::move(evidence)};
 }
 

@@ -86,9 +86,9 @@ class MethodsInSpace {
         case MethodId::kGraspMap:
           return grasp_map_answer(grasp_, options_.length, text_);
         case MethodId::kWrenchVolume:
-          return wrench_volume_answer(grasp_, options_.length, text_);
+          return wrench_volume_answer(grasp_, options_, text_);
         case MethodId::kLeastForce:
-          return least_force_answer(grasp_, text_);
+          return least_force_answer(grasp_, options_, text_);
         case MethodId::kInternalMargin:
           return internal_margin_answer(grasp_, options_, text_);
         case MethodId::kCentroid:

@@ -38,7 +38,8 @@ GraspBox grasp_of(std::vector<UncertainContact> contacts, const RationalRow& loa
 
 /// A unit vector of small numbers.
 RationalRow unit(RandomSource& random) {
-  static const std::vector<RationalRow> some{{1, 0}, {0, 1}, {{3, 5}, {4, 5}}, {{4, 5}, {3, 5}}};
+  static const std::vector<RationalRow> some{
+      {1, 0}, {0, 1}, {{3, 5}, {4, 5}}, {{4, 5}, {3, 5}}};
   RationalRow n = some[static_cast<std::size_t>(random.between(0, 3))];
   for (Rational& x : n) {
     if (random.between(0, 1) == 1) x = -x;
@@ -243,8 +244,8 @@ TEST(LeastForces, AreTheGaugesOfWrenchSpaces) {
 TEST(LeastForces, InSpace) {
   // A pinch with friction 1/2 holds a weight of 1 along (3/5, 4/5) across it: 1 each, sum 2.
   const auto pinch = [](const RationalRow& load) {
-    return grasp_of({finger({-1, 0, 0}, {1, 0, 0}, {1, 2}), finger({1, 0, 0}, {-1, 0, 0}, {1, 2})},
-                    load);
+    return grasp_of(
+        {finger({-1, 0, 0}, {1, 0, 0}, {1, 2}), finger({1, 0, 0}, {-1, 0, 0}, {1, 2})}, load);
   };
   const GraspBox held = pinch({0, {3, 5}, {-4, 5}, 0, 0, 0});
   for (const ForceBound bound : {ForceBound::kL1, ForceBound::kLinf}) {
@@ -274,9 +275,9 @@ TEST(InternalMargin, IsTheDistanceOfPcr) {
   EXPECT_EQ(found.upper, Rational(3, 8));
   EXPECT_EQ(found.forces, (std::vector<RationalRow>{{{5, 8}, 0}, {{-5, 8}, 0}}));
   // In space the pinch leaves a turn free, so that PCR is 0; the margin is the same.
-  const GraspBox in_space = grasp_of(
-      {finger({-1, 0, 0}, {1, 0, 0}, {3, 4}), finger({1, 0, 0}, {-1, 0, 0}, {3, 4})},
-      RationalRow(6));
+  const GraspBox in_space =
+      grasp_of({finger({-1, 0, 0}, {1, 0, 0}, {3, 4}), finger({1, 0, 0}, {-1, 0, 0}, {3, 4})},
+               RationalRow(6));
   const InternalMargin there = internal_margin(in_space);
   EXPECT_LE(there.lower, Rational(3, 8));
   EXPECT_GE(there.upper, Rational(3, 8));
@@ -286,8 +287,8 @@ TEST(InternalMargin, IsTheDistanceOfPcr) {
   const GraspBox smooth =
       grasp_of({finger({-1, 0}, {1, 0}, 0), finger({1, 0}, {-1, 0}, 0)}, RationalRow(3));
   EXPECT_EQ(internal_margin(smooth).lower, Rational(1, 2));
-  const GraspBox heavy = grasp_of(
-      {finger({-1, 0}, {1, 0}, {1, 2}), finger({1, 0}, {-1, 0}, {1, 2})}, {0, -2, 0});
+  const GraspBox heavy =
+      grasp_of({finger({-1, 0}, {1, 0}, {1, 2}), finger({1, 0}, {-1, 0}, {1, 2})}, {0, -2, 0});
   EXPECT_FALSE(internal_margin(heavy).balances);
   RobustnessOptions strong;
   strong.most_forces = {3};
@@ -308,6 +309,67 @@ TEST(InternalMargin, IsTheDistanceOfPcr) {
     EXPECT_LE(margin.lower, margin.upper);
   }
   EXPECT_GE(compared, 3);
+}
+
+TEST(Pyramids, ComeNearTheRoundCone) {
+  // A pinch with f = 4 carries (3/4, 3/4) at each finger, at 45 degrees between the edges of a
+  // pyramid of four: s - 5/3 d >= (3/4 + 3/4) / mu = 2 and 4 - s >= d, so d = 3/4. With the
+  // round cone it is (4 - sqrt 2) 3/8.
+  const GraspBox pinch =
+      grasp_of({finger({-1, 0, 0}, {1, 0, 0}, {3, 4}), finger({1, 0, 0}, {-1, 0, 0}, {3, 4})},
+               {0, {-3, 2}, {-3, 2}, 0, 0, 0});
+  RobustnessOptions options;
+  options.most_forces = {4};
+  options.edges = 4;
+  const InternalMargin four = internal_margin(pinch, options);
+  EXPECT_EQ(four.lower, Rational(3, 4));
+  EXPECT_EQ(four.upper, Rational(3, 4));
+  EXPECT_EQ(least_force(pinch, ForceBound::kL1, 4).upper, Rational(4));
+  EXPECT_EQ(least_force(pinch, ForceBound::kL1, 4).lower, 4);
+  EXPECT_EQ(least_force(pinch, ForceBound::kLinf, 4).lower, 2);
+  // Three pads on a ball and one from below, under a load.
+  const GraspBox pads = grasp_of({finger({1, 0, 0}, {-1, 0, 0}, {1, 2}),
+                                  finger({{-3, 5}, {4, 5}, 0}, {{3, 5}, {-4, 5}, 0}, {1, 2}),
+                                  finger({{-3, 5}, {-4, 5}, 0}, {{3, 5}, {4, 5}, 0}, {1, 2}),
+                                  finger({{3, 5}, 0, {-4, 5}}, {{-3, 5}, 0, {4, 5}}, {1, 2})},
+                                 {{1, 20}, {1, 30}, {-1, 10}, 0, 0, {1, 50}});
+  RobustnessOptions round;
+  const Robustness cone = potential_contact_robustness(pads, round);
+  const Robustness whole = potential_grasp_robustness(pads, round);
+  const LeastForce least = least_force(pads, ForceBound::kL1);
+  const auto volume = wrench_space_volume(pads, 1, kMany);
+  ASSERT_TRUE(cone.best && whole.best && least.upper && volume);
+  std::optional<Rational> gap;
+  std::optional<Rational> excess;
+  Rational before = 0;
+  for (const std::size_t edges : {4, 8, 32}) {
+    round.edges = edges;
+    const Robustness pyramid = potential_contact_robustness(pads, round);
+    const Robustness pgr = potential_grasp_robustness(pads, round);
+    ASSERT_TRUE(pyramid.best && pgr.best);
+    EXPECT_LE(pyramid.upper, pyramid.lower * Rational(1000001, 1000000));
+    EXPECT_LE(pyramid.lower, cone.upper);
+    EXPECT_LE(pgr.lower, whole.upper);
+    EXPECT_GE(pgr.upper, pyramid.lower);
+    const Rational apart = cone.upper - pyramid.lower;
+    EXPECT_TRUE(!gap || apart < *gap);
+    gap = apart;
+    const LeastForce more = least_force(pads, ForceBound::kL1, edges);
+    EXPECT_EQ(more.lower, *more.upper);
+    EXPECT_GE(*more.upper, least.lower);
+    EXPECT_TRUE(!excess || *more.upper - least.lower < *excess);
+    excess = *more.upper - least.lower;
+    if (edges > 8) continue;
+    const auto inside = wrench_space_volume(pads, 1, kMany, edges);
+    ASSERT_TRUE(inside.has_value());
+    EXPECT_EQ(inside->lower, inside->upper);
+    EXPECT_GT(inside->lower, before);
+    EXPECT_LE(inside->lower, volume->lower);
+    before = inside->lower;
+  }
+  EXPECT_EQ(before, volume->lower);
+  EXPECT_LE(*gap, cone.upper / 100);
+  EXPECT_LE(*excess, least.lower / 100);
 }
 
 TEST(ForceMeasures, NeedUnitNormals) {

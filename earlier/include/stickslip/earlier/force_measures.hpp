@@ -18,7 +18,7 @@
 ///   of PCR. A contact without friction has no condition of friction.
 ///
 /// In the plane the volume and the least forces are exact. In space, and of margins, there are
-/// two bounds.
+/// two bounds. With pyramids in place of cones (robustness.hpp) all but margins are exact.
 ///
 /// Sources: Miller and Allen, "Examples of 3D grasp quality computations", ICRA 1999; Han,
 /// Trinkle and Li, "Grasp analysis as linear matrix inequality problems", IEEE Trans. Robotics
@@ -53,16 +53,17 @@ std::optional<Rational> hull_volume(const std::vector<RationalRow>& points,
 
 /// Returns the volume of the wrench space of one grasp, without uncertain numbers and of one
 /// body, and nothing as hull_volume() does. In space it is between those of hulls with polygons
-/// of eight corners inside the discs of friction, and around them. Throws InputError
+/// of eight corners inside the discs of friction, and around them; or it is that of pyramids
+/// with so many edges. Throws InputError
 /// ("contacts[i].normal") at a normal of irrational length, and ContractError unless length >
 /// 0.
 std::optional<HullVolume> wrench_space_volume(const GraspBox& grasp, const Rational& length,
-                                              std::size_t most_facets);
+                                              std::size_t most_facets, std::size_t edges = 0);
 
 /// The least normal forces, between two bounds.
 struct LeastForce {
-  bool balances = true;  ///< false if it is proved that no forces balance the load
-  Rational lower{0};     ///< at most the least
+  bool balances = true;               ///< false if it is proved that no forces balance the load
+  Rational lower{0};                  ///< at most the least
   std::optional<Rational> upper{};    ///< at least the least; nothing if no forces are known
   std::vector<RationalRow> forces{};  ///< on the object, by ContactId; they show `upper`
   RationalRow twist{};                ///< z, which shows `lower`, or that no forces balance
@@ -70,15 +71,15 @@ struct LeastForce {
 
 /// Returns the least sum of normal forces that balance the load (kL1), or the least number that
 /// none exceeds (kLinf), of one grasp as above. Exact linear programs, in space with more and
-/// more directions of friction. Throws InputError ("contacts[i].normal") at a normal of
-/// irrational length.
-LeastForce least_force(const GraspBox& grasp, ForceBound bound);
+/// more directions of friction unless there are pyramids. Throws InputError
+/// ("contacts[i].normal") at a normal of irrational length.
+LeastForce least_force(const GraspBox& grasp, ForceBound bound, std::size_t edges = 0);
 
 /// The margin of internal forces, between two bounds.
 struct InternalMargin {
-  bool balances = true;  ///< false if it is proved that no bounded forces do
-  Rational lower{0};     ///< at most the margin
-  Rational upper{0};     ///< at least the margin
+  bool balances = true;               ///< false if it is proved that no bounded forces do
+  Rational lower{0};                  ///< at most the margin
+  Rational upper{0};                  ///< at least the margin
   std::vector<RationalRow> forces{};  ///< on the object, by ContactId; they show `lower`
   RationalRow twist{};                ///< shows `upper`, or that no forces balance
 };

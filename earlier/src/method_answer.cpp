@@ -18,6 +18,12 @@ std::string Method::word() const {
   return result;
 }
 
+bool Method::is_among(const std::vector<std::string>& words) const {
+  return std::any_of(words.begin(), words.end(), [this](const std::string& given) {
+    return given == word() || (short_name != nullptr && given == short_name);
+  });
+}
+
 const std::vector<Method>& all_methods() {
   constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
   constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
@@ -36,8 +42,10 @@ const std::vector<Method>& all_methods() {
        false},
       {MethodId::kFrictionCones, "friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4",
        true, true},
-      {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true},
-      {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true},
+      {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true,
+       "PCR"},
+      {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true,
+       "PGR"},
       {MethodId::kRigidMotionRobustness, "robustness of rigid motions",
        "Haas-Heger et al. 2018", false, false},
       {MethodId::kGraspMap, "least singular value", "Li and Sastry 1988; Kim and Oh 1991",
@@ -115,9 +123,7 @@ std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOpti
   }
   std::vector<MethodRow> rows;
   for (const Method& method : among) {
-    const bool is_asked =
-        words.empty() || std::find(words.begin(), words.end(), method.word()) != words.end();
-    if (!is_asked) continue;
+    if (!words.empty() && !method.is_among(words)) continue;
     MethodAnswer a = given_up(out_of_time(options.time));
     if (!options.time.is_over()) options.time.finishes([&] { a = answer(method.id); });
     std::optional<bool> agrees;
@@ -180,6 +186,7 @@ std::vector<std::string> method_words() {
   std::vector<std::string> words;
   for (const earlier_detail::Method& method : earlier_detail::all_methods()) {
     words.push_back(method.word());
+    if (method.short_name != nullptr) words.emplace_back(method.short_name);
   }
   return words;
 }

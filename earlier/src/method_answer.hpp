@@ -43,9 +43,12 @@ struct Method {
   const char* name;
   const char* source;  ///< who proposed it
   bool about_the_load;
-  bool in_space;  ///< whether it applies in space
+  bool in_space;                     ///< whether it applies in space
+  const char* short_name = nullptr;  ///< "PCR", if it has one
 
   std::string word() const;  ///< "grasp-wrench-space-L1"
+  /// Returns whether one of the words is its word or its short name.
+  bool is_among(const std::vector<std::string>& words) const;
 };
 
 const std::vector<Method>& all_methods();

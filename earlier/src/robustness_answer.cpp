@@ -22,7 +22,7 @@ constexpr std::size_t kMostContactsInMotion = 24;
 
 std::optional<RobustnessKind> CompareOptions::only_robustness() const {
   for (const Method& method : all_methods()) {
-    if (methods != std::vector<std::string>{method.word()}) continue;
+    if (methods.size() != 1 || !method.is_among(methods)) continue;
     if (method.id == MethodId::kContactRobustness) return RobustnessKind::kContact;
     if (method.id == MethodId::kGraspRobustness) return RobustnessKind::kGrasp;
   }

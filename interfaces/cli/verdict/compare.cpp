@@ -218,8 +218,9 @@ void add_compare_command(Command& app, int& exit_code) {
   arguments->question.add_to(*command);
   arguments->question.add_max_motion_to(*command);
   command
-      ->add_option("--methods", arguments->methods,
-                   "Ask these alone, by the names below with hyphens and without commas")
+      ->add_option(
+          "--methods", arguments->methods,
+          "Ask these alone, by the names below with hyphens and without commas, or PCR, PGR")
       ->type_name("NAME,NAME,...")
       ->delimiter(',')
       ->takes_one_word()

@@ -528,7 +528,7 @@ def compare(
     Args:
         grasp, wrench, preload, normal_law: as of ``decide``, for one question. Of several bodies
             the class alone is known, that of ``statics``, and there are no methods to choose.
-        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"). Two are
+        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load") or ("PCR", "PGR"). Two are
             about the plane alone: "three-state-compliance" and "grasp-wrench-space-Linf".
         length: characteristic of the object, by which grasp wrench spaces divide torques; half the spread
             of the contacts if None.

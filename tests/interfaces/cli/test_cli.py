@@ -530,6 +530,8 @@ class Compare(Case):
         self.assertEqual((least["evidence"]["largest"]["lower"], least["evidence"]["largest"]["upper"]), ("2", "2"))
         margin = held["margin of internal forces"]  # (3/4 s - 3/2) 4/5 = 4 - s
         self.assertEqual((margin["verdict"], margin["evidence"]["upper"]), ("3/4", "3/4"))
+        short = self.json("compare", grasp, "--methods", "PGR,PCR")["methods"]
+        self.assertEqual([row["method"] for row in short], self.METHODS[10:12])
         # A third finger is weak. Without load no rigid motion leaves it.
         with open(grasp, encoding="utf-8") as file:
             content = json.load(file)

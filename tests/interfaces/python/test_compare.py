@@ -56,7 +56,8 @@ def test_robustness_has_evidence():
             evidence = found[method].evidence
             assert Fraction(evidence["distance"]) == Fraction(3 * least, 8)
             lower, upper = Fraction(evidence["lower"]), Fraction(evidence["upper"])
-            proved = stickslip.compare(pinch, max_force=force, accuracy="1/1000", certificate=True, methods=[method.replace(" ", "-")])
+            proved = stickslip.compare(pinch, max_force=force, accuracy="1/1000", certificate=True,
+                                       methods=["PCR" if "contact" in method else "potential-grasp-robustness"])
             result = stickslip.check(pinch, proved.certificate, robustness=method.split()[1], max_force=force)
             assert (result.accepted, result.verdict, result.bounds) == (True, "bounds", (lower, upper))
             assert stickslip.check(pinch, proved.certificate, robustness=method.split()[1], max_force=7).rule == "question-robustness"

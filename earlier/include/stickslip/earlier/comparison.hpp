@@ -67,8 +67,8 @@ struct Comparison {
   std::optional<Undecided> undecided{};  ///< in space: why there is no class
 };
 
-/// Returns the names of all methods as a list without spaces spells them:
-/// "grasp-wrench-space-L1".
+/// Returns the names of all methods as a list without spaces spells them,
+/// "grasp-wrench-space-L1", and the short names PCR and PGR.
 std::vector<std::string> method_words();
 
 /// Asks only the methods of `options` about one grasp. Sentences have their numbers from

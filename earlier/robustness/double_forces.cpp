@@ -40,7 +40,7 @@ std::array<double, 3> squares_along(const ForceContact& contact, const Doubles& 
   return {stick, normal * normal, 0};
 }
 
-/// Returns how much a force in the cone with the normal part 1 can do against a twist.
+/// Returns how much a force in the round cone with the normal part 1 can do against a twist.
 double most_against(const ForceContact& contact, const Doubles& twist) {
   double square = 0;
   for (std::size_t k = 0; k < contact.tangents.size(); ++k) {
@@ -108,10 +108,12 @@ Directions::Directions(const ForceModel& model, std::size_t most)
     if (model.coordinates == 3) {
       add(i, {{1}});
       add(i, {{-1}});
-    } else {
-      for (std::size_t k = 0; k < kRoundDirections; ++k) {
-        add(i, direction_at(static_cast<double>(k) * 0.7853981633974483));
-      }
+      continue;
+    }
+    const std::vector<FrictionDirection>& edges = model.contacts[i].edges;
+    for (const FrictionDirection& direction :
+         edges.empty() ? corners_of_polygon(kRoundDirections) : edges) {
+      add(i, direction);
     }
   }
 }
@@ -128,8 +130,8 @@ void Directions::add(std::size_t contact, const FrictionDirection& direction) {
 }
 
 bool Directions::add_against(std::size_t contact, const Doubles& twist) {
-  if (model_.coordinates == 3) return false;
   const ForceContact& c = model_.contacts[contact];
+  if (!c.is_round()) return false;
   const double most = most_against(c, twist);
   if (most <= 0) return false;
   double known = 0;
@@ -539,7 +541,7 @@ NodeProposal NodePrograms::bound(const std::vector<StateSet>& sets, double dista
     bool has_new = false;
     double excess = 0;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-      if (model_.coordinates == 3 || rooms[i] < 0) continue;
+      if (!model_.contacts[i].is_round() || rooms[i] < 0) continue;
       double known = 0;
       for (const Doubles& w : directions_.wrenches(i))
         known = std::max(known, -dot(w, found.twist));

@@ -12,7 +12,7 @@
 namespace stickslip::robustness_detail {
 
 /// The directions of friction that programs know, by contact: both signs in the plane; in space
-/// eight all round, and the latest that were added.
+/// those of pyramids, or eight all round, and the latest that were added.
 class Directions {
  public:
   /// Knows at most `most` directions of a contact in space, at least nine.

@@ -35,15 +35,18 @@ Rational length_above(const RationalRow& x) {
   return short_sqrt(dot(x, x), kLengthBits).upper;
 }
 
-/// Returns max(0, -y.N + mu |y.T|), rounded up: the most work against y of a force in the cone
-/// whose normal part is 1.
+}  // namespace
+
 Rational most_against(const ForceContact& contact, const Rational& along_normal,
                       const RationalRow& along_tangents) {
-  const Rational most = contact.friction * length_above(along_tangents) - along_normal;
+  Rational across = 0;
+  if (contact.edges.empty()) across = length_above(along_tangents);
+  for (const FrictionDirection& edge : contact.edges) {
+    across = std::max(across, Rational(-dot(edge.along, along_tangents)));
+  }
+  const Rational most = contact.friction * across - along_normal;
   return most.sign() > 0 ? most : Rational(0);
 }
-
-}  // namespace
 
 Multipliers::Multipliers(const Doubles& twist, const std::vector<MatrixTerm>& terms,
                          std::size_t size)
@@ -165,7 +168,7 @@ Rational greatest_distance(const ForceModel& model, const std::vector<SpringStat
       offset = contact.root.lower / contact.friction;
       for (const ScaledRow& t : contact.tangents) across.push_back(dot(twist, t.row()));
     } else {
-      across.emplace_back(0);
+      across.resize(contact.tangents.size());
     }
     const Rational against = most_against(contact, along, across);
     constant += contact.most_force * against;

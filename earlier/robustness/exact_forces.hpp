@@ -60,6 +60,12 @@ struct NodeBound {
 NodeBound node_bound(const ForceModel& model, const std::vector<StateSet>& sets,
                      const Rational& distance, const Multipliers& multipliers);
 
+/// Returns max(0, -y.N + mu |y.T|), rounded up, by y.N and y.T: the most work against y of a
+/// force in the cone whose normal part is 1. Where there is a pyramid, |y.T| is the largest
+/// -y.T along an edge.
+Rational most_against(const ForceContact& contact, const Rational& along_normal,
+                      const RationalRow& along_tangents);
+
 /// Returns a number that the least distance of no forces in these states exceeds; below 0 if
 /// there are none. `twist` is a proposal.
 Rational greatest_distance(const ForceModel& model, const std::vector<SpringState>& states,

@@ -111,6 +111,15 @@ FrictionDirection direction_at(double angle) {
   return {{c, s}};
 }
 
+std::vector<FrictionDirection> corners_of_polygon(std::size_t count) {
+  std::vector<FrictionDirection> result;
+  constexpr double kTurn = 6.283185307179586;
+  for (std::size_t k = 0; k < count; ++k) {
+    result.push_back(direction_at(kTurn * static_cast<double>(k) / static_cast<double>(count)));
+  }
+  return result;
+}
+
 ForceModel::ForceModel(const GraspBox& grasp, const RobustnessOptions& options)
     : coordinates(grasp.in_space() ? 6 : 3) {
   require(options.length.sign() > 0, "the characteristic length must be above 0");
@@ -118,6 +127,8 @@ ForceModel::ForceModel(const GraspBox& grasp, const RobustnessOptions& options)
   require(forces_allowed.size() == 1 || forces_allowed.size() == grasp.contacts.size(),
           "give one largest force, or one for each contact");
   require(options.accuracy.sign() > 0, "the accuracy must be above 0");
+  require(options.edges == 0 || (options.edges >= 3 && grasp.in_space()),
+          "a pyramid has three edges or more, and is in space");
   require(grasp.is_point() && !grasp.mechanism, "these measures are of one grasp of one body");
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     contacts.push_back(contact_of(grasp.contacts[i], i, options));
@@ -125,6 +136,7 @@ ForceModel::ForceModel(const GraspBox& grasp, const RobustnessOptions& options)
     require(f.sign() > 0, "the largest force must be above 0");
     contacts[i].most_force = f;
     contacts[i].most_force_double = to_double(f);
+    if (options.edges > 0) contacts[i].edges = corners_of_polygon(options.edges);
     most_force = std::max(most_force, f);
     is_uniform = is_uniform && contacts[i].stiffness == contacts[0].stiffness;
   }

@@ -40,6 +40,9 @@ struct FrictionDirection {
 /// Returns a direction at nearly this angle from the first tangent.
 FrictionDirection direction_at(double angle);
 
+/// Returns the corners of a nearly regular polygon, the first along the first tangent.
+std::vector<FrictionDirection> corners_of_polygon(std::size_t count);
+
 /// A contact by its rows of the grasp map.
 struct ForceContact {
   ScaledRow normal;                 ///< N
@@ -57,8 +60,10 @@ struct ForceContact {
   double root_double = 1;
   double stiffness_double = 1;
   double most_force_double = 1;
+  std::vector<FrictionDirection> edges{};  ///< of the pyramid in place of the cone, or none
 
   bool can_stick() const { return !friction.is_zero(); }  ///< whether a distance may be > 0
+  bool is_round() const { return tangents.size() == 2 && edges.empty(); }  ///< the cone
 };
 
 /// The grasp.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "earlier/robustness/double_forces.hpp"
+#include "earlier/robustness/robustness_search.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
@@ -64,10 +64,7 @@ GraspMapMeasures grasp_map_measures(const GraspBox& grasp, const Rational& lengt
   options.length = length;
   ForceModel model(grasp, options);
   model.is_uniform = true;  // stiffnesses play no part
-  std::vector<SpringState> states;
-  for (const ForceContact& contact : model.contacts) {
-    states.push_back(contact.can_stick() ? SpringState::kStick : SpringState::kSlip);
-  }
+  const std::vector<SpringState> states = first_combination(model);
   Matrix square(model.coordinates, RationalRow(model.coordinates));
   for (const RationalRow& x : model.columns(states)) {
     for (std::size_t j = 0; j < x.size(); ++j) add_multiple(square[j], x[j], x);

@@ -37,21 +37,12 @@ std::optional<Robustness> known_answer(const ForceModel& model,
   }
   if (value.is_refuted) {
     result.balances = false;
-    result.proof = {
-        MixtureLeaf{leaf.twist, std::vector<RationalRow>(n, RationalRow(n))}};
+    result.proof = {MixtureLeaf{leaf.twist, std::vector<RationalRow>(n, RationalRow(n))}};
     return result;
   }
   if (!value.upper.is_zero()) return std::nullopt;
   result.proof = {NoDistanceLeaf{leaf.twist}};
   return result;
-}
-
-std::vector<SpringState> first_combination(const ForceModel& model) {
-  std::vector<SpringState> first;
-  for (const ForceContact& contact : model.contacts) {
-    first.push_back(contact.can_stick() ? SpringState::kStick : SpringState::kSlip);
-  }
-  return first;
 }
 
 /// Returns the combinations of states of all motions in the plane: one for each face of the

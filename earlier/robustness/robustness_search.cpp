@@ -50,10 +50,15 @@ Rational rounded_down(const Rational& value) {
 
 }  // namespace
 
-CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states) {
-  CombinationValue result;
-  const auto [low, high, direction] = inverse_square(model, states);
-  result.leaf.direction = direction;
+std::vector<SpringState> first_combination(const ForceModel& model) {
+  std::vector<SpringState> first;
+  for (const ForceContact& contact : model.contacts) {
+    first.push_back(contact.can_stick() ? SpringState::kStick : SpringState::kSlip);
+  }
+  return first;
+}
+
+BestDistance best_distance(const ForceModel& model, const std::vector<SpringState>& states) {
   const ForceProposal proposal = propose_forces(model, states);
   // In the plane all of friction has two directions, in space those that doubles use will do.
   Directions directions(model, kSearchDirections);
@@ -68,40 +73,56 @@ CombinationValue value_of(const ForceModel& model, const std::vector<SpringState
     }
     forces = exact_forces(model, states, all);
   }
-  Rational most = greatest_distance(model, states, forces.twist);
-  result.leaf.twist = forces.twist;
+  BestDistance result{std::move(forces), 0, {}};
+  result.twist = result.forces.twist;
+  result.most = greatest_distance(model, states, result.twist);
   const auto try_twist = [&](const Doubles& twist) {
     RationalRow rounded;
     for (std::size_t j = 0; j < model.coordinates; ++j) {
       rounded.push_back(rational_in_bits(twist[j], 40));
     }
     Rational distance = greatest_distance(model, states, rounded);
-    if (distance >= most) return;
-    most = std::move(distance);
-    result.leaf.twist = std::move(rounded);
+    if (distance >= result.most) return;
+    result.most = std::move(distance);
+    result.twist = std::move(rounded);
   };
   if (model.coordinates == 6) {
     try_twist(proposal.twist);
-    if (forces.distance.sign() == 0) {
+    if (result.forces.distance.sign() == 0) {
       if (const auto twist = propose_opening(model, states)) try_twist(*twist);
     }
   }
-  result.is_refuted = most.sign() < 0;
-  result.is_possible = forces.distance.sign() >= 0;
-  if (most.sign() > 0) result.upper = short_sqrt(most * most * high, kValueBits).upper;
-  if (forces.distance.sign() <= 0 || low.is_zero()) return result;
-  result.lower = short_sqrt(forces.distance * forces.distance * low, kValueBits).lower;
-  RobustForces best{states, {}, forces.distance, low};
-  for (std::size_t i = 0; i < states.size(); ++i) {
+  return result;
+}
+
+std::vector<RationalRow> forces_on_object(const ForceModel& model, const ExactForces& forces) {
+  std::vector<RationalRow> result;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const ForceContact& contact = model.contacts[i];
-    RationalRow force(contact.n.size());
+    RationalRow& force = result.emplace_back(contact.n.size());
     add_multiple(force, forces.at[i][0], contact.n);
     for (std::size_t k = 0; k < contact.t.size(); ++k) {
       add_multiple(force, forces.at[i][k + 1], contact.t[k]);
     }
-    best.forces.push_back(std::move(force));
   }
-  result.best = std::move(best);
+  return result;
+}
+
+CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states) {
+  CombinationValue result;
+  const auto [low, high, direction] = inverse_square(model, states);
+  const BestDistance found = best_distance(model, states);
+  const Rational& distance = found.forces.distance;
+  result.leaf.direction = direction;
+  result.leaf.twist = found.twist;
+  result.is_refuted = found.most.sign() < 0;
+  result.is_possible = distance.sign() >= 0;
+  if (found.most.sign() > 0) {
+    result.upper = short_sqrt(found.most * found.most * high, kValueBits).upper;
+  }
+  if (distance.sign() <= 0 || low.is_zero()) return result;
+  result.lower = short_sqrt(distance * distance * low, kValueBits).lower;
+  result.best = RobustForces{states, forces_on_object(model, found.forces), distance, low};
   return result;
 }
 
@@ -121,7 +142,7 @@ struct RobustnessSearch::Node {
   std::vector<StateSet> sets;
   Rational low;
   Rational high;
-  Rational upper;  ///< no value in the node is above
+  Rational upper;                            ///< no value in the node is above
   std::shared_ptr<const Multipliers> shown;  ///< what shows `upper`
   std::size_t place = 0;                     ///< that of the node in the proof
   std::vector<std::array<double, 3>> share{};
@@ -230,8 +251,7 @@ bool RobustnessSearch::bound(Node& node) {
     }
     if (!exact.square) return false;
     const Rational square = rounded_up(*exact.square);
-    Rational upper =
-        rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper);
+    Rational upper = rounded_up(short_sqrt(node.high * node.high * square, kShortBits).upper);
     if (upper < node.upper) {
       node.upper = std::move(upper);
       node.shown = tried;

@@ -24,6 +24,23 @@ struct CombinationValue {
   std::optional<RobustForces> best{};  ///< the forces that show `lower`, if that is not 0
 };
 
+/// The best forces of one combination, and how much better none are.
+struct BestDistance {
+  ExactForces forces;  ///< their distance is below 0 if none are known
+  Rational most;       ///< no forces have a larger distance; below 0 if there are none
+  RationalRow twist;   ///< shows `most`
+};
+
+/// Returns the best forces of one combination. Requires that no contact without friction
+/// sticks.
+BestDistance best_distance(const ForceModel& model, const std::vector<SpringState>& states);
+
+/// Returns forces as vectors, by contact.
+std::vector<RationalRow> forces_on_object(const ForceModel& model, const ExactForces& forces);
+
+/// Returns the combination in which each contact with friction sticks and every other slips.
+std::vector<SpringState> first_combination(const ForceModel& model);
+
 /// Encloses the value of one combination. Requires that no contact without friction sticks.
 CombinationValue value_of(const ForceModel& model, const std::vector<SpringState>& states);
 
@@ -64,11 +81,11 @@ class RobustnessSearch {
   std::map<std::string, double> known_;  ///< proposed values of combinations
   std::vector<SpringState> proposed_;    ///< the best of them
   double proposed_value_ = 0;
-  CombinationValue best_;     ///< the best that is confirmed
-  Rational target_;           ///< no combination that was left out is above this
-  Rational target_square_;    ///< its square
-  double target_double_ = 0;  ///< near it
-  Rational leaves_upper_;     ///< at least the values of the combinations that were looked at
+  CombinationValue best_;       ///< the best that is confirmed
+  Rational target_;             ///< no combination that was left out is above this
+  Rational target_square_;      ///< its square
+  double target_double_ = 0;    ///< near it
+  Rational leaves_upper_;       ///< at least the values of the combinations that were looked at
   std::vector<Growing> grown_;  ///< the proof, from its root
 };
 

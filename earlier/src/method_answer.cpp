@@ -18,6 +18,12 @@ std::string Method::word() const {
   return result;
 }
 
+bool Method::is_among(const std::vector<std::string>& words) const {
+  return std::any_of(words.begin(), words.end(), [this](const std::string& given) {
+    return given == word() || (short_name != nullptr && given == short_name);
+  });
+}
+
 const std::vector<Method>& all_methods() {
   constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
   constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
@@ -36,12 +42,19 @@ const std::vector<Method>& all_methods() {
        false},
       {MethodId::kFrictionCones, "friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4",
        true, true},
-      {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true},
-      {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true},
+      {MethodId::kContactRobustness, "potential contact robustness", kRobustness, false, true,
+       "PCR"},
+      {MethodId::kGraspRobustness, "potential grasp robustness", kRobustness, false, true,
+       "PGR"},
       {MethodId::kRigidMotionRobustness, "robustness of rigid motions",
        "Haas-Heger et al. 2018", false, false},
       {MethodId::kGraspMap, "least singular value", "Li and Sastry 1988; Kim and Oh 1991",
        false, true},
+      {MethodId::kWrenchVolume, "volume of the wrench space", "Miller and Allen 1999", false,
+       true},
+      {MethodId::kLeastForce, "least normal forces", "Han, Trinkle and Li 2000", false, true},
+      {MethodId::kInternalMargin, "margin of internal forces", "Kerr and Roth 1986", false,
+       true},
       {MethodId::kCentroid, "distance of the centroid", "Ding et al. 2001", false, true},
   };
   return methods;
@@ -110,9 +123,7 @@ std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOpti
   }
   std::vector<MethodRow> rows;
   for (const Method& method : among) {
-    const bool is_asked =
-        words.empty() || std::find(words.begin(), words.end(), method.word()) != words.end();
-    if (!is_asked) continue;
+    if (!words.empty() && !method.is_among(words)) continue;
     MethodAnswer a = given_up(out_of_time(options.time));
     if (!options.time.is_over()) options.time.finishes([&] { a = answer(method.id); });
     std::optional<bool> agrees;
@@ -135,7 +146,17 @@ std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bo
   return std::nullopt;
 }
 
-void check_forces(const Question& question, const CompareOptions& options) {
+void check_options(const Question& question, const CompareOptions& options) {
+  if (options.edges > 0 && !question.in_space()) {
+    throw InputError("", "edges", "the grasp is in the plane, where a cone has two edges",
+                     "leave it out");
+  }
+  constexpr std::size_t kMostEdges = 64;
+  if (options.edges > kMostEdges || options.edges == 1 || options.edges == 2) {
+    throw InputError("", "edges", "the value is " + std::to_string(options.edges),
+                     "a pyramid has from 3 to " + std::to_string(kMostEdges) +
+                         " edges here; 0 is a round cone");
+  }
   const std::size_t forces = options.most_forces.size();
   if (forces == 1 || forces == question.grasp.as_box().contacts.size()) return;
   throw InputError("", "max_force",
@@ -154,7 +175,7 @@ GraspBox point_grasp(const Question& question) {
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text) {
   using namespace earlier_detail;
-  check_forces(question, options);
+  check_options(question, options);
   if (!question.in_space()) {
     return compare_in_plane(problem_of(without_bound(question)), question.grasp, options, text);
   }
@@ -165,6 +186,7 @@ std::vector<std::string> method_words() {
   std::vector<std::string> words;
   for (const earlier_detail::Method& method : earlier_detail::all_methods()) {
     words.push_back(method.word());
+    if (method.short_name != nullptr) words.emplace_back(method.short_name);
   }
   return words;
 }

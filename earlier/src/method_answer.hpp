@@ -31,6 +31,9 @@ enum class MethodId {
   kGraspRobustness,
   kRigidMotionRobustness,
   kGraspMap,
+  kWrenchVolume,
+  kLeastForce,
+  kInternalMargin,
   kCentroid,
 };
 
@@ -40,9 +43,12 @@ struct Method {
   const char* name;
   const char* source;  ///< who proposed it
   bool about_the_load;
-  bool in_space;  ///< whether it applies in space
+  bool in_space;                     ///< whether it applies in space
+  const char* short_name = nullptr;  ///< "PCR", if it has one
 
   std::string word() const;  ///< "grasp-wrench-space-L1"
+  /// Returns whether one of the words is its word or its short name.
+  bool is_among(const std::vector<std::string>& words) const;
 };
 
 const std::vector<Method>& all_methods();
@@ -85,8 +91,18 @@ MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
                              NumberText& text);
 /// \}
 
-/// Throws InputError ("max_force") unless there is one largest force, or one for each contact.
-void check_forces(const Question& question, const CompareOptions& options);
+/// \{ Return the measures of force_measures.hpp.
+MethodAnswer wrench_volume_answer(const GraspBox& grasp, const CompareOptions& options,
+                                  NumberText& text);
+MethodAnswer least_force_answer(const GraspBox& grasp, const CompareOptions& options,
+                                NumberText& text);
+MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions& options,
+                                    NumberText& text);
+/// \}
+
+/// Throws InputError ("max_force") unless there is one largest force, or one for each contact,
+/// and ("edges") at edges that no pyramid has.
+void check_options(const Question& question, const CompareOptions& options);
 
 /// Returns the grasp of a question in the plane or in space. Throws as problem_of() and
 /// point_in_space() do.

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "method_answer.hpp"
+#include "stickslip/earlier/force_measures.hpp"
 #include "stickslip/earlier/grasp_map.hpp"
 #include "stickslip/earlier/robustness.hpp"
 
@@ -21,7 +22,7 @@ constexpr std::size_t kMostContactsInMotion = 24;
 
 std::optional<RobustnessKind> CompareOptions::only_robustness() const {
   for (const Method& method : all_methods()) {
-    if (methods != std::vector<std::string>{method.word()}) continue;
+    if (methods.size() != 1 || !method.is_among(methods)) continue;
     if (method.id == MethodId::kContactRobustness) return RobustnessKind::kContact;
     if (method.id == MethodId::kGraspRobustness) return RobustnessKind::kGrasp;
   }
@@ -34,12 +35,17 @@ RobustnessOptions CompareOptions::for_robustness() const {
   result.most_forces = most_forces;
   result.accuracy = accuracy;
   result.node_limit = node_limit;
+  result.edges = edges;
   return result;
 }
 
 Robustness robustness_to_prove(const Question& question, RobustnessKind kind,
                                const CompareOptions& options) {
-  check_forces(question, options);
+  check_options(question, options);
+  if (options.edges > 0) {
+    throw InputError("", "edges", "a certificate is of round cones",
+                     "leave out the edges, or the certificate");
+  }
   const std::size_t count = question.grasp.as_box().contacts.size();
   if (count > kMostContacts) {
     throw InputError(
@@ -103,6 +109,21 @@ std::string in_words(const std::vector<SpringState>& states) {
 
 }  // namespace
 
+namespace {
+
+/// Says so where cones are pyramids.
+std::string by_pyramids(const CompareOptions& options) {
+  return options.edges == 0
+             ? ""
+             : "; with pyramids of " + std::to_string(options.edges) + " edges as cones";
+}
+
+void add_edges(Json& evidence, const CompareOptions& options) {
+  if (options.edges > 0) evidence["edges"] = options.edges;
+}
+
+}  // namespace
+
 MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                                const CompareOptions& options, NumberText& text) {
   const std::size_t most_contacts =
@@ -131,6 +152,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
                 {"max_force", number_json(asked.most_forces)},
                 {"complete", found.is_complete},
                 {"nodes", found.nodes}};
+  add_edges(evidence, options);
   if (!found.has_full_rank) {
     return {"0", "the contacts leave a motion free, even if all stick", std::move(evidence)};
   }
@@ -158,6 +180,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
   } else {
     why = "whether forces can be away from breaking a condition is open";
   }
+  why += by_pyramids(options);
   if (!found.is_complete) {
     why += "; the search ended after " + std::to_string(found.nodes) + " nodes";
   }
@@ -187,6 +210,117 @@ MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, Num
           "isotropy, the part of the largest that it is, " +
               in_words(shown(isotropy.low, isotropy.high, text)) + "; sqrt(det(G G^T)) = " +
               text.root(1, found.determinant) + "; neither cones nor preloads play a part",
+          std::move(evidence)};
+}
+
+namespace {
+
+/// A hull of more facets than these has no volume here.
+constexpr std::size_t kMostFacets = 5000;
+
+/// Returns bounds, or the number if both are it.
+std::string bounds_in_words(const Rational& lower, const Rational& upper, NumberText& text) {
+  return lower == upper ? text(lower) : in_words(shown(lower, upper, text));
+}
+
+Json rows_json(const std::vector<RationalRow>& rows) {
+  Json json = Json::array();
+  for (const RationalRow& row : rows) json.push_back(number_json(row));
+  return json;
+}
+
+Json least_force_json(const LeastForce& found) {
+  return {{"lower", number_json(found.lower)},
+          {"upper", found.upper ? number_json(*found.upper) : Json(nullptr)},
+          {"forces", rows_json(found.forces)},
+          {"motion", number_json(found.twist)}};
+}
+
+}  // namespace
+
+MethodAnswer wrench_volume_answer(const GraspBox& grasp, const CompareOptions& options,
+                                  NumberText& text) {
+  if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
+  std::optional<HullVolume> found;
+  try {
+    found = wrench_space_volume(grasp, options.length, kMostFacets, options.edges);
+  } catch (const InputError& error) {
+    return not_for(error);
+  }
+  if (!found) {
+    const std::string limit = std::to_string(kMostFacets) + " facets";
+    return {kNotComputed, "the hull has more than " + limit, {{"limit", limit}}};
+  }
+  Json evidence{{"lower", number_json(found->lower)}, {"upper", number_json(found->upper)}};
+  add_edges(evidence, options);
+  if (found->upper.is_zero()) {
+    return {"0", "the wrenches of unit normal forces are flat", std::move(evidence)};
+  }
+  return {bounds_in_words(found->lower, found->upper, text),
+          std::string("of the convex hull of 0 and unit normal forces with friction, ") +
+              (grasp.in_space() && options.edges == 0
+                   ? "whose discs are between polygons of eight corners"
+                   : "torques over the length") +
+              by_pyramids(options),
+          std::move(evidence)};
+}
+
+MethodAnswer least_force_answer(const GraspBox& grasp, const CompareOptions& options,
+                                NumberText& text) {
+  if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
+  LeastForce sum;
+  LeastForce largest;
+  try {
+    sum = least_force(grasp, ForceBound::kL1, options.edges);
+    largest = least_force(grasp, ForceBound::kLinf, options.edges);
+  } catch (const InputError& error) {
+    return not_for(error);
+  }
+  Json evidence{{"sum", least_force_json(sum)}, {"largest", least_force_json(largest)}};
+  add_edges(evidence, options);
+  if (!sum.balances || !largest.balances) {
+    return {"none", "no forces in the cones balance the load", std::move(evidence)};
+  }
+  if (!sum.upper || !largest.upper) {
+    return {kNotComputed, "whether forces in the cones balance the load is open",
+            std::move(evidence)};
+  }
+  return {bounds_in_words(sum.lower, *sum.upper, text),
+          "the least sum that balances the load; by others none need be above " +
+              bounds_in_words(largest.lower, *largest.upper, text) +
+              "; quality is of forces that arise passively" + by_pyramids(options),
+          std::move(evidence)};
+}
+
+MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions& options,
+                                    NumberText& text) {
+  if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
+  const RobustnessOptions asked = options.for_robustness();
+  InternalMargin found;
+  try {
+    found = internal_margin(grasp, asked);
+  } catch (const InputError& error) {
+    return not_for(error);
+  }
+  Json evidence{{"lower", number_json(found.lower)},
+                {"upper", number_json(found.upper)},
+                {"max_force", number_json(asked.most_forces)},
+                {"forces", rows_json(found.forces)},
+                {"motion", number_json(found.twist)}};
+  add_edges(evidence, options);
+  const std::string most =
+      asked.most_forces.size() == 1 ? text(asked.most_forces[0]) : text(asked.most_forces);
+  if (!found.balances) {
+    return {"none", "no forces up to " + most + " in the cones balance the load",
+            std::move(evidence)};
+  }
+  if (found.upper.is_zero()) {
+    return {"0", "no internal forces keep contacts away from breaking a condition",
+            std::move(evidence)};
+  }
+  return {bounds_in_words(found.lower, found.upper, text),
+          "how far the best forces up to " + most +
+              " are from breaking a condition at any contact" + by_pyramids(options),
           std::move(evidence)};
 }
 

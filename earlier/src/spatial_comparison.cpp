@@ -24,8 +24,7 @@ std::vector<Method> methods_in_space() {
 /// Throws InputError at the name of a method of the plane alone.
 void check_in_space(const std::vector<std::string>& words) {
   for (const Method& method : all_methods()) {
-    if (method.in_space || std::find(words.begin(), words.end(), method.word()) == words.end())
-      continue;
+    if (method.in_space || !method.is_among(words)) continue;
     std::string others;
     for (const Method& other : methods_in_space()) {
       others += (others.empty() ? "" : ", ") + other.word();
@@ -85,6 +84,12 @@ class MethodsInSpace {
           return robustness_answer(grasp_, method, options_, text_);
         case MethodId::kGraspMap:
           return grasp_map_answer(grasp_, options_.length, text_);
+        case MethodId::kWrenchVolume:
+          return wrench_volume_answer(grasp_, options_, text_);
+        case MethodId::kLeastForce:
+          return least_force_answer(grasp_, options_, text_);
+        case MethodId::kInternalMargin:
+          return internal_margin_answer(grasp_, options_, text_);
         case MethodId::kCentroid:
           return centroid_answer(grasp_, options_.inertia.centre, text_);
         default:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -26,6 +27,7 @@ struct CompareArguments {
   std::string inertia;
   std::string max_force = "1";
   std::string accuracy = "1%";
+  std::size_t edges = 0;
   std::string certificate;
   std::string time_limit;
   NumberOptions output;
@@ -112,7 +114,8 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
         {!arguments.inertia.empty(), "--inertia"},
         {arguments.length != CompareArguments().length, "--length"},
         {arguments.max_force != CompareArguments().max_force, "--max-force"},
-        {arguments.accuracy != CompareArguments().accuracy, "--accuracy"}}) {
+        {arguments.accuracy != CompareArguments().accuracy, "--accuracy"},
+        {arguments.edges != 0, "--edges"}}) {
     if (!is_given) continue;
     throw InputError("", option, "the grasp is of several bodies",
                      "leave it out: of them the class alone is computed");
@@ -122,6 +125,22 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
   return answer_statics(std::move(asked), arguments.certificate,
                         arguments.question.name_of_argument(), arguments.output,
                         time_limit_option(arguments.time_limit));
+}
+
+/// Does work whose errors are about options, and names these as the command does.
+void naming_options(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    for (const auto& [place, option] : {std::pair("methods", "--methods"),
+                                        {"max_force", "--max-force"},
+                                        {"edges", "--edges"}}) {
+      if (error.place() == place) {
+        throw InputError("", option, error.problem(), error.remedy());
+      }
+    }
+    throw;
+  }
 }
 
 int compare(const CompareArguments& arguments) {
@@ -150,12 +169,15 @@ int compare(const CompareArguments& arguments) {
                          nullptr,           most_forces, accuracy};
   const TimeLimit time = time_limit_option(arguments.time_limit);
   options.time = time;
+  options.edges = arguments.edges;
   std::optional<RigidVerdict> verdict;
   Robustness robustness;
   const std::optional<RobustnessKind> kind = options.only_robustness();
   if (!arguments.certificate.empty() && kind) {
     LongWork work("robustness", time);
-    if (!work.finishes([&] { robustness = robustness_to_prove(question, *kind, options); })) {
+    if (!work.finishes([&] {
+          naming_options([&] { robustness = robustness_to_prove(question, *kind, options); });
+        })) {
       say_nothing_written("--certificate", time.in_words() + " was over first");
       return kUndecidedWithinLimit;
     }
@@ -172,20 +194,12 @@ int compare(const CompareArguments& arguments) {
     }
     options.verdict = &*verdict;
   }
-  try {
+  naming_options([&] {
     // Each method has an answer, if only that the time was over: the limit is theirs.
     LongWork("comparing").finishes([&] {
       answer.comparison = compare_methods(question, options, text);
     });
-  } catch (const InputError& error) {
-    for (const auto& [place, option] :
-         {std::pair("methods", "--methods"), {"max_force", "--max-force"}}) {
-      if (error.place() == place) {
-        throw InputError("", option, error.problem(), error.remedy());
-      }
-    }
-    throw;
-  }
+  });
   if (arguments.output.json) {
     const Json json = comparison_json(question, length, answer.inertia, answer.comparison);
     std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
@@ -204,8 +218,9 @@ void add_compare_command(Command& app, int& exit_code) {
   arguments->question.add_to(*command);
   arguments->question.add_max_motion_to(*command);
   command
-      ->add_option("--methods", arguments->methods,
-                   "Ask these alone, by the names below with hyphens and without commas")
+      ->add_option(
+          "--methods", arguments->methods,
+          "Ask these alone, by the names below with hyphens and without commas, or PCR, PGR")
       ->type_name("NAME,NAME,...")
       ->delimiter(',')
       ->takes_one_word()
@@ -224,16 +239,23 @@ void add_compare_command(Command& app, int& exit_code) {
           "the mass; default: 0,0,0 and that square, thrice")
       ->type_name("INERTIA");
   command
-      ->add_option(
-          "--max-force", arguments->max_force,
-          "The largest normal force, of the two robustnesses: one for all contacts, or one "
-          "for each")
+      ->add_option("--max-force", arguments->max_force,
+                   "The largest normal force, of the robustnesses and the margin of internal "
+                   "forces: one "
+                   "for all contacts, or one for each")
       ->type_name("F,...")
       ->capture_default_str();
   command
       ->add_option("--accuracy", arguments->accuracy,
                    "How near the bounds of the two robustnesses are to be")
       ->type_name("A")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--edges", arguments->edges,
+          "In space, of the robustnesses, the volume, the least forces and the margin: "
+          "pyramids with so many edges in place of round cones; 0 is round")
+      ->type_name("N")
       ->capture_default_str();
   command
       ->add_option(
@@ -256,9 +278,12 @@ void add_compare_command(Command& app, int& exit_code) {
       "dissipation; potential contact robustness (PCR) and potential grasp robustness\n"
       "(PGR), how far the best internal forces of a hand keep contacts from breaking a\n"
       "condition, between two bounds; the robustness of rigid motions, the best of the states\n"
-      "that these allow; the least singular value of the grasp map; and the distance of the\n"
-      "centroid of the contacts from the centre of mass. A method that would take too long is "
-      "not computed.\n"
+      "that these allow; the least singular value of the grasp map; the volume of the wrench\n"
+      "space; the least normal forces that hold the load, by their sum and by the largest; "
+      "the\n"
+      "margin of internal forces, how far the best are from breaking a condition; and the\n"
+      "distance of the centroid of the contacts from the centre of mass. A method that would\n"
+      "take too long is not computed.\n"
       "Motions are bounded of passive equilibrium alone.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"

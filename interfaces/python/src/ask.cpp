@@ -434,6 +434,7 @@ Work compare_asked(const Given& given) {
                      "a largest force must be above 0");
   }
   options.accuracy = given.positive("accuracy", "give a number above 0, such as 1/100");
+  options.edges = given.as<std::size_t>("edges");
   options.time = given.time();
   options.inertia = given["inertia"].is_none() ? Inertia::of_length(options.length, space)
                                                : given.inertia(space);

@@ -522,14 +522,15 @@ def plot_states(grasp: Grasp, *, modes: str = "slip") -> Picture:
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
     methods: Sequence[str] = (), length: Any = None, inertia: Any = None, certificate: bool = False,
-    max_motion: Any = None, max_force: Any = 1, accuracy: Any = "1/100", time_limit: Number = 0,
+    max_motion: Any = None, max_force: Any = 1, accuracy: Any = "1/100", edges: int = 0,
+    time_limit: Number = 0,
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
     Args:
         grasp, wrench, preload, normal_law: as of ``decide``, for one question. Of several bodies
             the class alone is known, that of ``statics``, and there are no methods to choose.
-        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"). Two are
+        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load") or ("PCR", "PGR"). Two are
             about the plane alone: "three-state-compliance" and "grasp-wrench-space-Linf".
         length: characteristic of the object, by which grasp wrench spaces divide torques; half the spread
             of the contacts if None.
@@ -539,9 +540,11 @@ def compare(
         max_motion: as of ``decide``, of passive equilibrium alone: the other methods know no bound.
         certificate: prove the class of the load, for ``check`` with this inertia; or, if PCR or PGR is
             the only method, its bounds, for ``check`` with this robustness.
-        max_force: the largest normal force, of the two robustnesses: a number, or one for each
-            contact.
+        max_force: the largest normal force, of the robustnesses and the margin of internal forces: a
+            number, or one for each contact.
         accuracy: how near the bounds of these are to be, as a part of them.
+        edges: in space, of the robustnesses, the volume of the wrench space, the least normal forces
+            and the margin: pyramids with so many edges in place of round cones; 0 is round.
         time_limit: in seconds, fractions too, for all methods together: what is not known by then is
             "not computed"; 0 is no limit.
 
@@ -551,7 +554,7 @@ def compare(
     about, snapped = _asked(grasp, preload)
     if isinstance(about, Assembly):
         for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length is not None),
-                               ("max_force", np.ndim(max_force) > 0 or max_force != 1)):
+                               ("max_force", np.ndim(max_force) > 0 or max_force != 1), ("edges", edges != 0)):
             if is_given:
                 raise InputError("", name, "the grasp is of several bodies",
                                  "leave it out: of them the class alone is computed")
@@ -562,7 +565,7 @@ def compare(
         methods=list(methods),
         length=as_number_or_none(length, "length"), certificate=bool(certificate),
         max_force=as_numbers(max_force, "max_force", len(about)), accuracy=as_number(accuracy, "accuracy"),
-        inertia=None if inertia is None else as_inertia(inertia, about._coordinates))
+        edges=as_count("edges", edges), inertia=None if inertia is None else as_inertia(inertia, about._coordinates))
     rows = tuple(Method(row["method"], row["source"], row["about"] == "load", row["verdict"],
                         row["agrees"], row["why"], json.loads(row["evidence"]))
                  for row in answer["methods"])

@@ -457,7 +457,9 @@ class Compare(Case):
                "grasp wrench space, Linf", "linear compliance", "three-state compliance",
                "friction cones alone", "potential contact robustness",
                "potential grasp robustness", "robustness of rigid motions",
-               "least singular value", "distance of the centroid"]
+               "least singular value", "volume of the wrench space", "least normal forces",
+               "margin of internal forces", "distance of the centroid"]
+    ROBUSTNESSES = METHODS[10:13]
 
     def rows(self, *words):
         answer = self.json("compare", *words)
@@ -490,7 +492,7 @@ class Compare(Case):
             "contacts": [{"position": [-1, 0], "normal": [1, 0]}, {"position": [1, 0], "normal": [-2, 0]}]})
         for words, force in (((), 1), (("--max-force", "3"), 3), (("--max-force", "3,4", "--accuracy", "1/1000"), 3)):
             rows = self.rows(grasp, *words)
-            for name in self.METHODS[-5:-2]:
+            for name in self.ROBUSTNESSES:
                 evidence = rows[name]["evidence"]
                 self.assertEqual((evidence["states"], evidence["complete"]), (["stick", "stick"], True))
                 self.assertEqual(Fraction(evidence["distance"]), Fraction(3 * force, 8))
@@ -508,19 +510,34 @@ class Compare(Case):
             low, high = map(Fraction, rows["least singular value"]["evidence"]["least"])
             self.assertTrue(low ** 2 <= 2 <= high ** 2 and high - low < Fraction(1, 10**8))
             self.assertEqual(rows["distance of the centroid"]["verdict"], "0")
-            for name, kind in zip(self.METHODS[-5:-3], ("contact", "grasp")):
+            for name, kind in zip(self.ROBUSTNESSES, ("contact", "grasp")):
                 code, _, err = stickslip("compare", grasp, *words, "--methods", name.replace(" ", "-"), "--certificate", self.path("c.json"))
                 self.assertEqual((code, err), (DONE, ""))
                 asked = ["--robustness", kind, "--max-force", words[1] if words else "1"]
                 for more, result in (([], 0), (["--length", "2"], 1)):
                     for checker in ([CHECK], [sys.executable, "-B", CHECK_PY]):
                         self.assertEqual(run(*checker, grasp, self.path("c.json"), *asked, *more)[0], result)
+            # The hull of (1, +-mu, -+mu/L) and (-1, +-mu, +-mu/L) is a tetrahedron: (2 sqrt 2 mu)^2 / 3.
+            self.assertEqual(rows["volume of the wrench space"]["verdict"], "3/2")
+            self.assertEqual(rows["least normal forces"]["verdict"], "0")
+            self.assertEqual(rows["margin of internal forces"]["verdict"], str(Fraction(3 * force, 8)))
+        # Each finger carries half of a weight of 3, by friction of 3/4.
+        held = self.rows(grasp, "--wrench", "0,-3,0", "--max-force", "4", "--length", "3")
+        self.assertEqual(held["volume of the wrench space"]["verdict"], "1/2")
+        least = held["least normal forces"]
+        self.assertEqual((least["verdict"], least["about"], least["agrees"]), ("4", "grasp", None))
+        self.assertEqual(least["evidence"]["sum"]["forces"], [["2", "3/2"], ["-2", "3/2"]])
+        self.assertEqual((least["evidence"]["largest"]["lower"], least["evidence"]["largest"]["upper"]), ("2", "2"))
+        margin = held["margin of internal forces"]  # (3/4 s - 3/2) 4/5 = 4 - s
+        self.assertEqual((margin["verdict"], margin["evidence"]["upper"]), ("3/4", "3/4"))
+        short = self.json("compare", grasp, "--methods", "PGR,PCR")["methods"]
+        self.assertEqual([row["method"] for row in short], self.METHODS[10:12])
         # A third finger is weak. Without load no rigid motion leaves it.
         with open(grasp, encoding="utf-8") as file:
             content = json.load(file)
         content["contacts"].append({"position": [0, -1], "normal": [0, 1]})
         rows = self.rows(self.write("g3.json", content), "--max-force", "1,1,1/100")
-        contact, whole, rigid = ([Fraction(rows[name]["evidence"][end]) for end in ("lower", "upper")] for name in self.METHODS[-5:-2])
+        contact, whole, rigid = ([Fraction(rows[name]["evidence"][end]) for end in ("lower", "upper")] for name in self.ROBUSTNESSES)
         self.assertTrue(whole[0] > 50 * contact[1] and rigid[0] <= contact[1] and contact[0] <= rigid[1])
         long = self.rows(grasp, "--length", "2", "--inertia", "3,4,1")
         self.assertEqual(long["distance of the centroid"]["verdict"], "5")

@@ -192,7 +192,8 @@ class OtherMethods(SpaceClass):
             rows = self.json("compare", grasp)["methods"]
             measures = [row["method"] for row in rows[len(expected):]]
             self.assertEqual(measures, ["potential contact robustness", "potential grasp robustness",
-                                        "least singular value", "distance of the centroid"])
+                                        "least singular value", "volume of the wrench space", "least normal forces",
+                                        "margin of internal forces", "distance of the centroid"])
             rows = rows[:len(expected)]
             self.assertEqual([row["method"] for row in rows], list(expected))
             passive = rows[0]["verdict"]
@@ -208,6 +209,21 @@ class OtherMethods(SpaceClass):
                 self.assertRegex(out, rf"(?m)^{row['method']} +{row['verdict']} ")
             one = self.json("compare", grasp, "--methods", "friction-cones-alone")["methods"]
             self.assertEqual(one, [{**rows[-1], "agrees": None}])
+
+    def test_pyramids(self):
+        """Each finger of a pinch carries (3/4, 3/4), at 45 degrees between the edges of a pyramid of four."""
+        pinch = self.write("g.json", {
+            "format": "stickslip-grasp/2", "defaults": {"friction": "3/4"}, "wrench": ["0", "-3/2", "-3/2", "0", "0", "0"],
+            "contacts": [{"position": [-1, 0, 0], "normal": [1, 0, 0]}, {"position": [1, 0, 0], "normal": [-1, 0, 0]}]})
+        rows = {row["method"]: row for row in self.json("compare", pinch, "--edges", "4", "--max-force", "4")["methods"]}
+        self.assertEqual(rows["least normal forces"]["verdict"], "4")
+        self.assertEqual(rows["margin of internal forces"]["verdict"], "3/4")
+        self.assertEqual(rows["margin of internal forces"]["evidence"]["edges"], 4)
+        self.assertIn("pyramids of 4 edges", rows["least normal forces"]["why"])
+        flat = self.write("flat.json", {"format": "stickslip-grasp/1", "wrench": [0, 0, 0], "contacts": []})
+        for words in ((flat, "--edges", "4"), (pinch, "--edges", "2"), (pinch, "--edges", "65"), (pinch, "--edges", "x"),
+                      (pinch, "--edges", "8", "--methods", "potential-grasp-robustness", "--certificate", self.path("c.json"))):
+            self.fails("compare", *words, naming=["--edges"])
 
     def test_force_closure_has_bounds(self):
         """Three pads that press on a ball at its equator: 0 is inside the hull once there is friction."""

@@ -56,7 +56,8 @@ def test_robustness_has_evidence():
             evidence = found[method].evidence
             assert Fraction(evidence["distance"]) == Fraction(3 * least, 8)
             lower, upper = Fraction(evidence["lower"]), Fraction(evidence["upper"])
-            proved = stickslip.compare(pinch, max_force=force, accuracy="1/1000", certificate=True, methods=[method.replace(" ", "-")])
+            proved = stickslip.compare(pinch, max_force=force, accuracy="1/1000", certificate=True,
+                                       methods=["PCR" if "contact" in method else "potential-grasp-robustness"])
             result = stickslip.check(pinch, proved.certificate, robustness=method.split()[1], max_force=force)
             assert (result.accepted, result.verdict, result.bounds) == (True, "bounds", (lower, upper))
             assert stickslip.check(pinch, proved.certificate, robustness=method.split()[1], max_force=7).rule == "question-robustness"
@@ -65,6 +66,23 @@ def test_robustness_has_evidence():
         with pytest.raises(InputError) as caught:
             stickslip.compare(pinch, **words)
         assert caught.value.place == place
+
+
+def test_edges():
+    """Friction of a pinch at 45 degrees between the edges of a pyramid is 1/sqrt(2) of that along them."""
+    pinch = Grasp([[-1, 0, 0], [1, 0, 0]], [[1, 0, 0], [-1, 0, 0]], "3/4", wrench=(0, "-3/2", "-3/2", 0, 0, 0))
+    methods = ["margin-of-internal-forces", "least-normal-forces"]
+    pyramid, cone = (stickslip.compare(pinch, max_force=4, methods=methods, edges=edges) for edges in (4, 0))
+    assert pyramid["least normal forces"].verdict == "4"
+    assert pyramid["margin of internal forces"].evidence["edges"] == 4
+    assert pyramid["margin of internal forces"].verdict == "3/4"
+    low, high = map(float, cone["least normal forces"].verdict.split(" to "))
+    assert low <= 2 * 2 ** 0.5 <= high
+    flat = Grasp([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], "3/4", wrench=(0, -1, 0))
+    for grasp, edges in ((flat, 4), (pinch, 2), (pinch, 65), (pinch, -1)):
+        with pytest.raises(InputError) as caught:
+            stickslip.compare(grasp, edges=edges)
+        assert caught.value.place == "edges"
 
 
 def test_errors(block):

@@ -45,7 +45,10 @@ struct CompareOptions {
   std::vector<Rational> most_forces{1};
   Rational accuracy = {1, 100};   ///< how near the bounds of PCR and PGR are to be
   std::size_t node_limit = 5000;  ///< the most nodes of the search for PGR
-  TimeLimit time{};               ///< the limit of all methods together
+  /// In space, the edges of pyramids in place of cones, of PCR, PGR, the volume of the wrench
+  /// space, the least normal forces and the margin of internal forces; 0: round cones.
+  std::size_t edges = 0;
+  TimeLimit time{};  ///< the limit of all methods together
   /// The value of the only method, if that is PCR or PGR and known; it is not sought again.
   const Robustness* robustness = nullptr;
 
@@ -64,20 +67,20 @@ struct Comparison {
   std::optional<Undecided> undecided{};  ///< in space: why there is no class
 };
 
-/// Returns the names of all methods as a list without spaces spells them:
-/// "grasp-wrench-space-L1".
+/// Returns the names of all methods as a list without spaces spells them,
+/// "grasp-wrench-space-L1", and the short names PCR and PGR.
 std::vector<std::string> method_words();
 
 /// Asks only the methods of `options` about one grasp. Sentences have their numbers from
 /// `text`. They say why a method differs from the passive model only if that is asked, too.
 /// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone,
-/// and ("max_force") at another number of largest forces;
-/// also throws as problem_of() and point_in_space() do.
+/// ("max_force") at another number of largest forces, and ("edges") at edges in the plane,
+/// below 3 or above 64; also throws as problem_of() and point_in_space() do.
 Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text);
 
 /// Returns PCR or PGR of one grasp, to be proved. Throws InputError as compare_methods() does,
-/// and where that does not compute it.
+/// where that does not compute it, and ("edges") of pyramids.
 Robustness robustness_to_prove(const Question& question, RobustnessKind kind,
                                const CompareOptions& options);
 

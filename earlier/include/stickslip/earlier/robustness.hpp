@@ -17,7 +17,10 @@
 /// condition, is none. A contact without friction has d_i <= 0 where it sticks.
 ///
 /// K is diagonal, with the stiffness of a contact for its normal and its tangents alike. In
-/// space friction is Coulomb's round cone.
+/// space friction is Coulomb's round cone, or a pyramid: forces at a distance of at least d are
+/// a cone, the friction cone moved along the normal by d sqrt(1 + mu^2) / mu, and for N edges
+/// these forces are only those of the pyramid with N edges that is inscribed in this cone. So
+/// the value is at most that of the round cone. The first edge is along a tangent.
 ///
 /// **Bounds.** Write M(s) for the sum over states of N N^T, and T T^T where a contact sticks.
 /// Always 1/sigma_max(s)^2 <= lambda_min(M(s)), with equality where all are equally stiff. A
@@ -60,6 +63,7 @@ struct RobustnessOptions {
   std::vector<Rational> most_forces{1};
   Rational accuracy = {1, 100};     ///< > 0: the search ends at upper <= (1 + accuracy) lower
   std::size_t node_limit = 100000;  ///< the most nodes of the search
+  std::size_t edges = 0;  ///< in space, the edges of pyramids in place of cones, >= 3; 0: none
 };
 
 /// A combination of states, with the best forces in it.
@@ -79,7 +83,8 @@ struct RobustForces {
 struct StateSplit {
   std::size_t contact;  ///< its index
 };
-/// A node that splits the distances: a child has those up to a number, another those from it on.
+/// A node that splits the distances: a child has those up to a number, another those from it
+/// on.
 struct DistanceSplit {
   Rational distance;  ///< the number
 };

@@ -145,6 +145,9 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
         stickslip_check::PreloadDirection{growth->scale, checker_vector(growth->preloads)};
   }
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
+  if (input.options.max_motion) {
+    options.max_motion = checker_vector(input.options.max_motion->numbers);
+  }
   if (input.plane) {
     options.plane.emplace({checker_vector(input.plane->u), checker_vector(input.plane->v)});
   }

@@ -27,6 +27,7 @@ struct Kind {
   bool normal = false;
   bool close = false;        ///< planes that are nearly the same, and so are slips
   bool along_slips = false;  ///< planes where slips are half of all, or a quarter
+  bool moving = false;       ///< twists that move, and bounded motions
 };
 
 std::string quoted(const Rational& value) {
@@ -130,6 +131,37 @@ MotionRegion descended(RandomSource& random, const Kind& kind, const GraspLaw& l
   return region;
 }
 
+/// Returns random kappa and psi of each contact, then c, as multiples of those of a leaf.
+RationalRow random_own(RandomSource& random, const GraspLaw& law) {
+  RationalRow own;
+  for (const LawContact& c : law.contacts) {
+    Rational rate = Rational(random.between(0, 2), 8);
+    RationalRow slip;
+    for (std::size_t k = 0; k < c.slip_numbers(); ++k) {
+      slip.push_back(Rational(random.between(-1, 1), 16));
+      rate += abs(slip.back()) * (1 + c.spin_weight);
+    }
+    own.push_back(rate);
+    own.insert(own.end(), slip.begin(), slip.end());
+  }
+  own.push_back(Rational(random.between(-1, 4), 8));
+  return own;
+}
+
+/// Returns the leaf with these numbers, y first, in integers.
+MovingLeaf moving_leaf(const GraspLaw& law, RationalRow y, const RationalRow& own) {
+  y.insert(y.end(), own.begin(), own.end());
+  const Row whole = primitive_multiple(y);
+  auto next = whole.begin() + static_cast<std::ptrdiff_t>(law.motions);
+  MovingLeaf leaf{{whole.begin(), next}, whole.back(), {}};
+  for (std::size_t i = 0; i < law.contacts.size(); ++i) {
+    const auto end = next + 1 + static_cast<std::ptrdiff_t>(law.contacts[i].slip_numbers());
+    leaf.own.push_back({ContactId(i), *next, {next + 1, end}});
+    next = end;
+  }
+  return leaf;
+}
+
 struct Counts {
   int held = 0;
   int lost = 0;  ///< by the search alone
@@ -140,6 +172,9 @@ void expect_alike(RandomSource& random, const Kind& kind, Counts& counts) {
   SCOPED_TRACE(file);
   QuestionOptions options;
   if (random.between(0, 3) == 0) options.law = NormalLaw::kBilateral;
+  if (kind.moving) {
+    options.max_motion = MotionBound{RationalRow(kind.in_space ? 6 : 3, Rational(1))};
+  }
   const Question question = ask(parse_any_grasp(file, kind.name), options);
   const GraspLaw law(question.grasp.as_box(), question.law, kDefaultBits);
   Trees tree;
@@ -150,14 +185,22 @@ void expect_alike(RandomSource& random, const Kind& kind, Counts& counts) {
   RationalRow along(law.motions);
   for (Rational& entry : along)
     entry = random.between(0, 1) * Rational(random.between(-9, 9), 8);
-  const auto twist_at = [&](const Rational& part) {
+  const RationalRow own = kind.moving ? random_own(random, law) : RationalRow();
+  const auto leaf_at = [&](const Rational& part) -> TreeNode {
     RationalRow y = from;
     for (std::size_t j = 0; j < y.size(); ++j) y[j] += part * along[j];
-    return primitive_multiple(y);
+    if (kind.moving) return moving_leaf(law, std::move(y), own);
+    return TwistLeaf{primitive_multiple(y)};
   };
-  const auto holds = [&](const Row& y) {
+  const auto is_refuted = [&](const Rational& part) {
+    const TreeNode leaf = leaf_at(part);
+    const auto* moving = std::get_if<MovingLeaf>(&leaf);
+    if (moving != nullptr) return region.is_refuted(*moving, nullptr);
+    return region.is_refuted(std::get<TwistLeaf>(leaf).twist, nullptr);
+  };
+  const auto holds = [&](const Rational& part) {
     Trees leaf = tree;
-    leaf.emplace_back(TwistLeaf{y});
+    leaf.push_back(leaf_at(part));
     const test::CheckerAnswer answer = test::ask_cpp_checker(
         {file, certificate_text(question, Unstable{std::move(leaf)}, "a test"), options});
     EXPECT_TRUE(answer.result == "accepted" || answer.rule == "leaf-bound" ||
@@ -165,21 +208,21 @@ void expect_alike(RandomSource& random, const Kind& kind, Counts& counts) {
         << describe(answer);
     return answer.rule != "leaf-bound";
   };
-  if (!region.is_refuted(twist_at(0), nullptr)) {
-    EXPECT_FALSE(holds(twist_at(0)));
+  if (!is_refuted(0)) {
+    EXPECT_FALSE(holds(0));
     return;
   }
   Rational low = 0;
   Rational high = 4;
-  if (region.is_refuted(twist_at(high), nullptr)) return;
+  if (is_refuted(high)) return;
   const int halvings = kind.close ? 90 : 30;
   for (int k = 0; k < halvings; ++k) {
     const Rational middle = (low + high) / 2;
-    (region.is_refuted(twist_at(middle), nullptr) ? low : high) = middle;
+    (is_refuted(middle) ? low : high) = middle;
   }
   ++counts.held;
-  EXPECT_TRUE(holds(twist_at(low))) << "at " << low;
-  if (holds(twist_at(high))) ++counts.lost;
+  EXPECT_TRUE(holds(low)) << "at " << low;
+  if (holds(high)) ++counts.lost;
 }
 
 TEST(Leaves, HoldWhereTheCheckerSaysSo) {
@@ -192,7 +235,12 @@ TEST(Leaves, HoldWhereTheCheckerSaysSo) {
         Kind{"close", true, false, false, false, false, true},
         Kind{"soft and close", true, true, false, false, false, true},
         Kind{"slips", true, false, false, false, false, false, true},
-        Kind{"soft slips", true, true, false, false, false, false, true}}) {
+        Kind{"soft slips", true, true, false, false, false, false, true},
+        Kind{"plane, moving", false, false, false, false, false, false, false, true},
+        Kind{"plane box, moving", false, false, true, true, true, false, false, true},
+        Kind{"space, moving", true, false, false, false, false, false, false, true},
+        Kind{"space box, moving", true, false, true, true, true, false, false, true},
+        Kind{"soft box, moving", true, true, true, true, false, false, false, true}}) {
     Counts counts;
     const int rounds = test::rounds(kind.along_slips ? 600 : 200);
     for (int round = 0; round < rounds; ++round) expect_alike(random, kind, counts);

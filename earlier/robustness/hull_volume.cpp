@@ -15,7 +15,7 @@ using namespace robustness_detail;
 namespace {
 
 /// A face of a hull: the points on it, increasing.
-using Face = std::vector<ConstraintIndex>;
+using HullFacet = std::vector<ConstraintIndex>;
 
 /// Returns the absolute value of the determinant of a matrix.
 Rational size_of_determinant(std::vector<RationalRow> a) {
@@ -43,7 +43,7 @@ class Simplices {
 
   /// Adds the determinants of the simplices of a face of this dimension. `facets` are those of
   /// the face.
-  void add(const Face& face, std::size_t dimension, const std::vector<Face>& facets) {
+  void add(const HullFacet& face, std::size_t dimension, const std::vector<HullFacet>& facets) {
     corners_.push_back(face.front());
     if (dimension == 0) {
       add_simplex();
@@ -60,20 +60,20 @@ class Simplices {
 
  private:
   /// Returns the facets of a facet of this dimension: its largest intersections with others.
-  static std::vector<Face> facets_of(const std::vector<Face>& facets, std::size_t which,
-                                     std::size_t dimension) {
-    std::set<Face> common;
+  static std::vector<HullFacet> facets_of(const std::vector<HullFacet>& facets,
+                                          std::size_t which, std::size_t dimension) {
+    std::set<HullFacet> common;
     for (std::size_t k = 0; k < facets.size(); ++k) {
       if (k == which) continue;
-      Face both;
+      HullFacet both;
       std::set_intersection(facets[k].begin(), facets[k].end(), facets[which].begin(),
                             facets[which].end(), std::back_inserter(both));
       if (!both.empty() && both.size() >= dimension) common.insert(std::move(both));
     }
-    std::vector<Face> result;
-    for (const Face& face : common) {
+    std::vector<HullFacet> result;
+    for (const HullFacet& face : common) {
       const bool is_largest =
-          std::none_of(common.begin(), common.end(), [&](const Face& other) {
+          std::none_of(common.begin(), common.end(), [&](const HullFacet& other) {
             return other.size() > face.size() &&
                    std::includes(other.begin(), other.end(), face.begin(), face.end());
           });
@@ -93,7 +93,7 @@ class Simplices {
   }
 
   const std::vector<RationalRow>& points_;
-  Face corners_;
+  HullFacet corners_;
   Rational sum_ = 0;
 };
 
@@ -132,9 +132,9 @@ std::optional<Rational> hull_volume(const std::vector<RationalRow>& points,
     all.push_back(x);
   }
   if (!polar.lines().empty()) return Rational(0);
-  std::vector<Face> facets;
+  std::vector<HullFacet> facets;
   for (const RayOf<Row>& ray : polar.rays()) facets.push_back(ray.tight);
-  Face whole;
+  HullFacet whole;
   for (std::size_t k = 0; k < all.size(); ++k) {
     whole.push_back(static_cast<ConstraintIndex>(k));
   }

@@ -40,9 +40,9 @@ Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t c
 /// Newton's method for a grasp whose friction and normal forces are smooth near 0: of the
 /// equilibria of a grasp it finds one that is near, whatever modes end on the way, but only
 /// about.
-class SmoothGrasp {
+class SmoothedGrasp {
  public:
-  explicit SmoothGrasp(const RoundedGrasp& grasp) : grasp_(grasp) {}
+  explicit SmoothedGrasp(const RoundedGrasp& grasp) : grasp_(grasp) {}
 
   /// Moves d to an equilibrium that is smooth over lengths of `least`, from smoother ones on
   /// that are smooth over `first`. Returns false if it was lost.
@@ -304,7 +304,7 @@ std::vector<Reals> MovingEquilibrium::cloud(std::size_t places) const {
     for (const double first : {1e-3, 0.05, 1.0}) {
       constexpr double kLeast = 1e-6;
       Reals motion = start_.motion;
-      if (!SmoothGrasp(there).settle(motion, first * there.reach, kLeast * there.reach))
+      if (!SmoothedGrasp(there).settle(motion, first * there.reach, kLeast * there.reach))
         continue;
       result.emplace_back(motion - start_.motion);
       break;

@@ -574,7 +574,7 @@ class SlipStates(Answer):
 
     def plot(self) -> Picture:
         """The sphere of motions with its cells, as ``plot_states`` draws it."""
-        return Picture(_core.ask(self.grasp._planar(), "states picture", {}))
+        return Picture(_core.ask(self.grasp._planar(), "states picture", {"modes": "slip"}))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if self.circles <= _MOST_CONTACTS_TO_SHOW else None

@@ -246,7 +246,7 @@ TEST(Leaves, HoldWhereTheCheckerSaysSo) {
     for (int round = 0; round < rounds; ++round) expect_alike(random, kind, counts);
     std::cout << kind.name << ": " << counts.held << " thresholds, " << counts.lost
               << " below the checker's\n";
-    EXPECT_GE(counts.held, test::rounds(kind.moving ? 20 : 30)) << kind.name;
+    EXPECT_GE(counts.held, test::rounds(kind.moving ? 8 : 30)) << kind.name;
     EXPECT_EQ(kind.close ? 0 : counts.lost, 0) << kind.name;
   }
 }

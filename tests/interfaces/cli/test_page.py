@@ -490,7 +490,7 @@ class Server(Case):
             contact.update(friction=f"{3000 + i}/{10007 + 10 * i}", preload=f"{20000 + i}/{10009 + 12 * i}")
         answer = self.ask(json.dumps(many), {}, ["region"])
         self.assertIsNone(answer["region"])
-        self.assertIn("not known within 1 seconds", answer["messages"][0])
+        self.assertIn("not known within 1 second", answer["messages"][0])
 
     def end(self, number):
         self.process.send_signal(number)

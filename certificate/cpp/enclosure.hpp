@@ -30,13 +30,13 @@ class Enclosure {
     return outwards(a.low_ - b.high_, a.high_ - b.low_);
   }
   friend Enclosure operator*(const Enclosure& a, const Enclosure& b);
-  /// Of the larger and the smaller of two numbers.
+  /// These enclose the larger and the smaller of two numbers.
   friend Enclosure larger(const Enclosure& a, const Enclosure& b);
   friend Enclosure smaller(const Enclosure& a, const Enclosure& b);
-  /// Of "the bound" (FORMAT.md §6) of the root of a, which has no number below 0: it is not below
-  /// the root, and above it by less than a relative 2^-62.
+  /// This encloses "the bound" (FORMAT.md §6) of the root of a, which has no number below 0. The
+  /// bound is not below the root, and above it by less than a relative 2^-62.
   friend Enclosure root_above(const Enclosure& a);
-  /// And of a times the root of a square, which may be below 0.
+  /// This encloses that of a times the root of a square; a may be below 0.
   friend Enclosure times_root_above(const Enclosure& a, const Enclosure& square);
 
  private:

@@ -11,8 +11,8 @@
 namespace stickslip_check {
 namespace {
 
-// What follows is computed with Rational, or with Enclosure, by one text. An enclosure that has
-// numbers of both signs has no sign.
+// One text computes with Rational or with Enclosure. An enclosure that has numbers of both signs
+// has no sign.
 
 Rational larger(const Rational& a, const Rational& b) {
   return std::max(a, b);
@@ -123,7 +123,7 @@ class PairBound {
     Number work;
     std::vector<Number> motion;
   };
-  /// What the bound of friction takes besides.
+  /// The other numbers that the bound of friction takes.
   struct Friction {
     Number low;  ///< mu
     Number high;

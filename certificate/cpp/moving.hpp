@@ -12,7 +12,7 @@
 
 namespace stickslip_check {
 
-/// What a moving leaf lists of a contact.
+/// The numbers that a moving leaf lists for a contact.
 struct OwnSlip {
   Integer contact;
   Rational kappa;

@@ -54,7 +54,7 @@ using Form = std::vector<Integer>;
 Integer make_primitive(Form& x);
 /// The positive multiple of `x` without denominators and common factors; x = *scale times it.
 Form make_form(const Vector& x, Rational* scale = nullptr);
-/// Those of several, all by one factor.
+/// The forms of several vectors, all by one factor.
 std::vector<Form> make_forms(const std::vector<Vector>& vectors, Rational* scale = nullptr);
 Form negative(Form a);
 Integer dot(const Form& a, const Form& b);

@@ -19,7 +19,7 @@
 
 namespace stickslip::search_detail {
 
-/// What a moving leaf is about.
+/// The region that a moving leaf is about.
 struct MovingSubject {
   Reals centre;                         ///< d0, in the law's units
   std::vector<Reals> points;            ///< (d, h, l) with h = 1, in these units
@@ -41,7 +41,7 @@ class MovingTwists {
     Eigen::Index first;  ///< a point
     Eigen::Index other;  ///< another, or the same
   };
-  /// What was found.
+  /// The result of a search.
   struct Found {
     bool accepted = false;      ///< whether a leaf was accepted
     Coordinates coordinates{};  ///< that leaf, or the best

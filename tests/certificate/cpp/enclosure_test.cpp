@@ -65,7 +65,7 @@ TEST(Enclosure, OfZeroIsZero) {
   EXPECT_EQ(Enclosure().low(), 0);
   EXPECT_EQ(Enclosure(Rational(0)).high(), 0);
   EXPECT_EQ(Enclosure(Integer(0), -5000).low(), 0);
-  // What is everything stays so, times 0 too.
+  // An enclosure of all numbers stays one, times 0 too.
   const Enclosure all(Rational(Integer(1) << 5000));
   EXPECT_TRUE(std::isinf(all.low()) && std::isinf(all.high()));
   EXPECT_TRUE(std::isinf((all * Enclosure()).high()));

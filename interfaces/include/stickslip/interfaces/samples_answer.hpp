@@ -31,7 +31,7 @@ struct Samples {
   std::size_t count() const { return stable + unstable + undecided; }
 };
 
-/// Which share of the grasps that are drawn so is stable, with a confidence of 95 % (C. J.
+/// The share of the grasps that are drawn so that is stable, with a confidence of 95 % (C. J.
 /// Clopper and E. S. Pearson, "The use of confidence or fiducial limits illustrated in the case
 /// of the binomial", 1934). Each of the three numbers is rounded to a millionth, to
 /// the side that claims less.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "engine/degree/moving_equilibrium.hpp"
+#include "engine/degree/smooth_newton.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -286,27 +286,14 @@ void Examples::visit_lost_corners(const NearEquilibrium& equilibrium, std::size_
                                   const std::function<bool(const Place&)>& visit) const {
   const GraspLaw law(box_, law_);
   const RoundedBox rounded(law);
-  std::mt19937_64 random(1);
-  const auto sign = [&] { return random() >> 63 == 0 ? 1.0 : -1.0; };
+  RandomCorners corners(rounded);
   for (std::size_t corner = 0; corner < count; ++corner) {
     throw_if_cancelled();
-    RoundedBox::Place at = rounded.middle();
-    Eigen::Index n = 0;
-    for (const ParameterId& number : rounded.numbers()) {
-      if (number.parameter == Parameter::kTurnU) {
-        constexpr double kTurn = 2 * 3.14159265358979 / 18446744073709551616.0;
-        const double angle = kTurn * static_cast<double>(random());
-        at[n] = std::cos(angle);
-        at[n + 1] = std::sin(angle);
-      } else if (number.parameter != Parameter::kTurnV) {
-        at[n] = sign();
-      }
-      ++n;
-    }
+    const RoundedBox::Place at = corners.next();
     const RoundedGrasp grasp = rounded.at(at);
     const Newton newton(grasp);
     constexpr std::size_t kStarts = 12;
-    if (newton.follow(equilibrium) || newton.solve_smoothly(equilibrium.motion) ||
+    if (newton.follow(equilibrium) || SmoothNewton(grasp).follow(equilibrium.motion) ||
         newton.solve_thoroughly(kStarts)) {
       continue;
     }

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
-#include "engine/motion/dense.hpp"
+#include "smooth_newton.hpp"
 
 namespace stickslip {
 namespace {
@@ -36,103 +35,6 @@ Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t c
   }
   return part;
 }
-
-/// Newton's method for a grasp whose friction and normal forces are smooth near 0: of the
-/// equilibria of a grasp it finds one that is near, whatever modes end on the way, but only
-/// about.
-class SmoothedGrasp {
- public:
-  explicit SmoothedGrasp(const RoundedGrasp& grasp) : grasp_(grasp) {}
-
-  /// Moves d to an equilibrium that is smooth over lengths of `least`, from smoother ones on
-  /// that are smooth over `first`. Returns false if it was lost.
-  bool settle(Reals& d, double first, double least) const {
-    constexpr int kMostLost = 12;
-    constexpr double kSlow = 0.97;
-    double smooth = first;
-    if (!balance(d, smooth, 40)) return false;
-    double factor = 0.4;
-    int lost = 0;
-    while (smooth > least) {
-      const double next = std::max(least, smooth * factor);
-      Reals there = d;
-      const Reals ahead = d + (next - smooth) * change_with(d, smooth);
-      if (ahead.allFinite() && force(ahead, next).norm() < force(d, next).norm()) there = ahead;
-      if (balance(there, next, 12)) {
-        d = there;
-        smooth = next;
-        factor = std::max(0.1, factor * 0.7);
-      } else {
-        factor = std::sqrt(factor);
-        if (++lost > kMostLost || factor > kSlow) return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  Reals force(const Reals& d, double smooth, Eigen::MatrixXd* derivative = nullptr) const {
-    const Eigen::Index n = d.size();
-    Reals sum = grasp_.load;
-    if (derivative != nullptr) {
-      *derivative = -1e-10 * grasp_.force / grasp_.reach * Eigen::MatrixXd::Identity(n, n);
-    }
-    for (const RoundedContact& c : grasp_.contacts) {
-      const double v = c.separation(d);
-      const double far = std::hypot(v, smooth * c.stiffness * c.size);
-      const double a = c.is_spring ? v : (v + far) / 2;
-      const double rate = c.is_spring ? 1 : far > 0 ? a / far : 0;
-      const Eigen::VectorXd s = c.slip * d;
-      const double over = std::hypot(s.norm(), smooth);
-      const Eigen::VectorXd along = s / over;
-      const Reals wrench = c.normal - c.slope * (c.slip.transpose() * along);
-      sum += a * wrench;
-      if (derivative == nullptr) continue;
-      *derivative -= c.stiffness * rate * wrench * c.normal.transpose();
-      *derivative -= a * c.slope / over *
-                     (c.slip.transpose() * c.slip -
-                      c.slip.transpose() * along * (along.transpose() * c.slip));
-    }
-    return sum;
-  }
-
-  bool balance(Reals& d, double smooth, int steps) const {
-    constexpr double kBalanced = 1e-9;
-    Eigen::MatrixXd derivative;
-    Reals off = force(d, smooth, &derivative);
-    for (int step = 0; step < steps; ++step) {
-      const double before = off.norm();
-      if (before < kBalanced * grasp_.force) return true;
-      const Reals move = -solution(derivative, off);
-      if (!move.allFinite()) return false;
-      Reals best = d;
-      double least = before;
-      for (const double part : {1.0, 0.5, 0.25, 0.1, 0.03, 0.01}) {
-        const Reals there = d + part * move;
-        const double left = force(there, smooth).norm();
-        if (left < least) {
-          least = left;
-          best = there;
-          if (left < 0.7 * before) break;
-        }
-      }
-      if (least >= before * (1 - 1e-6)) return false;
-      d = best;
-      off = force(d, smooth, &derivative);
-    }
-    return off.norm() < kBalanced * grasp_.force;
-  }
-
-  Reals change_with(const Reals& d, double smooth) const {
-    const double step = 1e-4 * smooth;
-    Eigen::MatrixXd derivative;
-    force(d, smooth, &derivative);
-    const Reals change = (force(d, smooth + step) - force(d, smooth - step)) / (2 * step);
-    return -solution(derivative, change);
-  }
-
-  const RoundedGrasp& grasp_;
-};
 
 }  // namespace
 
@@ -272,42 +174,19 @@ std::vector<Reals> MovingEquilibrium::extremes(const Eigen::MatrixXd& rows) cons
 }
 
 std::vector<Reals> MovingEquilibrium::cloud(std::size_t places) const {
-  std::uint64_t state = 88172645463325252ULL;
-  const auto random = [&] {  // xorshift: from -1 to 1
-    state ^= state << 13U;
-    state ^= state >> 7U;
-    state ^= state << 17U;
-    return static_cast<double>(state >> 11U) / static_cast<double>(1ULL << 52U) - 1;
-  };
+  RandomCorners corners(box_);
   const Place middle = box_.middle();
   std::vector<Reals> result;
   for (std::size_t k = 0; k < places; ++k) {
-    Place to = middle;
-    for (double& entry : to) entry = random();
-    to = box_.farthest(to);
-    for (std::size_t n = 0; n + 1 < box_.numbers().size(); ++n) {
-      if (box_.numbers()[n].parameter != Parameter::kTurnU ||
-          box_.numbers()[n + 1].parameter != Parameter::kTurnV) {
-        continue;
-      }
-      constexpr double kPi = 3.14159265358979323846;
-      const double angle = kPi * random();
-      to[static_cast<Eigen::Index>(n)] = std::cos(angle);
-      to[static_cast<Eigen::Index>(n) + 1] = std::sin(angle);
-    }
+    Place to = corners.next();
     if (k % 3 == 0) {
       for (Eigen::Index n = 0; n < to.size(); ++n) {
-        to[n] = middle[n] + std::fabs(random()) * (to[n] - middle[n]);
+        to[n] = middle[n] + std::fabs(corners.number()) * (to[n] - middle[n]);
       }
     }
     const RoundedGrasp there = box_.at(to);
-    for (const double first : {1e-3, 0.05, 1.0}) {
-      constexpr double kLeast = 1e-6;
-      Reals motion = start_.motion;
-      if (!SmoothedGrasp(there).settle(motion, first * there.reach, kLeast * there.reach))
-        continue;
-      result.emplace_back(motion - start_.motion);
-      break;
+    if (const auto motion = SmoothNewton(there).follow(start_.motion)) {
+      result.emplace_back(*motion - start_.motion);
     }
   }
   return result;

@@ -8,6 +8,7 @@
 
 #include "engine/motion/dense.hpp"
 #include "independent_rows.hpp"
+#include "smooth_newton.hpp"
 
 namespace stickslip {
 namespace {
@@ -45,31 +46,24 @@ Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivat
   Reals sum = grasp_.load;
   if (derivative != nullptr) derivative->setZero(motion.size(), motion.size());
   for (const RoundedContact& c : grasp_.contacts) {
-    double a = c.separation(motion) + smooth * pressing(c);
-    double share = 1;  // how a changes with the separation
-    if (is_round_ && !c.is_spring) {
-      const double bend = std::hypot(a, smooth * c.stiffness * c.size);
-      a = (a + bend) / 2;
-      share = a / bend;
-    }
+    const double a = c.separation(motion) + smooth * pressing(c);
     if (!c.acts(a)) continue;
     Reals wrench = c.normal;
     if (c.slope > 0) {
       const Across s = c.slip * motion;
       const double size = s.norm();
-      const double over = is_round_ ? std::hypot(size, smooth) : std::max(size, smooth);
+      const double over = std::max(size, smooth);
       if (over > 0) {
         wrench -= c.slope / over * (c.slip.transpose() * s);
         if (derivative != nullptr) {
           Curvature change = Curvature::Identity(s.size(), s.size());
-          if (is_round_) change -= s / over * (s / over).transpose();
-          if (!is_round_ && size >= smooth) change = across_slip(s / size);
+          if (size >= smooth) change = across_slip(s / size);
           derivative->noalias() -= a * c.slope / over * (c.slip.transpose() * change * c.slip);
         }
       }
     }
     sum += a * wrench;
-    if (derivative != nullptr) *derivative -= share * c.stiffness * wrench * c.normal.transpose();
+    if (derivative != nullptr) *derivative -= c.stiffness * wrench * c.normal.transpose();
   }
   return sum;
 }
@@ -256,12 +250,7 @@ bool Newton::balance(Reals& d, double smooth) const {
 /// than that go on to have as much friction.
 Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
   Reals change = Reals::Zero(d.size());
-  if (is_round_) {
-    const double step = 1e-4 * smooth;
-    change = (force(d, smooth + step, nullptr) - force(d, smooth - step, nullptr)) / (2 * step);
-  }
   for (const RoundedContact& c : grasp_.contacts) {
-    if (is_round_) break;
     const Across s = c.slip * d;
     const double v = c.separation(d) + smooth * pressing(c);
     const double a = c.acts(v) ? v : 0;
@@ -282,12 +271,12 @@ Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
 std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
   constexpr double kLargest = 8;
   constexpr double kSmallest = 1.05;
-  const double least_smooth = is_round_ ? 1e-6 : 1e-10;  // relative to the reach
+  constexpr double kLeastSmooth = 1e-10;  // relative to the reach
   Reals d = start;
   double smooth = kLargest * grasp_.reach;
   bool converged = balance(d, smooth);
   double factor = kLargest;
-  while (smooth > least_smooth * grasp_.reach) {
+  while (smooth > kLeastSmooth * grasp_.reach) {
     Reals next = d;
     if (converged) {
       const Reals along = (smooth / factor - smooth) * change_with_smooth(d, smooth);
@@ -310,6 +299,12 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
     constexpr double kNearly = 1e-7;
     if (!(force(d, smooth, nullptr).norm() <= kNearly * grasp_.force)) return std::nullopt;
   }
+  return at(d, smooth);
+}
+
+/// Returns the forces of a motion, with friction smooth over slips of this size; what slips
+/// less sticks.
+NearEquilibrium Newton::at(const Reals& d, double smooth) const {
   NearEquilibrium result{d, {}, {}, {}};
   for (const RoundedContact& c : grasp_.contacts) {
     const double a = c.force(d);
@@ -322,12 +317,12 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
 }
 
 std::optional<NearEquilibrium> Newton::solve_smoothly(const Reals& start) const {
-  Newton round(grasp_);
-  round.is_round_ = true;
-  const auto found = round.solve(start);
-  if (!found) return std::nullopt;
-  auto polished = polish(*found);
-  return polished ? std::move(polished) : found;
+  constexpr double kFirst = 8;
+  const auto motion = SmoothNewton(grasp_).settle(start, kFirst);
+  if (!motion) return std::nullopt;
+  NearEquilibrium found = at(*motion, SmoothNewton::kLeast * grasp_.reach);
+  auto polished = polish(found);
+  return polished ? std::move(polished) : std::move(found);
 }
 
 /// Guesses from the last motion and forces which contacts are closed and which stick, until
@@ -496,24 +491,16 @@ class Starts {
     Reals start = Reals::Zero(grasp_.motions());
     const double size = count_ % 3 == 0 ? 0.3 : count_ % 3 == 1 ? 2 : 10;
     for (Eigen::Index j = 0; count_ > 0 && j < start.size(); ++j) {
-      start[j] = size * grasp_.reach * random();
+      start[j] = size * grasp_.reach * random_.next();
     }
     ++count_;
     return start;
   }
 
  private:
-  /// Returns a number from -1 to 1, by xorshift.
-  double random() {
-    state_ ^= state_ << 13U;
-    state_ ^= state_ >> 7U;
-    state_ ^= state_ << 17U;
-    return static_cast<double>(state_ >> 11U) / static_cast<double>(1ULL << 52U) - 1;
-  }
-
   const RoundedGrasp& grasp_;
   std::size_t count_ = 0;
-  std::uint64_t state_ = 88172645463325252ULL;
+  Xorshift random_;
 };
 
 }  // namespace

@@ -44,8 +44,8 @@ class Newton {
   /// Starts from a motion, with friction smoothed over slips that become smaller and smaller.
   /// Returns nothing if that does not converge.
   std::optional<NearEquilibrium> solve(const Reals& start) const;
-  /// Does the same with the normal law smooth as well, and both laws without a kink. It
-  /// converges more often and takes longer, and the modes that it finds are less certain.
+  /// Does the same by SmoothNewton. It converges more often, and the modes that it finds are
+  /// less certain.
   std::optional<NearEquilibrium> solve_smoothly(const Reals& start) const;
   /// Starts, in the plane, from modes that are only nearly right. The result may be no
   /// equilibrium.
@@ -70,6 +70,7 @@ class Newton {
 
  private:
   NearEquilibrium at_rest() const;
+  NearEquilibrium at(const Reals& d, double smooth) const;
   double pressing(const RoundedContact& contact) const;
   std::optional<NearEquilibrium> change_modes(NearEquilibrium near) const;
   void share_out(NearEquilibrium& near) const;
@@ -82,7 +83,6 @@ class Newton {
   /// over which friction is smooth. A grasp that hangs together by its loads alone has no
   /// forces at rest, and needs it.
   double press_ = 0;
-  bool is_round_ = false;  ///< whether this is of solve_smoothly()
 };
 
 }  // namespace stickslip

@@ -233,4 +233,29 @@ RoundedGrasp rounded_grasp(const Problem& problem) {
   return grasp;
 }
 
+double Xorshift::next() {
+  state_ ^= state_ << 13U;
+  state_ ^= state_ >> 7U;
+  state_ ^= state_ << 17U;
+  return static_cast<double>(state_ >> 11U) / static_cast<double>(1ULL << 52U) - 1;
+}
+
+RoundedBox::Place RandomCorners::next() {
+  RoundedBox::Place to = box_.middle();
+  for (double& entry : to) entry = random_.next();
+  to = box_.farthest(to);
+  const std::vector<ParameterId>& numbers = box_.numbers();
+  for (std::size_t n = 0; n + 1 < numbers.size(); ++n) {
+    if (numbers[n].parameter != Parameter::kTurnU ||
+        numbers[n + 1].parameter != Parameter::kTurnV) {
+      continue;
+    }
+    constexpr double kPi = 3.14159265358979323846;
+    const double angle = kPi * random_.next();
+    to[static_cast<Eigen::Index>(n)] = std::cos(angle);
+    to[static_cast<Eigen::Index>(n) + 1] = std::sin(angle);
+  }
+  return to;
+}
+
 }  // namespace stickslip

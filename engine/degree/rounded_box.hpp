@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "stickslip/engine/grasp_law.hpp"
@@ -87,6 +88,32 @@ class RoundedBox {
   bool has_multiples_;
   std::vector<ParameterId> numbers_;
   std::vector<std::size_t> first_;  ///< the first number of each contact, and last of the load
+};
+
+/// Fixed pseudo-random numbers, the same on every machine (G. Marsaglia, "Xorshift RNGs",
+/// 2003).
+class Xorshift {
+ public:
+  /// Returns the next one, from -1 to 1.
+  double next();
+
+ private:
+  std::uint64_t state_ = 88172645463325252ULL;
+};
+
+/// Pseudo-random corners of a box, of a ball loads on its border; normals in space are turned
+/// every way by all that they may be.
+class RandomCorners {
+ public:
+  /// The box must outlive this.
+  explicit RandomCorners(const RoundedBox& box) : box_(box) {}
+
+  RoundedBox::Place next();                   ///< returns the next corner
+  double number() { return random_.next(); }  ///< returns the next number, from -1 to 1
+
+ private:
+  const RoundedBox& box_;
+  Xorshift random_;
 };
 
 /// Returns the grasp in the middle of a law's box, for a margin with the multiple in the

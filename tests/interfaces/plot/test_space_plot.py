@@ -352,9 +352,6 @@ class SpacePlot(unittest.TestCase):
             self.assertEqual((code, out), (2, ""))
             for word in naming:
                 self.assertIn(word, err)
-        code, out, err = stickslip("plot", "states", book)
-        self.assertEqual((code, out), (2, ""))
-        self.assertIn("the grasp is in space", err)
 
     def test_same_question_same_bytes(self):
         for text, options in questions():

@@ -181,7 +181,10 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   };
   const bool may_be_far =
       box.max_motion.empty() && !box.far_motion.empty() && box.may_be_rounded();
-  search_all(false, may_be_far);
+  // The planes around near motions, one more than there are coordinates, multiply the corners
+  // of all regions: many bodies are searched without them first, however far they move.
+  constexpr std::size_t kFewMotions = 6;
+  search_all(false, may_be_far && box.motions <= kFewMotions);
   const bool ended_by_limit = end_ == SearchEnd::kNodes;
   const bool is_lost = end_ == SearchEnd::kUnbounded || end_ == SearchEnd::kDepth ||
                        end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist ||
@@ -196,7 +199,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     near.on_candidate(take);
     refuted = refute_near_first(box, near);
     if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
-    const bool is_near_lost = near.end() == SearchEnd::kNodes;
+    const bool is_near_lost =
+        near.end() == SearchEnd::kNodes || near.end() == SearchEnd::kPoints;
     if (!refuted && !holds && is_near_lost && !ended_by_limit) search_all(false, false);
   }
   const bool in_doubt =

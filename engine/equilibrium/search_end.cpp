@@ -49,7 +49,7 @@ Undecided undecided_by(const SearchReport& report) {
             "a virtual twist that refutes a region in doubles could not be rounded to an "
             "exact one",
             "twist", beside};
-      case SearchEnd::kNone:
+      case SearchEnd::kPoints:
         return {"a region had more corners than checkers take", "corners", beside};
       default:
         return {"the forces on a region balance in doubles, and no plane cuts it", "plane",

@@ -12,8 +12,9 @@ namespace stickslip {
 
 /// The reason why a search for a tree ended.
 enum class SearchEnd {
-  kNone,       ///< it found one, or met a region with too many points (tree_walk.hpp)
+  kNone,       ///< it found one
   kNodes,      ///< the limit of nodes
+  kPoints,     ///< a region has too many points (tree_walk.hpp)
   kDepth,      ///< a node lies deeper than the format allows
   kTwist,      ///< a virtual twist refutes a region in doubles, but not exactly, in any bits
   kPlane,      ///< no plane cuts a region whose forces balance in doubles

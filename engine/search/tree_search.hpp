@@ -68,8 +68,11 @@ class TreeSearch {
   /// some nodes more.
   bool refute(Region region, Trees& trees) {
     end_ = SearchEnd::kNone;
-    return append_tree(std::move(region), trees,
-                       [&](const Region& at, std::size_t depth) { return examine(at, depth); });
+    const bool found =
+        append_tree(std::move(region), trees,
+                    [&](const Region& at, std::size_t depth) { return examine(at, depth); });
+    if (!found && end_ == SearchEnd::kNone) end_ = SearchEnd::kPoints;
+    return found;
   }
 
   /// Returns one node of a tree, a leaf or a split; nothing if the search ends.

@@ -185,6 +185,13 @@ class ClosedForms(Bodies):
             return grasp("abc", contacts, [force("b", (0, pull), (F(3, 2), 0))])
         self.assert_threshold(row, 2 * F(1, 4) * 4)
 
+    def test_a_row_of_four_blocks_just_beyond_its_load(self):
+        # Motions are far on the way, and planes around near ones would give regions thousands of corners, which checkers do not take.
+        with open(os.path.join(ROOT, "tests", "corpus", "bodies", "row.json"), encoding="utf-8") as file:
+            answer = self.decide(json.load(file))
+        self.assertEqual(answer["verdict"], "unstable")
+        self.assertLess(answer["stats"]["nodes"], 400)
+
     def test_an_arch_has_a_least_friction_and_a_least_thickness(self):
         # By statics alone, which Z3 decides: below these no forces are in balance. For three stones that is where the friction of
         # the keystone lets it down as far as that at the foot holds: 3 t (t + tan 30) = 1 - t tan 30 with t = mu.

@@ -7,6 +7,7 @@
 
 #include "engine/degree/exact_witness.hpp"
 #include "engine/degree/prove_stable.hpp"
+#include "engine/motion/dense.hpp"
 #include "engine/search/law_forces.hpp"
 #include "exact_region.hpp"
 #include "single_grasp.hpp"
@@ -26,6 +27,32 @@ RationalRow motion_of(const Law& law, const NearEquilibrium& equilibrium) {
   return motion;
 }
 
+/// Returns whether some motion beside an equilibrium changes no force, though other forces of
+/// these grasps would hold it: equilibria lie side by side then.
+bool leaves_free(const GraspLaw& box, const RoundedGrasp& grasp, const NearEquilibrium& near) {
+  std::vector<Reals> seen;
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const RoundedContact& c = grasp.contacts[i];
+    if (!c.acts(near.normal[i])) continue;
+    seen.push_back(c.normal);
+    if (!(c.slope > 0)) continue;
+    // Friction that slips does not see how fast.
+    const Eigen::VectorXd slip = c.slip * near.motion;
+    for (Eigen::Index k = 0; k < slip.size(); ++k) {
+      Eigen::VectorXd across = Eigen::VectorXd::Unit(slip.size(), k);
+      if (near.sticks[i] == 0) across -= slip[k] / slip.squaredNorm() * slip;
+      seen.push_back(c.slip.transpose() * across);
+    }
+  }
+  constexpr double kFlat = 1e-9;
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(seen.size()), grasp.motions());
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    rows.row(static_cast<Eigen::Index>(k)) = seen[k].transpose();
+  }
+  const Eigen::Index held = seen.empty() || !rows.allFinite() ? 0 : rank(rows, kFlat);
+  return static_cast<std::size_t>(held) < ForceSpan(box).rank();
+}
+
 }  // namespace
 
 BoxProver::BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work)
@@ -43,7 +70,8 @@ std::optional<std::variant<Stable, Unstable>> BoxProver::prove() {
 
 SearchReport BoxProver::report() const {
   const bool is_far = near_tree_.has_value() || end_ == SearchEnd::kUnbounded;
-  return {end_, limits_.node_limit, work_.nodes > last_node_, limits_.is_wide, is_far, near_};
+  return {end_,    limits_.node_limit, work_.nodes > last_node_, limits_.is_wide, is_far, near_,
+          is_free_};
 }
 
 /// Proves the grasp stable by an equilibrium in the modes of this one; false if none was found.
@@ -71,6 +99,7 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
                                {limits_.wall_limit, last_node_, limits_.is_wide}, work_);
   if (!proof) {
     near_ = motion_of(box, near);
+    is_free_ = leaves_free(box, rounded_middle(middle), near);
     return false;
   }
   if (parts_.empty()) motion_ = motion_of(box, near);

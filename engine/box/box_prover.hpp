@@ -73,7 +73,8 @@ class BoxProver {
   Trees tree_;
   std::optional<Trees> near_tree_;
   SearchEnd end_ = SearchEnd::kNone;
-  RationalRow near_;  ///< an equilibrium in doubles without a proof
+  RationalRow near_;      ///< an equilibrium in doubles without a proof
+  bool is_free_ = false;  ///< whether a motion beside that changes no force
 };
 
 }  // namespace stickslip

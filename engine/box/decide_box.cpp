@@ -133,9 +133,11 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
       return decision;
     }
     Undecided undecided = undecided_by(prover.report());
-    if (box.is_point() && needs_enclosure(box) && undecided.reason == "degree") {
+    if (box.is_point() && needs_enclosure(box) &&
+        (undecided.reason == "degree" || undecided.reason == "free")) {
       undecided.remedy =
-          "give the preloaded contacts normals of rational length, as stickslip snap does: then "
+          "give the preloaded contacts normals of rational length, as stickslip snap does: "
+          "then "
           "equilibria are found exactly, also where they lie side by side";
     }
     decision.verdict = std::move(undecided);

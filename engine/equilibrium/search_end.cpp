@@ -38,6 +38,12 @@ Undecided undecided_by(const SearchReport& report) {
       return {"no proof was found for all of the box", "box",
               "smaller tolerances may be decided"};
     }
+    if (!report.near.empty() && report.is_free) {
+      return {
+          "beside an equilibrium in doubles a motion changes no force: equilibria lie side by "
+          "side there, and proofs are about one that stands alone",
+          "free", "a weight or a spring for what nothing presses there, or leave it out"};
+    }
     if (!report.near.empty()) {
       return {"near an equilibrium in doubles no proof by degree was found", "degree", beside};
     }

@@ -30,6 +30,7 @@ struct SearchReport {
   bool is_wide = false;              ///< the question is about many grasps
   bool is_far = false;               ///< only motions far beyond the load's size are left
   std::vector<Rational> near{};  ///< an equilibrium in doubles around which there is no proof
+  bool is_free = false;          ///< a motion beside that equilibrium changes no force
 };
 
 /// Returns the answer of a search that reached this limit of nodes: one for one grasp in the

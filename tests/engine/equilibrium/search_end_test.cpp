@@ -18,7 +18,7 @@ TEST(SearchEnd, EachEndHasAReason) {
   EXPECT_EQ(undecided_by(ended(SearchEnd::kNodes)).reason, "nodes");
   EXPECT_EQ(undecided_by(ended(SearchEnd::kDepth)).reason, "depth");
   EXPECT_EQ(undecided_by(ended(SearchEnd::kTwist)).reason, "twist");
-  EXPECT_EQ(undecided_by(ended(SearchEnd::kNone)).reason, "corners");
+  EXPECT_EQ(undecided_by(ended(SearchEnd::kPoints)).reason, "corners");
   EXPECT_EQ(undecided_by(ended(SearchEnd::kPlane)).reason, "plane");
   EXPECT_EQ(undecided_by(ended(SearchEnd::kCandidate)).reason, "plane");
   EXPECT_EQ(limit_reached(77).reason, "nodes");
@@ -30,6 +30,8 @@ TEST(SearchEnd, ReasonsGoBeforeOthers) {
   report.near = {1, 2};
   EXPECT_EQ(undecided_by(report).reason, "degree");
   EXPECT_EQ(undecided_by(report).near, report.near);
+  report.is_free = true;
+  EXPECT_EQ(undecided_by(report).reason, "free");
   report.is_wide = true;
   EXPECT_EQ(undecided_by(report).reason, "box");
   report.end = SearchEnd::kNodes;

@@ -21,6 +21,7 @@ export PATH=$build/bin:$PATH PYTHONPATH=$build/python
 measure lp lp_bench 400
 measure sweep sweep_bench
 measure states states_bench 3
+measure states_programs /usr/bin/python3 "$root/bench/states/programs.py"
 measure table2 table2
 measure margin margin_bench 1000
 measure region region_bench --pieces 32

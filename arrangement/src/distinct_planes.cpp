@@ -33,6 +33,30 @@ int rank_of(const std::vector<Row>& rows) {
   return static_cast<int>(stickslip::rank_of(rational));
 }
 
+int reduced_rank_of(const std::vector<ReducedRow>& rows, std::size_t n) {
+  std::array<ReducedRow, kMostFaceCoordinates> pivots;
+  std::array<std::size_t, kMostFaceCoordinates> columns;
+  std::size_t rank = 0;
+  for (ReducedRow row : rows) {
+    for (std::size_t i = 0; i < rank; ++i) {
+      const std::int64_t factor = row[columns[i]];
+      if (factor == 0) continue;
+      const std::int64_t scale = pivots[i][columns[i]];
+      for (std::size_t j = 0; j < n; ++j) {
+        row[j] =
+            (row[j] * scale % kRankPrime - factor * pivots[i][j] % kRankPrime) % kRankPrime;
+      }
+    }
+    std::size_t column = 0;
+    while (column < n && row[column] == 0) ++column;
+    if (column == n) continue;
+    pivots[rank] = row;
+    columns[rank] = column;
+    if (++rank == n) break;
+  }
+  return static_cast<int>(rank);
+}
+
 DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
                                const std::vector<FacePlane>& planes)
     : coordinates(coordinates_of_points) {
@@ -121,10 +145,12 @@ DistinctPlanes::DistinctPlanes(std::size_t coordinates_of_points,
   rounded.resize(rows.size() * coordinates);
   words.resize(rows.size() * coordinates);
   fits.resize(rows.size(), 1);
+  reduced.resize(rows.size());
   for (std::size_t g = 0; g < rows.size(); ++g) {
     round_to_one(rows[g], &rounded[g * coordinates]);
     for (std::size_t j = 0; j < coordinates; ++j) {
       const Integer& entry = rows[g][j];
+      reduced[g][j] = static_cast<std::int64_t>(mpz_fdiv_ui(entry.gmp(), kRankPrime));
       if (entry >= kLargestWord || entry <= -kLargestWord) {
         fits[g] = 0;
       } else {

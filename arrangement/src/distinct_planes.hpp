@@ -3,6 +3,7 @@
 /// The distinct planes of an arrangement in Q^D, with what is asked of their signs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,6 +15,13 @@ namespace stickslip::arrangement_detail {
 
 /// Returns the rank of rows of one length, exactly.
 int rank_of(const std::vector<Row>& rows);
+
+/// A prime, and a row modulo it; entries may be negative, and those beyond the row's are 0.
+inline constexpr std::int64_t kRankPrime = 2147483647;
+using ReducedRow = std::array<std::int64_t, kMostFaceCoordinates>;
+
+/// Returns the rank of rows of `n` entries modulo the prime, which is at most their rank.
+int reduced_rank_of(const std::vector<ReducedRow>& rows, std::size_t n);
 
 /// The distinct planes; equal and opposite ones are merged. Rows are primitive. A plane on
 /// which something is asked is oriented so that positive is the side that is allowed.
@@ -28,6 +36,7 @@ struct DistinctPlanes {
   std::vector<double> rounded;      ///< D numbers a plane, in_doubles() of its row
   std::vector<std::int64_t> words;  ///< D numbers a plane; of no meaning where `fits` is false
   std::vector<char> fits;           ///< whether a row is in words below 2^60
+  std::vector<ReducedRow> reduced;  ///< by distinct plane
   std::vector<AllowedSigns> sides;  ///< by distinct plane
   /// The number of given planes on a distinct one that are not kAny: how many are positive
   /// where it is.

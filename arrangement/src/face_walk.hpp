@@ -41,9 +41,6 @@ std::optional<Row> take_line(Generators& of, const Row& plane);
 /// Moves vectors along a line, on which the plane is positive, into the plane.
 void move_into_plane(std::vector<Row>& vectors, const Row& plane, const Row& line);
 
-/// Returns the rank modulo a prime, which is at most the rank, of `count` rows of `n` words.
-int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t n);
-
 /// The state that parts of a walk share, which are walked over at the same time. Each part meets
 /// all *lists*, cones that are split, in the same order, and splits those that it is the first
 /// to claim.
@@ -244,27 +241,20 @@ class FaceWalk : public FaceReader {
   int dimension_of(const std::vector<Ray>& rays) const {
     if (rays.size() <= 3)
       return static_cast<int>(rays.size());  // No two, or three, are dependent.
-    std::vector<const std::int64_t*> vectors;
-    std::vector<const std::int64_t*> normals;
+    std::vector<ReducedRow> vectors;
+    std::vector<ReducedRow> normals;
     Set zero = outer_.zero(rays.front());
-    bool fits = true;
     for (const Ray ray : rays) {
-      vectors.push_back(outer_.in_words(ray));
-      fits = fits && vectors.back() != nullptr;
+      vectors.push_back(outer_.reduced(ray));
       zero = zero & outer_.zero(ray);
     }
-    for_each_bit(zero & asked_, [&](std::size_t g) {
-      normals.push_back(&planes_.words[g * planes_.coordinates]);
-      fits = fits && planes_.fits[g] != 0;
-    });
-    if (fits) {
-      // A rank modulo a prime is a lower bound of each rank; together they have to be right.
-      const int rank = rank_modulo_prime(vectors, planes_.coordinates);
-      const int others = rank_modulo_prime(normals, planes_.coordinates);
-      if (rank + others + static_cast<int>(lines_.size()) ==
-          static_cast<int>(planes_.coordinates)) {
-        return rank;
-      }
+    for_each_bit(zero & asked_, [&](std::size_t g) { normals.push_back(planes_.reduced[g]); });
+    // A rank modulo a prime is a lower bound of each rank; together they have to be right.
+    const int rank = reduced_rank_of(vectors, planes_.coordinates);
+    const int others = reduced_rank_of(normals, planes_.coordinates);
+    if (rank + others + static_cast<int>(lines_.size()) ==
+        static_cast<int>(planes_.coordinates)) {
+      return rank;
     }
     std::vector<Row> rows;
     for (const Ray ray : rays) rows.push_back(outer_.vector(ray));
@@ -278,33 +268,35 @@ class FaceWalk : public FaceReader {
     for_each_bit(asked_ - open, [&](std::size_t g) {
       for (const std::size_t each : planes_.owned[g]) active_.set(each);
     });
-    if (lines_.empty()) {
-      store_ = &outer_;
-      lines_left_ = 0;
-      mirrored_ = false;
-      split_list(rays, dimension);
-      return;
-    }
+    mirrored_ = false;
     Generators cone{lines_, {}};
     for (const Ray ray : rays) cone.rays.push_back(outer_.vector(ray));
     std::vector<Row> taken;
+    Set at;
     for_each_bit(active_, [&](std::size_t g) {
       std::optional<Row> line = take_line(cone, planes_.rows[g]);
       if (!line) return;
       // Lines that were taken before are moved into the plane as rays are.
       move_into_plane(taken, planes_.rows[g], *line);
       taken.push_back(std::move(*line));
+      at.set(g);
     });
-    inner_.clear();
-    store_ = &inner_;
     lines_left_ = static_cast<int>(cone.lines.size());
+    if (taken.empty()) {
+      split_list(rays, dimension);
+      return;
+    }
+    store_ = &inner_;
     std::vector<Ray> list;
-    for (const Row& ray : cone.rays) list.push_back(inner_.add(ray));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      list.push_back(inner_.add(cone.rays[i], (outer_.zero(rays[i]) & asked_) | at));
+    }
     std::vector<Ray> directions;
-    for (const Row& line : taken) directions.push_back(inner_.add(line));
-    mirrored_ = false;
+    for (const Row& line : taken) directions.push_back(inner_.add(line, asked_));
     walk_directions(list, directions, 0, dimension, rays.empty());
     store_ = &outer_;
+    // Where no line is left, planes determine each ray, so that it serves in other faces too.
+    if (lines_left_ > 0) inner_.clear();
   }
 
   /// Walks over the cones of the list and, of each direction from number `next`, it, its
@@ -462,7 +454,7 @@ class FaceWalk : public FaceReader {
 
   LineStore<words>
       outer_;  ///< the rays of the closed cone; those of all faces if it is pointed
-  LineStore<words> inner_;     ///< the rays inside of one face
+  LineStore<words> inner_;     ///< the rays inside of faces, if it is not
   LineStore<words>* store_{};  ///< the one that the stack refers to
   std::vector<Row> lines_;     ///< the lines of the closed cone
   Set active_;                 ///< the planes that count inside of the face

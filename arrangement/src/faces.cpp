@@ -50,33 +50,6 @@ std::optional<Row> take_line(Generators& of, const Row& plane) {
   return std::nullopt;
 }
 
-int rank_modulo_prime(const std::vector<const std::int64_t*>& rows, std::size_t n) {
-  constexpr std::int64_t kPrime = 2147483647;
-  using Reduced = std::array<std::int64_t, kMostFaceCoordinates>;
-  std::array<Reduced, kMostFaceCoordinates> pivots;
-  std::array<std::size_t, kMostFaceCoordinates> columns;
-  std::size_t rank = 0;
-  for (const std::int64_t* row : rows) {
-    Reduced reduced;
-    for (std::size_t j = 0; j < n; ++j) reduced[j] = row[j] % kPrime;
-    for (std::size_t i = 0; i < rank; ++i) {
-      const std::int64_t factor = reduced[columns[i]];
-      if (factor == 0) continue;
-      const std::int64_t scale = pivots[i][columns[i]];
-      for (std::size_t j = 0; j < n; ++j) {
-        reduced[j] = (reduced[j] * scale % kPrime - factor * pivots[i][j] % kPrime) % kPrime;
-      }
-    }
-    std::size_t column = 0;
-    while (column < n && reduced[column] == 0) ++column;
-    if (column == n) continue;
-    pivots[rank] = reduced;
-    columns[rank] = column;
-    if (++rank == n) break;
-  }
-  return static_cast<int>(rank);
-}
-
 }  // namespace arrangement_detail
 
 namespace {

@@ -57,41 +57,35 @@ class LineStore {
     short_.clear();
     double_.clear();
     long_.clear();
-    by_zeros_.assign(kFirstSize, kNoLine);
-    between_.assign(kFirstSize, Meeting{});
-    meetings_ = 0;
+    known_.assign(kFirstSize, Known{});
+    entries_ = 0;
   }
 
   const Set& positive(Ray ray) const { return signs_[ray].positive; }
   const Set& negative(Ray ray) const { return signs_[ray ^ 1].positive; }
   const Set& zero(Ray ray) const { return zeros_[ray >> 1]; }
 
-  /// Returns the ray of a primitive vector, which is not 0.
-  Ray add(const Row& vector) {
-    const Signs signs = signs_of(vector);
+  /// Returns the ray of a primitive vector, which is not 0, given planes that contain it.
+  Ray add(const Row& vector, const Set& through = {}) {
+    const Signs signs = signs_of(vector, through);
     const Set zero = all_ - (signs.positive | signs.negative);
-    std::size_t place = find(zero);
-    if (by_zeros_[place] == kNoLine) place = insert(vector, signs, zero);
-    return oriented(by_zeros_[place], signs.positive, signs.negative);
+    std::uint32_t line = known_[find(zero)].line;
+    if (line == kNoLine) line = insert(vector, signs, zero);
+    return oriented(line, signs.positive, signs.negative);
   }
 
   /// Returns the ray between p and q, adjacent rays of a cone, on a plane that has them on
   /// opposite sides.
   Ray between(Ray p, Ray q, std::size_t plane) {
-    const Set flat = zero(p) & zero(q);
-    std::size_t place = find(flat, plane);
-    if (between_[place].line == kNoLine) {
-      const Row vector = intersection(p, q, plane);
-      const Ray ray = add(vector);
-      if (3 * (meetings_ + 1) > 2 * between_.size()) {
-        grow_meetings();
-        place = find(flat, plane);
-      }
-      between_[place] = {flat, static_cast<std::uint32_t>(plane), ray >> 1};
-      ++meetings_;
+    // These planes determine the line, though others may contain it as well.
+    Set through = zero(p) & zero(q);
+    through.set(plane);
+    std::uint32_t line = known_[find(through)].line;
+    if (line == kNoLine) {
+      line = add(intersection(p, q, plane), through) >> 1;
+      if (!(zeros_[line] == through)) remember(through, line);
     }
-    return oriented(between_[place].line,
-                    (positive(p) | positive(q)) - (negative(p) | negative(q)),
+    return oriented(line, (positive(p) | positive(q)) - (negative(p) | negative(q)),
                     (negative(p) | negative(q)) - (positive(p) | positive(q)));
   }
 
@@ -126,10 +120,18 @@ class LineStore {
     }
     return place.length != Length::kLong;
   }
-  /// Returns the coordinates of a ray's line where they are in words below 2^52, else null.
-  const std::int64_t* in_words(Ray ray) const {
+  /// Returns the coordinates of a ray's line, modulo the prime.
+  ReducedRow reduced(Ray ray) const {
     const Place place = place_[ray >> 1];
-    return place.length == Length::kShort ? at(short_, place) : nullptr;
+    ReducedRow result{};
+    for (std::size_t j = 0; j < dimension_; ++j) {
+      result[j] = static_cast<std::int64_t>(
+          place.length == Length::kShort ? at(short_, place)[j] % kRankPrime
+          : place.length == Length::kDouble
+              ? at(double_, place)[j] % kRankPrime
+              : mpz_fdiv_ui(at(long_, place)[j].gmp(), kRankPrime));
+    }
+    return result;
   }
 
  private:
@@ -147,9 +149,9 @@ class LineStore {
   struct OneSide {
     Set positive;
   };
-  struct Meeting {
-    Set flat{};
-    std::uint32_t plane = 0;
+  /// Planes that only one line is on.
+  struct Known {
+    Set planes{};
     std::uint32_t line = kNoLine;
   };
   static constexpr std::uint32_t kNoLine = std::numeric_limits<std::uint32_t>::max();
@@ -157,35 +159,36 @@ class LineStore {
   static constexpr std::size_t kShortBits = 52;
   static constexpr std::size_t kDoubleBits = 116;
 
-  static std::size_t hash(const Set& set, std::size_t plane) {
-    std::uint64_t h = 0x9E3779B97F4A7C15U * (plane + 1);
-    for (const std::uint64_t w : set.word) {
+  /// Returns the place in the table of these planes, or where they would be.
+  std::size_t find(const Set& planes) const {
+    std::uint64_t h = 0x9E3779B97F4A7C15U;
+    for (const std::uint64_t w : planes.word) {
       h = (h ^ w) * 0xFF51AFD7ED558CCDU;
       h ^= h >> 32;
     }
-    return static_cast<std::size_t>(h ^ h >> 29);
-  }
-
-  std::size_t find(const Set& zero) const {
-    std::size_t i = hash(zero, 0) & (by_zeros_.size() - 1);
-    while (by_zeros_[i] != kNoLine && !(zeros_[by_zeros_[i]] == zero)) {
-      i = (i + 1) & (by_zeros_.size() - 1);
-    }
-    return i;
-  }
-  std::size_t find(const Set& flat, std::size_t plane) const {
-    std::size_t i = hash(flat, plane) & (between_.size() - 1);
-    while (between_[i].line != kNoLine &&
-           !(between_[i].plane == plane && between_[i].flat == flat)) {
-      i = (i + 1) & (between_.size() - 1);
+    std::size_t i = static_cast<std::size_t>(h ^ h >> 29) & (known_.size() - 1);
+    while (known_[i].line != kNoLine && !(known_[i].planes == planes)) {
+      i = (i + 1) & (known_.size() - 1);
     }
     return i;
   }
 
-  /// Stores a line that is not there, and returns its place in the table.
-  std::size_t insert(const Row& vector, const Signs& signs, const Set& zero) {
-    const std::size_t line = zeros_.size();
-    require(line < kNoLine / 2, "faces: too many lines");
+  /// Remembers planes that were not known to determine a line.
+  void remember(const Set& planes, std::uint32_t line) {
+    if (3 * ++entries_ > 2 * known_.size()) {
+      std::vector<Known> old(2 * known_.size());
+      old.swap(known_);
+      for (const Known& each : old) {
+        if (each.line != kNoLine) known_[find(each.planes)] = each;
+      }
+    }
+    known_[find(planes)] = {planes, line};
+  }
+
+  /// Stores a line that is not there, and returns its number.
+  std::uint32_t insert(const Row& vector, const Signs& signs, const Set& zero) {
+    require(zeros_.size() < kNoLine / 2, "faces: too many lines");
+    const auto line = static_cast<std::uint32_t>(zeros_.size());
     ++work_.lines;
     signs_.push_back({signs.positive});
     signs_.push_back({signs.negative});
@@ -204,23 +207,8 @@ class LineStore {
       place_.push_back(next_place(long_, Length::kLong));
       long_.insert(long_.end(), vector.begin(), vector.end());
     }
-    if (3 * zeros_.size() > 2 * by_zeros_.size()) {
-      by_zeros_.assign(2 * by_zeros_.size(), kNoLine);
-      for (std::size_t each = 0; each < zeros_.size(); ++each) {
-        by_zeros_[find(zeros_[each])] = static_cast<std::uint32_t>(each);
-      }
-    }
-    const std::size_t place = find(zero);
-    by_zeros_[place] = static_cast<std::uint32_t>(line);
-    return place;
-  }
-
-  void grow_meetings() {
-    std::vector<Meeting> old(2 * between_.size());
-    old.swap(between_);
-    for (const Meeting& each : old) {
-      if (each.line != kNoLine) between_[find(each.flat, each.plane)] = each;
-    }
+    remember(zero, line);
+    return line;
   }
 
   /// Returns the direction of a line that is positive on `positive` and negative on `negative`.
@@ -233,7 +221,8 @@ class LineStore {
     return negative(ray).get(negative_there.first()) ? ray : opposite(ray);
   }
 
-  Signs signs_of(const Row& vector) {
+  /// Returns the signs of a vector, given planes that contain it.
+  Signs signs_of(const Row& vector, const Set& through) {
     std::array<double, kMostFaceCoordinates> rounded{};
     core_detail::round_to_one(vector.data(), rounded.data(), dimension_);
     // Entries are at most 1 and off by at most two roundoffs, so that each product is off by
@@ -242,7 +231,7 @@ class LineStore {
     const double bound = static_cast<double>(dimension_ * (dimension_ + 6)) *
                          (std::numeric_limits<double>::epsilon() / 2);
     Signs result;
-    for (std::size_t g = 0; g < planes_.size(); ++g) {
+    for_each_bit(all_ - through, [&](std::size_t g) {
       const double* plane = &planes_.rounded[g * dimension_];
       double sum = 0;
       for (std::size_t j = 0; j < dimension_; ++j) sum += plane[j] * rounded[j];
@@ -252,14 +241,14 @@ class LineStore {
         ++work_.exact_signs;
         sign = dot(planes_.rows[g], vector).sign();
       }
-      if (sign == 0) continue;
+      if (sign == 0) return;
       (sign > 0 ? result.positive : result.negative).set(g);
       const double distance = std::fabs(sum);
       if (distance < work_.near || (distance == work_.near && g < work_.near_plane)) {
         work_.near = distance;
         work_.near_plane = g;
       }
-    }
+    });
     return result;
   }
 
@@ -275,6 +264,12 @@ class LineStore {
       result[j] = x.sign() > 0 ? x * b[j] - y * a[j] : y * a[j] - x * b[j];
     }
     return primitive(std::move(result));
+  }
+
+  /// Returns the coordinates of a ray's line where they are in words below 2^52, else null.
+  const std::int64_t* in_words(Ray ray) const {
+    const Place place = place_[ray >> 1];
+    return place.length == Length::kShort ? at(short_, place) : nullptr;
   }
 
   template <class Entry>
@@ -342,9 +337,9 @@ class LineStore {
   std::vector<std::int64_t> short_;
   std::vector<LongWord> double_;
   std::vector<Integer> long_;
-  std::vector<std::uint32_t> by_zeros_;  ///< a hash table of lines by their zeros
-  std::vector<Meeting> between_;         ///< a hash table of lines by flat and plane
-  std::size_t meetings_ = 0;
+  /// A hash table of lines by all planes that contain them, and by some that determine them.
+  std::vector<Known> known_;
+  std::size_t entries_ = 0;  ///< of that table
 };
 
 }  // namespace stickslip::arrangement_detail

@@ -60,9 +60,12 @@ inline LongWord common_divisor(LongWord a, LongWord b) {
 
 /// Returns the same number.
 inline Integer integer_of(LongWord value) {
-  Integer result(static_cast<std::int64_t>(value >> 64));
-  result <<= 64;
-  result += static_cast<std::uint64_t>(value);
+  const auto size = static_cast<UnsignedLongWord>(size_of(value));
+  Integer result;
+  mp_limb_t* const limbs = mpz_limbs_write(result.mutable_gmp(), 2);
+  limbs[0] = static_cast<mp_limb_t>(size);
+  limbs[1] = static_cast<mp_limb_t>(size >> 64);
+  mpz_limbs_finish(result.mutable_gmp(), value < 0 ? -2 : 2);
   return result;
 }
 

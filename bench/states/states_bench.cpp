@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Seconds and memory of states in space: slip states of contacts in general position, counted
-// and with a motion each; contact modes of contacts in a bowl, from below on one side.
+// and with a motion each, and of a cube between six walls, where most planes depend on others;
+// contact modes of contacts in a bowl, from below on one side.
 //
 //     states_bench [rounds, default 1]
 //
@@ -20,7 +21,7 @@
 namespace stickslip::bench {
 namespace {
 
-/// Contacts with lines of slip in random directions.
+/// Contacts and their lines of slip.
 struct Scene {
   GraspBox grasp;
   SlipLines lines;
@@ -36,12 +37,17 @@ RationalRow random_row(std::mt19937& random) {
   return row;
 }
 
-void add_contact(Scene& scene, std::mt19937& random, const RationalRow& position,
-                 const RationalRow& normal, std::size_t lines) {
+void add_contact(Scene& scene, const RationalRow& position, const RationalRow& normal) {
   UncertainContact contact;
   for (const Rational& x : position) contact.position.push_back(point_interval(x));
   contact.normal = normal;
   scene.grasp.contacts.push_back(std::move(contact));
+}
+
+/// Adds a contact with lines of slip in random directions.
+void add_contact(Scene& scene, std::mt19937& random, const RationalRow& position,
+                 const RationalRow& normal, std::size_t lines) {
+  add_contact(scene, position, normal);
   auto& given = scene.lines.given->emplace_back();
   for (std::size_t j = 0; j < lines; ++j) {
     const Vector3 v = cross(vector3(normal), vector3(random_row(random)));
@@ -76,6 +82,29 @@ Scene bowl(std::size_t contacts, std::size_t lines) {
     position[2] = (position[0] * position[0] + position[1] * position[1]) / 100 +
                   between(random, -10, 10);
     add_contact(scene, random, position, normal, lines);
+  }
+  return scene;
+}
+
+/// A cube between six walls, with contacts at the four corners of each of its faces.
+Scene cube(std::size_t lines) {
+  Scene scene = empty_scene();
+  scene.lines.given.reset();
+  scene.lines.count = lines;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      for (const int a : {-1, 1}) {
+        for (const int b : {-1, 1}) {
+          RationalRow position(3);
+          RationalRow normal(3);
+          position[axis] = side;
+          position[(axis + 1) % 3] = a;
+          position[(axis + 2) % 3] = b;
+          normal[axis] = -side;
+          add_contact(scene, position, normal);
+        }
+      }
+    }
   }
   return scene;
 }
@@ -123,6 +152,7 @@ int main(int argc, char** argv) {
   measure("slip, general position", random_scene(10, 2), StateSet::kSlip, rounds);
   measure("slip, general position", random_scene(6, 8), StateSet::kSlip, rounds);
   measure("slip, general position", random_scene(18, 2), StateSet::kSlip, rounds);
+  measure("slip, cube in a box", cube(4), StateSet::kSlip, rounds);
   for (const std::size_t contacts : {10, 30}) {
     measure("cs in a bowl", bowl(contacts, 2), StateSet::kOpening, rounds);
     measure("ss in a bowl", bowl(contacts, 2), StateSet::kContact, rounds);

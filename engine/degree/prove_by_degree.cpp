@@ -267,66 +267,44 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
 }
 
 /// Tries walls around a cloud of equilibria of grasps of the box, with room around it so that
-/// what slips there slips one way, and with leaves whose twists move. A wall that is not
-/// refuted moves to where doubles see a reason at the point at which it failed.
+/// what slips there slips one way, and with leaves whose twists move.
 std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
   const bool is_verdict = !about_.box->is_family && !about_.box->hull;
   if (!is_verdict || about_.span.rank() > kMostOfParallelepipeds) return std::nullopt;
   constexpr std::size_t kPlaces = 100;
-  constexpr std::size_t kMostOfOne = 1000;  // pieces of one shape
-  constexpr std::size_t kMostOfAll = 2000;  // pieces beyond which no other is tried
-  constexpr int kMostGrowths = 6;
-  if (work_.pieces > kMostOfAll) return std::nullopt;
+  constexpr std::size_t kMostPieces = 1000;
+  if (work_.pieces > kMostPieces) return std::nullopt;
   const RoundedBox rounded(*about_.box);
   const CloudCoordinates cloud(about_.grasp, about_.span, near,
                                MovingEquilibrium(rounded, near).cloud(kPlaces));
   if (!(cloud.press > 0)) return std::nullopt;
-  MovingRefuter refuter(*about_.box, *about_.middle, work_);
-  for (const auto& [factor, least] :
-       {std::pair{10.0, 0.12}, {4.0, 0.06}, {2.5, 0.02}, {25.0, 0.3}}) {
-    Eigen::VectorXd room = (factor * cloud.extent).cwiseMax(least * cloud.press);
-    for (int growth = 0; growth <= kMostGrowths; ++growth) {
-      if (work_.pieces > kMostOfAll) return std::nullopt;
-      ++work_.proofs;
-      std::vector<double> sizes(room.begin(), room.end());
-      std::nth_element(sizes.begin(),
-                       sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
-                       sizes.end());
-      const Eigen::MatrixXd answer =
-          Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
-      const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
-      if (!walls.is_sound()) return std::nullopt;
-      DegreeProof proof = walls.proof(Pull::kAnswer, false);
-      if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
-        break;
-      }
-      if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) break;
-      std::optional<std::size_t> open;
-      const std::size_t last = work_.pieces + kMostOfOne;
-      for (std::size_t tree = 0; tree < 2 * proof.wall_count() && !open; ++tree) {
-        const std::size_t wall = tree % proof.wall_count();
-        const std::size_t left = last > work_.pieces ? last - work_.pieces : 0;
-        if (!refuter.refute(proof, wall, tree >= proof.wall_count(), left)) open = wall;
-      }
-      if (!open) return proof;
-      if (refuter.lost_at().size() == 0) break;
-      double best = 0;
-      double farther = 1;
-      for (const double part : {0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
-        const double bound = refuter.bound_at(proof, part * refuter.lost_at()) / part;
-        if (bound < best) {
-          best = bound;
-          farther = part;
-        }
-      }
-      if (!(best < 0)) break;
-      constexpr double kClear = 1e-6;
-      if (best > -kClear) farther = 1.4;
-      if (farther == 1) farther = 1.25;
-      room[static_cast<Eigen::Index>(*open / 2)] *= farther;
-    }
+  ++work_.proofs;
+  // Other rooms, or walls that grow where they are not refuted, have proved nothing more.
+  constexpr double kRoom = 10;
+  constexpr double kLeastRoom = 0.12;
+  const Eigen::VectorXd room = (kRoom * cloud.extent).cwiseMax(kLeastRoom * cloud.press);
+  std::vector<double> sizes(room.begin(), room.end());
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+                   sizes.end());
+  const Eigen::MatrixXd answer =
+      Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
+  const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
+  if (!walls.is_sound()) return std::nullopt;
+  DegreeProof proof = walls.proof(Pull::kAnswer, false);
+  if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  MovingRefuter refuter(*about_.box, *about_.middle, work_);
+  if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) {
+    return std::nullopt;
+  }
+  const std::size_t last = work_.pieces + kMostPieces;
+  for (std::size_t tree = 0; tree < 2 * proof.wall_count(); ++tree) {
+    const bool second = tree >= proof.wall_count();
+    const std::size_t left = last > work_.pieces ? last - work_.pieces : 0;
+    if (!refuter.refute(proof, tree % proof.wall_count(), second, left)) return std::nullopt;
+  }
+  return proof;
 }
 
 /// Returns the walls that are not refuted; without growing, the first of them.

@@ -16,9 +16,10 @@ using search_detail::MovingWork;
 
 /// A piece that was cut so often is beside an equilibrium.
 constexpr std::size_t kDeepest = 26;
-/// \{ The rounds of the search for a leaf: on a piece, and at a point.
+/// \{ The rounds of the search for a leaf: on a piece, at a point, and for the best one there.
 constexpr int kRounds = 40;
 constexpr int kRoundsAtPoint = 60;
+constexpr int kRoundsForBest = 150;
 /// \}
 
 /// Returns the middle of a body, in the law's units.
@@ -124,11 +125,10 @@ std::optional<MovingRefuter::Branch> MovingRefuter::examine(const DegreeProof& p
     }
   }
   const MovingTwists::Pair& worst = alone != nullptr ? *alone : found.pairs.front();
-  const Reals lost_at =
-      about.points[static_cast<std::size_t>(worst.first)].head(centre.size()) - centre;
+  lost_at_ = about.points[static_cast<std::size_t>(worst.first)].head(centre.size()) - centre;
   constexpr std::size_t kShallow = 2;
   if (alone != nullptr && depth >= kShallow) {
-    MovingTwists at(law, at_point(law, centre, lost_at));
+    MovingTwists at(law, at_point(law, centre, lost_at_));
     if (!at.find(found.coordinates, kRoundsAtPoint, [](const auto&) {
              return true;
            }).accepted) {
@@ -184,6 +184,11 @@ std::optional<MovingRefuter::Branch> MovingRefuter::examine(const DegreeProof& p
     branch.children.push_back({std::move(part), found.coordinates});
   }
   return branch;
+}
+
+double MovingRefuter::bound_at(const DegreeProof& proof, const Reals& way) const {
+  MovingTwists twists(box(), at_point(box(), middle_of(box(), proof), way));
+  return twists.find({}, kRoundsForBest).bound;
 }
 
 }  // namespace stickslip::degree_detail

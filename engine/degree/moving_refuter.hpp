@@ -19,6 +19,12 @@ class MovingRefuter final : public LawRefuter {
 
   bool refute(DegreeProof& proof, std::size_t wall, bool second,
               std::size_t node_limit) override;
+  /// Returns how far from the middle of the parallelepiped, in the law's units, the point of
+  /// the last wall that was not refuted is where leaves fail first.
+  const Reals& lost_at() const { return lost_at_; }
+  /// Returns the bound of the best leaf for this point alone: below 0 if no grasp of the box
+  /// has an equilibrium there for which doubles see no reason.
+  double bound_at(const DegreeProof& proof, const Reals& way) const;
 
  private:
   struct Piece {
@@ -29,6 +35,8 @@ class MovingRefuter final : public LawRefuter {
 
   std::optional<Branch> examine(const DegreeProof& proof, const PullRule* pull,
                                 const Piece& piece, std::size_t depth);
+
+  Reals lost_at_;
 };
 
 }  // namespace stickslip::degree_detail

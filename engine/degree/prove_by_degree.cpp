@@ -267,44 +267,64 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
 }
 
 /// Tries walls around a cloud of equilibria of grasps of the box, with room around it so that
-/// what slips there slips one way, and with leaves whose twists move.
+/// what slips there slips one way, and with leaves whose twists move. A wall that is not
+/// refuted moves to where doubles see a reason at the point at which it failed.
 std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
   const bool is_verdict = !about_.box->is_family && !about_.box->hull;
   if (!is_verdict || about_.span.rank() > kMostOfParallelepipeds) return std::nullopt;
   constexpr std::size_t kPlaces = 100;
-  constexpr std::size_t kMostPieces = 1000;
+  constexpr std::size_t kMostPieces = 1000;  // a proof takes a few hundred
   if (work_.pieces > kMostPieces) return std::nullopt;
   const RoundedBox rounded(*about_.box);
   const CloudCoordinates cloud(about_.grasp, about_.span, near,
                                MovingEquilibrium(rounded, near).cloud(kPlaces));
   if (!(cloud.press > 0)) return std::nullopt;
-  ++work_.proofs;
-  // Other rooms, or walls that grow where they are not refuted, have proved nothing more.
+  MovingRefuter refuter(*about_.box, *about_.middle, work_);
   constexpr double kRoom = 10;
   constexpr double kLeastRoom = 0.12;
-  const Eigen::VectorXd room = (kRoom * cloud.extent).cwiseMax(kLeastRoom * cloud.press);
-  std::vector<double> sizes(room.begin(), room.end());
-  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
-                   sizes.end());
-  const Eigen::MatrixXd answer =
-      Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
-  const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
-  if (!walls.is_sound()) return std::nullopt;
-  DegreeProof proof = walls.proof(Pull::kAnswer, false);
-  if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
-    return std::nullopt;
+  Eigen::VectorXd room = (kRoom * cloud.extent).cwiseMax(kLeastRoom * cloud.press);
+  constexpr int kMostGrowths = 6;
+  for (int growth = 0; growth <= kMostGrowths && work_.pieces <= kMostPieces; ++growth) {
+    ++work_.proofs;
+    std::vector<double> sizes(room.begin(), room.end());
+    std::nth_element(sizes.begin(),
+                     sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+                     sizes.end());
+    const Eigen::MatrixXd answer =
+        Newton(about_.grasp).answer(near.motion, sizes[sizes.size() / 2]);
+    const Walls walls(about_.grasp, about_.span, near, answer, cloud.rows, room);
+    if (!walls.is_sound()) return std::nullopt;
+    DegreeProof proof = walls.proof(Pull::kAnswer, false);
+    if (!has_rank(proof, about_.span.rank()) || !is_within(proof, about_.box->max_motion)) {
+      return std::nullopt;
+    }
+    if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) {
+      return std::nullopt;
+    }
+    std::optional<std::size_t> open;
+    for (std::size_t tree = 0; tree < 2 * proof.wall_count() && !open; ++tree) {
+      const std::size_t wall = tree % proof.wall_count();
+      const std::size_t left = kMostPieces > work_.pieces ? kMostPieces - work_.pieces : 0;
+      if (!refuter.refute(proof, wall, tree >= proof.wall_count(), left)) open = wall;
+    }
+    if (!open) return proof;
+    if (refuter.lost_at().size() == 0) return std::nullopt;
+    double best = 0;
+    double farther = 1;
+    for (const double part : {0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
+      const double bound = refuter.bound_at(proof, part * refuter.lost_at()) / part;
+      if (bound < best) {
+        best = bound;
+        farther = part;
+      }
+    }
+    if (!(best < 0)) return std::nullopt;
+    constexpr double kClear = 1e-6;
+    if (best > -kClear) farther = 1.4;
+    if (farther == 1) farther = 1.25;
+    room[static_cast<Eigen::Index>(*open / 2)] *= farther;
   }
-  MovingRefuter refuter(*about_.box, *about_.middle, work_);
-  if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) {
-    return std::nullopt;
-  }
-  const std::size_t last = work_.pieces + kMostPieces;
-  for (std::size_t tree = 0; tree < 2 * proof.wall_count(); ++tree) {
-    const bool second = tree >= proof.wall_count();
-    const std::size_t left = last > work_.pieces ? last - work_.pieces : 0;
-    if (!refuter.refute(proof, tree % proof.wall_count(), second, left)) return std::nullopt;
-  }
-  return proof;
+  return std::nullopt;
 }
 
 /// Returns the walls that are not refuted; without growing, the first of them.

@@ -26,6 +26,7 @@ measure table2 table2
 measure margin margin_bench 1000
 measure region region_bench --pieces 32
 measure box box_bench --grasps 60
+measure box_tolerances /usr/bin/python3 "$root/bench/box/tolerances_bench.py" --programs "$build/bin"
 measure space space_bench --contacts 8
 measure space_grasps /usr/bin/python3 "$root/bench/space/grasps.py" "$build/space_grasps"
 measure space_targets /usr/bin/python3 "$root/bench/space/targets.py" --programs "$build/bin" "$build"/space_grasps/*.json

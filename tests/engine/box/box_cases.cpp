@@ -65,7 +65,7 @@ bool has_rational_length(const Vector2& v) {
 }  // namespace
 
 Question BoxCase::question() const {
-  return ask(parse_grasp(grasp, "grasp", Intervals::kAllowed), options);
+  return ask(parse_any_grasp(grasp, "grasp"), options);
 }
 
 std::string describe(const BoxCase& box_case) {

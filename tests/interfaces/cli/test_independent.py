@@ -84,9 +84,9 @@ class Qualities(Case):
             self.assertFalse(finds(there, 100), json.dumps(there))
 
     def test_in_space(self):
-        """Of random pinches the border of the proved ball is sampled."""
+        """Of a random pinch the border of the proved ball is sampled."""
         rng, asked = random.Random(11), 0
-        while asked < 2:
+        while asked < 1:
             feet = [[F(x) + F(rng.randint(-2, 2), 4) for x in foot] for foot in ((5, 0), (-3, 4), (-3, -4))]
             content = written([{"p": [*foot, F(rng.randint(-1, 1), 4)], "n": rng.choice([(0, 0, 1), (0, F(3, 5), F(4, 5))]),
                                 "friction": F(rng.randint(4, 9), 10), "stiffness": F(rng.randint(2, 6), 4), "preload": 0} for foot in feet],

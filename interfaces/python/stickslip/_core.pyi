@@ -119,7 +119,8 @@ class LineDecider:
         self, wrench: str, case: str, preload: str, bilateral: bool, node_limit: int,
         asks_class: bool, inertia: str, certificates: str, certificate_folder: str,
         quality: Optional[Tuple[str, str, str, str, str]],
-        states: Optional[Tuple[str, int, bool, int]]
+        states: Optional[Tuple[str, int, bool, int]],
+        measures: Optional[Tuple[Tuple[str, ...], str, str, str, str, int]]
     ) -> None: ...
     def decide(
         self, file: str, begin: int, end: int, lines_before: int

@@ -332,13 +332,15 @@
       ),
       html("p", { class: "muted" }, "Torques are divided by ", page.number(compare.length), "; forces of a hand are up to 1."),
     );
-    page.stack(place);
+    page.stack(place, kSentences);
   }
 
+  const kSentences = 480; // pixels that columns with sentences need
+
   /** Where the columns of a table have no room beside each other, their names stand in the rows. */
-  page.stack = function (place) {
+  page.stack = function (place, least = 0) {
     const table = place.querySelector("table");
-    if (table && place.scrollWidth > place.clientWidth) table.classList.toggle("cards", true);
+    if (table && place.clientWidth < Math.max(place.scrollWidth, least)) table.classList.toggle("cards", true);
   };
 
   /** The uncertain numbers, those with one interval together. */

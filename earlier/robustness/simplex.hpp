@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// The simplex method in doubles, on a dense tableau that grows by rows and columns. Its
-/// answers are proposals.
+/// answers are proposals. That of lp/ starts anew from an exact system each time, and has no
+/// multipliers.
 #pragma once
 
 #include <cstddef>

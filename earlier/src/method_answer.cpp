@@ -114,13 +114,7 @@ MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text) 
 std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOptions& options,
                              const std::function<MethodAnswer(MethodId)>& answer) {
   const std::vector<std::string>& words = options.methods;
-  const std::vector<std::string> known = method_words();
-  for (const std::string& word : words) {
-    if (std::find(known.begin(), known.end(), word) == known.end()) {
-      throw InputError("", "methods", "there is no method " + quote(word),
-                       choice_of(word, known, "there are "));
-    }
-  }
+  check_methods(words);
   std::vector<MethodRow> rows;
   for (const Method& method : among) {
     if (!words.empty() && !method.is_among(words)) continue;
@@ -189,6 +183,15 @@ std::vector<std::string> method_words() {
     if (method.short_name != nullptr) words.emplace_back(method.short_name);
   }
   return words;
+}
+
+void check_methods(const std::vector<std::string>& words) {
+  const std::vector<std::string> known = method_words();
+  for (const std::string& word : words) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+    throw InputError("", "methods", "there is no method " + quote(word),
+                     choice_of(word, known, "there are "));
+  }
 }
 
 }  // namespace stickslip

@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/motion_bound.hpp"
+#include "stickslip/interfaces/option_text.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -29,7 +33,47 @@ Json ranges_json(const Question& question, const Inertia& inertia,
   return json;
 }
 
+void require_positive(const std::string& option, const Rational& number, const char* remedy) {
+  if (number.sign() > 0) return;
+  throw InputError("", option, "there is the value " + to_string(number), remedy);
+}
+
 }  // namespace
+
+ComparisonAsked comparison_asked(const ComparisonText& text) {
+  ComparisonAsked asked;
+  CompareOptions& options = asked.options;
+  try {
+    check_methods(text.methods);
+  } catch (const InputError& error) {
+    throw in_options(error, "");
+  }
+  options.methods = text.methods;
+  options.edges = text.edges;
+  if (!text.max_force.empty()) {
+    options.most_forces = rationals_at("--max-force", text.max_force);
+    for (const Rational& f : options.most_forces) {
+      require_positive("--max-force", f, "a largest force must be above 0");
+    }
+  }
+  if (!text.accuracy.empty()) options.accuracy = accuracy_option(text.accuracy);
+  if (!text.length.empty()) {
+    asked.length = rational_at("--length", text.length);
+    require_positive("--length", *asked.length, "a characteristic length must be above 0");
+  }
+  if (!text.inertia.empty()) asked.inertia = inertia_numbers("--inertia", text.inertia);
+  return asked;
+}
+
+CompareOptions options_for(const ComparisonAsked& asked, const Question& question) {
+  CompareOptions options = asked.options;
+  const bool in_space = question.in_space();
+  options.length =
+      asked.length ? *asked.length : characteristic_length(question.grasp.as_box());
+  options.inertia = asked.inertia ? inertia_of("--inertia", *asked.inertia, in_space)
+                                  : Inertia::of_length(options.length, in_space);
+  return options;
+}
 
 Json comparison_json(const Question& question, const Rational& length, const Inertia& inertia,
                      const Comparison& comparison) {

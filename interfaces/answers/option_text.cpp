@@ -37,7 +37,8 @@ Rational accuracy_option(const std::string& value) {
 
 InputError in_options(const InputError& error, const std::string& name) {
   for (const std::string option :
-       {"--wrench", "--preload", "--direction", "--preload-direction"}) {
+       {"--wrench", "--preload", "--direction", "--preload-direction", "--methods",
+        "--max-force", "--edges"}) {
     std::string place = option.substr(2);
     std::replace(place.begin(), place.end(), '-', '_');
     if (error.place() == place) return {"", option, error.problem(), error.remedy()};

@@ -85,6 +85,18 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
                      (states->lines.snap ? "snap;" : ";") + std::to_string(states->limit) +
                      "\n";
   }
+  if (auto& measures = options_.measures) {
+    CompareOptions& compared = measures->options;
+    options_text_ += "measures;";
+    for (const std::string& word : compared.methods) options_text_ += word + ";";
+    spell(measures->length);
+    for (const Rational& number : measures->inertia.value_or(RationalRow())) spell(number);
+    options_text_ += "max-force;";
+    for (const Rational& force : compared.most_forces) spell(force);
+    spell(compared.accuracy);
+    options_text_ += std::to_string(compared.edges) + "\n";
+    if (options_.node_limit > 0) compared.node_limit = options_.node_limit;
+  }
 }
 
 std::string LineDecider::key(const std::string& line) const {
@@ -144,6 +156,28 @@ LineOutcome LineDecider::add_states(Json& result, const std::string& line) const
   return LineOutcome::kUndecided;
 }
 
+void LineDecider::add_measures(Json& result, const std::string& line) const {
+  const Question question = as_one_body(ask_with_options(
+      parse_any_grasp(line, "", Intervals::kOnlyBounds), options_.question, "", false));
+  if (question.mechanism() != nullptr) {
+    throw InputError("", "--measures", "the grasp is of several bodies",
+                     "ask for --class: of them it alone is computed");
+  }
+  const CompareOptions options = options_for(*options_.measures, question);
+  NumberText text(false);
+  Comparison found;
+  try {
+    found = compare_methods(question, options, text);
+  } catch (const InputError& error) {
+    throw in_options(error, "");
+  }
+  const Json compared =
+      finished(comparison_json(question, options.length, options.inertia, found), false);
+  for (const char* field : {"name", "length", "inertia", "class", "methods"}) {
+    result[field] = compared.at(field);
+  }
+}
+
 LineResult LineDecider::decide(const BatchLine& line) const {
   if (line.unreadable) return failed(line, *line.unreadable);
   LineOutcome outcome = LineOutcome::kDecided;
@@ -152,6 +186,10 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   try {
     if (options_.states) {
       outcome = add_states(result, line.text);
+      return {line.number, text_of(result), outcome};
+    }
+    if (options_.measures) {
+      add_measures(result, line.text);
       return {line.number, text_of(result), outcome};
     }
     const Question question = ask_with_options(

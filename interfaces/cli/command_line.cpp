@@ -128,6 +128,10 @@ bool CommandOption::takes_value() const {
   return parsed_->get_items_expected_max() > 0;
 }
 
+bool CommandOption::is_given() const {
+  return parsed_->count() > 0;
+}
+
 bool CommandOption::is_argument() const {
   return parsed_->get_positional();
 }

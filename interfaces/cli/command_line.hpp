@@ -57,6 +57,8 @@ class CommandOption {
   /// The name of the type as the help shows it: "FILE", "ENGINE:{auto,states}".
   std::string type_name() const;
   bool takes_value() const;
+  /// Whether the command line that was read has it.
+  bool is_given() const;
   bool is_argument() const;
 
  private:

@@ -134,12 +134,37 @@ std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text
           ->capture_default_str()};
 }
 
+std::vector<CommandOption*> add_method_options(Command& command, ComparisonText& text) {
+  return {
+      command
+          .add_option("--methods", text.methods,
+                      "Ask these alone, by the names that compare prints with hyphens and "
+                      "without commas, or PCR, PGR")
+          ->type_name("NAME,NAME,...")
+          ->delimiter(',')
+          ->takes_one_word()
+          ->choices(method_words(), CommandOption::InHelp::kHidden),
+      command
+          .add_option("--max-force", text.max_force,
+                      "The largest normal force, of the robustnesses and the margin of "
+                      "internal forces: one for all contacts, or one for each")
+          ->type_name("F,...")
+          ->capture_default_str(),
+      command
+          .add_option("--edges", text.edges,
+                      "In space, of the robustnesses, the volume, the least forces and the "
+                      "margin: pyramids with so many edges in place of round cones; 0 is round")
+          ->type_name("N")
+          ->capture_default_str()};
+}
+
 CommandOption* add_modes_option(Command& command, std::string& modes) {
   return command
-      .add_option("--modes", modes,
-                  "Which states. slip: the signs of slip, as if no contact opened. full: and the "
-                  "signs of N.d. closed: slip while all contacts stay closed. cs: which contacts "
-                  "open. ss: contact modes, which open and how the others slip")
+      .add_option(
+          "--modes", modes,
+          "Which states. slip: the signs of slip, as if no contact opened. full: and the "
+          "signs of N.d. closed: slip while all contacts stay closed. cs: which contacts "
+          "open. ss: contact modes, which open and how the others slip")
       ->type_name("MODES")
       ->choices({"slip", "full", "closed", "cs", "ss"})
       ->capture_default_str();

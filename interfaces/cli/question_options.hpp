@@ -16,6 +16,7 @@
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/interfaces/comparison_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
 #include "stickslip/interfaces/question_text.hpp"
@@ -147,6 +148,9 @@ void add_uncertain_option(Command& command, std::string& uncertain,
 
 /// Adds --length, --about, --body, --at-most and --accuracy, for a question about a quality.
 std::vector<CommandOption*> add_ball_options(Command& command, QualityText& text);
+
+/// Adds --methods, --max-force and --edges, for a command that asks the methods of compare.
+std::vector<CommandOption*> add_method_options(Command& command, ComparisonText& text);
 
 /// The values of --modes, --lines, --snap and --limit.
 struct StateSetArguments {

@@ -19,6 +19,7 @@
 #include "stickslip/earlier/statics.hpp"
 #include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/engine/near_forces.hpp"
+#include "stickslip/interfaces/comparison_answer.hpp"
 #include "stickslip/interfaces/margin_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
 #include "stickslip/interfaces/plane_answers.hpp"
@@ -304,6 +305,10 @@ class PageAnswer {
     if (parts.margin) part(json, "margin", [&](Json& found) { margin(found); });
     if (parts.map) part(json, "map", [&](Json& found) { map(found); });
     if (parts.quality) quality(json);
+    if (parts.compare) {
+      part(
+          json, "compare", [&](Json& found) { found = compared(); }, TimeLimit());
+    }
     json["messages"] = std::move(messages_);
     return json;
   }
@@ -326,10 +331,14 @@ class PageAnswer {
   /// Adds a part. It is null if `find` says why, or is not done in time; `find` may give what
   /// it has on its way.
   void part(Json& json, const std::string& name, const std::function<void(Json& found)>& find) {
+    part(json, name, find, limit_of(limits_.time));
+  }
+  void part(Json& json, const std::string& name, const std::function<void(Json& found)>& find,
+            const TimeLimit& limit) {
     Json found;
     const auto say = [&](const std::string& why) { add_message(name + ": " + why + "."); };
     try {
-      if (!limit_of(limits_.time).finishes([&] { find(found); })) {
+      if (!limit.finishes([&] { find(found); })) {
         say((found.is_null() ? "not known within " : "no more is known within ") +
             to_readable_string(Rational(limits_.time.count(), 1000)) +
             (limits_.time.count() == 1000 ? " second" : " seconds"));
@@ -378,7 +387,7 @@ class PageAnswer {
     for (const auto& [verdict, file] : files.members()) {
       answers[verdict] =
           page_answer(parse_any_grasp(file.dump(), name_), asked,
-                      {true, false, false, false, false, false, false}, limits_, name_);
+                      {true, false, false, false, false, false, false, false}, limits_, name_);
     }
     return answers;
   }
@@ -531,6 +540,27 @@ class PageAnswer {
     part(json, "lost", [&](Json& found) { found = under(quality->radii.example->wrench); });
   }
 
+  /// Returns what earlier methods say. Each method has an answer, if only that the time was
+  /// over.
+  Json compared() const {
+    refuse_several(centre(), "`stickslip compare` has the class of their load");
+    if (!centre().grasp.as_box().is_point()) refuse_box();
+    const Question unbounded = without_bound(centre());
+    if (unbounded.is_one_planar_body() && unbounded.box() != nullptr) {
+      refuse_irrational_lengths();
+    }
+    ComparisonAsked asked;
+    if (question_.uncertain.ball) asked.length = question_.uncertain.ball->length;
+    CompareOptions options = options_for(asked, centre());
+    options.time = limit_of(limits_.time);
+    if (limits_.node_limit > 0) {
+      options.node_limit = std::min(options.node_limit, limits_.node_limit);
+    }
+    NumberText text(false);
+    const Comparison found = compare_methods(centre(), options, text);
+    return comparison_json(centre(), options.length, options.inertia, found);
+  }
+
   /// Returns the answer of a page about the grasp under another load.
   Json under(const WrenchBox& load) const {
     QuestionText text = asked_in_centre_;
@@ -539,8 +569,8 @@ class PageAnswer {
     for (const Interval& w : load) {
       text.wrench += (text.wrench.empty() ? "" : ",") + to_string(w.low);
     }
-    return page_answer(file_, text, {true, false, false, false, false, false, false}, limits_,
-                       name_);
+    return page_answer(file_, text, {true, false, false, false, false, false, false, false},
+                       limits_, name_);
   }
 
   template <class Keep>

@@ -86,18 +86,19 @@ void read_options(const JsonNode& node, Request& request) {
 
 void read_parts(const JsonNode& node, PageParts& parts) {
   expect(node, JsonNode::Kind::kArray, "parts", "an array of names");
-  parts = {false, false, false, false, false, false, parts.warnings};
+  parts = {false, false, false, false, false, false, false, parts.warnings};
   const std::map<std::string, bool PageParts::*> names{
-      {"decide", &PageParts::decide}, {"states", &PageParts::states},
-      {"region", &PageParts::region}, {"margin", &PageParts::margin},
-      {"map", &PageParts::map},       {"quality", &PageParts::quality}};
+      {"decide", &PageParts::decide},  {"states", &PageParts::states},
+      {"region", &PageParts::region},  {"margin", &PageParts::margin},
+      {"map", &PageParts::map},        {"quality", &PageParts::quality},
+      {"compare", &PageParts::compare}};
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const std::string path = element_path("parts", i);
     const std::string name = spelled(node.children[i], path, "a name");
     const auto found = names.find(name);
     if (found == names.end()) {
       fail_at(path, "there is no part " + quote(name),
-              "the parts are decide, states, region, margin, map, quality");
+              "the parts are decide, states, region, margin, map, quality, compare");
     }
     parts.*found->second = true;
   }

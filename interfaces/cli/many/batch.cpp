@@ -52,6 +52,8 @@ struct BatchArguments {
   QualityText quality;
   bool asks_states = false;
   StateSetArguments states;
+  bool asks_measures = false;
+  ComparisonText measures;  ///< but for what other questions have as well
   std::size_t node_limit = 0;
   std::string time_limit;
   int threads = 0;
@@ -69,8 +71,29 @@ BatchOptions batch_options(const BatchArguments& arguments) {
   if (arguments.asks_quality) quality = quality_asked(arguments.quality);
   std::optional<StatesAsked> states;
   if (arguments.asks_states) states = arguments.states.asked();
-  return {arguments.question.options(), arguments.node_limit,   inertia, quality, states,
-          arguments.certificates,       arguments.certificates};
+  std::optional<ComparisonAsked> measures;
+  if (arguments.asks_measures) {
+    ComparisonText text = arguments.measures;
+    text.length = arguments.quality.length;
+    text.inertia = arguments.inertia;
+    text.accuracy = arguments.quality.accuracy;
+    measures = comparison_asked(text);
+  }
+  return {
+      arguments.question.options(), arguments.node_limit,  inertia, quality, states, measures,
+      arguments.certificates,       arguments.certificates};
+}
+
+/// Throws InputError if an option is given, and none of the questions that depend on it.
+void require_asked(const CommandOption& option, const std::vector<CommandOption*>& questions) {
+  std::string names;
+  for (const CommandOption* question : questions) {
+    if (question->is_given()) return;
+    names += (names.empty() ? "--" : " or --") + question->long_names().front();
+  }
+  if (!option.is_given()) return;
+  throw InputError("", "--" + option.long_names().front(), "no answer depends on it",
+                   "ask for " + names);
 }
 
 /// Reports on standard error whether lines were unreadable. Returns the exit code: some were
@@ -266,9 +289,7 @@ class Batch {
     written_ += results;
   }
 
-  std::string interruption_text() const {
-    return "stickslip: interrupted " + kept_text();
-  }
+  std::string interruption_text() const { return "stickslip: interrupted " + kept_text(); }
 
   /// Says what is kept of work that was ended before the last line.
   std::string kept_text() const {
@@ -389,13 +410,15 @@ void add_batch_command(Command& app, int& exit_code) {
       "--class", arguments->asks_class,
       "Ask not for the verdict but for the class of rigid contacts, as compare "
       "does: must move, must hold or open");
-  command
-      ->add_option("--inertia", arguments->inertia,
-                   "Of the objects, for --class: the centre of mass and the squared radius of "
-                   "gyration about it; default: 0,0,1. Of grasps in space "
-                   "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], as of compare; default: 0,0,0,1,1,1")
-      ->type_name("INERTIA")
-      ->needs(asks_class);
+  CommandOption* inertia =
+      command
+          ->add_option("--inertia", arguments->inertia,
+                       "Of the objects, for --class and --measures: the centre of mass and the "
+                       "squared radius of gyration about it; default: 0,0,1, or of --measures "
+                       "0,0 and the square of the length. Of grasps in space "
+                       "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], as of compare; default: 0,0,0,1,1,1, or "
+                       "that square thrice")
+          ->type_name("INERTIA");
   CommandOption* asks_quality =
       command
           ->add_flag("--quality", arguments->asks_quality,
@@ -403,9 +426,16 @@ void add_batch_command(Command& app, int& exit_code) {
                      "how large a ball of loads does it resist? The certificate is then that "
                      "of the ball")
           ->excludes(asks_class);
-  for (CommandOption* option : add_ball_options(*command, arguments->quality)) {
-    option->needs(asks_quality);
+  add_ball_options(*command, arguments->quality);
+  for (const char* option : {"--about", "--body", "--at-most"}) {
+    command->get_option(option)->needs(asks_quality);
   }
+  CommandOption* length = command->get_option("--length");
+  CommandOption* accuracy =
+      command->get_option("--accuracy")
+          ->description(
+              "Stop when what is proved and what is refuted differ by this part of it, or with "
+              "--measures the bounds of the two robustnesses");
   CommandOption* asks_states = command->add_flag(
       "--states", arguments->asks_states,
       "Ask not for the verdict but how many slip states or contact modes there are of each "
@@ -416,6 +446,16 @@ void add_batch_command(Command& app, int& exit_code) {
   for (const char* other : {"--class", "--quality", "--certificates", "--wrench", "--case",
                             "--preload", "--normal-law"}) {
     asks_states->excludes(command->get_option(other));
+  }
+  CommandOption* asks_measures = command->add_flag(
+      "--measures", arguments->asks_measures,
+      "Ask not for the verdict but what other methods and measures say, as compare does: its "
+      "rows, with its --length, --inertia and --accuracy");
+  for (CommandOption* option : add_method_options(*command, arguments->measures)) {
+    option->needs(asks_measures);
+  }
+  for (const char* other : {"--class", "--quality", "--states", "--certificates"}) {
+    asks_measures->excludes(command->get_option(other));
   }
   CommandOption* shard =
       command
@@ -431,9 +471,10 @@ void add_batch_command(Command& app, int& exit_code) {
       ->excludes(resume)
       ->excludes(shard);
   add_node_limit_option(*command, arguments->node_limit);
-  add_time_limit_option(*command, arguments->time_limit,
-                        "End after so many seconds, between two lines; --resume goes on. 0 is no "
-                        "limit");
+  add_time_limit_option(
+      *command, arguments->time_limit,
+      "End after so many seconds, between two lines; --resume goes on. 0 is no "
+      "limit");
   add_threads_option(
       *command, arguments->threads,
       "Grasps decided at a time; 0 is one a core. The results do not depend on it");
@@ -441,15 +482,20 @@ void add_batch_command(Command& app, int& exit_code) {
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
       "grasp file, that of a ball of loads with the result's uncertain as --uncertain. The\n"
-      "node limit holds for each grasp. With --states by_dimension stands in place of the\n"
-      "verdict, of the first states alone if there is a limit, too. Memory does not grow with the file. An interruption\n"
-      "(Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two lines: FILE\n"
-      "then ends in a whole line, and the same command with --resume goes on.\n"
+      "node limit holds for each grasp, with --measures for each of the two robustnesses.\n"
+      "With --states by_dimension stands in place of the verdict, of the first states alone\n"
+      "if there is a limit, too; with --measures methods, as compare --json prints it. Memory\n"
+      "does not grow with the file. An interruption (Ctrl-C, SIGTERM, SIGHUP) ends the\n"
+      "program by that signal, between two lines: FILE then ends in a whole line, and the\n"
+      "same command with --resume goes on.\n"
       "On many machines: docs/batch.md.\n",
       "0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
       "within a limit, or ended by --time-limit",
       "stickslip batch grasps.jsonl -o verdicts.jsonl --resume"));
-  command->callback([arguments, &exit_code] {
+  command->callback([=, &exit_code] {
+    require_asked(*inertia, {asks_class, asks_measures});
+    require_asked(*length, {asks_quality, asks_measures});
+    require_asked(*accuracy, {asks_quality, asks_measures});
     if (!arguments->shards_to_merge.empty()) {
       if (!arguments->file.empty()) {
         throw InputError("", "--merge", "there is " + quote(arguments->file) + " before it",

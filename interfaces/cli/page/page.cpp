@@ -23,9 +23,10 @@ void add_page_command(Command& app, int& exit_code) {
   arguments->question.add_with_uncertain_to(*command);
   add_output_option(*command, arguments->output, "HTML file");
   add_node_limit_option(*command, arguments->node_limit);
-  add_time_limit_option(*command, arguments->seconds,
-                        "Give up regions, margins, maps and qualities after so many seconds each, "
-                        "and show what is known by then; 0 is no limit");
+  add_time_limit_option(
+      *command, arguments->seconds,
+      "Give up regions, margins, maps, qualities and comparisons after so many "
+      "seconds each, and show what is known by then; 0 is no limit");
   command->footer(footer_text(
       "The file loads nothing from elsewhere. Of a grasp file with cases the first is shown,\n"
       "unless --case or --wrench is given. What is left out is said on the page\n"

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "long_work.hpp"
 #include "grasp/example_grasps.hpp"
 #include "interruption.hpp"
+#include "long_work.hpp"
 #include "page_server.hpp"
 #include "question_options.hpp"
 #include "stickslip/interfaces/answer.hpp"
@@ -33,8 +33,9 @@ void serve(const ServeArguments& arguments) {
   limits.limits_verdict = true;
   const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
   // The page asks for the rest, which may take seconds.
-  Json answer = page_answer(grasp_of(arguments), {},
-                            {true, true, false, false, false, false, true}, limits, name);
+  Json answer =
+      page_answer(grasp_of(arguments), {},
+                  {true, true, false, false, false, false, false, true}, limits, name);
   answer["live"] = true;
   PageServer server({[&](const std::string& nonce) { return page_html(answer, nonce); },
                      [&](const std::string& request) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -10,7 +9,6 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/motion_bound.hpp"
 #include "stickslip/engine/decide_in_time.hpp"
 #include "stickslip/interfaces/comparison_answer.hpp"
 #include "stickslip/interfaces/option_text.hpp"
@@ -22,33 +20,10 @@ namespace {
 
 struct CompareArguments {
   QuestionArguments question;
-  std::vector<std::string> methods;
-  std::string length;
-  std::string inertia;
-  std::string max_force = "1";
-  std::string accuracy = "1%";
-  std::size_t edges = 0;
+  ComparisonText asked;
   std::string certificate;
   std::string time_limit;
   NumberOptions output;
-};
-
-Rational positive_length(const std::string& text) {
-  Rational length = rational_at("--length", text);
-  if (length.sign() <= 0) {
-    throw InputError("", "--length", "the value is " + to_string(length),
-                     "a characteristic length must be above 0");
-  }
-  return length;
-}
-
-/// The answers of the methods, and the inertia that they are for. Without --inertia the object
-/// has its mass about its origin, at the characteristic length.
-struct Compared {
-  Rational length;
-  bool has_length;  ///< whether it was given
-  Inertia inertia;
-  Comparison comparison{};
 };
 
 /// Writes the certificate of a class. Returns false, and writes nothing, if the class is not
@@ -74,17 +49,17 @@ std::string inertia_text(const Inertia& inertia, NumberText& text) {
   return result;
 }
 
-void print_text(const Question& question, const Compared& answer, NumberText& text) {
-  const Comparison& comparison = answer.comparison;
+void print_text(const Question& question, const CompareOptions& options, bool has_length,
+                const Comparison& comparison, NumberText& text) {
   const std::string& name = question.description().name;
   if (!name.empty()) std::cout << name << '\n';
   RationalRow load;
   for (const Interval& w : question.grasp.wrench()) load.push_back(w.low);
   std::cout << "  load w    " << text(load) << '\n'
-            << "  length L  " << text(answer.length)
-            << (answer.has_length ? "" : ", half the spread of the contacts")
+            << "  length L  " << text(options.length)
+            << (has_length ? "" : ", half the spread of the contacts")
             << ", by which torques are divided (--length)\n"
-            << "  inertia   centre " << inertia_text(answer.inertia, text) << " (--inertia)\n";
+            << "  inertia   centre " << inertia_text(options.inertia, text) << " (--inertia)\n";
   if (comparison.load_class) std::cout << "  class     " << *comparison.load_class << '\n';
   if (comparison.undecided) {
     std::cout << "  class     undecided: " << in_words(*comparison.undecided) << '\n';
@@ -109,13 +84,14 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
 
 /// Answers whether several bodies may stand: nothing more is computed of their rigid contacts.
 int compare_bodies(const Question& question, const CompareArguments& arguments) {
+  const ComparisonText& given = arguments.asked;
   for (const auto& [is_given, option] :
-       {std::pair(!arguments.methods.empty(), "--methods"),
-        {!arguments.inertia.empty(), "--inertia"},
-        {arguments.length != CompareArguments().length, "--length"},
-        {arguments.max_force != CompareArguments().max_force, "--max-force"},
-        {arguments.accuracy != CompareArguments().accuracy, "--accuracy"},
-        {arguments.edges != 0, "--edges"}}) {
+       {std::pair(!given.methods.empty(), "--methods"),
+        {!given.inertia.empty(), "--inertia"},
+        {!given.length.empty(), "--length"},
+        {given.max_force != ComparisonText().max_force, "--max-force"},
+        {given.accuracy != ComparisonText().accuracy, "--accuracy"},
+        {given.edges != 0, "--edges"}}) {
     if (!is_given) continue;
     throw InputError("", option, "the grasp is of several bodies",
                      "leave it out: of them the class alone is computed");
@@ -127,57 +103,21 @@ int compare_bodies(const Question& question, const CompareArguments& arguments) 
                         time_limit_option(arguments.time_limit));
 }
 
-/// Does work whose errors are about options, and names these as the command does.
-void naming_options(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    for (const auto& [place, option] : {std::pair("methods", "--methods"),
-                                        {"max_force", "--max-force"},
-                                        {"edges", "--edges"}}) {
-      if (error.place() == place) {
-        throw InputError("", option, error.problem(), error.remedy());
-      }
-    }
-    throw;
-  }
-}
-
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
-  const RationalRow most_forces = rationals_at("--max-force", arguments.max_force);
-  for (const Rational& f : most_forces) {
-    if (f.sign() > 0) continue;
-    throw InputError("", "--max-force", "there is the value " + to_string(f),
-                     "a largest force must be above 0");
-  }
-  const Rational accuracy = accuracy_option(arguments.accuracy);
+  const ComparisonAsked comparison = comparison_asked(arguments.asked);
   const Question asked = arguments.question.any_question();
   // A certificate of a class is about a file of one body.
   const Question question = arguments.certificate.empty() ? as_one_body(asked) : asked;
   if (question.mechanism() != nullptr) return compare_bodies(question, arguments);
-  const bool in_space = question.in_space();
-  const bool has_length = !arguments.length.empty();
-  const Rational length = has_length ? positive_length(arguments.length)
-                                     : characteristic_length(question.grasp.as_box());
-  Compared answer{
-      length, has_length,
-      arguments.inertia.empty()
-          ? Inertia::of_length(length, in_space)
-          : inertia_of("--inertia", rationals_at("--inertia", arguments.inertia), in_space)};
-  CompareOptions options{arguments.methods, length,      answer.inertia,
-                         nullptr,           most_forces, accuracy};
-  const TimeLimit time = time_limit_option(arguments.time_limit);
-  options.time = time;
-  options.edges = arguments.edges;
+  CompareOptions options = options_for(comparison, question);
+  const TimeLimit time = options.time = time_limit_option(arguments.time_limit);
   std::optional<RigidVerdict> verdict;
   Robustness robustness;
   const std::optional<RobustnessKind> kind = options.only_robustness();
   if (!arguments.certificate.empty() && kind) {
     LongWork work("robustness", time);
-    if (!work.finishes([&] {
-          naming_options([&] { robustness = robustness_to_prove(question, *kind, options); });
-        })) {
+    if (!work.finishes([&] { robustness = robustness_to_prove(question, *kind, options); })) {
       say_nothing_written("--certificate", time.in_words() + " was over first");
       return kUndecidedWithinLimit;
     }
@@ -188,23 +128,20 @@ int compare(const CompareArguments& arguments) {
   } else if (!arguments.certificate.empty()) {
     const Question of_all = without_bound(question);  // classes are about all motions
     verdict = out_of_time(time);
-    LongWork("class", time).finishes([&] { verdict = rigid_verdict(of_all, answer.inertia); });
-    if (!writes_certificate(arguments.certificate, of_all, answer.inertia, *verdict)) {
+    LongWork("class", time).finishes([&] { verdict = rigid_verdict(of_all, options.inertia); });
+    if (!writes_certificate(arguments.certificate, of_all, options.inertia, *verdict)) {
       return kUndecidedWithinLimit;
     }
     options.verdict = &*verdict;
   }
-  naming_options([&] {
-    // Each method has an answer, if only that the time was over: the limit is theirs.
-    LongWork("comparing").finishes([&] {
-      answer.comparison = compare_methods(question, options, text);
-    });
-  });
+  Comparison found;
+  // Each method has an answer, if only that the time was over: the limit is theirs.
+  LongWork("comparing").finishes([&] { found = compare_methods(question, options, text); });
   if (arguments.output.json) {
-    const Json json = comparison_json(question, length, answer.inertia, answer.comparison);
+    const Json json = comparison_json(question, options.length, options.inertia, found);
     std::cout << finished(json, arguments.output.floats).dump(1) << '\n';
   } else {
-    print_text(question, answer, text);
+    print_text(question, options, comparison.length.has_value(), found, text);
   }
   return kDone;
 }
@@ -217,45 +154,24 @@ void add_compare_command(Command& app, int& exit_code) {
       "compare", "What earlier methods say of the same question, and why they differ");
   arguments->question.add_to(*command);
   arguments->question.add_max_motion_to(*command);
+  add_method_options(*command, arguments->asked);
   command
-      ->add_option(
-          "--methods", arguments->methods,
-          "Ask these alone, by the names below with hyphens and without commas, or PCR, PGR")
-      ->type_name("NAME,NAME,...")
-      ->delimiter(',')
-      ->takes_one_word()
-      ->choices(method_words(), CommandOption::InHelp::kHidden);
-  command
-      ->add_option("--length", arguments->length,
+      ->add_option("--length", arguments->asked.length,
                    "Characteristic length of the object, by which grasp wrench spaces divide "
                    "torques; else half the spread of the contacts")
       ->type_name("L");
   command
       ->add_option(
-          "--inertia", arguments->inertia,
+          "--inertia", arguments->asked.inertia,
           "Centre of mass and squared radius of gyration about it, which strong "
           "stability needs; default: 0,0 and the square of --length. In space "
           "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]: the centre and the tensor of inertia about it, over "
           "the mass; default: 0,0,0 and that square, thrice")
       ->type_name("INERTIA");
   command
-      ->add_option("--max-force", arguments->max_force,
-                   "The largest normal force, of the robustnesses and the margin of internal "
-                   "forces: one "
-                   "for all contacts, or one for each")
-      ->type_name("F,...")
-      ->capture_default_str();
-  command
-      ->add_option("--accuracy", arguments->accuracy,
+      ->add_option("--accuracy", arguments->asked.accuracy,
                    "How near the bounds of the two robustnesses are to be")
       ->type_name("A")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--edges", arguments->edges,
-          "In space, of the robustnesses, the volume, the least forces and the margin: "
-          "pyramids with so many edges in place of round cones; 0 is round")
-      ->type_name("N")
       ->capture_default_str();
   command
       ->add_option(
@@ -295,7 +211,13 @@ void add_compare_command(Command& app, int& exit_code) {
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));
-  command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+  command->callback([arguments, &exit_code] {
+    try {
+      exit_code = compare(*arguments);
+    } catch (const InputError& error) {
+      throw in_options(error, error.file());
+    }
+  });
 }
 
 }  // namespace stickslip

@@ -237,7 +237,7 @@
   function messages() {
     const reasons = new Map();
     for (const message of page.answer.messages || []) {
-      const [, part, reason] = /^(states|region|margin|map|quality|statics|lost): (.*)$/.exec(message) || [null, "", message];
+      const [, part, reason] = /^(states|region|margin|map|quality|compare|statics|lost): (.*)$/.exec(message) || [null, "", message];
       // In space nobody expects of one body what is found in the plane only.
       if (page.isSpatial() && !page.mechanism() && reason.endsWith("in the plane only.")) continue;
       reasons.set(reason, [...(reasons.get(reason) || []), part]);
@@ -302,6 +302,46 @@
     }
     page.put("quality", lines);
   }
+
+  /** What earlier methods and measures say of the same question, and why. */
+  function drawCompare() {
+    const { compare } = page.answer;
+    page.find("compare-panel").hidden = !compare;
+    if (!compare) return;
+    const names = ["method", "says", "why"];
+    const says = (row) => page.typeset(row.verdict) + (row.agrees === false ? ", unlike the passive model" : "");
+    const place = page.put(
+      "compare",
+      html(
+        "table",
+        {},
+        html("thead", {}, html("tr", {}, names.map((name) => html("th", { scope: "col" }, name)))),
+        html(
+          "tbody",
+          {},
+          compare.methods.map((row) =>
+            html(
+              "tr",
+              { "data-method": row.method },
+              html("th", { scope: "row", title: row.source }, row.method),
+              html("td", { "data-column": names[1] }, says(row)),
+              html("td", { "data-column": names[2], class: "muted" }, page.typeset(row.why)),
+            ),
+          ),
+        ),
+      ),
+      html("p", { class: "muted" }, "Torques are divided by ", page.number(compare.length), "; forces of a hand are up to 1."),
+    );
+    page.stack(place, kSentences);
+  }
+
+  const kSentences = 480; // pixels that columns with sentences need
+
+  /** Where the columns of a table have no room beside each other, their names stand in the rows. */
+  page.stack = function (place, least = 0) {
+    const table = place.querySelector("table");
+    if (table && place.clientWidth < Math.max(place.scrollWidth, least)) table.classList.toggle("cards", true);
+  };
 
   /** The uncertain numbers, those with one interval together. */
   function groupUncertain(list) {
@@ -586,9 +626,7 @@
           ),
       springsTable(),
     );
-    // Where the columns have no room beside each other, their names stand in the rows.
-    const table = place.querySelector("table");
-    if (table && place.scrollWidth > place.clientWidth) table.classList.toggle("cards", true);
+    page.stack(place);
     const slips = page.isSpatial() ? "" : "Slip: + is along the normal turned by +90 degrees, \u2212 against it. ";
     page.put(
       "table-note",
@@ -667,5 +705,5 @@
     );
   }
 
-  page.views.push(drawVerdict, drawWhy, drawChoice, drawMotionWords, drawQuality, drawTable, drawExact);
+  page.views.push(drawVerdict, drawWhy, drawChoice, drawMotionWords, drawQuality, drawCompare, drawTable, drawExact);
 })(StickslipPage);

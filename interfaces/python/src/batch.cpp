@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of a batch for stickslip.batch (interfaces/line.hpp).
+#include <pybind11/stl.h>
+
 #include <array>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "bindings.hpp"
 #include "exact.hpp"
@@ -22,6 +25,10 @@ constexpr const char* kGraspLines = "a file of grasps, one a line";
 
 /// The name of a set of states, lines of slip, whether they are snapped, and a limit.
 using AskedStates = std::tuple<std::string, std::size_t, bool, std::size_t>;
+/// The words of methods, and the values of --length, --inertia, --max-force, --accuracy and
+/// --edges.
+using AskedMeasures = std::tuple<std::vector<std::string>, std::string, std::string,
+                                 std::string, std::string, std::size_t>;
 
 /// Makes a decider. Values are as the command line spells them; an option that is not given is
 /// empty.
@@ -30,7 +37,8 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
                          bool asks_class, const std::string& inertia,
                          const std::string& certificates, const std::string& certificate_folder,
                          const std::optional<std::array<std::string, 5>>& quality,
-                         const std::optional<AskedStates>& states) {
+                         const std::optional<AskedStates>& states,
+                         const std::optional<AskedMeasures>& measures) {
   BatchOptions options;
   QuestionText asked;
   asked.wrench = wrench;
@@ -47,6 +55,11 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
   if (states) {
     const auto& [set, lines, snap, limit] = *states;
     options.states = {state_set_named(set), {lines, snap, {}}, limit};
+  }
+  if (measures) {
+    const auto& [methods, length, inertia_text, max_force, accuracy, edges] = *measures;
+    options.measures =
+        comparison_asked({methods, length, inertia_text, max_force, accuracy, edges});
   }
   options.certificates = certificates;
   options.certificate_folder = certificate_folder;

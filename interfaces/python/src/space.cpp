@@ -9,6 +9,7 @@
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/core/snap.hpp"
+#include "stickslip/engine/question.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -154,6 +155,17 @@ py::tuple spring_names(const BodiesFile& file) {
   });
 }
 
+/// Returns the grasp of the only body, if it moves freely and nothing else has forces, in its
+/// class; else None.
+py::object alone(const BodiesFile& file) {
+  const Question question = as_one_body(Question{file.content});
+  if (question.mechanism() != nullptr) return py::none();
+  GraspFile one = file;
+  one.content = question.grasp;
+  if (!question.in_space()) one.content = question.grasp.planar_middle();
+  return in_its_class(std::move(one));
+}
+
 /// Returns for each contact the body that it is of and the body that it is by.
 py::tuple pairs_of(const BodiesFile& file) {
   return tuple_of(box_in(file).contacts, [&file](const UncertainContact& contact) {
@@ -217,6 +229,7 @@ void bind_space(py::module_& module) {
           "coordinates",
           [](const BodiesFile& f) { return tuple_of(coordinate_names(mechanism_in(f)), text); })
       .def("springs", &spring_names)
+      .def("alone", &alone)
       .def("pairs", &pairs_of)
       .def(py::pickle(
           [](const BodiesFile& f) { return pickled_grasp(f); },

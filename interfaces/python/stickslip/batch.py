@@ -23,7 +23,7 @@ from typing import Any, BinaryIO, Dict, List, NoReturn, Optional, Tuple, Union
 
 from . import _core, batch_chunk
 from .arguments import as_time_limit
-from .batch_chunk import Asked, Chunk, Decided, QualityAsked, StatesAsked
+from .batch_chunk import Asked, Chunk, Decided, MeasuresAsked, QualityAsked, StatesAsked
 from .batch_cluster import Cluster
 from .batch_files import Cutter, Interrupted, Interruption, Output
 from .errors import InputError
@@ -72,6 +72,25 @@ Examples:
 """
 
 
+QUESTIONS_OF: Dict[str, Tuple[str, ...]] = {
+    **{name: ("states",) for name in StatesAsked._fields},
+    **{name: ("quality",) for name in QualityAsked._fields},
+    **{name: ("measures",) for name in MeasuresAsked._fields},
+    "inertia": ("class", "measures"), "length": ("quality", "measures"), "accuracy": ("quality", "measures"),
+}
+"""Of an option the questions that depend on it."""
+NOT_WITH: Dict[str, Tuple[str, ...]] = {
+    "asks_quality": ("asks_class",),
+    "asks_states": ("asks_class", "asks_quality", "certificates", "wrench", "case", "preload", "normal_law"),
+    "asks_measures": ("asks_class", "asks_quality", "asks_states", "certificates"),
+}
+"""Of a question the options that do not go with it."""
+
+
+def option_of(name: str) -> str:
+    return "--" + name.replace("asks_", "").replace("_", "-")
+
+
 class Parser(argparse.ArgumentParser):
     """Says what is wrong in one line."""
 
@@ -108,13 +127,14 @@ def parser() -> Parser:
         help="ask not for the verdict but for the class of rigid contacts: must move, must hold or "
         "open")
     add("--inertia", metavar="X,Y,G2", default="",
-        help="of the objects, for --class: the centre of mass and the squared radius of gyration "
-        "about it; default: 0,0,1. Of grasps in space X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]; default: 0,0,0,1,1,1")
+        help="of the objects, for --class and --measures: the centre of mass and the squared radius of gyration "
+        "about it; default: 0,0,1, or of --measures 0,0 and the square of the length. Of grasps in space "
+        "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]; default: 0,0,0,1,1,1, or that square thrice")
     add("--quality", dest="asks_quality", action="store_true",
         help="ask also for the quality of each grasp that is stable, as stickslip quality does: how large "
         "a ball of loads does it resist? The certificate is then that of the ball")
     add("--length", metavar="L", default="",
-        help="for --quality: by which torques are divided; default: 1")
+        help="for --quality and --measures: by which torques are divided; default: half the spread of the contacts")
     add("--about", metavar="X,Y", default="",
         help="for --quality: the point about which torques are; default: the origin")
     add("--body", metavar="NAME", default="",
@@ -122,8 +142,8 @@ def parser() -> Parser:
     add("--at-most", metavar="R", default="",
         help="for --quality: no larger ball is of interest; default: 64 times a typical force")
     add("--accuracy", metavar="A", default="",
-        help="for --quality: stop when what is proved and what is refuted differ by this part of it; "
-        "default: 1%%")
+        help="for --quality: stop when what is proved and what is refuted differ by this part of it, for "
+        "--measures the bounds of the two robustnesses; default: 1%%")
     add("--states", dest="asks_states", action="store_true",
         help="ask not for the verdict but how many slip states or contact modes there are of each "
         "dimension, as stickslip states does")
@@ -134,6 +154,14 @@ def parser() -> Parser:
         help="for --states: take rational directions near those of --lines that are irrational")
     add("--limit", metavar="N", type=whole_number, default=0,
         help="for --states: end after so many states of a grasp; 0 is no end")
+    add("--measures", dest="asks_measures", action="store_true",
+        help="ask not for the verdict but what other methods and measures say, as stickslip compare does: its rows")
+    add("--methods", metavar="NAME,...", type=lambda text: tuple(text.split(",")), default=(),
+        help="for --measures: these alone, as PCR,PGR or weakly-stable-load; default: all")
+    add("--max-force", metavar="F,...", default="",
+        help="for --measures: the largest normal force, one for all contacts, or one for each; default: 1")
+    add("--edges", metavar="N", type=whole_number, default=0,
+        help="for --measures: in space pyramids with so many edges in place of round cones; 0 is round")
     add("--node-limit", metavar="N", type=whole_number, default=0,
         help="of each grasp: undecided after N nodes of the search; 0 is no limit")
     add("--time-limit", metavar="SECONDS", default="0",
@@ -155,23 +183,16 @@ def arguments(words: List[str]) -> argparse.Namespace:
     given = parser().parse_args(joined)
     if given.wrench and given.case:
         raise InputError("", "--case", "there is a --wrench as well", "give one of the two")
-    if given.inertia and not given.asks_class:
-        raise InputError("", "--inertia", "no verdict depends on it", "ask for the --class")
-    if given.asks_quality and given.asks_class:
-        raise InputError("", "--quality", "there is --class as well", "ask for one of the two")
-    for name in QualityAsked._fields:
-        if getattr(given, name) and not given.asks_quality:
-            raise InputError("", "--" + name.replace("_", "-"), "no verdict depends on it",
-                             "ask for the --quality")
-    for name in StatesAsked._fields:
-        if getattr(given, name) and not given.asks_states:
-            raise InputError("", "--" + name, "no verdict depends on it", "ask for the --states")
+    for name, questions in QUESTIONS_OF.items():
+        if getattr(given, name) and not any(getattr(given, "asks_" + question) for question in questions):
+            raise InputError("", option_of(name), "no answer depends on it",
+                             "ask for " + " or ".join(map(option_of, questions)))
     if given.lines > MOST_LINES:
         raise InputError("", "--lines", f"{given.lines} is too large", f"give at most {MOST_LINES}")
-    for name in ("asks_class", "asks_quality", "certificates", "wrench", "case", "preload", "normal_law"):
-        if getattr(given, name) and given.asks_states:
-            option = "--" + name.replace("asks_", "").replace("_", "-")
-            raise InputError("", "--states", f"there is {option} as well", "give one of the two")
+    for question, others in NOT_WITH.items():
+        for name in others:
+            if getattr(given, question) and getattr(given, name):
+                raise InputError("", option_of(question), f"there is {option_of(name)} as well", "give one of the two")
     try:
         given.seconds = as_time_limit(given.time_limit)
     except InputError as error:
@@ -262,7 +283,9 @@ class Batch:
                            os.path.abspath(given.certificates) if given.certificates else "",
                            quality if given.asks_quality else None,
                            StatesAsked(given.modes or "slip", given.lines, given.snap, given.limit)
-                           if given.asks_states else None)
+                           if given.asks_states else None,
+                           MeasuresAsked(*(getattr(given, name) for name in MeasuresAsked._fields))
+                           if given.asks_measures else None)
         self._decider = self.asked.decider()
         self.tally = _core.BatchTally()
         self._file = self._open_input()

@@ -44,6 +44,17 @@ class StatesAsked(NamedTuple):
     limit: int
 
 
+class MeasuresAsked(NamedTuple):
+    """Which methods of ``compare`` are asked, as the command line spells it; empty where it says nothing."""
+
+    methods: Tuple[str, ...]
+    length: str
+    inertia: str
+    max_force: str
+    accuracy: str
+    edges: int
+
+
 class Asked(NamedTuple):
     """What is asked about each line, as the command line spells it; empty where it says nothing."""
 
@@ -62,6 +73,8 @@ class Asked(NamedTuple):
     quality: Optional[QualityAsked] = None
     """Beside the verdict; not with a class."""
     states: Optional[StatesAsked] = None
+    """In place of the verdict."""
+    measures: Optional[MeasuresAsked] = None
     """In place of the verdict."""
 
     def decider(self) -> _core.LineDecider:

@@ -512,7 +512,7 @@ class Grasp:
             wrench, preload, normal_law, uncertain: as of ``decide``.
             case: the case whose load is applied; of a grasp with cases the first, by default.
             node_limit: of each search, as of ``decide``.
-            time_limit: in seconds; regions, margins and maps that take longer are left out. 0 is
+            time_limit: in seconds; regions, margins, maps and methods that take longer are left out. 0 is
                 no limit.
         """
         def exactly(value: Any, name: str) -> str:

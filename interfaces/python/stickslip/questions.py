@@ -551,7 +551,8 @@ def compare(
     Raises:
         LimitReached: what a certificate is wanted of is not known.
     """
-    about, snapped = _asked(grasp, preload)
+    # A certificate is about the file, as it is.
+    about, snapped = _asked(grasp if certificate else _alone(grasp), preload)
     if isinstance(about, Assembly):
         for name, is_given in (("methods", methods), ("inertia", inertia is not None), ("length", length is not None),
                                ("max_force", np.ndim(max_force) > 0 or max_force != 1), ("edges", edges != 0)):
@@ -627,36 +628,43 @@ def class_margin(
     """Of which class is every multiple l >= 0 of a load on rigid contacts?
 
     Args:
-        grasp: what is asked about. Its preloads and stiffnesses play no part.
-        direction: (3,): the load is wrench + l direction.
+        grasp: what is asked about. Its preloads and stiffnesses play no part. In space and of several
+            bodies the classes are those of ``statics``, "may stand" and "must move".
+        direction: (3,), or as many numbers as the grasp's wrench has: the load is wrench + l direction.
         wrench: what the load starts from; 0 if None.
-        inertia: (3,): the centre of mass and the squared radius of gyration about it.
+        inertia: (3,): the centre of mass and the squared radius of gyration about it; in space and of
+            several bodies it plays no part.
 
     Returns:
         Ranges in their order, each of one class; a class may have several.
     """
-    about, _ = _asked(grasp, 0)
+    about, _ = _asked(_alone(grasp), 0)
+    if isinstance(about, Assembly) or about.in_space:
+        return _standing(about, wrench, direction)
     return _classes("classes", about, wrench, needed=False, inertia=as_inertia(inertia),
                     direction=as_wrench(direction, "direction", 2))
 
 
 def friction_margin(
-    grasp: Grasp, wrench: Any = None, *, inertia: Any = (0, 0, 1), accuracy: Number = "1/1000",
+    grasp: Grasp, wrench: Any = None, *, inertia: Any = (0, 0, 1), accuracy: Optional[Number] = None,
 ) -> Tuple[ClassRange, ...]:
     """Of which class is a load on rigid contacts when all friction is multiplied by s >= 0?
 
     Args:
-        grasp: what is asked about. Its preloads and stiffnesses play no part.
-        wrench: (3,): the load; the grasp's own if None.
-        inertia: (3,): the centre of mass and the squared radius of gyration about it.
-        accuracy: which part of a factor may be unknown where what must hold ends at a load that is open.
+        grasp: what is asked about, as of ``class_margin``.
+        wrench: (3,), or as many numbers as the grasp's wrench has: the load; the grasp's own if None.
+        inertia: as of ``class_margin``.
+        accuracy: which part of a factor may be unknown where what must hold ends at a load that is open,
+            1/1000 if None; or where what may stand begins, 1/1000000.
 
     Returns:
         Ranges of s in their order. Where the class is not known, ``load_class`` is None.
     """
-    about, _ = _asked(grasp, 0)
+    about, _ = _asked(_alone(grasp), 0)
+    if isinstance(about, Assembly) or about.in_space:
+        return _standing(about, wrench, None, accuracy)
     return _classes("factors", about, wrench, inertia=as_inertia(inertia),
-                    accuracy=as_number(accuracy, "accuracy"))
+                    accuracy=as_number("1/1000" if accuracy is None else accuracy, "accuracy"))
 
 
 def export(
@@ -900,9 +908,57 @@ def _region(
     return answer
 
 
+def _alone(grasp: Grasp) -> Grasp:
+    """An assembly of one body that moves freely, without springs, is a grasp of that body."""
+    data = grasp._data.alone() if isinstance(grasp, Assembly) else None
+    return grasp if data is None else Grasp._of(data, grasp._loaded)
+
+
+def _standing(grasp: Grasp, wrench: Any, direction: Any, accuracy: Any = None) -> Tuple[ClassRange, ...]:
+    """The classes that statics knows of multiples of a direction, or of factors of friction if it is None."""
+    rows: List[ClassRange] = []
+
+    def add(load_class: Optional[str], low: Optional[Fraction], high: Optional[Fraction], has_low: bool, has_high: bool) -> None:
+        if low is None or low < 0:
+            low, has_low = Fraction(0), True
+        if high is None or low < high or (low == high and has_low and has_high):
+            rows.append(ClassRange(load_class, low, high, has_low, has_high and high is not None))
+
+    if direction is None:
+        found = statics(grasp, wrench, least_friction=True, accuracy=accuracy)
+        if found.least_friction is None:
+            add(found.load_class, None, None, True, False)
+        else:
+            fails, stands = found.least_friction
+            if fails > 0:
+                add("must move", None, fails, True, True)
+            add(None, fails, stands, fails == 0, False)
+            add("may stand", stands, None, True, False)
+        return tuple(rows)
+    multiples = statics(grasp, wrench, directions=[direction]).multiples
+    assert multiples is not None
+    below, above = multiples.below, multiples.above
+    if multiples.always_moves or (below is not None and above is not None and below > above):
+        add("must move", None, None, True, False)
+        return tuple(rows)
+    if below is not None:
+        add("must move", None, below, True, False)
+    if multiples.stand is None:
+        add(None, below, above, True, True)
+    else:
+        low, high = multiples.stand
+        if low is not None:
+            add(None, below, low, True, False)
+        add("may stand", low, high, True, True)
+        if high is not None:
+            add(None, high, above, False, True)
+    if above is not None:
+        add("must move", above, None, False, False)
+    return tuple(rows)
+
+
 def _classes(question: str, grasp: Grasp, wrench: Any, needed: bool = True,
              **options: Any) -> Tuple[ClassRange, ...]:
-    grasp._planar()
     answer = _ask(question, grasp, wrench, None, "unilateral", 0, None, needed, **options)
     return tuple(ClassRange(row.pop("class"), **row) for row in answer["classes"])
 

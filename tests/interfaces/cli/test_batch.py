@@ -217,6 +217,62 @@ class Batch(Case):
                       ("--preload", "1", "--states"), ("--normal-law", "bilateral", "--states")):
             self.fails("batch", path, *words, naming=[words[0], "--states"])
 
+    def test_measures_are_the_rows_of_compare(self):
+        """Of a grasp in the plane, a crate, and one body alone in a file of several."""
+        crate = {"format": "stickslip-grasp/2", "name": "crate", "defaults": {"friction": "1/2"}, "wrench": [0, 0, -1, 0, 0, 0],
+                 "contacts": [{"position": [x, y, -1], "normal": [0, 0, 1]} for x in (-1, 1) for y in (-1, 1)]}
+        alone = {"format": "stickslip-grasp/3", "bodies": [{"name": "upper"}], "loads": [{"body": "upper", "weight": 1, "at": [0, 0]}],
+                 "contacts": [{"position": [x, 0], "normal": [0, 1], "friction": 1, "of": "upper"} for x in (-1, 2)]}
+        lines = [grasp(1), {**crate, "max_motion": [1] * 6}, alone, self.pinch(1, "1/2")]
+        quick = ("--methods", "passive-equilibrium,PGR,least-normal-forces,distance-of-the-centroid")
+        for options, about in (((), (0, 3)), (quick, (0, 1, 2, 3)), ((*quick, "--length", "3/2", "--max-force", 2, "--accuracy", "5%"), (0, 1, 2, 3)),
+                               ((*quick, "--inertia", "1,2,3", "--wrench", "0,-2,0", "--preload", "1/3", "--normal-law", "bilateral"), (0, 2, 3)),
+                               ((*quick, "--edges", 4, "--inertia", "1,2,3,4,5,6"), (1,))):
+            some = self.write("some.jsonl", "".join(json.dumps(lines[i]) + "\n" for i in about))
+            for i, result in zip(about, self.results(some, "--measures", *options)):
+                answer = self.json("compare", self.write("one.json", lines[i]), *options)
+                members = ("name", "length", "inertia", "class", "methods")
+                self.assertEqual(set(result), {"line", "key", "check", *members})
+                self.assertEqual({name: result[name] for name in members}, {name: answer[name] for name in members})
+                self.assertEqual(len(result["methods"]) == 4, bool(options))
+        one = self.lines([1])
+        others = ((), ("--methods", "PCR"), ("--methods", "PCR,PGR"), ("--length", 1), ("--length", 2), ("--max-force", 2), ("--accuracy", "2%"),
+                  ("--inertia", "0,0,1"), ("--inertia", "0,0,2"), ("--node-limit", 7), ("--preload", 7))
+        keys = {self.results(one, "--measures", *options)[0]["key"] for options in others}
+        self.assertEqual(len(keys | {self.results(one)[0]["key"]}), len(others) + 1)
+
+    def test_measures_of_lines_that_have_none(self):
+        blocks = {"format": "stickslip-grasp/3", "bodies": [{"name": "lower"}, {"name": "upper"}],
+                  "contacts": [{"position": [x, 1], "normal": [0, 1], "friction": 1, "of": "upper", "by": "lower"} for x in (-1, 2)]}
+        path = self.write("lines.jsonl", "".join(json.dumps(line) + "\n" for line in (grasp(1), blocks, self.pinch({"min": 1, "max": 2}))))
+        said = f"stickslip: {path}: 2 of 3 lines could not be read, the first is line 2; their results say why\n"
+        words = ("--measures", "--methods", "PCR")
+        results = self.results(path, *words, code=BAD_INPUT, said=said)
+        self.assertEqual([row["method"] for row in results[0]["methods"]], ["potential contact robustness"])
+        self.assertEqual((results[1]["error"]["place"], "--class" in results[1]["error"]["remedy"]), ("--measures", True))
+        self.assertIn("preload", results[2]["error"]["place"])
+        one = self.lines([1])
+        said = f"stickslip: {one}: 1 of 1 line could not be read, the first is line 1; their results say why\n"
+        for option, value in (("--edges", "4"), ("--max-force", "1,2"), ("--inertia", "1,2,3,4,5,6")):
+            [result] = self.results(one, *words, option, value, code=BAD_INPUT, said=said)
+            self.assertEqual(result["error"]["place"], option)
+        # At the limit of the search the bounds are those that are known.
+        stiff = {"format": "stickslip-grasp/1", "defaults": {"friction": "1/2"}, "wrench": [0, "-1/8", 0],
+                 "contacts": [{"position": p, "normal": n, "stiffness": k} for p, n, k in
+                              (([-1, 0], [1, 0], 3), ([1, "1/2"], [-1, 0], 1), ([0, -1], [0, 1], 2), (["1/3", 1], [0, -1], 1))]}
+        one = self.write("stiff.jsonl", json.dumps(stiff) + "\n")
+        limited, whole = (self.results(one, "--measures", "--methods", "PGR", "--accuracy", "1/1000000", *limit)[0]["methods"][0]["evidence"]
+                          for limit in (("--node-limit", 1), ()))
+        self.assertEqual((limited["complete"], whole["complete"]), (False, True))
+        for option, value in (("--methods", "PCR,nonsense"), ("--max-force", "0"), ("--accuracy", "0"), ("--length", "0"), ("--inertia", "0,0,0")):
+            self.fails("batch", path, "--measures", option, value, naming=[option])
+        for option, value, other in (("--methods", "PCR", "--measures"), ("--max-force", "1", "--measures"), ("--edges", "4", "--measures"),
+                                     ("--length", "1", "--quality or --measures"), ("--accuracy", "1%", "--quality or --measures"),
+                                     ("--inertia", "0,0,1", "--class or --measures")):
+            self.fails("batch", path, option, value, naming=[option, *other.split(" or ")])
+        for other in (("--class",), ("--quality",), ("--states",), ("--certificates", self.path("no"))):
+            self.fails("batch", path, *other, "--measures", naming=[other[0], "--measures"])
+
     def test_an_undecided_line_has_no_quality(self):
         path, out = self.lines([20]), self.path("out.jsonl")
         words = ("batch", path, "--quality", "--node-limit", 1, "-o", out)

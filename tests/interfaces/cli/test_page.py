@@ -74,6 +74,7 @@ class Page(Case):
             self.assertEqual(answer["margin"], expected)
             self.assertEqual(answer["map"], self.json("map", *words, "--x", "friction=0:2", "--y", "load=0:2",
                                                       "--depth", "4", "--floats"))
+            self.assertEqual(answer["compare"], self.json("compare", *words, "--floats"))
             grasp, proof = self.write("g.json", answer["grasp"]), self.write("p.json", answer["certificate"])
             code, out, err = run(CHECK, grasp, proof, *words[1:])
             self.assertEqual((code, err), (DONE, ""))
@@ -128,8 +129,8 @@ class Page(Case):
         self.assertEqual(low, 0)
         self.assertTrue(14.1 < high < 14.1422, high)
         # What is about one grasp is left out, and it is said why.
-        self.assertEqual([answer[part] for part in ("region", "map")], [None] * 2)
-        self.assertEqual({message.split(":")[0] for message in answer["messages"]}, {"region", "map"})
+        self.assertEqual([answer[part] for part in ("region", "map", "compare")], [None] * 3)
+        self.assertEqual({message.split(":")[0] for message in answer["messages"]}, {"region", "map", "compare"})
 
     def test_several_bodies(self):
         grasp = os.path.join(EXAMPLES, "bodies-gripper.json")
@@ -137,7 +138,8 @@ class Page(Case):
         self.assertEqual(answer["decide"], self.json("decide", grasp, "--floats"))
         self.assertEqual((answer["dimension"], answer["states"], answer["region"], answer["map"]), (3, None, None, None))
         said = [message for message in answer["messages"] if "several bodies" in message]
-        self.assertEqual([message.split(":")[0] for message in said], ["states", "region", "map", "quality"])
+        self.assertEqual([message.split(":")[0] for message in said], ["states", "region", "map", "quality", "compare"])
+        self.assertIsNone(answer["compare"])
         proof = self.write("p.json", answer["certificate"])
         self.assertEqual(run(CHECK, self.write("g.json", answer["grasp"]), proof)[0], DONE)
         bodies = answer["mechanism"]["bodies"]
@@ -324,7 +326,7 @@ class Server(Case):
         self.assertEqual(answer["question"], {"wrench": "0,11/10,0", "case": None, "preload": "2",
                                               "normal_law": "unilateral", "uncertain": None})
         self.assertIs(answer["live"], True)
-        self.assertEqual(set(answer) & {"states", "region", "margin", "map"}, set())
+        self.assertEqual(set(answer) & {"states", "region", "margin", "map", "compare"}, set())
         # What an answer says was asked may be asked again.
         again = self.ask(text, answer["question"])
         self.assertEqual(again["decide"], answer["decide"])
@@ -337,7 +339,9 @@ class Server(Case):
         self.assertEqual(box["decide"], self.json("decide", FIG1, "--uncertain", "friction=10%", "--floats"))
         bracket = read(os.path.join(EXAMPLES, "bracket.json"))  # of a quick map
         everything = json.loads(self.request("POST", "/answer", {"grasp": bracket})[2])
-        self.assertLessEqual({"decide", "certificate", "states", "region", "margin", "map"}, set(everything))
+        self.assertLessEqual({"decide", "certificate", "states", "region", "margin", "map", "compare"}, set(everything))
+        self.assertEqual(self.ask(text, {"wrench": "0,1/2,0"}, ["compare"])["compare"],
+                         self.json("compare", FIG1, "--wrench", "0,1/2,0", "--floats"))
 
     def test_errors_name_their_place(self):
         text = read(FIG1)

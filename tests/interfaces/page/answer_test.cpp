@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "interfaces/page/web_files.hpp"
 #include "rounds.hpp"
@@ -50,10 +52,11 @@ std::size_t count(const Json& cells, const std::string& kind) {
 }
 
 TEST(PageAnswer, WhatIsNotAskedForIsLeftOut) {
-  const Json answer = answer_about(kPinch, {false, true, false, false, false, false, true});
+  const Json answer =
+      answer_about(kPinch, {false, true, false, false, false, false, false, true});
   EXPECT_TRUE(answer.contains("states"));
-  for (const char* part :
-       {"decide", "certificate", "near", "region", "margin", "map", "quality", "lost"}) {
+  for (const char* part : {"decide", "certificate", "near", "region", "margin", "map",
+                           "quality", "lost", "compare"}) {
     EXPECT_FALSE(answer.contains(part)) << part;
   }
 }
@@ -66,7 +69,7 @@ TEST(PageAnswer, TheGraspIsOfVersion2AndTheSame) {
           "contacts": [{"on": [0, "1/2"], "friction": {"min": 0, "max": 1}}],
           "cases": [{"name": "a", "wrench": [0, 1, 2]}]})")}) {
     const std::string written =
-        answer_about(text, {true, false, false, false, false, false, false})["grasp"];
+        answer_about(text, {true, false, false, false, false, false, false, false})["grasp"];
     EXPECT_EQ(written.rfind("{\"format\": \"stickslip-grasp/2\",", 0), 0) << written;
     const auto first = parse_any_grasp(text, "first");
     const auto second = parse_any_grasp(written, "second");
@@ -121,8 +124,8 @@ TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
   limits.limits_verdict = true;
   std::vector<std::array<int, 4>> ring;
   for (int i = 0; i < 100; ++i) ring.push_back({i - 50, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
-  const Json answer =
-      answer_about(grasp_of(ring), {false, false, true, false, false, false, true}, limits);
+  const Json answer = answer_about(
+      grasp_of(ring), {false, false, true, false, false, false, false, true}, limits);
   EXPECT_TRUE(answer["region"].is_null());
   ASSERT_EQ(answer["messages"].size(), 1U);
   EXPECT_EQ(answer["messages"][0], "region: not known within 0.001 seconds.");
@@ -146,8 +149,8 @@ TEST(PageAnswer, AMarginInSpaceThatIsGivenUpKeepsWhatIsKnown) {
   PageLimits limits;
   for (limits.time = std::chrono::milliseconds(10); answer["margin"].is_null();
        limits.time *= 2) {
-    answer =
-        answer_about(grasp.dump(), {false, false, false, true, false, false, true}, limits);
+    answer = answer_about(grasp.dump(), {false, false, false, true, false, false, false, true},
+                          limits);
     ASSERT_EQ(answer["messages"].size(), 1U);
   }
   const std::string said = answer["messages"][0];
@@ -176,8 +179,8 @@ constexpr const char* kCube = R"({"format": "stickslip-grasp/2",
 TEST(PageAnswer, ARegionInSpace) {
   PageLimits limits;
   if (test::kSanitized) limits.time = std::chrono::seconds(5);  // of a minute
-  const Json region =
-      answer_about(kCube, {false, false, true, false, false, false, false}, limits)["region"];
+  const Json region = answer_about(
+      kCube, {false, false, true, false, false, false, false, false}, limits)["region"];
   EXPECT_EQ(region["plane"]["u"], (Json{"1", "0", "0", "0", "0", "0"}));
   EXPECT_EQ(region["plane"]["v"], (Json{"0", "0", "1", "0", "0", "0"}));
   EXPECT_EQ(region["plane"]["origin"], (Json{"0", "0", "0", "0", "0", "0"}));
@@ -213,7 +216,7 @@ TEST(PageAnswer, ARegionInSpaceIsAboutOneGrasp) {
   QuestionText asked;
   asked.uncertain = "friction=1%";
   const Json answer =
-      answer_about(kCube, {false, false, true, false, false, false, false}, {}, asked);
+      answer_about(kCube, {false, false, true, false, false, false, false, false}, {}, asked);
   EXPECT_TRUE(answer["region"].is_null());
   EXPECT_NE(answer["messages"].dump().find("more than one grasp"), std::string::npos);
 }
@@ -243,7 +246,7 @@ TEST(PageReply, NormalsAreSnappedOnRequest) {
 }
 
 TEST(PageHtml, EveryScriptHasTheNonceAndTheAnswerIsThere) {
-  const Json answer = answer_about(kPinch, {true, true, true, true, false, false, true});
+  const Json answer = answer_about(kPinch, {true, true, true, true, false, false, false, true});
   const std::string html = page_html(stickslip::Json::parse(answer.dump()), "0123");
   std::size_t scripts = 0;
   for (std::size_t at = html.find("<script"); at != std::string::npos;
@@ -274,9 +277,9 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
   QuestionText asked;
   asked.uncertain = "wrench=ball:1/10:length=2:about=1:0";
   const bool map = !test::kSanitized;  // half a minute each
-  const Json plain = answer_about(kPinch, {true, false, true, true, map, false, false});
+  const Json plain = answer_about(kPinch, {true, false, true, true, map, false, false, false});
   const Json ball =
-      answer_about(kPinch, {true, false, true, true, map, true, false}, {}, asked);
+      answer_about(kPinch, {true, false, true, true, map, true, false, false}, {}, asked);
   EXPECT_EQ(ball["decide"]["box"], true);
   EXPECT_EQ(ball["decide"]["ball"]["radius"], "1/10");
   std::vector<std::string> same{"region", "margin"};
@@ -297,7 +300,8 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
 // Forces up to 1 across the line of the pads are resisted, and the load is 1/2: so another 1/2
 // is all that there can be.
 TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
-  const Json answer = answer_about(kPinch, {true, false, false, false, false, true, false});
+  const Json answer =
+      answer_about(kPinch, {true, false, false, false, false, true, false, false});
   const Json& quality = answer["quality"];
   EXPECT_EQ(quality["ball"]["length"], "1");
   EXPECT_GT(quality["proved_float"], 0.1);
@@ -307,6 +311,52 @@ TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
   EXPECT_EQ(answer["lost"]["decide"]["wrench"], quality["not_resisted"]);
   EXPECT_TRUE(answer["lost"]["certificate"].is_string());
   EXPECT_FALSE(answer["lost"].contains("quality"));
+}
+
+constexpr PageParts kCompare{false, false, false, false, false, false, true, false};
+
+// A pinch leaves a turn about its line free in space. Its load is friction alone, of half of
+// the normal force that each finger presses with at least.
+TEST(PageAnswer, OtherMethodsHaveTheirRows) {
+  for (const auto& [grasp, load, robustness] :
+       {std::tuple{kPinch, 0.5, "of"}, std::tuple{kCube, 1.0, "0"}}) {
+    QuestionText asked;
+    asked.uncertain = grasp == kPinch ? "wrench=ball:1/10:length=2" : "";
+    const Json compare = answer_about(grasp, kCompare, {}, asked)["compare"];
+    EXPECT_EQ(compare["length"], grasp == kPinch ? "2" : "1");
+    std::map<std::string, Json> rows;
+    for (const Json& row : compare["methods"]) rows[row["method"]] = row;
+    EXPECT_EQ(rows["passive equilibrium"]["verdict"], "stable");
+    const Json& sum = rows["least normal forces"]["evidence"]["sum"];
+    EXPECT_LE(sum["lower_float"], 2 * load + 1e-5);
+    EXPECT_GE(sum["upper_float"], 2 * load - 1e-5);
+    const std::string verdict = rows["potential grasp robustness"]["verdict"];
+    EXPECT_EQ(verdict == "0", std::string(robustness) == "0") << verdict;
+  }
+}
+
+TEST(PageAnswer, MethodsThatAreNotDoneInTimeSaySo) {
+  PageLimits limits;
+  limits.time = std::chrono::milliseconds(1);
+  const Json answer = answer_about(kCube, kCompare, limits);
+  EXPECT_TRUE(answer["messages"].empty());
+  const Json& rows = answer["compare"]["methods"];
+  EXPECT_GT(rows.size(), 10U);
+  const Json& last = rows.back();
+  EXPECT_EQ(last["verdict"], "not computed");
+  EXPECT_EQ(last["why"].get<std::string>().rfind("the time limit of 0.001 s", 0), 0U) << last;
+}
+
+TEST(PageAnswer, OtherMethodsAreAboutOneGrasp) {
+  for (const auto& [uncertain, said] :
+       {std::pair{"friction=1%", "more than one grasp"},
+        std::pair{"wrench=ball:1/10,friction=1%", "more than"}}) {
+    QuestionText asked;
+    asked.uncertain = uncertain;
+    const Json answer = answer_about(kPinch, kCompare, {}, asked);
+    EXPECT_TRUE(answer["compare"].is_null());
+    EXPECT_NE(answer["messages"].dump().find(said), std::string::npos) << answer;
+  }
 }
 
 }  // namespace

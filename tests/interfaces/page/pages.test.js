@@ -58,6 +58,7 @@ function isWhole(opened, answer, verdict) {
   assert.strictEqual(find("#proof-panel").shown, Boolean(answer.certificate), "a proof is offered where there is one");
   assert.strictEqual(find("#check").shown, Boolean(answer.certificate));
   assert.strictEqual(find("#margin-panel").shown, Boolean(answer.margin));
+  assert.strictEqual(find("#compare-panel").shown, Boolean(answer.compare));
   assert.strictEqual(find("#body-legend").shown, true);
   if (answer.dimension === 6) {
     assert.ok(page.spaceState().drawn > answer.contacts.length, "contacts are in the scene");
@@ -316,7 +317,7 @@ test("a length that is irrational makes no box", () => {
   assert.match(words, /normals of contacts 0 and 1 have irrational lengths \|n\|: P\/\|n\| was enclosed to 128 bits/);
   assert.match(words, /The body moves by nearly d =/);
   assert.match(opened.text("#margin-note"), /Resisted multiples λ of the load: \[0, .*found nearly here/s);
-  assert.match(words, /region, map: a preloaded contact has a normal of irrational length; `stickslip snap` writes/);
+  assert.match(words, /region, map, compare: a preloaded contact has a normal of irrational length; `stickslip snap` writes/);
   assert.doesNotMatch(words, /box|all of them at once|more than one grasp/);
 });
 
@@ -350,6 +351,21 @@ test("labels of points are all fractions, or all decimals with one mark", () => 
     [...page.pointLabels([["-8/3", "2"], ["1/2", "0"], ["100/17", "123456/1000"]])],
     ["~(\u22122.667, 2)", "(0.5, 0)", "~(5.882, 123.5)"],
   );
+});
+
+test("what other methods say stands in a table, and where they disagree", () => {
+  const made = pageWithin(...kPlanar);
+  const { compare } = made.answer;
+  const opened = openWith(made);
+  const rows = opened.root.querySelectorAll("tr[data-method]");
+  assert.deepStrictEqual(rows.map((row) => row.dataset.method), compare.methods.map(({ method }) => method));
+  compare.methods.forEach((row, i) => {
+    const cells = rows[i].querySelectorAll("td").map((cell) => cell.textContent.replace(/\u2212/g, "-"));
+    assert.deepStrictEqual(cells, [row.verdict + (row.agrees === false ? ", unlike the passive model" : ""), row.why]);
+  });
+  assert.ok(compare.methods.some(({ agrees }) => agrees === false), "the example has methods that disagree");
+  assert.match(opened.text("#compare"), /Torques are divided by 1; /);
+  assert.match(opened.text("#compare"), /potential grasp robustness *0\.\d+ to 0\.\d+/);
 });
 
 // Margins.

@@ -104,6 +104,9 @@ class Planar(PageTest):
         answer = self.open(FIG1)
         self.assertIsNone(answer["outline"])
         self.assertIn("No outline is given", self.text("#body-legend"))
+        self.assertEqual(self.attributes("#compare tr[data-method]", "data-method"), [row["method"] for row in answer["compare"]["methods"]])
+        self.assertEqual([row["method"] for row in json.loads(run("compare", FIG1, "--json"))["methods"]],
+                         [row["method"] for row in answer["compare"]["methods"]])
         self.picture("stable-no-outline")
 
     def test_a_name_is_text(self):

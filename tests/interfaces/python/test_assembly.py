@@ -10,10 +10,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import stickslip
-from conftest import ROOT
+from conftest import ROOT, program
 from stickslip import Assembly, Grasp, InputError, decide
 
 EXAMPLES = ROOT / "examples" / "grasps"
+HALF = Fraction(1, 2)
 
 
 def blocks(mu="1/2", **members):
@@ -159,8 +160,6 @@ HAND = EXAMPLES / "bodies-hand.json"
     lambda a: stickslip.slip_states(a),
     lambda a: stickslip.export(a),
     lambda a: stickslip.crosscheck(a, "stable"),
-    lambda a: stickslip.class_margin(a, (0, 1, 0)),
-    lambda a: stickslip.friction_margin(a),
     lambda a: a.snap(),
 ])
 def test_what_is_for_one_body(ask):
@@ -168,6 +167,87 @@ def test_what_is_for_one_body(ask):
         with pytest.raises(InputError) as error:
             ask(assembly)
         assert error.value.problem == "the grasp has several bodies"
+
+
+def pushed(names, in_space=False):
+    """Blocks on each other, with friction 1/2; of weight 1, and the upper one is pushed by 1/4."""
+    feet = [(x, y) for x in (-1, 1) for y in (-1, 1)] if in_space else [(-1,), (1,)]
+    middle = [0] * (2 if in_space else 1)
+    return Assembly.from_text(json.dumps({
+        "format": "stickslip-grasp/3", "bodies": [{"name": name} for name in names], "defaults": {"friction": "1/2", "preload": 1},
+        "contacts": [{"position": [*foot, k], "normal": [*middle, 1], "of": of, "by": names[k - 1] if k else "ground"}
+                     for k, of in enumerate(names) for foot in feet],
+        "loads": [{"body": name, "weight": 1, "at": [*middle, k]} for k, name in enumerate(names)]
+        + [{"body": names[-1], "force": ["1/4", *middle], "at": [*middle, len(names) - 1]}]}))
+
+
+@pytest.mark.parametrize("in_space", [False, True])
+def test_one_body_is_a_grasp(in_space):
+    assembly = pushed(["up"], in_space)
+    grasp = Grasp(assembly.positions, assembly.normals, assembly.friction, preload=assembly.preload, wrench=assembly.wrench)
+    methods = ["passive-equilibrium", "weakly-stable-load", "strongly-stable-load", "PGR", "least-normal-forces"]
+    found, expected = (stickslip.compare(about, methods=methods, length=2, max_force=3) for about in (assembly, grasp))
+    assert found.methods == expected.methods and len(found.methods) == 5
+    assert found.load_class == expected.load_class == "must hold"
+    load = (1, *assembly.wrench[1:])
+    assert stickslip.compare(assembly, load, methods=methods[1:2]).load_class == "must move"
+    assert stickslip.class_margin(assembly, load, assembly.wrench) == stickslip.class_margin(grasp, load, grasp.wrench)
+    assert stickslip.friction_margin(assembly) == stickslip.friction_margin(grasp)
+    # The proof is about the file, whose checkers know it as one of several bodies.
+    proved = stickslip.compare(assembly, certificate=True)
+    assert (proved.methods, proved.load_class) == ((), "may stand")
+    assert stickslip.check(assembly, proved.certificate, statics=1).verdict == "may stand"
+
+
+def words(row):
+    return ",".join(map(str, row))
+
+
+def class_at(rows, at):
+    [found] = [row.load_class for row in rows if (row.low < at or row.low == at and row.has_low)
+               and (row.high is None or at < row.high or at == row.high and row.has_high)]
+    return found
+
+
+@pytest.mark.parametrize("assembly", [pushed(["low", "up"]), pushed(["low", "up"], True), pushed(["up"], True), Assembly.from_file(HAND)],
+                         ids=["two", "two in space", "one in space", "a hand"])
+def test_classes_of_statics_are_those_of_the_program(assembly, tmp_path):
+    path = tmp_path / "g.json"
+    path.write_text(assembly.to_text())
+    zero = (0,) * len(assembly.wrench)
+    for start in (zero, assembly.wrench):
+        for direction in (assembly.wrench, tuple(-w for w in assembly.wrench)):
+            rows = stickslip.class_margin(assembly, direction, start)
+            said = program("margin", path, "--class", "--wrench", words(start), "--direction", words(direction))["multiples"]
+            below, above, *stand = (None if x is None else Fraction(x) for x in (said["below"], said["above"], *(said["stand"] or ())))
+            ends = {Fraction(0), *(x + d for x in (below, above, *stand) if x is not None for d in (-HALF / 50, 0, HALF / 50))}
+            for at in sorted(x for x in ends if x >= 0):
+                moves = said["always_moves"] or (below is not None and at < below) or (above is not None and at > above)
+                stands = bool(stand) and (stand[0] is None or stand[0] <= at) and (stand[1] is None or at <= stand[1])
+                assert class_at(rows, at) == ("must move" if moves else "may stand" if stands else None)
+    rows = stickslip.friction_margin(assembly)
+    said = program("margin", path, "--class", "--friction")["least_friction"]
+    low, high = (Fraction(said[end]) for end in ("low", "high"))
+    for at, kind in ((low, "must move" if low > 0 else None if high > 0 else "may stand"), (high, "may stand"), (high + 1, "may stand")):
+        assert class_at(rows, at) == kind
+    assert high <= low + Fraction(1, 1000000)
+
+
+def test_classes_of_statics_have_closed_forms():
+    for in_space in (False, True):
+        assembly = pushed(["low", "up"], in_space)
+        push = [0] * len(assembly.wrench)
+        push[assembly.coordinates.index("up.x")] = 1
+        load = [w if not p else 0 for w, p in zip(assembly.wrench, push)]
+        found = stickslip.class_margin(assembly, push, load)
+        assert [row.load_class for row in found if row.load_class] == ["may stand", "must move"]
+        assert found[0].low == 0 and abs(found[0].high - HALF) < Fraction(1, 1000) and found[-1].high is None
+        assert abs(stickslip.friction_margin(assembly)[-1].low - HALF) < Fraction(1, 1000000)
+        [alone] = stickslip.friction_margin(assembly, [0] * len(push))
+        assert (alone.load_class, alone.low, alone.high, alone.has_low) == ("may stand", 0, None, True)
+        lifted = [1 if name.endswith(".z" if in_space else ".y") else 0 for name in assembly.coordinates]
+        for rows in (stickslip.friction_margin(assembly, lifted), stickslip.class_margin(assembly, lifted, lifted)):
+            assert [(row.load_class, row.low, row.high) for row in rows] == [("must move", 0, None)]
 
 
 def test_a_box_is_drawn_in_the_middle():

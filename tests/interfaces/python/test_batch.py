@@ -220,6 +220,8 @@ MIXED = ("\n \n" + "".join(lines_of(90)) + "{\n[]\n\x00\n" + "\n" * 5000 + "".jo
 
 @pytest.mark.parametrize("options", [(), ("--wrench", "-1/7,2,0", "--preload", "2"),
                                      ("--class",), ("--class", "--inertia", "-1/7,2,3"),
+                                     ("--measures", "--methods", "PGR,least-normal-forces", "--length", "2", "--max-force", "2",
+                                      "--inertia", "-1,0,1"),
                                      ("--states",), ("--states", "--modes", "ss", "--lines", "1", "--snap"),
                                      ("--normal-law", "bilateral", "--node-limit", "1")])
 def test_the_bytes_are_those_of_the_program(cluster, tmp_path, options):
@@ -599,6 +601,12 @@ def test_usage(tmp_path, grasps):
     fails(grasps, "--quality", "--length", 0, naming=["--length", "above 0"])
     for option in ("--length", "--about", "--body", "--at-most", "--accuracy"):
         fails(grasps, option, 1, naming=[option, "--quality"])
+    for option in ("--methods", "--max-force", "--edges", "--length", "--accuracy", "--inertia"):
+        fails(grasps, option, 1, naming=[option, "--measures"])
+    for option, value in (("--methods", "nonsense"), ("--max-force", 0), ("--inertia", "0,0,0"), ("--length", 0), ("--accuracy", 0)):
+        fails(grasps, "--measures", option, value, naming=[option])
+    for option, *value in (("--class",), ("--quality",), ("--states",), ("--certificates", "x")):
+        fails(grasps, "--measures", option, *value, naming=[option, "--measures"])
     for option, *value in (("--modes", "cs"), ("--lines", 1), ("--snap",), ("--limit", 1)):
         fails(grasps, option, *value, naming=[option, "--states"])
     fails(grasps, "--states", "--lines", 65, naming=["--lines", "64"])

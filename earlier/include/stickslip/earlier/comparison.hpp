@@ -71,6 +71,9 @@ struct Comparison {
 /// "grasp-wrench-space-L1", and the short names PCR and PGR.
 std::vector<std::string> method_words();
 
+/// Throws InputError ("methods") at a word that is none of these.
+void check_methods(const std::vector<std::string>& words);
+
 /// Asks only the methods of `options` about one grasp. Sentences have their numbers from
 /// `text`. They say why a method differs from the passive model only if that is asked, too.
 /// Throws InputError ("methods") at a word of no method, or in space at one of the plane alone,

@@ -44,8 +44,10 @@
 ///   and body of the question, if it has a ball. Of several bodies null without one.
 /// - `lost`: the answer about the load of `quality` that is not resisted, with `decide` and the
 ///   members that it brings; null if there is no such load.
+/// - `compare`: the output of `compare --json --floats`, with the length of the question's ball
+///   if it has one. Null of several bodies.
 /// - `messages`: sentences for people. If only loads in a ball are uncertain, `region`,
-///   `margin` and `map` are about the load in the centre.
+///   `margin`, `map` and `compare` are about the load in the centre.
 #pragma once
 
 #include <chrono>
@@ -70,6 +72,7 @@ struct PageParts {
   bool margin = true;    ///< the multiples of the load
   bool map = true;       ///< verdicts over friction and load
   bool quality = true;   ///< brings `lost`
+  bool compare = true;   ///< what earlier methods say
   bool warnings = true;  ///< the model's traps in `decide`; they take longer than the verdict
 };
 

@@ -3,6 +3,8 @@
 /// What earlier methods say, as `compare --json` and `margin --class --json` print it.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "stickslip/core/number_text.hpp"
@@ -11,6 +13,31 @@
 #include "stickslip/engine/question.hpp"
 
 namespace stickslip {
+
+/// The values of options of a comparison; an option that is not given is empty.
+struct ComparisonText {
+  std::vector<std::string> methods;  ///< words of methods; none are all
+  std::string length;                ///< the length by which torques are divided
+  std::string inertia;               ///< the numbers of inertia_of()
+  std::string max_force = "1";       ///< the largest normal forces
+  std::string accuracy = "1%";       ///< the accuracy of PCR and PGR
+  std::size_t edges = 0;             ///< the edges of pyramids; 0: round cones
+};
+
+/// A comparison, but for the grasp.
+struct ComparisonAsked {
+  CompareOptions options{};              ///< without the length and the inertia of a grasp
+  std::optional<Rational> length{};      ///< the length, if it was given
+  std::optional<RationalRow> inertia{};  ///< the numbers of the inertia, if they were given
+};
+
+/// Returns the comparison that they ask for. Throws InputError naming the option.
+ComparisonAsked comparison_asked(const ComparisonText& text);
+
+/// Returns the options for a grasp. Without a length it has characteristic_length(), and
+/// without an inertia its mass about its origin, at that length. Throws InputError
+/// ("--inertia") at that of a grasp in another number of coordinates.
+CompareOptions options_for(const ComparisonAsked& asked, const Question& question);
 
 /// Returns the answers of the methods, with their evidence, before finished().
 Json comparison_json(const Question& question, const Rational& length, const Inertia& inertia,

@@ -16,6 +16,7 @@
 #include "stickslip/core/json.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/engine/question.hpp"
+#include "stickslip/interfaces/comparison_answer.hpp"
 #include "stickslip/interfaces/quality_answer.hpp"
 #include "stickslip/interfaces/states_answer.hpp"
 
@@ -82,6 +83,8 @@ struct BatchOptions {
   std::optional<QualityAsked> quality{};
   /// The states to count in place of a verdict. Not with `inertia`, `quality` or certificates.
   std::optional<StatesAsked> states{};
+  /// The methods and measures to ask in place of a verdict. Not with these or certificates.
+  std::optional<ComparisonAsked> measures{};
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it
 };
@@ -109,6 +112,9 @@ class LineDecider {
  private:
   /// Adds the counts of states to the result. Returns whether the limit ended them.
   LineOutcome add_states(Json& result, const std::string& line) const;
+
+  /// Adds the rows of a comparison to the result.
+  void add_measures(Json& result, const std::string& line) const;
 
   /// Adds the quality to the result of a question that is stable. Returns the certificate of
   /// the ball of loads that is resisted; empty if there is none.

@@ -20,7 +20,8 @@ Rational positive_option(const std::string& option, const std::string& value);
 /// Returns a part of a radius, "1%" or "0.01". Throws InputError naming --accuracy.
 Rational accuracy_option(const std::string& value);
 
-/// Returns an error of ask() in the words of the command line, about the grasp `name`.
+/// Returns an error of ask() or compare_methods() in the words of the command line, about the
+/// grasp `name`.
 InputError in_options(const InputError& error, const std::string& name);
 
 /// Returns the question of ask(), with errors in the words of the command line; those of a

@@ -270,7 +270,9 @@ class FaceWalk : public FaceReader {
     });
     mirrored_ = false;
     Generators cone{lines_, {}};
-    for (const Ray ray : rays) cone.rays.push_back(outer_.vector(ray));
+    if (!lines_.empty()) {  // else nothing moves them
+      for (const Ray ray : rays) cone.rays.push_back(outer_.vector(ray));
+    }
     std::vector<Row> taken;
     Set at;
     for_each_bit(active_, [&](std::size_t g) {
@@ -295,7 +297,7 @@ class FaceWalk : public FaceReader {
     for (const Row& line : taken) directions.push_back(inner_.add(line, asked_));
     walk_directions(list, directions, 0, dimension, rays.empty());
     store_ = &outer_;
-    // Where no line is left, planes determine each ray, so that it serves in other faces too.
+    // Planes determine each ray where no line is left, so that it serves in other faces too.
     if (lines_left_ > 0) inner_.clear();
   }
 

@@ -137,8 +137,7 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
         (undecided.reason == "degree" || undecided.reason == "free")) {
       undecided.remedy =
           "give the preloaded contacts normals of rational length, as stickslip snap does: "
-          "then "
-          "equilibria are found exactly, also where they lie side by side";
+          "then equilibria are found exactly, also where they lie side by side";
     }
     decision.verdict = std::move(undecided);
     decision.within.reset();

@@ -336,4 +336,15 @@ Box Box::middle() const {
   return point;
 }
 
+Box Box::without(const std::vector<std::size_t>& contacts) const {
+  Box rest = *this;
+  rest.contacts_.clear();
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (std::binary_search(contacts.begin(), contacts.end(), i)) continue;
+    made(i);
+    rest.contacts_.push_back(contacts_[i]);
+  }
+  return rest;
+}
+
 }  // namespace stickslip_check

@@ -160,6 +160,8 @@ class Box {
   Box with(Parameter name, std::size_t index, Bounds bounds) const;
   /// The one point q0 in the middle of all intervals.
   Box middle() const;
+  /// The box without these contacts, which must be there and increase.
+  Box without(const std::vector<std::size_t>& contacts) const;
 
  private:
   const BoxContact& made(std::size_t i) const;

@@ -52,7 +52,8 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !states_ && !robust_ && !plane_ && !rigid_ && !statics_ && (!margin_ || claims_)) {
+  if (name == "bits" && !states_ && !robust_ && !plane_ && !rigid_ && !statics_ &&
+      (!margin_ || claims_)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -213,8 +214,7 @@ std::optional<RobustCombination> CertificateReader::combination() {
   RobustCombination result{number(member(value, place, "distance"), place),
                            number(member(value, place, "inverse_square"), place),
                            {}};
-  for (const Value& entry :
-       list(member(value, place, "forces"), place, "an array of forces")) {
+  for (const Value& entry : list(member(value, place, "forces"), place, "an array of forces")) {
     json_.expect(entry.is_array(3) &&
                      (entry.items[1].is_text("stick") || entry.items[1].is_text("slip")),
                  entry, place, "a contact, \"stick\" or \"slip\", and a force");
@@ -507,8 +507,8 @@ Claim CertificateReader::claim_of(const Value& value) const {
                  {"contacts", "wrench", "robustness", "length", "max_force"});
     Claim claim;
     claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
-    for (const Rational& w : numbers(member(value, "question", "wrench"), "question.wrench", 0,
-                                     dimension_)) {
+    for (const Rational& w :
+         numbers(member(value, "question", "wrench"), "question.wrench", 0, dimension_)) {
       claim.wrench.emplace_back(w);
     }
     json_.expect(std::any_of(kRobustnesses.begin(), kRobustnesses.end(),
@@ -662,12 +662,16 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
     part.sticking = sticking(value, place);
     return part;
   }
-  expect_order(
-      value, place,
-      {"twist", value.find("simplex") != nullptr ? "simplex" : "walls", "direction", "tree"});
+  const char* walls = value.find("simplex") != nullptr ? "simplex" : "walls";
+  expect_order(value, place, {"twist", "open", walls, "direction", "tree"});
   Vector twist = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
-  part = shape(value, place, 1);
+  part = shape(value, place, 0);
   part.twist = part.end_twist = std::move(twist);
+  if (const Value* open = value.find("open")) {
+    for (const Value& entry : list(*open, place + ".open", "an array of contacts")) {
+      part.open.push_back(index(entry, place + ".open"));
+    }
+  }
   return part;
 }
 
@@ -677,9 +681,8 @@ Part CertificateReader::shape(const Value& value, const std::string& place,
   Part part;
   part.simplex = value.find("simplex") != nullptr;
   const std::string walls = part.simplex ? "simplex" : "walls";
-  const std::size_t more = part.simplex ? 1 : 0;
-  part.walls = matrix(member(value, place, walls), place + "." + walls, least_walls + more,
-                      dimension_ + more);
+  part.walls = matrix(member(value, place, walls), place + "." + walls,
+                      part.simplex ? 2 : least_walls, dimension_ + (part.simplex ? 1 : 0));
   part.direction =
       matrix(member(value, place, "direction"), place + ".direction", dimension_, dimension_);
   part.tree = nodes(member(value, place, "tree"), place + ".tree");

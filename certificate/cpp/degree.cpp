@@ -34,6 +34,11 @@ std::vector<Vector> kernel(std::vector<Vector> rows) {
   return basis;
 }
 
+/// A basis of Z.
+std::vector<Vector> free_motions(const Part& part) {
+  return part.walls.empty() ? kernel({Vector(part.twist.size())}) : kernel(part.walls);
+}
+
 std::vector<Vector> transposed(const std::vector<Vector>& rows) {
   std::vector<Vector> result(rows[0].size());
   for (const Vector& row : rows) {
@@ -62,32 +67,38 @@ std::string what_sees(const Vector& z, const Box& box) {
   return works ? "the load works" : "";
 }
 
-/// `degree-walls`, `degree-free`, `degree-direction`.
-void check_shape(const Part& part, const Box& box, const std::string& place) {
-  const auto require = [&](bool good, const char* rule, const std::string& found) {
-    if (!good) throw Rejected{rule, std::nullopt, place, found};
-  };
+void require(bool good, const char* rule, const std::string& place, const std::string& found) {
+  if (!good) throw Rejected{rule, std::nullopt, place, found};
+}
+
+/// `degree-walls`.
+void check_walls(const Part& part, const std::string& place) {
+  if (part.walls.empty()) return;
   // The c with sum c_j E_j = 0.
   const std::vector<Vector> dependent = kernel(transposed(part.walls));
   require(
-      dependent.size() == (part.simplex ? 1 : 0), "degree-walls",
+      dependent.size() == (part.simplex ? 1 : 0), "degree-walls", place,
       part.simplex ? "E has not one row more than its rank" : "the rows of E are dependent");
   for (const Vector& c : dependent) {
     const auto same = [&](const Rational& x) { return sgn(x) != 0 && sgn(x) == sgn(c[0]); };
-    require(std::all_of(c.begin(), c.end(), same), "degree-walls",
+    require(std::all_of(c.begin(), c.end(), same), "degree-walls", place,
             "the rows of E are not on all sides, as c = " + show(c));
   }
-  const std::vector<Vector> free = kernel(part.walls);
+}
+
+/// `degree-free`, `degree-direction`.
+void check_free(const Part& part, const Box& box, const std::string& place) {
+  const std::vector<Vector> free = free_motions(part);
   for (const Vector& z : free) {
     const std::string seen = what_sees(z, box);
-    require(seen.empty(), "degree-free", seen + " along " + show(z));
+    require(seen.empty(), "degree-free", place, seen + " along " + show(z));
   }
   for (const std::vector<Vector>& matrix : {part.direction, transposed(part.direction)}) {
-    require(kernel(matrix).size() == free.size(), "degree-direction",
+    require(kernel(matrix).size() == free.size(), "degree-direction", place,
             "the rank of A is not " + std::to_string(box.dimension() - free.size()));
     for (const Vector& z : free) {
       const auto zero = [&](const Vector& row) { return dot(row, z) == 0; };
-      require(std::all_of(matrix.begin(), matrix.end(), zero), "degree-direction",
+      require(std::all_of(matrix.begin(), matrix.end(), zero), "degree-direction", place,
               "A takes or gives the free motion " + show(z));
     }
   }
@@ -112,6 +123,7 @@ std::vector<Vector> duals(std::vector<Vector> rows) {
 std::vector<Bounds> reach_of(const Part& part) {
   const std::size_t dimension = part.twist.size();
   std::vector<Bounds> reach(dimension, Bounds(0));
+  if (part.walls.empty()) return reach;
   if (!part.simplex) {
     for (const Vector& column : duals(part.walls)) {
       for (std::size_t j = 0; j < dimension; ++j) {
@@ -209,29 +221,86 @@ std::vector<Condition> conditions_on(const Part& part, const Range& range,
   return conditions;
 }
 
-/// `degree-law`: the contact whose v_i may be below 0 in K, or nothing.
-std::optional<std::size_t> opening(const Part& part, const Box& box, const Range& range) {
-  Cone cone(box.dimension() + 2);
-  const auto multiples = multiples_in(range, box.dimension());
+/// The cone over K, across these motions.
+Cone cone_over(const Part& part, const Range& range, const std::vector<Vector>& across) {
+  Cone cone(part.twist.size() + 2);
+  const auto multiples = multiples_in(range, part.twist.size());
   for (const Condition& condition : conditions_on(part, range, multiples)) {
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
+  for (const Vector& z : across) cone = cone.cut(make_form(about(part, range, z)), true);
+  return cone;
+}
+
+/// Whether v_i is of this sign at some ray.
+bool has_sign(const Cone& cone, const Row& row, int sign) {
+  return std::any_of(row.v.begin(), row.v.end(), [&](const Form& v) {
+    return std::any_of(cone.rays().begin(), cone.rays().end(),
+                       [&](const auto& ray) { return sign_of_dot(v, ray->x) == sign; });
+  });
+}
+
+/// `degree-law`: the contact whose v_i may be below 0 in K, or nothing.
+std::optional<std::size_t> opening(const Part& part, const Box& box, const Range& range) {
+  const Cone cone = cone_over(part, range, {});
   for (std::size_t i = 0; i < box.size(); ++i) {
-    if (is_spring(box.contact(i).sight)) continue;
-    for (const Form& v : box.row(i).v) {
-      for (const auto& ray : cone.rays()) {
-        if (sign_of_dot(v, ray->x) < 0) return i;
-      }
-    }
+    if (!is_spring(box.contact(i).sight) && has_sign(cone, box.row(i), -1)) return i;
   }
   return std::nullopt;
 }
 
+/// `degree-open`. Returns the contacts that are open on K.
+std::vector<std::size_t> check_open(const Part& part, const Box& box, const Range& range,
+                                    const Options& asked, const std::string& place) {
+  const auto expect = [&](bool good, const std::string& found) {
+    require(good, "degree-open", place, found);
+  };
+  std::vector<std::size_t> open;
+  for (const Integer& i : part.open) {
+    expect(i < box.size(), "there is no contact " + i.get_str());
+    expect(open.empty() || i > open.back(), "contact " + i.get_str() + " is out of order");
+    open.push_back(i.get_ui());
+  }
+  if (open.empty()) return open;
+  expect(!asked.bilateral, "no contact opens under the bilateral law");
+  const Cone cone = cone_over(part, range, free_motions(part));
+  for (const std::size_t i : open) {
+    const std::string name = std::to_string(i);
+    expect(!is_spring(box.contact(i).sight), name + " is a spring, which does not open");
+    expect(!has_sign(cone, box.row(i), 1), "v of contact " + name + " may be above 0 in K");
+  }
+  return open;
+}
+
+/// The number of a contact among those that are not open; of one that is, one that there is
+/// not.
+Integer number_of(const Integer& i, const std::vector<std::size_t>& open, std::size_t left) {
+  const auto at = std::lower_bound(open.begin(), open.end(), i);
+  if (at != open.end() && *at == i) return left;
+  return i - static_cast<unsigned long>(at - open.begin());
+}
+
+/// A node about a grasp without the contacts that are open.
+Node renumbered(Node node, const std::vector<std::size_t>& open, std::size_t left) {
+  if (node.kind != NodeKind::kPart || node.parameter != Parameter::kWrench) {
+    node.contact = number_of(node.contact, open, left);
+  }
+  if (node.moving) {
+    auto twist = std::make_shared<MovingTwist>(*node.moving);
+    for (OwnSlip& slip : twist->slips) slip.contact = number_of(slip.contact, open, left);
+    node.moving = std::move(twist);
+  }
+  return node;
+}
+
 }  // namespace
 
-TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
+TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& whole,
                       const Range& range, const Options& asked, const std::string& place) {
-  check_shape(part, *box, place);
+  check_walls(part, place);
+  const std::vector<std::size_t> open = check_open(part, *whole, range, asked, place);
+  const auto box = open.empty() ? whole : std::make_shared<const Box>(whole->without(open));
+  check_free(part, *box, place);
   if (asked.max_motion) check_bound(part, *asked.max_motion, place);
   const auto opens = asked.bilateral ? opening(part, *box, range) : std::nullopt;
   if (opens) {
@@ -256,7 +325,9 @@ TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
     }
   }
   TreeWalk walk(std::move(roots), place);
-  for (const Node& node : part.tree) walk.visit(node);
+  for (const Node& node : part.tree) {
+    walk.visit(open.empty() ? node : renumbered(node, open, box->size()));
+  }
   walk.finish();
   return walk;
 }

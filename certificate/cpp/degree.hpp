@@ -27,6 +27,7 @@ struct Part {
   // If by degree:
   Vector twist;                   ///< d0, or of a segment that at its low end
   Vector end_twist;               ///< the same, or that at its high end
+  std::vector<Integer> open;      ///< the contacts that are said to be open on K
   std::vector<Vector> walls;      ///< E
   bool simplex = false;           ///< K is one, else a parallelepiped
   std::vector<Vector> direction;  ///< A

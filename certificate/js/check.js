@@ -1533,8 +1533,9 @@ class CertificateReader {
     if (object_at(value, place).has('rest')) return this.at_rest(value, place);
     if (value.has('sticking')) return this.sticking(value, place);
     const shape = value.has('simplex') ? 'simplex' : 'walls';
-    const found = members_in_order(value, place, ['twist', shape, 'direction', 'tree']);
-    return this.degree({...found, twist: read_numbers(found.twist, `${place}.twist`, this.size)}, place);
+    const found = members_in_order(value, place, ['twist', 'open?', shape, 'direction', 'tree']);
+    const open = array_of(found.open ?? [], `${place}.open`).map((i) => read_index(i, `${place}.open`));
+    return {open, ...this.degree({...found, twist: read_numbers(found.twist, `${place}.twist`, this.size)}, place)};
   }
 
   at_rest(value, place) {
@@ -1567,8 +1568,8 @@ class CertificateReader {
     const simplex = 'simplex' in found, name = simplex ? 'simplex' : 'walls', more = simplex ? 1 : 0;
     const rows = (value, at) => value.map((row) => read_numbers(row, at, this.size));
     const walls = rows(array_of(found[name], `${place}.${name}`), `${place}.${name}`);
-    if (walls.length < 1 + more || walls.length > this.size + more) {
-      expected(`an array of ${1 + more} to ${this.size + more}`, found[name], `${place}.${name}`);
+    if (walls.length < 2 * more || walls.length > this.size + more) {
+      expected(`an array of ${2 * more} to ${this.size + more}`, found[name], `${place}.${name}`);
     }
     const direction = rows(array_of(found.direction, `${place}.direction`, this.size), `${place}.direction`);
     return {kind: 'degree', twist: found.twist, simplex, walls, direction, tree: this.tree(found.tree, `${place}.tree`)};
@@ -1834,6 +1835,8 @@ class Box {
   middle() {
     return new Box(this.contacts.map((c) => c.middle()), this.loads.middle());
   }
+  /** The box of these contacts alone. */
+  only(contacts) { return new Box(contacts.map((i) => this.contacts[i]), this.loads); }
   interval({name, i}) { return name === 'wrench' ? this.loads.ranges[i] : this.contacts[i].parameter(name); }
   cut({name, i}, interval) {
     const replace = (list, value) => list.map((x, j) => (j === i ? value : x));
@@ -2871,13 +2874,22 @@ function sees(question, box, z) {
     (question.margin && !dot_fractions(question.u, z).isZero());
 }
 
-/** `degree-walls`, `degree-free`, `degree-direction`. */
-function check_shape(question, box, {walls, simplex, direction}, refuse) {
-  const transposed = (rows) => rows[0].map((_, j) => rows.map((row) => row[j]));
+const transposed = (rows) => rows[0].map((_, j) => rows.map((row) => row[j]));
+
+/** A basis of Z. */
+const free_motions = ({walls, twist}) => kernel(walls.length > 0 ? walls : [twist.map(() => ZERO)]);
+
+/** `degree-walls`. */
+function check_walls({walls, simplex}, refuse) {
+  if (walls.length === 0) return;
   const dependent = kernel(transposed(walls));  // the c with Σ c_j E_j = 0
   if (dependent.length !== (simplex ? 1 : 0)) refuse('degree-walls', 'the rank of E is another');
   if (dependent.some((c) => c.some((x) => x.sign() * c[0].sign() <= 0))) refuse('degree-walls', 'E is not around 0');
-  const free = kernel(walls);
+}
+
+/** `degree-free`, `degree-direction`. */
+function check_free(question, box, part, refuse) {
+  const {direction} = part, free = free_motions(part);
   if (free.some((z) => sees(question, box, z))) refuse('degree-free', 'a force or a load works on Z');
   for (const matrix of [direction, transposed(direction)]) {
     if (kernel(matrix).length !== free.length) refuse('degree-direction', 'the rank of A is another');
@@ -2885,8 +2897,17 @@ function check_shape(question, box, {walls, simplex, direction}, refuse) {
   }
 }
 
+/** A node about a grasp of these contacts alone, by their numbers among them; of another the number is that of none. */
+function renumbered(node, others) {
+  const number = (i) => (others.includes(i) ? others.indexOf(i) : others.length + i);
+  const moved = (one) => ({...one, i: number(one.i)});
+  if (node.kind === 'moving') return {...node, slips: node.slips.map(moved)};
+  return node.kind === 'slip' || node.kind === 'separation' || (node.kind === 'part' && node.name !== 'wrench') ? moved(node) : node;
+}
+
 /** For each motion the numbers that e has at vertices of K, across Z and with s + t = 1, or the two that are least and largest. */
-function reach_of({walls, simplex}) {
+function reach_of({walls, simplex, twist}) {
+  if (walls.length === 0) return twist.map(() => [ZERO]);
   const size = walls[0].length, rows = simplex ? walls.slice(0, -1) : walls;
   // The columns c of (E; Z)⁻¹ that are for E: of (E, −1; Z, 0) the kernel is that of all (c, u) with u = E c.
   const columns = kernel([...rows, ...kernel(rows)].map((row, i) => [...row, ...rows.map((_, k) => (i === k ? ONE.negated() : ZERO))]));
@@ -2925,10 +2946,9 @@ function frame_of(part, of) {
  * multiples of the claim.
  */
 function check_degree(question, box, part, place, tally, of) {
-  const {size, coordinates, m} = question;
+  const {size, coordinates} = question;
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
-  check_shape(question, box, part, refuse);
-  if (question.max_motion !== null) check_bound(part, question.max_motion, refuse);
+  check_walls(part, refuse);
   const {s, t} = frame_of(part, of);
   // Functions of (h, ℓ), and those of (e, h, ℓ), as rows of points.
   const function_of = (at, motion = Array(size).fill(ZERO)) => [...motion, ...at].slice(0, coordinates);
@@ -2958,6 +2978,22 @@ function check_degree(question, box, part, place, tally, of) {
     for (const [name, row] of walls) region = region.cut(integral(about(minus(row), ONE)), {equation: name === on});
     return region;
   };
+  let {tree} = part;
+  if (part.open !== undefined && part.open.length > 0) {
+    part.open.forEach((i, k) => {
+      if (i >= question.m || (k > 0 && i <= part.open[k - 1])) refuse('degree-open', `contact ${printable(i)} is out of order`);
+    });
+    if (question.bilateral) refuse('degree-open', 'no contact opens under the bilateral law');
+    const across = free_motions(part).reduce((region, z) => region.cut(integral(about(z, ZERO)), {equation: true}), region_on(box, null, false));
+    for (const i of part.open) {
+      const {rows, spring} = box.contacts[i];
+      if (spring || across.generators.some((ray) => pressures(rows, ray)[1] > 0n)) refuse('degree-open', `contact ${i} is a spring, or v may be above 0`);
+    }
+    const others = box.contacts.map((_, i) => i).filter((i) => !part.open.includes(i));
+    [question, box, tree] = [{...question, m: others.length}, box.only(others), tree.map((node) => renumbered(node, others))];
+  }
+  check_free(question, box, part, refuse);
+  if (question.max_motion !== null) check_bound(part, question.max_motion, refuse);
   if (question.bilateral) {
     const whole = region_on(box, null, false);
     box.contacts.forEach(({rows, spring}, i) => {
@@ -2975,7 +3011,7 @@ function check_degree(question, box, part, place, tally, of) {
   const single = box.isPoint() && (of === undefined || (of.high !== null && of.low.equals(of.high)));
   if (!single) list(box, '', false, null);
   list(box.middle(), 'middle ', true, pull.map((row) => over_denominator(row, common_denominator(pull.flat()))));
-  check_trees(question, part.tree, roots, place, tally);
+  check_trees(question, tree, roots, place, tally);
   ++tally.degrees;
 }
 

@@ -661,11 +661,19 @@ Proof.
   cbn. intros a L. repeat constructor; [exact L|]. unfold opposite. now rewrite map_length.
 Qed.
 
-Theorem stable_by_degree_in_box (two_sided : bool) (lambda : R) :
+(* In K, without a part along free motions, there is an equilibrium. *)
+Theorem equilibrium_by_degree (two_sided : bool) (lambda : R) :
   degree_fails advisor two_sided most s g nodes = None ->
   Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
   Q2R (low_multiple g) <= lambda -> match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
-  Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
+  exists free t e fs,
+    let d := listed D (fun i => nth i (twist_at g t) 0 + e i) in
+    free_motions D (is_a_simplex g) (wall_rows g) = Some free /\
+    (good_range g /\ List.length (first_twist g) = D /\ List.length (last_twist g) = D) /\
+    (good_part g t /\ 0 < h_at g t /\ l_at g t = lambda * h_at g t) /\
+    Forall (fun f => Rows.dot (real f) (listed D e) <= 1) (walls g) /\
+    Forall (fun z => Rows.dot (real z) (listed D e) = 0) free /\
+    Rows.equilibrium sys d (h_at g t) (l_at g t) fs /\ Rows.bounded (real_bound (the_bound s)) (h_at g t) d.
 Proof.
   intros H Law Lo Hi. unfold degree_fails in H. fold D in H.
   destruct (free_motions D (is_a_simplex g) (wall_rows g)) as [free|] eqn:FM; [|discriminate].
@@ -806,7 +814,6 @@ Proof.
     set (d := motion D (fun q => twist_at g (part q)) 1 e) in *.
     unfold forces_obey in F. fold d in F. cbn [system_at Rows.rows] in F. rewrite C1, P1 in F.
     unfold rows_at in F. rewrite WE in F.
-    replace lambda with (l_at g t1 / h_at g t1) by (rewrite E1; field; lra).
     assert (Bd : Rows.bounded (real_bound (the_bound s)) (h_at g t1) d).
     { apply bounded_real. unfold bound_holds in BH. unfold good_bound in Fb. unfold h_at.
       destruct (the_bound s) as [bs|]; [|exact Logic.I]. destruct (high_multiple g); [|discriminate].
@@ -817,8 +824,10 @@ Proof.
       - eapply Forall_impl; [|exact K]. intros f Hf; cbv beta in *; left; exact Hf.
       - exact Zf.
       - cbn. intros b z Hz. lra. }
-    refine (stable_by_multiple _ sys d (h_at g t1) (l_at g t1) fs H1 _ _ Bd).
-    { eapply Forall_impl; [|exact Fp]. intros r P. apply (RowLimits.weights_positive _ _ P). }
+    assert (Ed : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
+    exists free, t1, e, fs. cbv zeta. rewrite <- Ed.
+    split; [reflexivity|]. split; [exact (conj Range (conj L1 L2))|]. split; [exact (conj T1 (conj H1 E1))|].
+    split; [rewrite Forall_map in K; eapply Forall_impl; [|exact K]; cbn; intros; lra|]. split; [now rewrite Forall_map in Zf|]. split; [|exact Bd].
     split; [unfold d, motion; now rewrite length_listed, Fd|]. split.
     + rewrite Law. destruct two_sided; [|exact F]. cbn in LH. apply negb_false_iff in LH.
       apply both_laws with (rows s); [exact Fr|exact F|]. intros row r Hr [Er Se] Sp.
@@ -826,8 +835,7 @@ Proof.
       unfold law_holds in LH. rewrite forallb_forall in LH. specialize (LH row Hr). rewrite Sp in LH. cbn in LH.
       assert (Home : at_home setting (fun _ _ => True) (k_region advisor g s [])
         (h_at g t1 :: l_at g t1 :: d)).
-      { assert (E : d = listed D (fun i => nth i (twist_at g t1) 0 + e i)) by (unfold d, motion; now rewrite P1).
-        rewrite E. apply (k_home g D L1 L2 Range); [exact T1|reflexivity|exact Wd|exact Logic.I|constructor|].
+      { rewrite Ed. apply (k_home g D L1 L2 Range); [exact T1|reflexivity|exact Wd|exact Logic.I|constructor|].
         rewrite Forall_map in K. eapply Forall_impl; [|exact K]. cbn. intros; lra. }
       destruct (home_spanned _ _ _ _ (root_good _ _ _ _) Home) as (ws & Wt & Sp').
       rewrite Er in LH. rewrite <- (same_pull _ _ _ d (h_at g t1) (l_at g t1) St).
@@ -835,6 +843,19 @@ Proof.
     + intros y. specialize (Bal y). unfold total_work, Rows.load in Bal.
       cbn [system_at Rows.rows Rows.wrench Rows.direction] in Bal. rewrite C1, P1, mixed_end in Bal by exact Lw.
       unfold rows_at in Bal. rewrite WE in Bal. exact Bal.
+Qed.
+
+Theorem stable_by_degree_in_box (two_sided : bool) (lambda : R) :
+  degree_fails advisor two_sided most s g nodes = None ->
+  Rows.normal sys = (if two_sided then Model.bilateral else Model.unilateral) ->
+  Q2R (low_multiple g) <= lambda -> match high_multiple g with Some b => lambda <= Q2R b | None => True end ->
+  Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
+Proof.
+  intros H Law Lo Hi. destruct (equilibrium_by_degree two_sided lambda H Law Lo Hi) as (free & t & e & fs & Eq).
+  cbv zeta in Eq. destruct Eq as (_ & _ & (_ & H1 & E1) & _ & _ & Eq & Bd).
+  replace lambda with (l_at g t / h_at g t) by (rewrite E1; field; lra).
+  refine (stable_by_multiple _ sys _ (h_at g t) (l_at g t) fs H1 _ Eq Bd).
+  eapply Forall_impl; [|exact (its_proper fit)]. intros r P. apply (RowLimits.weights_positive _ _ P).
 Qed.
 
 End Sound.

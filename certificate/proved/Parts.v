@@ -3,7 +3,7 @@
    sticking or by degree.  `parts_stable`: where all parts hold, every system in the box is stable. *)
 From Coq Require Import List String ZArith QArith Qreals Reals Lra Lia Bool.
 From Proved Require Import Lists Question Cone Meaning Numbers Root Box Leaf Walk Tree Matrix RowLimits
-  Load Bound Frame ByDegree Rest Sticking.
+  Load Bound Frame ByDegree OpenContacts Rest Sticking.
 From Proved Require Rows Model.
 Import ListNotations.
 
@@ -15,9 +15,9 @@ Variable most_depth : Z.
 (* A part that is not cut, for all multiples from alpha to beta; and the node, if a rule about one fails. *)
 Definition part_fails (alpha beta : Q) (s : setting) (p : part) : option (string * option nat) :=
   match p with
-  | PartProof d0 simplex walls direction tree =>
-      degree_fails advisor two_sided most_depth s (DegreeProof alpha (Some beta) d0 d0 simplex walls
-        direction) tree
+  | PartProof d0 open simplex walls direction tree =>
+      degree_with_open_fails advisor two_sided most_depth open s
+        (DegreeProof alpha (Some beta) d0 d0 simplex walls direction) tree
   | PartAtRest forces answers reach =>
       match rest_fails s alpha beta (RestProof forces answers reach) with
       | Some rule => Some (rule, None)
@@ -80,9 +80,9 @@ Hypothesis law : Rows.normal sys = (if two_sided then Model.bilateral else Model
 Theorem part_stable alpha beta s p lambda : part_fails advisor two_sided most_depth alpha beta s p = None ->
   in_setting s sys -> Q2R alpha <= lambda <= Q2R beta -> Rows.stable_at (Rows.bounded (real_bound (the_bound s)) 1) sys lambda.
 Proof.
-  intros H I L. destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|d0 friction presses answers reach energy]; cbn in H;
+  intros H I L. destruct p as [name i c|d0 open simplex walls direction tree|forces answers reach|d0 friction presses answers reach energy]; cbn in H;
     [discriminate| | |].
-  - eapply (stable_by_degree_in_box advisor); [exact I|exact H|exact law| |]; cbn; apply L.
+  - eapply (stable_with_open_contacts advisor); [exact I|exact H|exact law| |]; cbn; apply L.
   - destruct (rest_fails _ _ _ _) eqn:E; [discriminate|]. eapply stable_at_rest; eassumption.
   - destruct (sticking_fails _ _ _ _ _) eqn:E; [discriminate|]. eapply stable_by_sticking; eassumption.
 Qed.
@@ -162,7 +162,7 @@ Proof.
         Rows.stable_at (Rows.bounded (real_bound (the_bound (fst sd))) 1) sys 0) ((s, depth) :: todo)).
   { destruct (part_fails _ _ _ _ _ s p) as [[rule node]|] eqn:E; [discriminate|]. intros H'.
     constructor; [|now apply (IH todo (S number))]. cbn. intros I. exact (part_stable 0 0 s p 0 E I Q0). }
-  destruct p as [name i c|d0 simplex walls direction tree|forces answers reach|]; try (now apply Whole).
+  destruct p as [name i c|d0 open simplex walls direction tree|forces answers reach|]; try (now apply Whole).
   clear Whole. destruct (halves s name i c) as [[lo hi]|] eqn:E; [|discriminate].
   pose proof (IH _ _ H) as A. pose proof (Forall_inv A) as A1. pose proof (Forall_inv (Forall_inv_tail A)) as A2.
   constructor; [|exact (Forall_inv_tail (Forall_inv_tail A))]. cbn in *. intros [Bx Di Pr Le Sl Pu Bd].

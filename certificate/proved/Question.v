@@ -99,7 +99,7 @@ Inductive segment :=
 (* PART of a stable verdict. *)
 Inductive part :=
   | PartCut (name : parameter) (index : Z) (at_number : Q)
-  | PartProof (d0 : list Q) (simplex : bool) (walls : list (list Q)) (direction : list (list Q))
+  | PartProof (d0 : list Q) (open : list Z) (simplex : bool) (walls : list (list Q)) (direction : list (list Q))
       (tree : list node)
   | PartAtRest (forces : list (Z * list Q)) (answers : list (Z * list (list Q))) (reach : list Q)
   | PartSticking (d0 : list Q) (friction : list (Z * list Q)) (presses : list (Z * list Q))

@@ -297,13 +297,13 @@ Fixpoint has_at_most {A : Type} (size : Z) (items : list A) : bool :=
   | _ :: rest => (0 <? size)%Z && has_at_most (size - 1) rest
   end.
 
-(** E, of so many rows more than one to D. *)
+(** E, of 0 to D rows; of a simplex of 2 to D + 1. *)
 Definition read_walls (s : shape) (more : Z) (at_path : path) (value : json)
   : result (list (list Q)) :=
-  let what := "one row or more, of a simplex two or more, and no more than it can have" in
+  let what := "rows, of a simplex two or more, and no more than it can have" in
   match value with
   | Array items =>
-      if has_at_most (size_of_twist s + more) items && negb (has_at_most more items)
+      if has_at_most (size_of_twist s + more) items && ((more =? 0)%Z || negb (has_at_most more items))
       then each (read_twist s) at_path items
       else expected what at_path value
   | _ => expected what at_path value
@@ -360,15 +360,18 @@ Definition read_part (s : shape) (at_path : path) (value : json) : result part :
       | _ => expected "a part" at_path value
       end
   | _ =>
-      let simplex :=
-        match value with Object members => has_member "simplex" members | _ => false end in
+      let has (name : string) := match value with Object members => has_member name members | _ => false end in
+      let simplex := has "simplex" in
       let walls := if simplex then "simplex" else "walls" in
-      let* members := members_in_order ["twist"; walls; "direction"; "tree"] at_path value in
+      let opens := has "open" in
+      let* members := members_in_order ("twist" :: (if opens then ["open"] else []) ++ [walls; "direction"; "tree"])
+                        at_path value in
       let* d := member "twist" (read_twist s) at_path members in
+      let* o := if opens then member "open" (read_array "an array of contacts" read_index) at_path members else Fine [] in
       let* e := member walls (read_walls s (if simplex then 1 else 0)%Z) at_path members in
       let* a := member "direction" (read_matrix s) at_path members in
       let* tree := member "tree" (read_nodes s) at_path members in
-      Fine (PartProof d simplex e a tree)
+      Fine (PartProof d o simplex e a tree)
   end.
 
 (** BY_DEGREE. *)

@@ -139,7 +139,7 @@ let size_of certificate =
   let none = { nodes = 0; leaves = 0; parts = 0; rests = 0; stickings = 0; segments = 0; trees = 0; pieces = 0;
     points = 0; twists = 0 } in
   let add_part size = function
-    | PartProof (_, _, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
+    | PartProof (_, _, _, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
     | PartAtRest _ -> { size with rests = size.rests + 1 }
     | PartSticking _ -> { size with stickings = size.stickings + 1 }
     | PartCut _ -> size in

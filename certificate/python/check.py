@@ -11,6 +11,7 @@ judged.
 
 from __future__ import annotations
 
+import bisect
 import errno
 import functools
 import itertools
@@ -1677,6 +1678,11 @@ class DegreeProof(NamedTuple):
     end_twist: Vector        # d⁰, or d"
     to: Optional[Fraction] = None  # β of a segment
     simplex: bool = False    # else K is a parallelepiped
+    open: Sequence[int] = ()  # the contacts that are said to be open on K
+
+    def free_motions(self) -> List[Vector]:
+        """A basis of Z."""
+        return kernel(self.walls or [zeros(len(self.twist))])
 
     def faces(self) -> List[Tuple[str, Vector]]:
         """The walls, by name: the rows F."""
@@ -2146,13 +2152,15 @@ def read_proof(source: Source, value: Any, place: str, margin: bool) -> Union[De
         return read_sticking(source, value, place)
     simplex = type(value) is Members and "simplex" in dict(value.pairs)
     walls = "simplex" if simplex else "walls"
-    fields = source.members(value, place, f"twist {walls} direction tree", True)
+    has_open = type(value) is Members and "open" in dict(value.pairs)
+    fields = source.members(value, place, f"twist {'open ' * has_open}{walls} direction tree", True)
     twist = source.vector(fields["twist"], f"{place}.twist", source.dimension)
-    if not 1 <= len(source.array(fields[walls], f"{place}.{walls}")) - simplex <= source.dimension:
-        source.fail(f"{place}.{walls}", f"must be an array of {1 + simplex} to "
+    open_ = [source.index(i, f"{place}.open") for i in source.array(fields["open"], f"{place}.open")] if has_open else []
+    if not simplex <= len(source.array(fields[walls], f"{place}.{walls}")) - simplex <= source.dimension:
+        source.fail(f"{place}.{walls}", f"must be an array of {2 * simplex} to "
                                         f"{source.dimension + simplex}")
     return DegreeProof(twist, *read_shape(source, fields, walls, place, margin), twist,
-                       simplex=simplex)
+                       simplex=simplex, open=open_)
 
 
 def read_rest(source: Source, value: Any, place: str) -> RestProof:
@@ -2788,6 +2796,10 @@ class Box:
         contacts[i] = contacts[i]._replace(bounds={**contacts[i].bounds, name: bounds})
         terms[i] = terms_of(contacts[i])
         return Box(contacts, self.loads, self.growths, terms)
+
+    def only(self, contacts: Sequence[int]) -> Box:
+        """Without all other contacts."""
+        return Box([self.contacts[i] for i in contacts], self.loads, self.growths, [self.terms[i] for i in contacts])
 
     def middle(self) -> Box:
         """q⁰."""
@@ -3605,13 +3617,17 @@ def what_sees(z: Vector, box: Box) -> Optional[str]:
     return None
 
 
-def check_shape(part: DegreeProof, box: Box, place: str) -> None:
-    """`degree-walls`, `degree-free`, `degree-direction`."""
-    dependent = kernel(list(zip(*part.walls)))  # the c with Σ c_j E_j = 0
+def check_walls(part: DegreeProof, place: str) -> None:
+    """`degree-walls`."""
+    dependent = kernel(list(zip(*part.walls))) if part.walls else []  # the c with Σ c_j E_j = 0
     if len(dependent) != part.simplex or any(abs(sum(map(sign, c))) < len(c) for c in dependent):
         raise Rejected("degree-walls", "the rows of E are not independent, or of a simplex they are "
                                        "not around 0", place)
-    free = kernel(part.walls)
+
+
+def check_free(part: DegreeProof, box: Box, place: str) -> None:
+    """`degree-free`, `degree-direction`."""
+    free = part.free_motions()
     for z in free:
         seen = what_sees(z, box)
         if seen:
@@ -3660,6 +3676,34 @@ class Cell:
         return conditions
 
 
+def check_open(part: DegreeProof, box: Box, cell: Cell, asked: Options, place: str) -> None:
+    """`degree-open`."""
+    before = -1
+    for i in part.open:
+        if not before < i < len(box.terms):
+            raise Rejected("degree-open", f"contact {show(i)} after {show(before)}", place)
+        before = i
+    if part.open and asked.law == "bilateral":
+        raise Rejected("degree-open", "no contact opens under the bilateral law", place)
+    if part.open:
+        across = [(cell.about(z), True, False) for z in part.free_motions()]
+        points = [x for x, _ in begin(Root(box, [*cell.cone(cell.multiples), *across])).cone.generators]
+        for i in part.open:
+            if box.terms[i].spring or max(box.terms[i].extremes(points)[1]) > 0:
+                raise Rejected("degree-open", f"contact {i} is a spring, or its v may be above 0", place)
+
+
+def renumbered(node: Node, others: List[int]) -> Node:
+    """A node about a grasp of these contacts alone, by their numbers among them; of another the number is that of none."""
+    def number(i: int) -> int:
+        at = bisect.bisect_left(others, i)
+        return at if others[at:at + 1] == [i] else len(others) + i
+
+    if node.kind in ("slip", "separation") or (node.kind == "part" and node.name != "wrench"):
+        return node._replace(contact=number(node.contact))
+    return node._replace(own=[(number(i), kappa, psi) for i, kappa, psi in node.own])
+
+
 def inverse_of(E: List[Vector]) -> List[Vector]:
     """C by columns, of independent rows: (E; Z) C_k is 1 in row k, else 0, and of (E; Z, −1; 0) the kernel is that of all (C u, u)."""
     count, size = len(E), len(E[0])
@@ -3669,14 +3713,14 @@ def inverse_of(E: List[Vector]) -> List[Vector]:
 def check_bound(part: DegreeProof, bound: Vector, place: str) -> None:
     """`degree-bound`."""
     E = part.walls[:-1] if part.simplex else part.walls
-    C = inverse_of(E)
+    C = inverse_of(E) if E else []
     if part.simplex:
         # e = C u with E_j·e = 1 for all rows of E but one, which the last of the simplex replaces or which is that.
         (c,), size = kernel(list(zip(*part.walls))), len(E)
         corners = [[Fraction(1)] * size] + [[1 - sum(c) / c[k] * (j == k) for j in range(size)] for k in range(size)]
         reached = [[dot(u, entries) for u in corners] for entries in zip(*C)]
     else:
-        reached = [[sign_ * sum(map(abs, entries)) for sign_ in (-1, 1)] for entries in zip(*C)]
+        reached = [[sign_ * sum(abs(c[j]) for c in C) for sign_ in (-1, 1)] for j in range(len(bound))]
     for j, (d, b, entries) in enumerate(zip(part.twist, bound, reached)):
         if max(abs(d + e) for e in entries) > b:
             raise Rejected("degree-bound", f"motion {j + 1} of K goes beyond {show(b)}", place)
@@ -3685,10 +3729,16 @@ def check_bound(part: DegreeProof, bound: Vector, place: str) -> None:
 def check_degree(part: DegreeProof, box: Box, asked: Options, place: str,
                  low: Fraction = Fraction(0), high: Optional[Fraction] = Fraction(0)) -> None:
     """A part by degree, or a segment, for all λ from low to high."""
-    check_shape(part, box, place)
+    check_walls(part, place)
+    cell = Cell(part, low, high)
+    check_open(part, box, cell, asked, place)
+    tree = part.tree
+    if part.open:
+        others = sorted({*range(len(box.terms))} - {*part.open})
+        box, tree = box.only(others), [renumbered(node, others) for node in tree]
+    check_free(part, box, place)
     if asked.max_motion:
         check_bound(part, asked.max_motion, place)
-    cell = Cell(part, low, high)
     if asked.law == "bilateral":
         region = begin(Root(box, cell.cone(cell.multiples)))
         for i, term in enumerate(box.terms):
@@ -3702,7 +3752,7 @@ def check_degree(part: DegreeProof, box: Box, asked: Options, place: str,
         halfway = [*cell.multiples, (plus(cell.s, Fraction(-1), cell.t), True, False)]
     lists = (("wall", box, cell.multiples, ()),
              ("middle wall", box.middle(), halfway, direction))
-    check_tree(part.tree, [Root(where, cell.cone(multiples, j), False, f"{place}, {name} {wall}", pull)
+    check_tree(tree, [Root(where, cell.cone(multiples, j), False, f"{place}, {name} {wall}", pull)
                            for name, where, multiples, pull in lists[box.certain and low == high:]
                            for j, (wall, _) in enumerate(part.faces())], place)
 

@@ -39,8 +39,8 @@ std::string indexed(const char* kind, ContactId contact) {
 /// Returns rows in brackets, in brackets.
 template <class Matrix>
 std::string rows(const Matrix& matrix) {
-  std::string text;
-  for (const auto& row : matrix) text += (text.empty() ? "[[" : ",[") + list(row) + "]";
+  std::string text = "[";
+  for (const auto& row : matrix) text += (text.size() == 1 ? "[" : ",[") + list(row) + "]";
   return text + "]";
 }
 
@@ -182,7 +182,12 @@ std::string shape_text(const DegreeProof& proof, bool margin) {
 }
 
 std::string degree_text(const DegreeProof& proof, bool margin = false) {
-  return "{\"twist\": [" + list(proof.twist) + "],\n " + shape_text(proof, margin);
+  std::string open;
+  for (const ContactId id : proof.open) {
+    open += (open.empty() ? "\"open\": [" : ",") + std::to_string(id.index());
+  }
+  if (!open.empty()) open += "],\n ";
+  return "{\"twist\": [" + list(proof.twist) + "],\n " + open + shape_text(proof, margin);
 }
 
 std::string segment_text(const SegmentByDegree& proof, const std::optional<Rational>& high) {

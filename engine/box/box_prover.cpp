@@ -95,13 +95,14 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
     parts_.emplace_back(std::move(*sticking));
     return true;
   }
-  auto proof = prove_by_degree(box, middle, near,
-                               {limits_.wall_limit, last_node_, limits_.is_wide}, work_);
+  const DegreeLimits limits{limits_.wall_limit, last_node_, limits_.is_wide};
+  auto proof = prove_by_degree(box, middle, near, limits, work_);
   if (!proof) {
     near_ = motion_of(box, near);
     is_free_ = leaves_free(box, rounded_middle(middle), near);
-    return false;
+    if (is_free_) proof = prove_beside(box, middle, near, limits, work_);
   }
+  if (!proof) return false;
   if (parts_.empty()) motion_ = motion_of(box, near);
   parts_.emplace_back(std::move(*proof));
   return true;

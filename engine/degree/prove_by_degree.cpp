@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "body_reach.hpp"
 #include "equilibrium_cloud.hpp"
 #include "moving_equilibrium.hpp"
 #include "moving_refuter.hpp"
@@ -33,38 +34,15 @@ constexpr std::size_t kSomeNodes = 300;
 /// `degree-bound`, of verdicts.
 bool is_within(const DegreeProof& proof, const RationalRow& bound) {
   if (bound.empty()) return true;
-  const std::size_t rows = proof.walls.size();
-  // The ways are, of a parallelepiped, how far each row's wall goes alone; of a simplex its
-  // vertices, at each of which all rows but one are 1.
-  std::vector<RationalRow> ways;
-  for (std::size_t k = 0; k < rows; ++k) {
-    RationalRow at(rows);
-    std::vector<RationalRow> across = proof.walls;
-    if (proof.is_simplex) {
-      // (Without row k the others are independent.)
-      across.erase(across.begin() + static_cast<std::ptrdiff_t>(k));
-      at.assign(rows - 1, 1);
-    } else {
-      at[k] = 1;
-    }
-    RationalMatrix gram(across.size(), across.size());
-    for (std::size_t j = 0; j < across.size(); ++j) {
-      for (std::size_t l = 0; l < across.size(); ++l) gram(j, l) = dot(across[j], across[l]);
-    }
-    const auto u = solve_exactly(gram, at);
-    if (!u) return false;
-    ways.push_back(matrix_of_columns(across, bound.size()) * *u);
-  }
+  const BodyReach reach(proof);
+  if (!reach.is_sound()) return false;
+  RationalRow axis(bound.size());
   for (std::size_t j = 0; j < bound.size(); ++j) {
-    Rational sum = abs(proof.twist[j]);
-    for (const RationalRow& way : ways) {
-      if (proof.is_simplex) {
-        if (abs(Rational(proof.twist[j] + way[j])) > bound[j]) return false;
-      } else {
-        sum += abs(way[j]);
-      }
+    for (const int sign : {1, -1}) {
+      axis[j] = sign;
+      if (sign * proof.twist[j] + reach.largest(axis) > bound[j]) return false;
     }
-    if (sum > bound[j]) return false;
+    axis[j] = 0;
   }
   return true;
 }

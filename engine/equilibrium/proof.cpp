@@ -36,4 +36,11 @@ bool are_sticking(const StabilityProof& parts) {
   return are_all<StickingProof>(parts);
 }
 
+bool are_untouched(const StabilityProof& parts) {
+  return std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+    const auto* by_degree = std::get_if<DegreeProof>(&part);
+    return by_degree != nullptr && by_degree->walls.empty();
+  });
+}
+
 }  // namespace stickslip

@@ -132,7 +132,8 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
         "bodies and joints have " + std::to_string(motions) + " coordinates together",
         "margins, and boxes of uncertain numbers, have at most " +
             std::to_string(kMostCoordinates - 2) +
-            ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there are "
+            ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there "
+            "are "
             "verdicts about one grasp, and statics");
   }
   if (box.mechanism) {
@@ -261,6 +262,27 @@ GraspLaw GraspLaw::middle(const Rational& multiple) const {
     if (c.geometry_is_certain()) continue;
     for (Interval& number : c.place->geometry) shrink(number);
     add_corners(c);
+  }
+  result.complete();
+  return result;
+}
+
+GraspLaw GraspLaw::without(const std::vector<ContactId>& ids) const {
+  GraspLaw result = *this;
+  for (auto id = ids.rbegin(); id != ids.rend(); ++id) {
+    const std::size_t i = id->index();
+    result.contacts.erase(result.contacts.begin() + static_cast<std::ptrdiff_t>(i));
+    std::vector<ParameterId>& all = result.parameters_;
+    const auto is_of_contact = [](const ParameterId& of) {
+      return of.parameter != Parameter::kWrench;
+    };
+    all.erase(std::remove_if(
+                  all.begin(), all.end(),
+                  [&](const ParameterId& of) { return is_of_contact(of) && of.index == i; }),
+              all.end());
+    for (ParameterId& of : all) {
+      if (is_of_contact(of) && of.index > i) --of.index;
+    }
   }
   result.complete();
   return result;

@@ -67,6 +67,7 @@ struct EvidenceJson {
     json["proof"] = {
         {"nodes", nodes}, {"parts", part_count(proof)}, {"at_rest", are_at_rest(proof)}};
     if (are_sticking(proof)) json["proof"]["sticking"] = true;
+    if (are_untouched(proof)) json["proof"]["untouched"] = true;
   }
 };
 

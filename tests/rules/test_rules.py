@@ -59,6 +59,7 @@ WHERE = {
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
     **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
     **dict.fromkeys(["degree-free", "degree-bound"], PARTS),
+    "degree-open": PARTS,
     **dict.fromkeys(["sticking-share", "sticking-motion", "sticking-reach", "sticking-press", "sticking-energy", "sticking-bound"], PARTS),
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
     "segment-mode": CLAIMS | {"plane_margin"},

@@ -1571,7 +1571,8 @@ type segment =
 
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
-| PartProof of q list * bool * q list list * q list list * node list
+| PartProof of q list * Big_int_Z.big_int list * bool * q list list
+   * q list list * node list
 | PartAtRest of (Big_int_Z.big_int * q list) list
    * (Big_int_Z.big_int * q list list) list * q list
 | PartSticking of q list * (Big_int_Z.big_int * q list) list
@@ -2735,7 +2736,7 @@ let rec pivot column0 = function
        (nth column0 r { qnum = Big_int_Z.zero_big_int; qden =
          Big_int_Z.unit_big_int })
   then (match pivot column0 m' with
-        | Some p -> let (found, others) = p in Some (found, (r :: others))
+        | Some p -> let (found, others0) = p in Some (found, (r :: others0))
         | None -> None)
   else Some (r, m')
 
@@ -2748,7 +2749,7 @@ let rec eliminate columns0 column0 m done0 =
   | S columns' ->
     (match pivot column0 m with
      | Some p ->
-       let (r, others) = p in
+       let (r, others0) = p in
        let r0 =
          plus_times []
            (qinv
@@ -2761,7 +2762,7 @@ let rec eliminate columns0 column0 m done0 =
              (nth column0 a { qnum = Big_int_Z.zero_big_int; qden =
                Big_int_Z.unit_big_int })) r0
        in
-       eliminate columns' (S column0) (map without0 others)
+       eliminate columns' (S column0) (map without0 others0)
          (app (map (fun p0 -> ((fst p0), (without0 (snd p0)))) done0)
            ((column0, r0) :: []))
      | None -> eliminate columns' (S column0) m done0)
@@ -3255,12 +3256,12 @@ let space_forms n0 turn_u turn_v square = function
                  let tx = qplus (qplus nx (qmult e ux)) (qmult f vx) in
                  let ty = qplus (qplus ny (qmult e uy)) (qmult f vy) in
                  let tz = qplus (qplus nz (qmult e uz)) (qmult f vz) in
-                 let across = fun nj ex ey ez ->
+                 let across0 = fun nj ex ey ez ->
                    at_point x y z0 (qminus ex (qdiv (qmult nj nx) square))
                      (qminus ey (qdiv (qmult nj ny) square))
                      (qminus ez (qdiv (qmult nj nz) square))
                  in
-                 (at_point x y z0 tx ty tz) :: ((across tx { qnum =
+                 (at_point x y z0 tx ty tz) :: ((across0 tx { qnum =
                                                   Big_int_Z.unit_big_int;
                                                   qden =
                                                   Big_int_Z.unit_big_int }
@@ -3272,11 +3273,11 @@ let space_forms n0 turn_u turn_v square = function
                                                   Big_int_Z.zero_big_int;
                                                   qden =
                                                   Big_int_Z.unit_big_int }) :: (
-                 (across ty { qnum = Big_int_Z.zero_big_int; qden =
+                 (across0 ty { qnum = Big_int_Z.zero_big_int; qden =
                    Big_int_Z.unit_big_int } { qnum = Big_int_Z.unit_big_int;
                    qden = Big_int_Z.unit_big_int } { qnum =
                    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }) :: (
-                 (across tz { qnum = Big_int_Z.zero_big_int; qden =
+                 (across0 tz { qnum = Big_int_Z.zero_big_int; qden =
                    Big_int_Z.unit_big_int } { qnum = Big_int_Z.zero_big_int;
                    qden = Big_int_Z.unit_big_int } { qnum =
                    Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }) :: [])))
@@ -3807,12 +3808,12 @@ let rec carriers exact0 factor0 rays0 them rows0 number before =
            | _ :: _ -> None)
   | row0 :: rows' ->
     let (p, good) = stated row0 number them in
-    let (p0, others) = p in
+    let (p0, others0) = p in
     let (kappa0, psi0) = p0 in
     if (&&) good ((||) (negb row0.box.box_spring) (Nat.eqb row0.parameters O))
     then let vs = pull_tips row0 in
          let it = carrier_of exact0 factor0 row0 kappa0 psi0 in
-         carriers exact0 factor0 rays0 others rows'
+         carriers exact0 factor0 rays0 others0 rows'
            (Z.add number Big_int_Z.unit_big_int)
            (if (||) row0.box.box_spring (forallb (nowhere_negative rays0) vs)
             then (it false) :: before
@@ -5588,6 +5589,116 @@ let degree_fails advisor two_sided most_depth0 s g nodes =
            | None -> Some ("degree-direction", None))
    | None -> Some ("degree-walls", None))
 
+(** val is_open : Big_int_Z.big_int list -> nat -> bool **)
+
+let is_open open0 number =
+  existsb (Z.eqb (Z.of_nat number)) open0
+
+(** val others : Big_int_Z.big_int list -> nat -> 'a1 list -> 'a1 list **)
+
+let rec others open0 number = function
+| [] -> []
+| it :: rest ->
+  if is_open open0 number
+  then others open0 (S number) rest
+  else it :: (others open0 (S number) rest)
+
+(** val without_open : Big_int_Z.big_int list -> setting -> setting **)
+
+let without_open open0 s =
+  make_setting s.dimension_of (others open0 O s.rows) s.the_load s.pushes
+    s.the_bound
+
+(** val places_before :
+    Big_int_Z.big_int list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+let rec places_before open0 i =
+  match open0 with
+  | [] -> Big_int_Z.zero_big_int
+  | k :: rest ->
+    if Z.ltb k i
+    then Z.add Big_int_Z.unit_big_int (places_before rest i)
+    else Big_int_Z.zero_big_int
+
+(** val number_of :
+    Big_int_Z.big_int -> Big_int_Z.big_int list -> Big_int_Z.big_int ->
+    Big_int_Z.big_int **)
+
+let number_of count0 open0 i =
+  if existsb (Z.eqb i) open0 then count0 else Z.sub i (places_before open0 i)
+
+(** val renumbered :
+    Big_int_Z.big_int -> Big_int_Z.big_int list -> node -> node **)
+
+let renumbered count0 open0 it = match it with
+| Slip i -> Slip (number_of count0 open0 i)
+| Separation i -> Separation (number_of count0 open0 i)
+| Cut (name, i, c) ->
+  (match name with
+   | PWrench -> it
+   | _ -> Cut (name, (number_of count0 open0 i), c))
+| Moving (y, c, brakes) ->
+  Moving (y, c,
+    (map (fun b -> ((number_of count0 open0 (fst b)), (snd b))) brakes))
+| _ -> it
+
+(** val numbers_of1 :
+    Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int list -> bool **)
+
+let rec numbers_of1 count0 last = function
+| [] -> true
+| i :: rest ->
+  (&&) ((&&) (Z.ltb last i) (Z.ltb i count0)) (numbers_of1 count0 i rest)
+
+(** val open_on :
+    ray list -> Big_int_Z.big_int list -> nat -> row list -> bool **)
+
+let rec open_on rays0 open0 number = function
+| [] -> true
+| it :: rest ->
+  (&&)
+    ((||) (negb (is_open open0 number))
+      ((&&) (negb it.box.box_spring)
+        (forallb (nowhere_positive rays0) (pull_tips it))))
+    (open_on rays0 open0 (S number) rest)
+
+(** val across : degree_proof -> matrix -> (form * bool) list **)
+
+let across g free =
+  map (fun z0 -> ((to_form (relative g z0)), true)) free
+
+(** val open_holds :
+    oracle -> bool -> Big_int_Z.big_int list -> setting -> degree_proof ->
+    bool **)
+
+let open_holds advisor two_sided open0 s g =
+  match free_motions s.dimension_of g.is_a_simplex g.wall_rows with
+  | Some free ->
+    (&&)
+      ((&&) (negb two_sided)
+        (numbers_of1 (Z.of_nat (length s.rows)) (Big_int_Z.minus_big_int
+          Big_int_Z.unit_big_int) open0))
+      (open_on (k_region advisor g s (across g free)).rays open0 O s.rows)
+  | None -> true
+
+(** val degree_with_open_fails :
+    oracle -> bool -> Big_int_Z.big_int -> Big_int_Z.big_int list -> setting
+    -> degree_proof -> node list -> (string * nat option) option **)
+
+let degree_with_open_fails advisor two_sided most_depth0 open0 s g nodes =
+  match open0 with
+  | [] -> degree_fails advisor two_sided most_depth0 s g nodes
+  | _ :: _ ->
+    let less = without_open open0 s in
+    let count0 = Z.of_nat (length less.rows) in
+    if open_holds advisor two_sided open0 s g
+    then degree_fails advisor two_sided
+           (Z.sub most_depth0
+             (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+               (Z.of_nat (length open0)))) less g
+           (map (renumbered count0 open0) nodes)
+    else Some ("degree-open", None)
+
 type rest_proof = { rest_forces : (Big_int_Z.big_int * vector) list;
                     rest_answers : (Big_int_Z.big_int * matrix) list;
                     rest_reach : vector }
@@ -5606,8 +5717,8 @@ let good_force b f =
 
 let taken none i them = match them with
 | [] -> (none, [])
-| p :: others ->
-  let (j, a) = p in if Z.eqb j i then (a, others) else (none, them)
+| p :: others0 ->
+  let (j, a) = p in if Z.eqb j i then (a, others0) else (none, them)
 
 (** val resting_contacts :
     nat -> row list -> Big_int_Z.big_int -> (Big_int_Z.big_int * vector) list
@@ -5911,11 +6022,11 @@ let rec with_presses them i all_presses before =
      | [] -> Some (rev_append before [])
      | _ :: _ -> None)
   | r :: them' ->
-    let (h, others) = taken [] i all_presses in
+    let (h, others0) = taken [] i all_presses in
     if (||) (is_nothing h)
          (qlt_bool { qnum = Big_int_Z.zero_big_int; qden =
            Big_int_Z.unit_big_int } r.resting_box.box_stiffness.low)
-    then with_presses them' (Z.add i Big_int_Z.unit_big_int) others
+    then with_presses them' (Z.add i Big_int_Z.unit_big_int) others0
            ({ as_resting = r; presses1 = h } :: before)
     else None
 
@@ -6272,11 +6383,11 @@ let sticking_fails two_sided s alpha0 beta p =
 
 let part_fails advisor two_sided most_depth0 alpha0 beta s = function
 | PartCut (_, _, _) -> Some ("part-inside", None)
-| PartProof (d0, simplex, walls0, direction0, tree) ->
-  degree_fails advisor two_sided most_depth0 s { low_multiple = alpha0;
-    high_multiple = (Some beta); first_twist = d0; last_twist = d0;
-    is_a_simplex = simplex; wall_rows = walls0; direction_rows = direction0 }
-    tree
+| PartProof (d0, open0, simplex, walls0, direction0, tree) ->
+  degree_with_open_fails advisor two_sided most_depth0 open0 s
+    { low_multiple = alpha0; high_multiple = (Some beta); first_twist = d0;
+    last_twist = d0; is_a_simplex = simplex; wall_rows = walls0;
+    direction_rows = direction0 } tree
 | PartAtRest (forces, answers0, reach) ->
   (match rest_fails s alpha0 beta { rest_forces = forces; rest_answers =
            answers0; rest_reach = reach } with
@@ -7311,7 +7422,7 @@ let rec point_states two_sided n0 rows0 w u v points number =
     (match check_load_point two_sided n0 rows0 w u v p with
      | Inl ss ->
        (match point_states two_sided n0 rows0 w u v points' (S number) with
-        | Inl others -> Inl ((rev_append ss []) :: others)
+        | Inl others0 -> Inl ((rev_append ss []) :: others0)
         | Inr failure -> Inr failure)
      | Inr rule -> Inr (rule, number))
 
@@ -9124,7 +9235,7 @@ let read_polygon v at_path value0 =
             outer) (fun first ->
           bind
             (each_from (read_ring v true) Big_int_Z.unit_big_int at_path
-              holes []) (fun others -> Fine (app first (concat others)))))
+              holes []) (fun others0 -> Fine (app first (concat others0)))))
    | _ -> expected what at_path value0)
 
 (** val read_outline : version -> path -> json -> edge list list result **)
@@ -9885,9 +9996,9 @@ let rec number_from name names number =
   | other :: rest ->
     if (=) other name then Some number else number_from name rest (S number)
 
-(** val number_of : string -> named_body list -> nat option **)
+(** val number_of0 : string -> named_body list -> nat option **)
 
-let number_of name bodies0 =
+let number_of0 name bodies0 =
   number_from name (map (fun n0 -> n0.name_of) bodies0) O
 
 (** val without : string list -> (string * json) list -> json **)
@@ -9976,7 +10087,7 @@ let read_on_body before at_path value0 =
   in
   (match value0 with
    | Text name ->
-     (match number_of name before with
+     (match number_of0 name before with
       | Some number -> Fine (Some number)
       | None ->
         if (=) name ground then Fine None else expected what at_path value0)
@@ -10007,7 +10118,7 @@ let read_named_body v before at_path value0 =
                   (fun _ ->
                   bind
                     (check_that
-                      (match number_of name before with
+                      (match number_of0 name before with
                        | Some _ -> false
                        | None -> true) at_path
                       ((^) "the name \"" ((^) name "\" appears twice")))
@@ -10086,8 +10197,8 @@ let rec read_all_turns bodies0 at_path = function
         bind
           (check_that (negb (is_0 c)) here "expected a number other than 0")
           (fun _ ->
-          bind (read_all_turns bodies0 at_path rest) (fun others -> Fine
-            ((name, c) :: others))))))
+          bind (read_all_turns bodies0 at_path rest) (fun others0 -> Fine
+            ((name, c) :: others0))))))
 
 (** val read_turns :
     named_body list -> path -> json -> turns_of_links result **)
@@ -10203,7 +10314,7 @@ let read_load_on_body v bodies0 at_path value0 = match value0 with
     let read_known = fun at_path0 value1 ->
       match value1 with
       | Text name ->
-        (match number_of name bodies0 with
+        (match number_of0 name bodies0 with
          | Some number -> Fine number
          | None -> expected "the name of one of \"bodies\"" at_path0 value1)
       | _ -> expected "the name of one of \"bodies\"" at_path0 value1
@@ -10320,7 +10431,7 @@ let read_contact_of_bodies v bodies0 defaults soft0 at_path value0 =
     let known = fun at_path0 value1 ->
       match value1 with
       | Text name ->
-        (match number_of name bodies0 with
+        (match number_of0 name bodies0 with
          | Some number -> Fine (Some number)
          | None -> expected "the name of one of \"bodies\"" at_path0 value1)
       | _ -> expected "the name of one of \"bodies\"" at_path0 value1
@@ -10437,8 +10548,8 @@ let rec read_springs levers joints =
        (match o with
         | Some read ->
           bind (read row0) (fun it ->
-            bind (read_springs levers0 joints0) (fun others -> Fine
-              (it :: others)))
+            bind (read_springs levers0 joints0) (fun others0 -> Fine
+              (it :: others0)))
         | None -> read_springs levers0 joints0))
 
 (** val read_grasp_of_bodies : json -> grasp result **)
@@ -11126,10 +11237,10 @@ let element_with_growth p u it =
 let rec with_growths grown items numbers0 done0 =
   match items with
   | [] -> Some ((rev_append done0 []), numbers0)
-  | it :: others ->
+  | it :: others0 ->
     (match numbers0 with
      | [] -> None
-     | p :: rest -> with_growths grown others rest ((grown it p) :: done0))
+     | p :: rest -> with_growths grown others0 rest ((grown it p) :: done0))
 
 (** val are_multiples : q list -> q list -> bool **)
 
@@ -11219,7 +11330,7 @@ let pose file asked =
                   bind (bound_asked file asked) (fun bound ->
                     let them = map_all (asked_contact asked) file.all_contacts
                     in
-                    let others =
+                    let others0 =
                       match file.bodies_read with
                       | Some its -> map_all (asked_element asked) its.elements
                       | None -> []
@@ -11228,7 +11339,7 @@ let pose file asked =
                       (match asked.asked_growth with
                        | Some g ->
                          (match g with
-                          | Scale -> Fine (them, others)
+                          | Scale -> Fine (them, others0)
                           | By numbers0 ->
                             let problem =
                               "expected numbers of 0 or more, one for each contact, then ratchet, then spring, of which any"
@@ -11243,10 +11354,10 @@ let pose file asked =
                                let (them0, rest) = p in
                                (match with_growths (fun it p0 ->
                                         element_with_growth
-                                          it.element_preload p0 it) others
+                                          it.element_preload p0 it) others0
                                         rest [] with
                                 | Some p0 ->
-                                  let (others0, l) = p0 in
+                                  let (others1, l) = p0 in
                                   (match l with
                                    | [] ->
                                      bind
@@ -11263,15 +11374,15 @@ let pose file asked =
                                                  Big_int_Z.zero_big_int;
                                                  qden =
                                                  Big_int_Z.unit_big_int }
-                                                 it.element_growth)) others0))
+                                                 it.element_growth)) others1))
                                          (of_question "preload direction")
                                          problem) (fun _ -> Fine (them0,
-                                       others0))
+                                       others1))
                                    | _ :: _ -> wrong)
                                 | None -> wrong)
                              | None -> wrong))
-                       | None -> Fine (them, others)) (fun pat ->
-                      let (them0, others0) = pat in
+                       | None -> Fine (them, others0)) (fun pat ->
+                      let (them0, others1) = pat in
                       bind
                         (match asked.asked_inertia with
                          | Some numbers0 ->
@@ -11323,7 +11434,7 @@ let pose file asked =
                             ((Member "contacts") :: []) them0) (fun boxes ->
                           bind
                             (each (check_element margin) ((Member
-                              "ratchets and springs") :: []) others0)
+                              "ratchets and springs") :: []) others1)
                             (fun other_boxes ->
                             let widened =
                               map (widen (find_tolerance "wrench" asked))
@@ -11353,15 +11464,15 @@ let pose file asked =
                                          it.preload.low it) them0
                                 else them0
                               in
-                              let others1 =
+                              let others2 =
                                 if scales
                                 then map_all (fun it ->
                                        element_with_growth
                                          (exactly { qnum =
                                            Big_int_Z.zero_big_int; qden =
                                            Big_int_Z.unit_big_int })
-                                         it.element_preload.low it) others0
-                                else others0
+                                         it.element_preload.low it) others1
+                                else others1
                               in
                               let u =
                                 match asked.asked_direction with
@@ -11380,7 +11491,7 @@ let pose file asked =
                                       (existsb (fun it ->
                                         negb (is_0 it.preload_growth)) them1))
                                     (existsb (fun it ->
-                                      negb (is_0 it.element_growth)) others1))
+                                      negb (is_0 it.element_growth)) others2))
                                   (of_question "direction")
                                   ((^)
                                     "neither the wrench nor a preload changes; expected a direction other than 0, or to "
@@ -11402,7 +11513,7 @@ let pose file asked =
                                  | Some its ->
                                    Some { bodies_in_space =
                                      its.bodies_in_space; bodies =
-                                     its.bodies; elements = others1 }
+                                     its.bodies; elements = others2 }
                                  | None -> None); max_motion = bound };
                                 free_coordinates = file.names_of_bodies;
                                 joint_coordinates = file.names_of_joints;
@@ -11522,13 +11633,13 @@ let before_percent content0 =
       Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
             content0) [] with
   | [] -> None
-  | last :: others ->
+  | last :: others0 ->
     if (=) last '%'
     then Some
            ((fun l ->
       let a = Array.of_list l in
       String.init (Array.length a) (fun i -> a.(i)))
-             (rev_append others []))
+             (rev_append others0 []))
     else None
 
 (** val read_tolerance : path -> json -> tolerance result **)
@@ -11597,10 +11708,10 @@ let rec read_all_tolerances s at_path = function
         | _ -> false)
   then bind (read_ball s ((Member kind) :: at_path) value0) (fun b ->
          bind (read_all_tolerances s at_path rest) (fun pat ->
-           let (others, _) = pat in Fine (others, (Some b))))
+           let (others0, _) = pat in Fine (others0, (Some b))))
   else bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
          bind (read_all_tolerances s at_path rest) (fun pat ->
-           let (others, b) = pat in Fine (((kind, t) :: others), b)))
+           let (others0, b) = pat in Fine (((kind, t) :: others0), b)))
 
 (** val read_tolerances :
     shape -> path -> json -> ((string * tolerance) list * stated_ball option)
@@ -11743,12 +11854,12 @@ let read_force s at_path value0 = match value0 with
       | along :: l0 ->
         (match l0 with
          | [] -> expected "[contact, number, force or slip]" at_path value0
-         | across :: l1 ->
+         | across0 :: l1 ->
            (match l1 with
             | [] ->
               bind (read_index at_path contact0) (fun i ->
                 bind (read_fraction at_path along) (fun a ->
-                  bind (read_friction s i at_path across) (fun f -> Fine (i,
+                  bind (read_friction s i at_path across0) (fun f -> Fine (i,
                     (a, f)))))
             | _ :: _ ->
               expected "[contact, number, force or slip]" at_path value0))))
@@ -12027,13 +12138,12 @@ let rec has_at_most size1 = function
     shape -> Big_int_Z.big_int -> path -> json -> q list list result **)
 
 let read_walls s more at_path value0 =
-  let what =
-    "one row or more, of a simplex two or more, and no more than it can have"
-  in
+  let what = "rows, of a simplex two or more, and no more than it can have" in
   (match value0 with
    | Array items ->
      if (&&) (has_at_most (Z.add s.size_of_twist more) items)
-          (negb (has_at_most more items))
+          ((||) (Z.eqb more Big_int_Z.zero_big_int)
+            (negb (has_at_most more items)))
      then each (read_twist s) at_path items
      else expected what at_path value0
    | _ -> expected what at_path value0)
@@ -12126,31 +12236,40 @@ let read_part s at_path value0 =
                  | Cut (p, i, c) -> Fine (PartCut (p, i, c))
                  | _ -> expected "a part" at_path value0)
              | _ ->
-               let simplex =
+               let has = fun name ->
                  match value0 with
-                 | Object members -> has_member "simplex" members
+                 | Object members -> has_member name members
                  | _ -> false
                in
+               let simplex = has "simplex" in
                let walls0 = if simplex then "simplex" else "walls" in
+               let opens0 = has "open" in
                bind
                  (members_in_order
-                   ("twist" :: (walls0 :: ("direction" :: ("tree" :: []))))
+                   ("twist" :: (app (if opens0 then "open" :: [] else [])
+                                 (walls0 :: ("direction" :: ("tree" :: [])))))
                    at_path value0) (fun members ->
                  bind (member "twist" (read_twist s) at_path members)
                    (fun d ->
                    bind
-                     (member walls0
-                       (read_walls s
-                         (if simplex
-                          then Big_int_Z.unit_big_int
-                          else Big_int_Z.zero_big_int)) at_path members)
-                     (fun e ->
+                     (if opens0
+                      then member "open"
+                             (read_array "an array of contacts" read_index)
+                             at_path members
+                      else Fine []) (fun o ->
                      bind
-                       (member "direction" (read_matrix s) at_path members)
-                       (fun a ->
-                       bind (member "tree" (read_nodes s) at_path members)
-                         (fun tree -> Fine (PartProof (d, simplex, e, a,
-                         tree))))))))
+                       (member walls0
+                         (read_walls s
+                           (if simplex
+                            then Big_int_Z.unit_big_int
+                            else Big_int_Z.zero_big_int)) at_path members)
+                       (fun e ->
+                       bind
+                         (member "direction" (read_matrix s) at_path members)
+                         (fun a ->
+                         bind (member "tree" (read_nodes s) at_path members)
+                           (fun tree -> Fine (PartProof (d, o, simplex, e, a,
+                           tree)))))))))
 
 (** val read_segment_by_degree : shape -> path -> json -> segment result **)
 
@@ -12349,7 +12468,7 @@ let read_rigid_node s at_path value0 =
                   | along :: l2 ->
                     (match l2 with
                      | [] -> expected problem at_path value0
-                     | across :: l3 ->
+                     | across0 :: l3 ->
                        (match l3 with
                         | [] ->
                           if (=) kind "leaf"
@@ -12360,7 +12479,7 @@ let read_rigid_node s at_path value0 =
                                        "an array [[contact, number], ...]"
                                        read_multiplier at_path along)
                                      (fun g ->
-                                     bind (read_shares s at_path across)
+                                     bind (read_shares s at_path across0)
                                        (fun h -> Fine (RLeaf (t0, y0, g, h))))))
                           else expected problem at_path value0
                         | _ :: _ -> expected problem at_path value0)))))
@@ -12702,10 +12821,10 @@ let rec same_list same0 a b =
   | [] -> (match b with
            | [] -> true
            | _ :: _ -> false)
-  | x :: others ->
+  | x :: others0 ->
     (match b with
      | [] -> false
-     | y :: rest -> (&&) (same0 x y) (same_list same0 others rest))
+     | y :: rest -> (&&) (same0 x y) (same_list same0 others0 rest))
 
 (** val same_option :
     ('a1 -> 'a1 -> bool) -> 'a1 option -> 'a1 option -> bool **)

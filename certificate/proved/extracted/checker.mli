@@ -425,7 +425,8 @@ type segment =
 
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
-| PartProof of q list * bool * q list list * q list list * node list
+| PartProof of q list * Big_int_Z.big_int list * bool * q list list
+   * q list list * node list
 | PartAtRest of (Big_int_Z.big_int * q list) list
    * (Big_int_Z.big_int * q list list) list * q list
 | PartSticking of q list * (Big_int_Z.big_int * q list) list
@@ -1341,6 +1342,35 @@ val degree_fails :
   oracle -> bool -> Big_int_Z.big_int -> setting -> degree_proof -> node list
   -> (string * nat option) option
 
+val is_open : Big_int_Z.big_int list -> nat -> bool
+
+val others : Big_int_Z.big_int list -> nat -> 'a1 list -> 'a1 list
+
+val without_open : Big_int_Z.big_int list -> setting -> setting
+
+val places_before :
+  Big_int_Z.big_int list -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+val number_of :
+  Big_int_Z.big_int -> Big_int_Z.big_int list -> Big_int_Z.big_int ->
+  Big_int_Z.big_int
+
+val renumbered : Big_int_Z.big_int -> Big_int_Z.big_int list -> node -> node
+
+val numbers_of1 :
+  Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int list -> bool
+
+val open_on : ray list -> Big_int_Z.big_int list -> nat -> row list -> bool
+
+val across : degree_proof -> matrix -> (form * bool) list
+
+val open_holds :
+  oracle -> bool -> Big_int_Z.big_int list -> setting -> degree_proof -> bool
+
+val degree_with_open_fails :
+  oracle -> bool -> Big_int_Z.big_int -> Big_int_Z.big_int list -> setting ->
+  degree_proof -> node list -> (string * nat option) option
+
 type rest_proof = { rest_forces : (Big_int_Z.big_int * vector) list;
                     rest_answers : (Big_int_Z.big_int * matrix) list;
                     rest_reach : vector }
@@ -1985,7 +2015,7 @@ val ground : string
 
 val number_from : string -> string list -> nat -> nat option
 
-val number_of : string -> named_body list -> nat option
+val number_of0 : string -> named_body list -> nat option
 
 val without : string list -> (string * json) list -> json
 

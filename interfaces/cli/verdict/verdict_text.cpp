@@ -159,6 +159,8 @@ struct Meaning {
             : are_sticking(*proof)
                 ? ": contacts stick\nnear this motion, and friction has more to spare than "
                   "what is off takes away.\n"
+            : are_untouched(*proof)
+                ? ": near this motion\nnothing touches it, and there is no load.\n"
                 : ": the forces on the walls\naround motions near this one leave no way out "
                   "but an equilibrium inside.\n") +
            near_text();
@@ -286,7 +288,8 @@ std::string samples_text(const Samples* samples) {
          counted(samples->stable, "stable") + ", " + counted(samples->unstable, "unstable") +
          (samples->undecided == 0 ? "" : ", " + counted(samples->undecided, "undecided")) +
          ".\nWith a confidence of 95 % between " + percent(share.low) + " and " +
-         percent(share.high) + " of the grasps that are drawn so hold; of one side,\nat least " +
+         percent(share.high) +
+         " of the grasps that are drawn so hold; of one side,\nat least " +
          percent(share.at_least) + ". A sample proves nothing about any other grasp.\n\n";
 }
 

@@ -139,6 +139,8 @@
               ? ". Proved: nothing moves, as friction answers whatever load is left. "
               : decide.proof && decide.proof.sticking
               ? ". Proved: contacts stick near this motion, and friction has more to spare than what is off takes away. "
+              : decide.proof && decide.proof.untouched
+              ? ". Proved: nothing touches it near this motion, and there is no load. "
               : ". Proved: the forces on the walls around motions near this one leave no way out but an equilibrium inside. ",
             "What is drawn is near it, in floating point.",
           ),

@@ -51,6 +51,9 @@ class GraspLaw : public Law {
   /// centre. A margin is replaced by its member with this multiple; without a margin the
   /// multiple plays no part.
   GraspLaw middle(const Rational& multiple = 0) const;
+  /// Returns the law without these contacts. Requires that they are there and increase. The
+  /// others are numbered anew.
+  GraspLaw without(const std::vector<ContactId>& contacts) const;
   /// Returns the same margin with another range of multiples.
   GraspLaw within(const MultipleRange& range) const;
 

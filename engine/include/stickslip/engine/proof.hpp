@@ -77,6 +77,9 @@ struct ConvexBody {
 struct DegreeProof : ConvexBody {
   std::vector<RationalRow> direction{};  ///< A, by rows
   Trees trees{};  ///< list 1 unless it is not needed, and list 2; a tree for each wall
+  /// Contacts that are open on all of the body across the motions that no E sees, increasing:
+  /// all else is about the grasps without them.
+  std::vector<ContactId> open{};
 };
 
 /// Returns whether the walls and the direction of a proof both have this rank, which is that of
@@ -123,5 +126,8 @@ using StabilityProof = PartsIn<DegreeProof, RestProof, StickingProof>;
 bool are_at_rest(const StabilityProof& parts);
 /// Returns whether all parts are proved by sticking.
 bool are_sticking(const StabilityProof& parts);
+/// Returns whether all parts are proved by degree with bodies of motions that have no walls, as
+/// no force is left there.
+bool are_untouched(const StabilityProof& parts);
 
 }  // namespace stickslip

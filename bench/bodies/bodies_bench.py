@@ -156,19 +156,26 @@ FAMILIES = {**{f"stack{n}": (stack, n) for n in (2, 3, 4)}, **{f"row{n}": (row, 
 
 
 def threshold(at):
-    """Between a stable multiple and an unstable one, if nothing between them is undecided; else between those that are near."""
-    low, high = 0, 1
-    while decide(at(high))[0] == "stable":
-        low, high = high, 2 * high
-        if high > 1e3:
+    """
+    A stable multiple and an unstable one above it. Beside each, by a thousandth, is another verdict, or none within a few hundred
+    nodes: between the two some may be undecided.
+    """
+    def verdict(multiple):
+        return decide(at(multiple), "--node-limit", "400")[0]
+
+    def end(low, high, wanted, is_low):
+        while high - low > 1e-3 * high:
+            middle = (low + high) / 2
+            low, high = (middle, high) if (verdict(middle) == wanted) == is_low else (low, middle)
+        return low if is_low else high
+
+    top = 1
+    while verdict(top) != "unstable":
+        top *= 2
+        if top > 1e3:
             return None
-    while high - low > 1e-3 * high:
-        middle = (low + high) / 2
-        if decide(at(middle), "--node-limit", "3000")[0] == "stable":
-            low = middle
-        else:
-            high = middle
-    return low, high
+    low = end(0, top, "stable", True)
+    return low, end(low, top, "unstable", False)
 
 
 def about_thresholds(name, count):

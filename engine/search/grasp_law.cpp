@@ -132,7 +132,8 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
         "bodies and joints have " + std::to_string(motions) + " coordinates together",
         "margins, and boxes of uncertain numbers, have at most " +
             std::to_string(kMostCoordinates - 2) +
-            ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there are "
+            ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there "
+            "are "
             "verdicts about one grasp, and statics");
   }
   if (box.mechanism) {
@@ -268,6 +269,17 @@ GraspLaw GraspLaw::middle(const Rational& multiple) const {
 
 const Interval& GraspLaw::load_interval(std::size_t component) const {
   return ball ? ball->parts.at(component) : wrench.at(component);
+}
+
+std::optional<Problem> GraspLaw::problem() const {
+  if (in_space_ || !one_body_) return std::nullopt;
+  std::vector<ContactRow> rows;
+  for (const LawContact& c : contacts) {
+    const CornerRow& row = c.corners.front();
+    rows.push_back({wrench_of(row.normal), wrench_of(row.wrench_of({1})), c.friction.low,
+                    c.preload.low, c.stiffness.low});
+  }
+  return Problem(std::move(rows), {wrench[0].low, wrench[1].low, wrench[2].low}, normal_law);
 }
 
 const Interval& GraspLaw::interval(const ParameterId& id) const {

@@ -199,8 +199,9 @@ struct Meaning {
  private:
   /// Returns the text for one grasp in the plane whose exact forces are not known.
   std::string near_text() const {
+    if (answer.question.in_space() || answer.question.mechanism() != nullptr) return "";
     const auto motion = motion_near(answer);
-    if (!motion || !answer.question.is_one_planar_body()) return "";
+    if (!motion) return "";
     return "An equilibrium is near the motion d = " + text(*motion) + "." +
            (enclosed_contacts(*answer.question.box()).empty()
                 ? " Exact forces would have numbers of\nmany digits: --engine "
@@ -286,7 +287,8 @@ std::string samples_text(const Samples* samples) {
          counted(samples->stable, "stable") + ", " + counted(samples->unstable, "unstable") +
          (samples->undecided == 0 ? "" : ", " + counted(samples->undecided, "undecided")) +
          ".\nWith a confidence of 95 % between " + percent(share.low) + " and " +
-         percent(share.high) + " of the grasps that are drawn so hold; of one side,\nat least " +
+         percent(share.high) +
+         " of the grasps that are drawn so hold; of one side,\nat least " +
          percent(share.at_least) + ". A sample proves nothing about any other grasp.\n\n";
 }
 

@@ -616,7 +616,7 @@ Work page_asked(const Given& given) {
       static_cast<std::int64_t>(1000 * given.as<double>("time_limit")));
   return [&given, asked, limits] {
     try {
-      return Json(page_html(page_answer(given.grasp, asked, {}, limits, "grasp")));
+      return Json(page_html(page_answer(given.grasp, asked, all_page_parts(), limits, "grasp")));
     } catch (const InputError& error) {
       // The place is spelled in the words of a command line.
       const std::string& place = error.place();

@@ -127,19 +127,13 @@ WarnedAnswer answered(Question question, const DecideArguments& arguments, LongW
   SearchOptions search = arguments.search;
   if (arguments.engine == "states") search.engine = Engine::kStates;
   if (arguments.engine == "branch-and-bound") search.engine = Engine::kBranchAndBound;
-  // Only a limit makes a copy of the question worth its memory.
-  std::optional<Answer> answer;
-  std::function<void(const Answer&)> keep;
-  if (work.limit().seconds()) {
-    answer = unanswered(question, out_of_time(work.limit()));
-    keep = [&](const Answer& first) { answer = first; };
-  }
   Warnings warnings;
-  work.finishes([&] {
-    answer = decide(std::move(question), search, keep);
-    if (!arguments.no_warnings) warnings = model_warnings(*answer);
-  });
-  return {std::move(*answer), std::move(warnings)};
+  const auto warn = [&](const Answer& answer) {
+    if (!arguments.no_warnings) warnings = model_warnings(answer);
+  };
+  Answer answer = decide_in_time(std::move(question), search, work.limit(), warn,
+                                 [&](const auto& all) { return work.finishes(all); });
+  return {std::move(answer), std::move(warnings)};
 }
 
 /// Writes the certificate if the verdict has one, or says on standard error why it has none.

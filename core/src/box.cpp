@@ -483,22 +483,11 @@ GraspBox GraspBox::middle() const {
   return box;
 }
 
-LoadedGrasp GraspBox::planar_middle() const {
-  require(is_one_planar_body(), "a box of one body in the plane");
-  std::vector<Contact> middles;
-  middles.reserve(contacts.size());
-  for (const UncertainContact& c : contacts) {
-    middles.push_back({{c.position[0].middle(), c.position[1].middle()},
-                       {c.normal[0], c.normal[1]},
-                       c.friction.middle(),
-                       c.stiffness.middle(),
-                       c.preload.middle()});
-  }
-  return {Grasp(std::move(middles), description), stickslip::planar_middle(wrench)};
-}
-
-Wrench planar_middle(const WrenchBox& wrench) {
-  return {wrench[0].middle(), wrench[1].middle(), wrench[2].middle()};
+RationalRow middle_of(const std::vector<Interval>& intervals) {
+  RationalRow middle;
+  middle.reserve(intervals.size());
+  for (const Interval& interval : intervals) middle.push_back(interval.middle());
+  return middle;
 }
 
 RationalRow UncertainContact::point() const {
@@ -545,13 +534,24 @@ GraspBox box_of(const LoadedGrasp& loaded) {
   return box;
 }
 
+LoadedGrasp loaded_of(const GraspBox& point) {
+  require(!point.mechanism && !point.in_space() && point.is_point(),
+          "one grasp of one body in the plane");
+  std::vector<Contact> contacts;
+  contacts.reserve(point.contacts.size());
+  for (const UncertainContact& c : point.contacts) {
+    contacts.push_back({{c.position[0].low, c.position[1].low},
+                        {c.normal[0], c.normal[1]},
+                        c.friction.low,
+                        c.stiffness.low,
+                        c.preload.low});
+  }
+  return {Grasp(std::move(contacts), point.description), wrench_of(middle_of(point.wrench))};
+}
+
 const LoadedGrasp& AnyGrasp::loaded() const {
   require(single() != nullptr, "one grasp in the plane");
   return *single();
-}
-
-LoadedGrasp AnyGrasp::planar_middle() const {
-  return box() != nullptr ? box()->planar_middle() : *single();
 }
 
 const Mechanism* AnyGrasp::mechanism() const {

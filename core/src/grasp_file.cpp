@@ -308,7 +308,8 @@ Properties read_defaults(const JsonNode& root, IntervalReader& read,
                          const FrictionNames& frictions, bool in_space = false) {
   const JsonNode* node = root.find("defaults");
   if (node == nullptr) return {};
-  expect_object(*node, "defaults", {"friction", "stiffness", "preload", "torsion", "max_force"});
+  expect_object(*node, "defaults",
+                {"friction", "stiffness", "preload", "torsion", "max_force"});
   WrittenContact probe;
   probe.normal = {1, 0};
   probe.own = read_properties(*node, "defaults", read);
@@ -539,9 +540,9 @@ void refuse_intervals(const std::string& first, bool version2, Intervals interva
             std::string("write \"format\": \"") + kVersion2 + "\", which has them");
   }
   if (intervals == Intervals::kAllowed) return;
-  fail_at(
-      first, "the number is uncertain",
-      "stickslip decide, radius and batch answer for all numbers of an interval: give one here");
+  fail_at(first, "the number is uncertain",
+          "stickslip decide, radius and batch answer for all numbers of an interval: give one "
+          "here");
 }
 
 }  // namespace
@@ -649,7 +650,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
       Grasp(std::move(contacts),
             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp), nullptr,
                              gravity_of_masses(grasp, space), std::move(rounded)}),
-      planar_middle(wrench)};
+      wrench_of(middle_of(wrench))};
   const bool is_bounded = grasp.find("max_motion") != nullptr;
   if (is_bounded && intervals == Intervals::kRefused) {
     fail_at("max_motion", "motions are bounded",

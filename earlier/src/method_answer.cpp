@@ -166,16 +166,6 @@ GraspBox point_grasp(const Question& question) {
 
 }  // namespace earlier_detail
 
-Comparison compare_methods(const Question& question, const CompareOptions& options,
-                           NumberText& text) {
-  using namespace earlier_detail;
-  check_options(question, options);
-  if (!question.in_space()) {
-    return compare_in_plane(problem_of(without_bound(question)), question.grasp, options, text);
-  }
-  return compare_in_space(point_in_space(question), question.law, options, text);
-}
-
 std::vector<std::string> method_words() {
   std::vector<std::string> words;
   for (const earlier_detail::Method& method : earlier_detail::all_methods()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The common part of the rows of a comparison in the plane and in space.
+/// The rows of a comparison.
 #pragma once
 
 #include <functional>
@@ -81,10 +81,6 @@ MethodAnswer closure_answer(const std::variant<FormClosure, FreeMotion>& found,
 MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text);
 /// \}
 
-/// Returns the verdict of the passive model about one grasp. The engine for boxes decides it,
-/// as that knows bounds on motions.
-MethodAnswer passive_answer(const GraspBox& grasp, NormalLaw law, NumberText& text);
-
 /// \{ Return the singular values of the grasp map; and the distance of the centroid.
 MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, NumberText& text);
 MethodAnswer centroid_answer(const GraspBox& grasp, const RationalRow& centre,
@@ -117,14 +113,6 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
 /// are not computed. Throws InputError ("methods") at a word of no method.
 std::vector<MethodRow> asked(const std::vector<Method>& among, const CompareOptions& options,
                              const std::function<MethodAnswer(MethodId)>& answer);
-
-/// \{ Do what compare_methods() does, in the plane and in space. The problem does not know a
-/// bound of motions that the grasp has.
-Comparison compare_in_plane(const Problem& problem, const AnyGrasp& grasp,
-                            const CompareOptions& options, NumberText& text);
-Comparison compare_in_space(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
-                            NumberText& text);
-/// \}
 
 /// Returns the class by weak and strong stability, as far as they were asked.
 std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bool> strongly);

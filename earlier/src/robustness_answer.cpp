@@ -130,21 +130,12 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
       method == MethodId::kRigidMotionRobustness ? kMostContactsInMotion : kMostContacts;
   if (grasp.contacts.size() > most_contacts) return too_many(most_contacts);
   const RobustnessOptions asked = options.for_robustness();
-  Robustness found;
-  try {
-    if (options.robustness != nullptr) {
-      found = *options.robustness;
-    } else if (method == MethodId::kRigidMotionRobustness) {
-      found = rigid_motion_robustness(grasp, asked);
-    } else {
-      found =
-          potential_robustness(method == MethodId::kContactRobustness ? RobustnessKind::kContact
-                                                                      : RobustnessKind::kGrasp,
-                               grasp, asked);
-    }
-  } catch (const InputError& error) {
-    return not_for(error);
-  }
+  const Robustness found = options.robustness != nullptr ? *options.robustness
+                           : method == MethodId::kRigidMotionRobustness
+                               ? rigid_motion_robustness(grasp, asked)
+                           : method == MethodId::kContactRobustness
+                               ? potential_robustness(RobustnessKind::kContact, grasp, asked)
+                               : potential_robustness(RobustnessKind::kGrasp, grasp, asked);
   const std::string most =
       asked.most_forces.size() == 1 ? text(asked.most_forces[0]) : text(asked.most_forces);
   Json evidence{{"lower", number_json(found.lower)},
@@ -189,12 +180,7 @@ MethodAnswer robustness_answer(const GraspBox& grasp, MethodId method,
 
 MethodAnswer grasp_map_answer(const GraspBox& grasp, const Rational& length, NumberText& text) {
   if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
-  GraspMapMeasures found;
-  try {
-    found = grasp_map_measures(grasp, length);
-  } catch (const InputError& error) {
-    return not_for(error);
-  }
+  const GraspMapMeasures found = grasp_map_measures(grasp, length);
   const Interval least = root_of(found.least_square.low, found.least_square.high);
   const Interval largest = root_of(found.largest_square.low, found.largest_square.high);
   Json evidence{{"least", interval_json(least)},
@@ -241,12 +227,8 @@ Json least_force_json(const LeastForce& found) {
 MethodAnswer wrench_volume_answer(const GraspBox& grasp, const CompareOptions& options,
                                   NumberText& text) {
   if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
-  std::optional<HullVolume> found;
-  try {
-    found = wrench_space_volume(grasp, options.length, kMostFacets, options.edges);
-  } catch (const InputError& error) {
-    return not_for(error);
-  }
+  const std::optional<HullVolume> found =
+      wrench_space_volume(grasp, options.length, kMostFacets, options.edges);
   if (!found) {
     const std::string limit = std::to_string(kMostFacets) + " facets";
     return {kNotComputed, "the hull has more than " + limit, {{"limit", limit}}};
@@ -268,14 +250,8 @@ MethodAnswer wrench_volume_answer(const GraspBox& grasp, const CompareOptions& o
 MethodAnswer least_force_answer(const GraspBox& grasp, const CompareOptions& options,
                                 NumberText& text) {
   if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
-  LeastForce sum;
-  LeastForce largest;
-  try {
-    sum = least_force(grasp, ForceBound::kL1, options.edges);
-    largest = least_force(grasp, ForceBound::kLinf, options.edges);
-  } catch (const InputError& error) {
-    return not_for(error);
-  }
+  const LeastForce sum = least_force(grasp, ForceBound::kL1, options.edges);
+  const LeastForce largest = least_force(grasp, ForceBound::kLinf, options.edges);
   Json evidence{{"sum", least_force_json(sum)}, {"largest", least_force_json(largest)}};
   add_edges(evidence, options);
   if (!sum.balances || !largest.balances) {
@@ -296,12 +272,7 @@ MethodAnswer internal_margin_answer(const GraspBox& grasp, const CompareOptions&
                                     NumberText& text) {
   if (grasp.contacts.size() > kMostContacts) return too_many(kMostContacts);
   const RobustnessOptions asked = options.for_robustness();
-  InternalMargin found;
-  try {
-    found = internal_margin(grasp, asked);
-  } catch (const InputError& error) {
-    return not_for(error);
-  }
+  const InternalMargin found = internal_margin(grasp, asked);
   Json evidence{{"lower", number_json(found.lower)},
                 {"upper", number_json(found.upper)},
                 {"max_force", number_json(asked.most_forces)},

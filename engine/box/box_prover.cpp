@@ -142,8 +142,8 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     }
   }
   if (stable_ != false) {
-    // Rest is tried first: it takes least, and what sticks needs no other equilibrium.
-    if (!box.is_one_planar_body()) {
+    // Rest takes least, and what sticks needs no other equilibrium.
+    if (limits_.rest_first) {
       for (const NearEquilibrium& near : newton.solve_from(0)) {
         if (try_near(near)) {
           stable_ = true;

@@ -27,6 +27,7 @@ struct ProverLimits {
   std::size_t most_nodes;  ///< nodes of all together, beyond which a box is cut no more
   std::size_t most_parts;  ///< the most cuts
   bool is_wide;            ///< the user gave intervals; the box is not just rounding of lengths
+  bool rest_first;         ///< equilibria near rest are tried before others are sought
   bool is_default;  ///< nobody asked for more: far motions get a part of what near ones took
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "box_prover.hpp"
+#include "effort.hpp"
 #include "engine/degree/newton.hpp"
 #include "engine/degree/prove_stable.hpp"
 #include "engine/large/decide_large.hpp"
@@ -21,7 +22,12 @@ class ExampleSearch {
  public:
   ExampleSearch(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                 SearchWork& work)
-      : box_(box), law_(law), options_(options), work_(work), examples_(box, law) {}
+      : box_(box),
+        law_(law),
+        options_(options),
+        work_(work),
+        effort_(effort_for(box)),
+        examples_(box, law) {}
 
   /// Decides this grasp, unless two were found.
   void try_at(const GraspBox& grasp) {
@@ -38,8 +44,9 @@ class ExampleSearch {
     if (stable_) try_without_equilibrium();
     for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
     if (found() || stable_.has_value() == unstable_.has_value()) return;
-    if (!box_.is_one_planar_body()) return;  // a verdict takes a while
-    for (const Place& place : examples_.single_ends()) try_at(examples_.at(place));
+    for (const Place& place : examples_.single_ends(effort_.single_ends)) {
+      try_at(examples_.at(place));
+    }
   }
 
   /// Tries corners at which Newton's method finds no equilibrium, where that of the middle has
@@ -84,35 +91,32 @@ class ExampleSearch {
   NormalLaw law_;
   const SearchOptions& options_;
   SearchWork& work_;
+  Effort effort_;
   Examples examples_;
   std::optional<GraspBox> stable_;
   std::optional<GraspBox> unstable_;
 };
 
-/// Returns the limits of a search for a proof: more in space, where nothing else decides.
+/// Returns the limits of a search for a proof.
 ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
                        std::size_t most_parts, bool is_quick) {
-  const bool is_wide = !box.is_point();
-  std::size_t nodes = options.node_limit;
-  if (nodes == 0) {
-    constexpr std::size_t kInSpace = 20000;
-    constexpr std::size_t kWideInSpace = 1000;  // a box that is neither is to be told soon
-    nodes = box.is_one_planar_body() ? 500 + 50 * box.contacts.size()
-            : is_wide                ? kWideInSpace
-                                     : kInSpace;
+  const Effort effort = effort_for(box);
+  ProverLimits limits{};
+  limits.is_wide = !box.is_point();
+  limits.rest_first = effort.rest_first;
+  const std::size_t nodes = options.node_limit == 0 ? effort.nodes : options.node_limit;
+  if (is_quick) {
+    limits.node_limit = std::min(nodes, effort.quick_nodes);
+    limits.most_nodes = effort.quick_nodes;
+    limits.is_default = true;
+    return limits;
   }
-  // Few walls are proposed for a ball, and each takes many nodes.
-  const std::size_t in_space = !is_wide ? 24 : box.ball ? 2 : 8;
-  const std::size_t walls = box.is_one_planar_body() ? 8 : in_space;
-  const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
-  constexpr std::size_t kQuick = 100;
-  if (is_quick) return {std::min(nodes, kQuick), 0, kQuick, 0, is_wide, true};
-  return {nodes,
-          std::max<std::size_t>(nodes / walls, 1),
-          searches * nodes,
-          most_parts,
-          is_wide,
-          options.node_limit == 0};
+  limits.node_limit = nodes;
+  limits.wall_limit = std::max<std::size_t>(nodes / effort.walls, 1);
+  limits.most_nodes = effort.trees * nodes;
+  limits.most_parts = most_parts;
+  limits.is_default = options.node_limit == 0;
+  return limits;
 }
 
 /// Returns a proof or none; `suspects` gets the places where parts seem to differ.
@@ -120,12 +124,13 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
                   std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects,
                   bool is_quick = false) {
   BoxDecision decision{Undecided{}};
-  const bool may_refine = box.is_point() && box.is_one_planar_body();
+  const bool may_refine = box.is_point() && effort_for(box).may_refine;
   for (unsigned bits = options.bits;; bits *= 2) {
     decision.bits = bits;
     BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts, is_quick),
                      decision.work);
-    if (!box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
+    // One body in the plane has exact equilibria of another form, which decide() seeks.
+    if ((box.mechanism || box.in_space()) && box.is_point() && !needs_enclosure(box)) {
       prover.try_exact_equilibria();
     }
     if (auto verdict = prover.prove()) {
@@ -188,7 +193,7 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& 
   SearchWork work;
   ExampleSearch examples(box, law, options, work);
   BoxDecision decision{Undecided{}};
-  if (!box.is_one_planar_body()) {
+  if (effort_for(box).quick_nodes > 0) {
     // Proofs that take long are sought only where no counterexample lies at hand.
     std::array<std::optional<RationalRow>, 2> unused;
     decision = prove(box, law, options, 0, unused, true);

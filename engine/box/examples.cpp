@@ -333,10 +333,9 @@ std::vector<Place> Examples::extremes() const {
   return {std::move(better), std::move(worse)};
 }
 
-std::vector<Place> Examples::single_ends() const {
-  constexpr std::size_t kFew = 12;
+std::vector<Place> Examples::single_ends(std::size_t most) const {
   std::vector<Place> places;
-  if (numbers_.size() > kFew) return places;
+  if (numbers_.size() > most) return places;
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
     for (const int end : {-1, 1}) {
       places.push_back(middle());

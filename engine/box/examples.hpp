@@ -46,8 +46,8 @@ class Examples {
   /// friction and preload under less load, and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;
   /// Returns the places with one number at either end and all others in the middle; none if
-  /// there are many numbers.
-  std::vector<Place> single_ends() const;
+  /// there are more than `most` numbers.
+  std::vector<Place> single_ends(std::size_t most) const;
   const GraspBox& box() const { return box_; }  ///< the box that they are of
   NormalLaw law() const { return law_; }        ///< the law of all contacts
   /// Returns the uncertain numbers, in the order of a place's entries.

@@ -10,18 +10,6 @@
 
 namespace stickslip::box_detail {
 
-Problem planar_problem(const GraspLaw& point) {
-  const auto as_wrench = [](const RationalRow& row) { return Wrench{row[0], row[1], row[2]}; };
-  std::vector<ContactRow> rows;
-  for (const LawContact& c : point.contacts) {
-    const CornerRow& row = c.corners.front();
-    rows.push_back({as_wrench(row.normal), as_wrench(row.wrench_of({1})), c.friction.low,
-                    c.preload.low, c.stiffness.low});
-  }
-  const std::vector<Interval>& w = point.wrench;
-  return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.normal_law);
-}
-
 namespace {
 
 /// Returns equilibria at which all that presses and rubs sticks. They are proved at once,
@@ -46,11 +34,12 @@ std::vector<NearEquilibrium> sticking_equilibria(const GraspLaw& point,
 
 std::vector<NearEquilibrium> equilibria_in_doubles(const GraspLaw& point, bool has_enclosures) {
   const RoundedGrasp grasp = rounded_middle(point);
-  if (!point.is_one_planar_body()) {
+  const std::optional<Problem> one = point.problem();
+  if (!one) {
     constexpr std::size_t kStarts = 3;
     return Newton(grasp).solve_from(kStarts);
   }
-  const Problem problem = planar_problem(point);
+  const Problem& problem = *one;
   constexpr std::size_t kMost = 4;  // the most of each kind
   std::vector<NearEquilibrium> result = sticking_equilibria(point, grasp);
   if (!has_enclosures && !has_long_equilibria(problem)) {

@@ -10,12 +10,8 @@
 #include "stickslip/engine/box_verdict.hpp"
 #include "stickslip/engine/grasp_law.hpp"
 #include "stickslip/engine/near_equilibrium.hpp"
-#include "stickslip/engine/problem.hpp"
 
 namespace stickslip::box_detail {
-
-/// Returns the problem of a law of one grasp in the plane.
-Problem planar_problem(const GraspLaw& point);
 
 /// Returns some equilibria of a law of one grasp, in doubles. `has_enclosures` says that
 /// lengths are enclosed, in so many bits that exact equilibria take longer than a proof without

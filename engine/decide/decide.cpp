@@ -35,6 +35,18 @@ Answer first_answer(Question question, const SearchOptions& options,
   return answer;
 }
 
+/// Returns the answer of a question that was given up for this reason. Throws what problem_of()
+/// throws.
+Answer unanswered(Question question, Undecided why) {
+  if (question.box() != nullptr) {
+    return {std::move(question), std::move(why), SearchWork{}};
+  }
+  Problem problem = problem_of(question);
+  Answer answer{std::move(question), std::move(why), BranchWork{}};
+  answer.problem = std::move(problem);
+  return answer;
+}
+
 }  // namespace
 
 const char* box_engine(const Question& question) {
@@ -51,24 +63,22 @@ Undecided out_of_time(const TimeLimit& limit) {
   return {limit.in_words() + " was over first", "time", "a longer one may decide it"};
 }
 
-Answer unanswered(Question question, Undecided why) {
-  if (question.box() != nullptr) {
-    return {std::move(question), std::move(why), SearchWork{}};
+Answer decide_in_time(Question question, const SearchOptions& options, const TimeLimit& limit,
+                      const std::function<void(const Answer&)>& then,
+                      const std::function<bool(const std::function<void()>& work)>& finishes) {
+  std::optional<Answer> answer;
+  std::function<void(const Answer&)> keep;
+  // Only a limit makes a copy of the question worth its memory.
+  if (limit.seconds()) {
+    answer = unanswered(question, out_of_time(limit));
+    keep = [&](const Answer& first) { answer = first; };
   }
-  Problem problem = problem_of(question);
-  Answer answer{std::move(question), std::move(why), BranchWork{}};
-  answer.problem = std::move(problem);
-  return answer;
-}
-
-Answer decide_in_time(const Question& question, const SearchOptions& options,
-                      const TimeLimit& limit) {
-  if (!limit.seconds()) return decide(question, options);
-  Answer answer = unanswered(question, out_of_time(limit));
-  limit.finishes([&] {
-    answer = decide(question, options, [&](const Answer& first) { answer = first; });
-  });
-  return answer;
+  const auto work = [&] {
+    answer = decide(std::move(question), options, keep);
+    if (then) then(*answer);
+  };
+  finishes ? finishes(work) : limit.finishes(work);
+  return std::move(*answer);
 }
 
 Answer decide(Question question, const SearchOptions& options) {

@@ -103,12 +103,9 @@ std::optional<RationalRow> opposed_direction(const Question& question) {
 
 Rational squared_distance(const Question& a, const Question& b) {
   const Law law = GraspLaw(a.grasp.as_box(), a.law);
-  const WrenchBox one = a.grasp.wrench();
-  const WrenchBox other = b.grasp.wrench();
-  RationalRow difference;
-  for (std::size_t j = 0; j < one.size(); ++j) {
-    difference.push_back(one[j].middle() - other[j].middle());
-  }
+  RationalRow difference = middle_of(a.grasp.wrench());
+  const RationalRow other = middle_of(b.grasp.wrench());
+  for (std::size_t j = 0; j < difference.size(); ++j) difference[j] -= other[j];
   return law.squared_size(difference, law.short_length());
 }
 

@@ -96,7 +96,7 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const QuestionOptions& o
   LoadedGrasp* one = grasp.single();
   if (one != nullptr && is_certain(wrench) && !uncertain.any() && !bound &&
       !has_irrational_preload(one->grasp, question.preload_growth)) {
-    one->wrench = planar_middle(wrench);
+    one->wrench = wrench_of(middle_of(wrench));
     return grasp;
   }
   GraspBox box = one != nullptr ? box_of(*one) : std::move(*grasp.box());
@@ -116,17 +116,17 @@ std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
   if (direction.scale) return preloads;
   if (direction.preloads.size() != preloads.size()) {
     throw InputError("", "preload_direction",
-                     "there are " + std::to_string(direction.preloads.size()) + " numbers for " +
-                         std::to_string(preloads.size()) +
+                     "there are " + std::to_string(direction.preloads.size()) +
+                         " numbers for " + std::to_string(preloads.size()) +
                          (pushing < preloads.size() ? " contacts and springs" : " contacts"),
                      "give one for each, or the word scale for all in proportion");
   }
   for (std::size_t i = 0; i < pushing; ++i) {
     if (direction.preloads[i].sign() >= 0) continue;
-    throw InputError(
-        "", "preload_direction",
-        "the number of contact " + std::to_string(i) + " is " + to_string(direction.preloads[i]),
-        "preloads grow, and do not fall: give 0 or more");
+    throw InputError("", "preload_direction",
+                     "the number of contact " + std::to_string(i) + " is " +
+                         to_string(direction.preloads[i]),
+                     "preloads grow, and do not fall: give 0 or more");
   }
   return direction.preloads;
 }
@@ -151,8 +151,9 @@ void refuse_limits(const AnyGrasp& grasp) {
   for (const auto& [element, most] : box->force_limits()) {
     const std::size_t contacts = box->contacts.size();
     throw InputError("",
-                     element < contacts ? "contacts[" + std::to_string(element) + "].max_force"
-                                        : box->springs[element - contacts].place + ".max_torque",
+                     element < contacts
+                         ? "contacts[" + std::to_string(element) + "].max_force"
+                         : box->springs[element - contacts].place + ".max_torque",
                      "a force is limited, and how it yields is not in the law of springs",
                      "ask stickslip statics, which takes limits, or remove it");
   }
@@ -168,8 +169,8 @@ void require_certain(const Question& question) {
 }  // namespace
 
 AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
-  if (!box.is_bounded() && box.is_one_planar_body() && box.is_point()) {
-    LoadedGrasp point = box.planar_middle();
+  if (!box.mechanism && !box.in_space() && !box.is_bounded() && box.is_point()) {
+    LoadedGrasp point = loaded_of(box);
     if (!has_irrational_preload(point.grasp, growth)) return point;
   }
   return box;
@@ -221,11 +222,9 @@ Question without_bound(Question question) {
 }
 
 void require_one_grasp(const Question& question) {
-  if (question.is_one_planar_body()) {
-    problem_of(question);
-  } else {
-    require_certain(question);
-  }
+  if (question.box() == nullptr) return;
+  if (question.in_space() || question.mechanism() != nullptr) return require_certain(question);
+  problem_of(question);
 }
 
 Question as_one_body(Question question) {
@@ -259,7 +258,8 @@ Problem problem_of(const Question& question) {
   }
   require_certain(question);
   // A box that is certain has irrational lengths, at which Problem or contact_rows() throws.
-  const LoadedGrasp point = question.grasp.planar_middle();
+  const GraspBox* box = question.box();
+  const LoadedGrasp point = box != nullptr ? loaded_of(*box) : question.loaded();
   Problem base(point, question.law);
   if (!question.is_margin()) return base;
   Growth growth;

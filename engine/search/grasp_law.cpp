@@ -292,6 +292,17 @@ const Interval& GraspLaw::load_interval(std::size_t component) const {
   return ball ? ball->parts.at(component) : wrench.at(component);
 }
 
+std::optional<Problem> GraspLaw::problem() const {
+  if (in_space_ || !one_body_) return std::nullopt;
+  std::vector<ContactRow> rows;
+  for (const LawContact& c : contacts) {
+    const CornerRow& row = c.corners.front();
+    rows.push_back({wrench_of(row.normal), wrench_of(row.wrench_of({1})), c.friction.low,
+                    c.preload.low, c.stiffness.low});
+  }
+  return Problem(std::move(rows), {wrench[0].low, wrench[1].low, wrench[2].low}, normal_law);
+}
+
 const Interval& GraspLaw::interval(const ParameterId& id) const {
   if (id.parameter == Parameter::kWrench) return load_interval(id.index);
   return interval_of(contacts.at(id.index), id.parameter);

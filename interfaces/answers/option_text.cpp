@@ -53,11 +53,9 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes) {
   try {
     Question question = ask(std::move(file), options);
-    // While the options are known, this refuses what problem_of() refuses, except a bound on
-    // motions. problem_of() refuses nothing that is no box; and margins of a box are claims.
-    const bool is_box = question.box() != nullptr;
-    if (question.is_one_planar_body() && is_box && !takes_boxes && !question.is_margin()) {
-      problem_of(without_bound(question));
+    // This is refused while the options are known. Margins of a box are claims.
+    if (question.box() != nullptr && !takes_boxes && !question.is_margin()) {
+      require_one_grasp(without_bound(question));
     }
     return question;
   } catch (const InputError& error) {

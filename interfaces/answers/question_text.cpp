@@ -43,7 +43,11 @@ Question contacts_alone(GraspFile file) {
   }
   QuestionOptions without_load;
   without_load.wrench = RationalRow(file.content.wrench().size());
-  return as_one_body(ask(std::move(file), without_load));
+  Question question = as_one_body(ask(std::move(file), without_load));
+  // Normals may have any length, and motions no bound.
+  const GraspBox* box = question.box();
+  if (box != nullptr && !box->in_space() && !box->mechanism) question.grasp = loaded_of(*box);
+  return question;
 }
 
 }  // namespace stickslip

@@ -116,7 +116,8 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
 std::optional<RationalRow> motion_near(const Answer& answer) {
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   if (stable == nullptr || !std::holds_alternative<StabilityProof>(stable->proof)) return {};
-  if (answer.question.is_one_planar_body() && !answer.question.box()->is_point()) return {};
+  const GraspBox& box = *answer.question.box();
+  if (!box.in_space() && !box.mechanism && !box.is_point()) return {};
   return stable->motion;
 }
 

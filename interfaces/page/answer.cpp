@@ -14,7 +14,6 @@
 #include "doubles.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/earlier/statics.hpp"
 #include "stickslip/engine/decide_in_time.hpp"
@@ -176,38 +175,15 @@ RationalRow in_file(const Question& question, const Vector3& v) {
   return {v.begin(), v.begin() + (question.in_space() ? 3 : 2)};
 }
 
-Json near_json_of_any(const Answer& answer, const Stable& stable) {
+Json near_json(const Answer& answer) {
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
+  if (stable == nullptr || !std::holds_alternative<StabilityProof>(stable->proof)) return {};
   Json contacts = Json::array();
-  for (const SpatialForce& f : near_forces(answer.question, stable.motion)) {
+  for (const SpatialForce& f : near_forces(answer.question, stable->motion)) {
     contacts.push_back({{"force_float", in_doubles_json(in_file(answer.question, f.force))},
                         {"closed", f.normal.sign() > 0}});
   }
-  return {{"twist_float", in_doubles_json(stable.motion)}, {"contacts", std::move(contacts)}};
-}
-
-/// Returns what may be drawn near an equilibrium; in the plane that of the grasp in the middle,
-/// with rational normals.
-Json near_json(const Answer& answer) {
-  const auto* proved = std::get_if<Stable>(&answer.verdict);
-  if (proved == nullptr || !std::holds_alternative<StabilityProof>(proved->proof)) return {};
-  if (!answer.question.is_one_planar_body()) return near_json_of_any(answer, *proved);
-  LoadedGrasp middle = answer.question.box()->planar_middle();
-  middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
-  const Problem problem(middle, answer.question.law);
-  const Verdict verdict = branch_and_bound(problem);
-  const auto* stable = std::get_if<Stable>(&verdict);
-  if (stable == nullptr) return {};
-  const Witness& witness = stable->witness();
-  Json contacts = Json::array();
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const Vector2 force = force_vector(middle.grasp.contacts()[i].normal, witness.forces[i]);
-    const ContactMode mode = mode_of(problem, ContactId(i), witness.twist);
-    contacts.push_back({{"force_float", {to_double(force.x), to_double(force.y)}},
-                        {"slip", std::string(1, to_char(mode.slip))},
-                        {"closed", mode.closed}});
-  }
-  return {{"twist_float", in_doubles_json(coordinates(witness.twist))},
-          {"contacts", std::move(contacts)}};
+  return {{"twist_float", in_doubles_json(stable->motion)}, {"contacts", std::move(contacts)}};
 }
 
 /// Returns the claims of a margin on its way, in order; without their proofs, which may be
@@ -296,16 +272,17 @@ class PageAnswer {
     json["wrench"] = middles_json(grasp.wrench);
     json["outline"] = outline_json(grasp.description.outline);
     json["mechanism"] = mechanism_json(grasp);
-    if (parts.decide) decide(json, parts.warnings);
-    if (parts.decide && grasp.mechanism && grasp.is_point()) {
+    const auto asks = [&](PagePart part) { return parts.count(part) != 0; };
+    if (asks(PagePart::kDecide)) decide(json, asks(PagePart::kWarnings));
+    if (asks(PagePart::kDecide) && grasp.mechanism && grasp.is_point()) {
       part(json, "statics", [&](Json& found) { found = name_of(statics(grasp)); });
     }
-    if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
-    if (parts.region) part(json, "region", [&](Json& found) { region(found); });
-    if (parts.margin) part(json, "margin", [&](Json& found) { margin(found); });
-    if (parts.map) part(json, "map", [&](Json& found) { map(found); });
-    if (parts.quality) quality(json);
-    if (parts.compare) {
+    if (asks(PagePart::kStates)) part(json, "states", [&](Json& found) { found = states(); });
+    if (asks(PagePart::kRegion)) part(json, "region", [&](Json& found) { region(found); });
+    if (asks(PagePart::kMargin)) part(json, "margin", [&](Json& found) { margin(found); });
+    if (asks(PagePart::kMap)) part(json, "map", [&](Json& found) { map(found); });
+    if (asks(PagePart::kQuality)) quality(json);
+    if (asks(PagePart::kCompare)) {
       part(
           json, "compare", [&](Json& found) { found = compared(); }, TimeLimit());
     }
@@ -385,9 +362,8 @@ class PageAnswer {
     asked.normal_law = asked_.normal_law;
     Json answers;
     for (const auto& [verdict, file] : files.members()) {
-      answers[verdict] =
-          page_answer(parse_any_grasp(file.dump(), name_), asked,
-                      {true, false, false, false, false, false, false, false}, limits_, name_);
+      answers[verdict] = page_answer(parse_any_grasp(file.dump(), name_), asked,
+                                     {PagePart::kDecide}, limits_, name_);
     }
     return answers;
   }
@@ -395,7 +371,7 @@ class PageAnswer {
   Json states() const {
     refuse_several(centre());
     if (centre().in_space()) refuse_space();
-    const Grasp grasp = centre().grasp.planar_middle().grasp;
+    const Grasp grasp = loaded_of(centre().grasp.as_box().middle()).grasp;
     if (grasp.size() > kMostContactsWithCells) {
       throw NotToBeHad{"the cells of " + std::to_string(grasp.size()) +
                        " contacts are too many to show; up to " +
@@ -421,7 +397,7 @@ class PageAnswer {
   /// cells are coarse at first, and then finer.
   void region_in_cells(Json& found) const {
     if (!centre().box()->is_point()) refuse_box();
-    RationalRow origin = one_load();
+    RationalRow origin = middle_of(centre().grasp.wrench());
     std::vector<std::size_t> axes{0, 1};
     if (question_.in_space()) axes.push_back(2);
     std::stable_sort(axes.begin(), axes.end(), [&](std::size_t i, std::size_t j) {
@@ -446,23 +422,13 @@ class PageAnswer {
                           });
   }
 
-  RationalRow one_load() const {
-    RationalRow load;
-    for (const Interval& w : question_.grasp.wrench()) {
-      if (!w.is_point()) refuse_box();
-      load.push_back(w.low);
-    }
-    return load;
-  }
-
   /// Returns the question about multiples of the load: the load becomes the direction.
   QuestionText along_the_load() const {
     const GraspBox* box = centre().box();
-    if (question_.is_one_planar_body() && box != nullptr && !box->is_point()) refuse_box();
-    const RationalRow load = one_load();
+    if (box != nullptr && !box->is_point()) refuse_box();
     std::string direction;
     bool is_zero = true;
-    for (const Rational& w : load) {
+    for (const Rational& w : middle_of(centre().grasp.wrench())) {
       direction += (direction.empty() ? "" : ",") + to_string(w);
       is_zero = is_zero && w.is_zero();
     }
@@ -546,9 +512,7 @@ class PageAnswer {
     refuse_several(centre(), "`stickslip compare` has the class of their load");
     if (!centre().grasp.as_box().is_point()) refuse_box();
     const Question unbounded = without_bound(centre());
-    if (unbounded.is_one_planar_body() && unbounded.box() != nullptr) {
-      refuse_irrational_lengths();
-    }
+    if (!unbounded.in_space() && unbounded.box() != nullptr) refuse_irrational_lengths();
     ComparisonAsked asked;
     if (question_.uncertain.ball) asked.length = question_.uncertain.ball->length;
     CompareOptions options = options_for(asked, centre());
@@ -569,8 +533,7 @@ class PageAnswer {
     for (const Interval& w : load) {
       text.wrench += (text.wrench.empty() ? "" : ",") + to_string(w.low);
     }
-    return page_answer(file_, text, {true, false, false, false, false, false, false, false},
-                       limits_, name_);
+    return page_answer(file_, text, {PagePart::kDecide}, limits_, name_);
   }
 
   template <class Keep>
@@ -598,6 +561,11 @@ class PageAnswer {
 };
 
 }  // namespace
+
+PageParts all_page_parts() {
+  return {PagePart::kDecide, PagePart::kStates,  PagePart::kRegion,  PagePart::kMargin,
+          PagePart::kMap,    PagePart::kQuality, PagePart::kCompare, PagePart::kWarnings};
+}
 
 Json page_answer(const GraspFile& file, const QuestionText& asked, const PageParts& parts,
                  const PageLimits& limits, const std::string& name) {

@@ -50,7 +50,7 @@ void snap(GraspFile& file) {
 struct Request {
   GraspFile grasp;
   QuestionText asked;
-  PageParts parts;
+  PageParts parts = all_page_parts();
 };
 
 /// Reads the options. A member that is null counts as absent.
@@ -79,19 +79,19 @@ void read_options(const JsonNode& node, Request& request) {
       }
     }
     if (key == "snap" && truth(value, place)) snap(request.grasp);
-    if (key == "warnings") request.parts.warnings = truth(value, place);
+    if (key == "warnings" && !truth(value, place)) request.parts.erase(PagePart::kWarnings);
     if (key == "bilateral") asked.normal_law = truth(value, place) ? "bilateral" : "unilateral";
   }
 }
 
 void read_parts(const JsonNode& node, PageParts& parts) {
   expect(node, JsonNode::Kind::kArray, "parts", "an array of names");
-  parts = {false, false, false, false, false, false, false, parts.warnings};
-  const std::map<std::string, bool PageParts::*> names{
-      {"decide", &PageParts::decide},  {"states", &PageParts::states},
-      {"region", &PageParts::region},  {"margin", &PageParts::margin},
-      {"map", &PageParts::map},        {"quality", &PageParts::quality},
-      {"compare", &PageParts::compare}};
+  const std::map<std::string, PagePart> names{
+      {"decide", PagePart::kDecide},  {"states", PagePart::kStates},
+      {"region", PagePart::kRegion},  {"margin", PagePart::kMargin},
+      {"map", PagePart::kMap},        {"quality", PagePart::kQuality},
+      {"compare", PagePart::kCompare}};
+  for (const auto& [name, part] : names) parts.erase(part);
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const std::string path = element_path("parts", i);
     const std::string name = spelled(node.children[i], path, "a name");
@@ -100,7 +100,7 @@ void read_parts(const JsonNode& node, PageParts& parts) {
       fail_at(path, "there is no part " + quote(name),
               "the parts are decide, states, region, margin, map, quality, compare");
     }
-    parts.*found->second = true;
+    parts.insert(found->second);
   }
 }
 
@@ -110,7 +110,7 @@ Request read_request(const std::string& text) {
   const JsonNode& grasp =
       member(root, "", "grasp", "give the text of a grasp file (docs/grasp_file.md)");
   expect(grasp, JsonNode::Kind::kString, "grasp", "the text of a grasp file");
-  Request request{parse_any_grasp(grasp.text, "grasp"), {}, {}};
+  Request request{parse_any_grasp(grasp.text, "grasp"), {}};
   if (const JsonNode* options = root.find("options")) read_options(*options, request);
   if (const JsonNode* parts = root.find("parts")) read_parts(*parts, request.parts);
   return request;

@@ -15,9 +15,9 @@ using namespace plot_detail;
 
 namespace {
 
-constexpr double kContactRow = 11;    ///< from a contact's signs to those of the next
-constexpr double kInside = 5;  ///< between the border of a state and its signs
-constexpr double kGap = 6;     ///< between states, at least
+constexpr double kContactRow = 11;  ///< from a contact's signs to those of the next
+constexpr double kInside = 5;       ///< between the border of a state and its signs
+constexpr double kGap = 6;          ///< between states, at least
 constexpr double kLayerGap = 62;
 constexpr double kLeastWidth = 640;
 constexpr const char* kSigns = "state tiny middle";
@@ -69,8 +69,8 @@ std::string meaning_of(StateSet set) {
 class LayersPlot {
  public:
   LayersPlot(const GraspBox& grasp, StateSet set)
-      : planes_(state_planes(motion_coordinates(grasp), contact_rows_for_states(grasp, {}),
-                             set)),
+      : planes_(
+            state_planes(motion_coordinates(grasp), contact_rows_for_states(grasp, {}), set)),
         title_(grasp.description.name.empty() ? "Grasp" : grasp.description.name),
         layers_(planes_.coordinates + 1) {
     find_states();
@@ -142,8 +142,8 @@ class LayersPlot {
     }
     node_height_ = static_cast<double>(rows) * kContactRow + kInside;
     left_ = 2 * kMargin + text_width("layer", "d = 12: 200");
-    width_ = std::max(kLeastWidth, left_ + static_cast<double>(most) * (node_width_ + kGap) +
-                                       kMargin);
+    width_ = std::max(kLeastWidth,
+                      left_ + static_cast<double>(most) * (node_width_ + kGap) + kMargin);
     for (std::size_t d = layers_.size(); d-- > 0;) {
       std::vector<Node>& layer = layers_[d];
       if (d + 1 < layers_.size()) sort_below(layers_[d + 1], layer);
@@ -167,9 +167,8 @@ class LayersPlot {
     const auto middle = [&](std::size_t i) { return number[i] > 0 ? sum[i] / number[i] : 0; };
     std::vector<std::size_t> order(layer.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return middle(a) < middle(b);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return middle(a) < middle(b); });
     std::vector<Node> sorted;
     std::vector<std::size_t> place(layer.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -192,8 +191,9 @@ class LayersPlot {
   }
 
   double bottom() const {
-    const auto last = std::find_if(layers_.begin(), layers_.end(),
-                                   [](const std::vector<Node>& layer) { return !layer.empty(); });
+    const auto last =
+        std::find_if(layers_.begin(), layers_.end(),
+                     [](const std::vector<Node>& layer) { return !layer.empty(); });
     return top(static_cast<std::size_t>(last - layers_.begin())) + node_height_;
   }
 
@@ -244,9 +244,8 @@ class LayersPlot {
 }  // namespace
 
 std::string plot_states(const AnyGrasp& grasp, StateSet set) {
-  if (set == StateSet::kSlip && grasp.is_one_planar_body()) {
-    return plot_states(grasp.planar_middle().grasp);
-  }
+  const LoadedGrasp* one = grasp.single();
+  if (set == StateSet::kSlip && one != nullptr) return plot_states(one->grasp);
   return LayersPlot(grasp.as_box(), set).draw();
 }
 

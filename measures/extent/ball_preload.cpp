@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "engine/box/effort.hpp"
 #include "engine/box/examples.hpp"
 #include "in_parallel.hpp"
 #include "preload_boxes.hpp"
@@ -142,7 +143,7 @@ class BallSearch {
   /// Moves a part of one weight to another, or leaves it out, in ever smaller steps.
   void climb(RationalRow& weights) const {
     Rational most = distance_at(patterns_.preloads(weights));
-    std::size_t tries = grasp_.is_one_planar_body() ? 400 : 60;
+    std::size_t tries = effort_for(grasp_).tries_for_ball;
     for (Rational step = budget_ / 4; 16 * step > options_.accuracy * budget_;) {
       bool is_better = false;
       for (std::size_t i = 0; i < weights.size(); ++i) {

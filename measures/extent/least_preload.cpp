@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/box/effort.hpp"
 #include "engine/box/examples.hpp"
 #include "engine/box/single_grasp.hpp"
 #include "in_parallel.hpp"
@@ -22,12 +23,6 @@ namespace {
 /// they came.
 using OpenBoxes = std::multimap<Rational, PreloadBox>;
 
-/// Returns true if one grasp under this load is decided soon, and its margins are exact: in the
-/// plane, without a bound on motions.
-bool is_cheap(const GraspBox& load) {
-  return load.is_one_planar_body() && !load.ball && !load.is_bounded();
-}
-
 /// The result of a look at a box.
 struct Looked {
   std::optional<ProvedPreloads> refused{};
@@ -42,6 +37,7 @@ class LeastSearch {
         law_(law),
         options_(options),
         progress_(progress),
+        effort_(effort_for(loads.front())),
         patterns_(loads.front(), options.balanced, options.alike) {
     options_.box = of_many(options.box, loads.front());
     for (const GraspBox& load : asked_) {
@@ -79,13 +75,13 @@ class LeastSearch {
   bool found() const { return result_.preloads.has_value(); }
   Rational sum() const { return sum_of(*result_.preloads); }
 
-  /// Adds loads that are known to be asked about. A ball in the plane adds some of its loads,
-  /// which show soonest that it is not held.
+  /// Adds loads that are known to be asked about. A ball adds some of its loads, which show
+  /// soonest that it is not held, if that takes less time than a proof about the ball.
   void know(const GraspBox& load) {
     GraspBox centre = load;
     centre.ball.reset();
     known_.push_back(std::move(centre));
-    if (!load.ball || !load.is_one_planar_body()) return;
+    if (!load.ball || !effort_.decides_singles) return;
     const Examples examples(load, law_);
     for (const Place& place : examples.ball_directions()) {
       known_.push_back(examples.at(place));
@@ -150,14 +146,13 @@ class LeastSearch {
   /// Tries less of all weights or of one, perhaps with a part of that added to another, in ever
   /// smaller steps.
   void improve() {
-    const bool is_dear = !is_cheap(asked_.front());
-    std::size_t tries = is_dear ? 200 : 3000;
+    std::size_t tries = effort_.tries;
     Rational step = 1;
     while (step > sum()) step /= 2;
     while (2 * step <= sum()) step *= 2;
     const Rational grain = step / (1 << 14);
     shrink();
-    for (Rational part(1, 2); (is_dear ? 8 : 32) * part > options_.accuracy; part /= 2) {
+    for (Rational part(1, 2); effort_.last_step * part > options_.accuracy; part /= 2) {
       step /= 2;
       while (take_nearby(part, step, grain, tries)) {
       }
@@ -204,13 +199,12 @@ class LeastSearch {
     return false;
   }
 
-  /// Reduces the preloads to their least multiple. For certain loads in the plane that is known
-  /// exactly.
+  /// Reduces the preloads to their least multiple, which a margin knows exactly.
   void shrink() {
     std::vector<GraspBox> held;
     for (const ProvedPreloads& load : result_.held) held.push_back(load.box);
     const PreloadRange range =
-        is_cheap(held.front()) ? range_of(held, law_, options_.box) : PreloadRange();
+        effort_.margins_come_soon ? range_of(held, law_, options_.box) : PreloadRange();
     if (range.margins.empty()) return shrink_by_steps();
     for (const auto& [low, high] : range.multiples) {
       if (low >= 1 || (high && *high < 1)) continue;
@@ -258,7 +252,7 @@ class LeastSearch {
     int tries = 0;
     for (const GraspBox& load : known_) {
       if (seems_held(with_preloads(load, middle_of(box)), law_, options_.box)) continue;
-      if (load.is_one_planar_body()) looked.middle_may_hold = false;
+      if (effort_.decides_singles) looked.middle_may_hold = false;
       if (!may_refuse(load, box, law_, options_.box)) continue;
       looked.refused = refuse(load, box, law_, options_.box);
       if (looked.refused || ++tries == kMostTries) break;
@@ -318,6 +312,7 @@ class LeastSearch {
   NormalLaw law_;
   PreloadOptions options_;
   const std::function<void(const LeastPreload&)>& progress_;
+  Effort effort_;
   std::vector<GraspBox> known_;  ///< single loads that are asked about
   Rational size_ = 0;            ///< the size of the largest load
   PreloadPatterns patterns_;

@@ -263,11 +263,12 @@ class Quadtree {
     if (options_.uncertain.any()) {
       return stickslip::is_stable(prove_box(box, law_, options_.box, 0).verdict);
     }
-    if (!box.is_one_planar_body() || box.is_bounded()) {
+    if (box.in_space() || box.mechanism || box.is_bounded()) {
       return is_stable(box.middle(), law_, options_.box);
     }
-    return std::holds_alternative<Stable>(
-        branch_and_bound(box_detail::planar_problem(GraspLaw(box, law_).middle())));
+    // Lengths that are irrational are rounded: a proof of the cell encloses them.
+    const Problem problem = GraspLaw(box, law_).middle().problem().value();
+    return std::holds_alternative<Stable>(branch_and_bound(problem));
   }
 
   GraspBox box_of(const Interval& x, const Interval& y) const {
@@ -350,7 +351,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
     fail("there is nothing called " + quote(word), choice_of(word, names, "the names are "));
   }
   result.kind = found->kind;
-  if (result.kind == AxisKind::kDirection && !grasp.is_one_planar_body()) {
+  if (result.kind == AxisKind::kDirection && (grasp.in_space() || grasp.mechanism)) {
     fail(grasp.in_space() ? "a direction, but the grasp is in space"
                           : "a direction, but there are several bodies",
          "vary components of the load: wrench[0]");

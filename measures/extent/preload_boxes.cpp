@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/box/effort.hpp"
 #include "engine/box/short_numbers.hpp"
 #include "engine/box/single_grasp.hpp"
 #include "stickslip/core/error.hpp"
@@ -89,10 +90,6 @@ RationalRow high_corner(const PreloadBox& box) {
   return corner(box, [](const Interval& side) { return side.high; });
 }
 
-RationalRow middle_of(const PreloadBox& box) {
-  return corner(box, [](const Interval& side) { return side.middle(); });
-}
-
 PreloadBox below_sum(PreloadBox box, const Rational& most) {
   const Rational left = most - sum_of(low_corner(box));
   require(left.sign() >= 0, "preloads of that sum");
@@ -117,7 +114,7 @@ Rational size_of(const WrenchBox& wrench) {
 }
 
 bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options) {
-  if (point.is_one_planar_body()) return is_stable(point, law, options) == true;
+  if (effort_for(point).decides_singles) return is_stable(point, law, options) == true;
   const GraspLaw middle = GraspLaw(point, law).middle();
   const auto found = equilibria_in_doubles(middle, needs_enclosure(point));
   return std::any_of(found.begin(), found.end(),
@@ -125,8 +122,7 @@ bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& optio
 }
 
 SearchOptions of_many(SearchOptions options, const GraspBox& grasp) {
-  constexpr std::size_t kInSpace = 1000;
-  if (options.node_limit == 0 && !grasp.is_one_planar_body()) options.node_limit = kInSpace;
+  if (options.node_limit == 0) options.node_limit = effort_for(grasp).nodes_of_many;
   return options;
 }
 

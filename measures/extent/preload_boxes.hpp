@@ -20,10 +20,10 @@ GraspBox with_preloads(GraspBox grasp, const RationalRow& preloads);
 GraspBox with_preloads(GraspBox grasp, const PreloadBox& preloads);
 /// \}
 
-/// Returns the corner of the least preloads, or that of the most.
+/// \{ Return the corner of the least preloads, or that of the most.
 RationalRow low_corner(const PreloadBox& box);
 RationalRow high_corner(const PreloadBox& box);
-RationalRow middle_of(const PreloadBox& box);
+/// \}
 
 /// Returns the box without preloads whose sum is larger than `most` whatever the others are.
 /// Requires that some preloads of the box have no larger sum.
@@ -35,9 +35,9 @@ std::pair<PreloadBox, PreloadBox> halves(const PreloadBox& box);
 /// load is 0.
 Rational size_of(const WrenchBox& wrench);
 
-/// Returns true if one grasp seems to resist its load: a proposal. In the plane this is a
-/// decision; else Newton's method finds an equilibrium, or misses it, which takes much less
-/// time.
+/// Returns true if one grasp seems to resist its load: a proposal. It is a decision if that
+/// comes soon (Effort::decides_singles); else Newton's method finds an equilibrium, or misses
+/// it, which takes much less time.
 bool seems_held(const GraspBox& point, NormalLaw law, const SearchOptions& options);
 
 /// Returns options for one of many proofs, which may take less than one that was asked for

@@ -152,7 +152,7 @@ PreloadPatterns::PreloadPatterns(const GraspBox& grasp, bool balanced,
     }
     return;
   }
-  if (!grasp.is_one_planar_body()) {
+  if (grasp.mechanism || grasp.in_space()) {
     fail_balanced("there are several bodies, or the grasp is in space",
                   "preloads that balance are sought of one body in the plane");
   }

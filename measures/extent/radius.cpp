@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/box/effort.hpp"
 #include "engine/box/examples.hpp"
 #include "engine/box/short_numbers.hpp"
 #include "engine/box/single_grasp.hpp"
@@ -83,7 +84,12 @@ class RadiusSearch {
  public:
   RadiusSearch(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                const RadiusOptions& options, const std::function<void(const Radius&)>& progress)
-      : centre_(centre), box_(box), law_(law), options_(options), progress_(progress) {}
+      : centre_(centre),
+        box_(box),
+        law_(law),
+        options_(options),
+        progress_(progress),
+        effort_(effort_for(box)) {}
 
   Radius run() {
     result_.limit = valid_limit(centre_, box_, options_.most);
@@ -94,8 +100,7 @@ class RadiusSearch {
     ask_whole();
     if (result_.is_on_threshold()) return result_;
     prove(0);
-    // A proof of a whole ball in space takes all nodes that there are: none are left for parts.
-    if (!box_.ball || box_.is_one_planar_body()) prove(kMostParts);
+    if (effort_.cuts_boxes) prove(kMostParts);
     return result_;
   }
 
@@ -233,7 +238,7 @@ class RadiusSearch {
   /// Seeks a load of a ball that is too much, as near as may be, along axes and between them.
   /// Then turns it to where the border is nearer.
   void refute_ball() {
-    if (!box_.is_one_planar_body() && seek_in_doubles()) return;
+    if (!effort_.decides_singles && seek_in_doubles()) return;
     const std::vector<Place> starts = Examples(box_, law_).ball_directions();
     Rational farthest = bound();
     constexpr int kMostSizes = 6;
@@ -322,9 +327,7 @@ class RadiusSearch {
   /// Returns the limits of a decision of one grasp.
   SearchOptions seeking() const {
     SearchOptions options = options_.box;
-    constexpr std::size_t kNodes = 2000;
-    const bool takes_long = box_.ball && !box_.is_one_planar_body();
-    if (takes_long && options.node_limit == 0) options.node_limit = kNodes;
+    if (options.node_limit == 0) options.node_limit = effort_.nodes_of_single;
     return options;
   }
 
@@ -394,7 +397,7 @@ class RadiusSearch {
     for (const auto& [near, way] : ways) {
       const Place along = examples.loaded_along({way.begin(), way.end()}, example_place_);
       places.push_back(along);
-      if (box_.is_one_planar_body()) continue;
+      if (effort_.decides_singles) continue;
       places.push_back(examples.between_loads(example_place_, along));
     }
     return places;
@@ -447,7 +450,7 @@ class RadiusSearch {
         if (!is_much_open || below <= result_.proved) break;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) {
-          if (!box_.is_one_planar_body()) high = least_failed;
+          if (!effort_.retries) high = least_failed;
           break;
         }
         least_failed = factor;
@@ -470,6 +473,7 @@ class RadiusSearch {
   NormalLaw law_;
   const RadiusOptions& options_;
   const std::function<void(const Radius&)>& progress_;
+  Effort effort_;
   Radius result_;
   Place example_place_;  ///< the place of result_.example
 };

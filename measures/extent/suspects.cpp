@@ -15,13 +15,18 @@ using box_detail::Place;
 
 namespace {
 
+/// Returns the problem of the grasp at a place; nothing in space and of several bodies.
+std::optional<Problem> problem_at(const Examples& examples, const Place& place) {
+  return GraspLaw(examples.at(place), examples.law()).middle().problem();
+}
+
 /// Returns how far the load is from the nearest multiple of it at which the verdict changes:
-/// below 0 if the grasp is unstable. Nothing if no multiple changes it.
+/// below 0 if the grasp is unstable. Nothing if no multiple changes it. Requires a problem.
 std::optional<double> distance(const Examples& examples, const Place& place) {
-  const GraspLaw law(examples.at(place), examples.law());
-  const Problem problem = box_detail::planar_problem(law.middle());
+  const Problem problem = problem_at(examples, place).value();
   if (problem.wrench() == Wrench{}) return std::nullopt;
-  const auto found = find_margin(problem.with_wrench({}).along({row_of(problem.wrench())}), {2000});
+  const auto found =
+      find_margin(problem.with_wrench({}).along({row_of(problem.wrench())}), {2000});
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr) return std::nullopt;
   std::optional<double> nearest;
@@ -42,7 +47,7 @@ std::optional<double> distance(const Examples& examples, const Place& place) {
 }  // namespace
 
 std::vector<Place> suspects(const Examples& examples, bool middle_is_stable) {
-  if (!examples.box().is_one_planar_body()) {
+  if (!problem_at(examples, examples.middle())) {
     std::vector<Place> ends = examples.extremes();
     if (middle_is_stable) std::swap(ends.front(), ends.back());
     return ends;

@@ -93,7 +93,7 @@ TEST(GraspBox, OfOneGraspIsThatGrasp) {
     GraspBox box = box_of(loaded);
     EXPECT_TRUE(box.is_point());
     box.description.name = "named";
-    const LoadedGrasp again = box.planar_middle();
+    const LoadedGrasp again = loaded_of(box);
     EXPECT_EQ(again.grasp.name(), "named");
     EXPECT_EQ(again.wrench, loaded.wrench);
     ASSERT_EQ(again.grasp.size(), loaded.grasp.size());

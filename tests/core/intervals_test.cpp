@@ -68,7 +68,7 @@ TEST(Intervals, AreRead) {
   EXPECT_EQ(file.cases[0].wrench, box->wrench);
   EXPECT_EQ(file.cases[1].wrench, (WrenchBox{Interval{-1, 1}, Interval{-11, -10}, Interval{}}));
   // The middle.
-  const LoadedGrasp middle = box->planar_middle();
+  const LoadedGrasp middle = loaded_of(box->middle());
   const Contact& first = middle.grasp.contacts()[0];
   EXPECT_EQ(first.position, (Vector2{-2, 0}));
   EXPECT_EQ(first.normal, (Vector2{3, 4}));

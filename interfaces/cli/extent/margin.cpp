@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/measures/margin.hpp"
-
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -10,7 +7,6 @@
 #include "long_work.hpp"
 #include "margin_text.hpp"
 #include "question_options.hpp"
-#include "space_margin.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -37,68 +33,6 @@ struct MarginArguments {
   bool no_warnings = false;
 };
 
-std::string multiples_text(const Margin& margin, NumberText& text) {
-  std::vector<std::string> parts;
-  for (const MarginInterval& interval : margin.resisted) {
-    parts.push_back(multiples_text(interval.low, interval.high, text));
-  }
-  return joined(parts);
-}
-
-void print_text(const Question& question, const Margin& margin, NumberText& text) {
-  std::cout << head_text(question, text);
-  if (margin.resisted.empty()) {
-    std::cout << "No l is resisted.\n";
-  } else if (question.preload_direction) {
-    const MarginInterval& first = margin.resisted.front();
-    const bool at_all = first.low.is_zero() && !first.high;
-    std::cout << "Holds at "
-              << (at_all ? "every multiple" : "multiples " + multiples_text(margin, text))
-              << (question.preload_direction->scale && !question.direction ? " of the preloads"
-                                                                           : "")
-              << ".\n";
-  } else {
-    for (const MarginInterval& interval : margin.resisted) {
-      std::cout << "Resisted: l in [" << text(interval.low) << ", "
-                << (interval.high ? text(*interval.high) + "]" : "oo)") << '\n';
-    }
-  }
-  std::size_t nodes = 0;
-  for (const Trees& gap : margin.gaps) nodes += gap.size();
-  const auto count = [](std::size_t n, const char* what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-  };
-  const auto proofs = static_cast<std::size_t>(
-      std::count_if(margin.segments.begin(), margin.segments.end(),
-                    [](const MarginSegment& segment) { return segment.proof.has_value(); }));
-  const std::size_t modes = margin.segments.size() - proofs;
-  std::cout << "\nProved ";
-  if (modes > 0 || proofs == 0)
-    std::cout << "by equilibria in " << count(modes, "contact mode");
-  if (proofs > 0) {
-    std::cout << (modes > 0 ? " and " : "") << "by degree over " << count(proofs, "range");
-  }
-  std::cout << (margin.gaps.empty() ? ", with nothing left to refute"
-                                    : ", and by trees of " + count(nodes, "node") +
-                                          " that nothing else is resisted")
-            << ".\nNormal law: " << law_text(question.law) << ".\n"
-            << conventions_text(question) << text.note();
-}
-
-void print_least(const Margin& margin, NumberText& text) {
-  const std::optional<Rational> smallest = least(margin);
-  if (!smallest) {
-    std::cout << "None: no multiple holds.\n";
-    return;
-  }
-  std::cout << text(*smallest) << '\n';
-  if (margin.resisted.front().high) {
-    std::cout << "Not all above it: holds at multiples " << multiples_text(margin, text)
-              << ".\n";
-  }
-  std::cout << text.note();
-}
-
 Rational accuracy_of(const MarginArguments& arguments) {
   return positive_option("--accuracy", arguments.accuracy);
 }
@@ -114,13 +48,91 @@ void require_exact(const Question& question, const std::string& file) {
   }
 }
 
+/// Writes the certificate of a margin, and its answer as JSON or in words. `json` takes the
+/// warnings, and `print_words` prints what print_text() does.
+template <class Found, class JsonOf, class PrintWords>
+void write_answer(const Question& question, const Found& found, const std::string& producer,
+                  const MarginArguments& arguments, LongWork& work, const JsonOf& json,
+                  const PrintWords& print_words) {
+  if (!arguments.certificate.empty()) {
+    write_whole_file(arguments.certificate, margin_certificate_text(question, found, producer));
+  }
+  Warnings warnings;
+  if (!arguments.no_warnings) {
+    work.finishes([&] { warnings = model_warnings(question, found); });
+  }
+  if (arguments.output.json) {
+    std::cout << finished(json(warnings), arguments.output.floats).dump(1) << '\n';
+    return;
+  }
+  NumberText text(arguments.output);
+  if (arguments.least) {
+    print_least(found, text);
+  } else {
+    print_words(text);
+  }
+  print(warnings);
+}
+
 int margin_by_claims(const Question& question, const MarginArguments& arguments) {
   SpatialMarginOptions search;
   search.accuracy = accuracy_of(arguments);
   search.search.node_limit = arguments.node_limit;
-  return answer_margin_in_space(question, {arguments.certificate, search, arguments.output,
-                                           arguments.least, !arguments.no_warnings,
-                                           time_limit_option(arguments.time_limit)});
+  LongWork work("margin", time_limit_option(arguments.time_limit));
+  const auto show = [&](const SpatialMargin& so_far) {
+    work.say(std::to_string(so_far.claims.size()) + " steps proved, " +
+             std::to_string(so_far.work.nodes) + " nodes");
+  };
+  SpatialMargin margin;
+  std::optional<SecondMargin> within;
+  work.finishes([&] {
+    margin = find_spatial_margin(question, search, [&](const SpatialMargin& so_far) {
+      if (work.limit().seconds()) margin = so_far;
+      show(so_far);
+    });
+    within = margin_within(question, margin, search, show);
+  });
+  write_answer(
+      question, margin, producer_of(box_engine(question)), arguments, work,
+      [&](const Warnings& warnings) {
+        Json json = margin_json(question, margin, warnings);
+        if (within) add_within(json, *within);
+        work.add_ending(json);
+        return json;
+      },
+      [&](NumberText& text) {
+        print_text(question, margin, within, text);
+        std::cout << work.ending();
+      });
+  if (margin.claims.empty()) return kUndecidedWithinLimit;
+  return arguments.least && margin.resisted().empty() ? kAnswerUnstable : kDone;
+}
+
+int exact_margin(const Question& question, const MarginArguments& arguments) {
+  SearchOptions options;
+  options.node_limit = arguments.node_limit;
+  MarginWork margin_work;
+  LongWork work("margin", time_limit_option(arguments.time_limit));
+  std::variant<Margin, Undecided> result = out_of_time(work.limit());
+  work.finishes([&] {
+    const auto show = [&](const MarginWork& so_far) {
+      work.say("searching range " + std::to_string(so_far.ranges) + ", contact mode " +
+               std::to_string(so_far.modes));
+    };
+    result = find_margin(problem_of(question), options, &margin_work, show);
+  });
+  if (const auto* undecided = std::get_if<Undecided>(&result)) {
+    std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
+    return kUndecidedWithinLimit;
+  }
+  const auto& margin = std::get<Margin>(result);
+  write_answer(
+      question, margin, "stickslip " STICKSLIP_VERSION, arguments, work,
+      [&](const Warnings& warnings) {
+        return margin_json(question, margin, margin_work, warnings);
+      },
+      [&](NumberText& text) { print_text(question, margin, text); });
+  return arguments.least && margin.resisted.empty() ? kAnswerUnstable : kDone;
 }
 
 /// In space and of several bodies rigid contacts tell whether they may stand.
@@ -169,43 +181,8 @@ int margin(const MarginArguments& arguments) {
         "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
         "--preload-direction scale");
   }
-  if (question.has_claims()) return margin_by_claims(question, arguments);
-  SearchOptions options;
-  options.node_limit = arguments.node_limit;
-  MarginWork work;
-  LongWork long_work("margin", time_limit_option(arguments.time_limit));
-  std::variant<Margin, Undecided> result = out_of_time(long_work.limit());
-  long_work.finishes([&] {
-    result = find_margin(problem_of(question), options, &work, [&](const MarginWork& so_far) {
-      long_work.say("searching range " + std::to_string(so_far.ranges) + ", contact mode " +
-                    std::to_string(so_far.modes));
-    });
-  });
-  if (const auto* undecided = std::get_if<Undecided>(&result)) {
-    std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
-    return kUndecidedWithinLimit;
-  }
-  const auto& found = std::get<Margin>(result);
-  if (!arguments.certificate.empty()) {
-    write_whole_file(arguments.certificate,
-                     margin_certificate_text(question, found, "stickslip " STICKSLIP_VERSION));
-  }
-  Warnings warnings;
-  if (!arguments.no_warnings) {
-    long_work.finishes([&] { warnings = model_warnings(question, found); });
-  }
-  NumberText text(arguments.output);
-  if (arguments.output.json) {
-    std::cout << finished(margin_json(question, found, work, warnings), arguments.output.floats)
-                     .dump(1)
-              << '\n';
-  } else if (arguments.least) {
-    print_least(found, text);
-  } else {
-    print_text(question, found, text);
-  }
-  if (!arguments.output.json) print(warnings);
-  return arguments.least && found.resisted.empty() ? kAnswerUnstable : kDone;
+  return question.has_claims() ? margin_by_claims(question, arguments)
+                               : exact_margin(question, arguments);
 }
 
 }  // namespace

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The common text of answers about margins in the plane and in space.
+/// Answers about margins in words.
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "question_options.hpp"
+#include "stickslip/interfaces/margin_answer.hpp"
 
 namespace stickslip {
 
-/// Returns the lines above the answer to a question about a margin.
-std::string head_text(const Question& question, NumberText& text);
+/// \{ Print the answer to a question about a margin that is exact, or that is a list of claims.
+void print_text(const Question& question, const Margin& margin, NumberText& text);
+void print_text(const Question& question, const SpatialMargin& margin,
+                const std::optional<SecondMargin>& within, NumberText& text);
+/// \}
 
-/// Returns "[1, 5/4]", "from 15/4" or "2".
-std::string multiples_text(const Rational& low, const std::optional<Rational>& high,
-                           NumberText& text);
-
-/// Returns the parts with "and" before the last.
-std::string joined(const std::vector<std::string>& parts);
+/// \{ Print the least multiple that is resisted.
+void print_least(const Margin& margin, NumberText& text);
+void print_least(const SpatialMargin& margin, NumberText& text);
+/// \}
 
 }  // namespace stickslip

@@ -166,7 +166,7 @@ Question question_to_draw(const QualityFound& found) {
   const auto& [stable, example] = std::pair(found.quality.stable, found.quality.radii.example);
   if (stable != true || !example) return question;
   if (LoadedGrasp* one = question.grasp.single()) {
-    one->wrench = planar_middle(example->wrench);
+    one->wrench = wrench_of(middle_of(example->wrench));
   } else {
     question.grasp.box()->wrench = example->wrench;
   }

@@ -122,7 +122,8 @@ StatesQuestion question_of(const StatesArguments& arguments, const AnyGrasp& gra
   StatesAsked asked = arguments.asked();
   if (!arguments.directions.empty()) asked.lines.given = read_directions(arguments.directions);
   try {
-    StatesQuestion question = states_question(grasp.as_box(), std::move(asked.lines), asked.set);
+    StatesQuestion question =
+        states_question(grasp.as_box(), std::move(asked.lines), asked.set);
     if (!arguments.closed.empty()) question.require_closed(std::stoul(arguments.closed));
     if (!arguments.dimension.empty())
       question.require_dimension(std::stoul(arguments.dimension));
@@ -282,7 +283,7 @@ class StatesWriter {
                        std::to_string(counts.distinct_planes), std::to_string(counts.rank)}})
               << format_table(rows) << meaning();
     if (!counts.complete) {
-      std::cout << (interrupted_         ? "Interrupted"
+      std::cout << (interrupted_       ? "Interrupted"
                     : limit_.is_over() ? "Ended by " + limit_.in_words()
                                        : "Ended by --limit")
                 << ": there may be more states than these.\n";
@@ -379,8 +380,9 @@ int write_graph(const StatesArguments& arguments, const StatesQuestion& question
 
 int states(const StatesArguments& arguments) {
   const Question question = read_contacts(arguments.file);
-  if (question.grasp.is_one_planar_body() && !arguments.beyond_sphere()) {
-    return states_on_sphere(arguments, question.grasp.planar_middle().grasp);
+  if (const LoadedGrasp* one = question.grasp.single();
+      one != nullptr && !arguments.beyond_sphere()) {
+    return states_on_sphere(arguments, one->grasp);
   }
   if (!arguments.certificate.empty() && arguments.limit > 0) {
     throw InputError("", "--certificate", "it proves that a list of all states is complete",
@@ -414,9 +416,10 @@ void add_states_command(Command& app, int& exit_code) {
                    "Only states whose motions have this dimension; 6 of 6 leave all freedom")
       ->type_name("D")
       ->check(whole_number(kMostFaceCoordinates));
-  add_time_limit_option(*command, arguments->time_limit,
-                        "End after so many seconds with the states that are found by then; 0 is "
-                        "no limit");
+  add_time_limit_option(
+      *command, arguments->time_limit,
+      "End after so many seconds with the states that are found by then; 0 is "
+      "no limit");
   command
       ->add_option("--engine", arguments->engine,
                    "How to enumerate in the plane. cgal: CGAL's arrangement on the sphere, the "

@@ -41,7 +41,7 @@ void add_page_command(Command& app, int& exit_code) {
     LongWork work("page");
     Json answer;
     work.finishes([&] {
-      answer = page_answer(file, arguments->question.text(), {}, limits,
+      answer = page_answer(file, arguments->question.text(), all_page_parts(), limits,
                            arguments->question.name_of_file());
     });
     write_whole_file(arguments->output, page_html(answer));

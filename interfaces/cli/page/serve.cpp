@@ -33,9 +33,8 @@ void serve(const ServeArguments& arguments) {
   limits.limits_verdict = true;
   const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
   // The page asks for the rest, which may take seconds.
-  Json answer =
-      page_answer(grasp_of(arguments), {},
-                  {true, true, false, false, false, false, false, true}, limits, name);
+  const PageParts first{PagePart::kDecide, PagePart::kStates, PagePart::kWarnings};
+  Json answer = page_answer(grasp_of(arguments), {}, first, limits, name);
   answer["live"] = true;
   PageServer server({[&](const std::string& nonce) { return page_html(answer, nonce); },
                      [&](const std::string& request) {

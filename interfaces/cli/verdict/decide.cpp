@@ -77,14 +77,15 @@ void print_cases_text(const std::vector<WarnedAnswer>& answers, const NumberOpti
     return a.answer.problem.has_value();
   });
   const Answer& answer = exact == answers.end() ? answers.front().answer : exact->answer;
-  const bool all_boxes = exact == answers.end() && answer.question.is_one_planar_body();
+  const bool has_forces = exact != answers.end() || answer.question.in_space() ||
+                          answer.question.mechanism() != nullptr;
   const std::string& grasp = answer.question.description().name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
-            << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
-                          : "\nForces and motions, or why there are none: --case NAME.\n")
+            << (has_forces ? "\nForces and motions, or why there are none: --case NAME.\n"
+                           : "\nWhat is uncertain, and what the verdict means: --case NAME.\n")
             << text.note() << conventions_text(answer.question)
             << engine_text(answer.engine(), answer.question.law);
   for (const auto& [warning, names] : warnings) {
@@ -111,7 +112,7 @@ WarnedAnswer answered(Question question, const DecideArguments& arguments, LongW
     throw InputError("", "--engine", problem, remedy);
   };
   if (question.box() != nullptr && arguments.engine != "auto") {
-    if (!question.is_one_planar_body()) {
+    if (question.in_space() || question.mechanism() != nullptr) {
       refuse(question.in_space() ? "the grasp is in space, for which there is one engine"
                                  : "there are several bodies, for which there is one engine",
              "leave the option out");
@@ -126,19 +127,13 @@ WarnedAnswer answered(Question question, const DecideArguments& arguments, LongW
   SearchOptions search = arguments.search;
   if (arguments.engine == "states") search.engine = Engine::kStates;
   if (arguments.engine == "branch-and-bound") search.engine = Engine::kBranchAndBound;
-  // Only a limit makes a copy of the question worth its memory.
-  std::optional<Answer> answer;
-  std::function<void(const Answer&)> keep;
-  if (work.limit().seconds()) {
-    answer = unanswered(question, out_of_time(work.limit()));
-    keep = [&](const Answer& first) { answer = first; };
-  }
   Warnings warnings;
-  work.finishes([&] {
-    answer = decide(std::move(question), search, keep);
-    if (!arguments.no_warnings) warnings = model_warnings(*answer);
-  });
-  return {std::move(*answer), std::move(warnings)};
+  const auto warn = [&](const Answer& answer) {
+    if (!arguments.no_warnings) warnings = model_warnings(answer);
+  };
+  Answer answer = decide_in_time(std::move(question), search, work.limit(), warn,
+                                 [&](const auto& all) { return work.finishes(all); });
+  return {std::move(answer), std::move(warnings)};
 }
 
 /// Writes the certificate if the verdict has one, or says on standard error why it has none.

@@ -201,8 +201,9 @@ struct Meaning {
  private:
   /// Returns the text for one grasp in the plane whose exact forces are not known.
   std::string near_text() const {
+    if (answer.question.in_space() || answer.question.mechanism() != nullptr) return "";
     const auto motion = motion_near(answer);
-    if (!motion || !answer.question.is_one_planar_body()) return "";
+    if (!motion) return "";
     return "An equilibrium is near the motion d = " + text(*motion) + "." +
            (enclosed_contacts(*answer.question.box()).empty()
                 ? " Exact forces would have numbers of\nmany digits: --engine "

@@ -138,19 +138,12 @@ Work decide_asked(const Given& given) {
   // Warnings need an exact equilibrium.
   if (warns && options.engine == Engine::kAuto) options.engine = Engine::kBranchAndBound;
   return [&given, options, warns, limit = given.time()] {
-    Question question = given.about();
-    std::optional<Answer> found;
-    std::function<void(const Answer&)> keep;
-    if (limit.seconds()) {
-      found = unanswered(question, out_of_time(limit));
-      keep = [&](const Answer& first) { found = first; };
-    }
     Warnings warnings;
-    limit.finishes([&] {
-      found = decide(std::move(question), options, keep);
-      if (warns) warnings = model_warnings(*found);
-    });
-    return decision_json(*found, warnings);
+    const auto warn = [&](const Answer& answer) {
+      if (warns) warnings = model_warnings(answer);
+    };
+    const Answer found = decide_in_time(given.about(), options, limit, warn);
+    return decision_json(found, warnings);
   };
 }
 
@@ -616,7 +609,8 @@ Work page_asked(const Given& given) {
       static_cast<std::int64_t>(1000 * given.as<double>("time_limit")));
   return [&given, asked, limits] {
     try {
-      return Json(page_html(page_answer(given.grasp, asked, {}, limits, "grasp")));
+      return Json(
+          page_html(page_answer(given.grasp, asked, all_page_parts(), limits, "grasp")));
     } catch (const InputError& error) {
       // The place is spelled in the words of a command line.
       const std::string& place = error.place();

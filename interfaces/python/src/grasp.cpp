@@ -68,7 +68,7 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
 py::dict wrenches_of_cases(const GraspFile& file) {
   py::dict result;
   for (const NamedLoad& load : file.cases) {
-    result[text(load.name)] = fractions(planar_middle(load.wrench));
+    result[text(load.name)] = fractions(wrench_of(middle_of(load.wrench)));
   }
   return result;
 }

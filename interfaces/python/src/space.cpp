@@ -162,7 +162,9 @@ py::object alone(const BodiesFile& file) {
   if (question.mechanism() != nullptr) return py::none();
   GraspFile one = file;
   one.content = question.grasp;
-  if (!question.in_space()) one.content = question.grasp.planar_middle();
+  // The class of one body in the plane keeps it so, whatever the lengths of its normals.
+  const GraspBox* box = question.box();
+  if (box != nullptr && !box->in_space()) one.content = loaded_of(*box);
   return in_its_class(std::move(one));
 }
 

@@ -472,7 +472,8 @@ def region(
         raise InputError("", "max_motion", "motions are bounded",
                          'ask stability_map(grasp, "1,0,0=-2:2", "0,1,0=-2:2", origin, max_motion=...), '
                          "which proves cells of the plane")
-    about, snapped = _asked(grasp, preload)
+    # A certificate of a region is about a file of one body.
+    about, snapped = _asked(grasp if certificate else _alone(grasp), preload)
     answer = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, node_limit,
                      time_limit=time_limit, pieces=bool(pieces), certificate=bool(certificate))
     return answer_of(
@@ -496,7 +497,7 @@ def plot_region(
     mode_limit: int = 0,
 ) -> Picture:
     """A picture of ``region``, as SVG."""
-    about, _ = _asked(grasp, preload)
+    about, _ = _asked(_alone(grasp), preload)
     return Picture(_region(
         about, torque, origin, u, v, preload, normal_law, mode_limit, picture=True)["picture"])
 
@@ -672,7 +673,7 @@ def export(
 ) -> str:
     """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA, in space QF_NRA; sat means
     stable."""
-    about, _ = _asked(grasp, preload)
+    about, _ = _asked(_alone(grasp), preload)
     about._one_body()
     text: str = _ask("smtlib", about, wrench, preload, normal_law, 0, None)
     return text

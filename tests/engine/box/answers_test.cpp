@@ -44,7 +44,7 @@ void expect_right(RandomSource& random, const BoxCase& about, const BoxDecision&
   if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
     for (const auto& [grasp, verdict] :
          {std::pair(&fragile->stable, "stable"), std::pair(&fragile->unstable, "unstable")}) {
-      const LoadedGrasp one = grasp->planar_middle();
+      const LoadedGrasp one = loaded_of(*grasp);
       EXPECT_TRUE(grasp->is_point() && test::lies_in(one, box))
           << describe(about) << write_grasp(one);
       EXPECT_EQ(test::verdict_of(one, law), verdict) << describe(about);

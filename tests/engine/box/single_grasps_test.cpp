@@ -83,7 +83,7 @@ TEST(Examples, LieInTheirBox) {
     }
     EXPECT_EQ(examples.extremes().size(), 2U);
     for (const Place& extreme : examples.extremes()) expect_inside(box, examples.at(extreme));
-    for (const Place& end : examples.single_ends()) expect_inside(box, examples.at(end));
+    for (const Place& end : examples.single_ends(12)) expect_inside(box, examples.at(end));
     if (!box.ball) continue;
     for (const Place& direction : examples.ball_directions()) {
       const GraspBox loaded = examples.at(direction);
@@ -144,8 +144,8 @@ TEST(OneGrasp, ProblemsOfLawsAreThoseOfContacts) {
     GraspBox box = test::random_law_box(random, false);
     for (UncertainContact& c : box.contacts) c.slope = 0;
     box = box.middle();
-    const Problem expected(box.planar_middle(), NormalLaw::kUnilateral);
-    const Problem found = box_detail::planar_problem(GraspLaw(box, NormalLaw::kUnilateral));
+    const Problem expected(loaded_of(box), NormalLaw::kUnilateral);
+    const Problem found = GraspLaw(box, NormalLaw::kUnilateral).problem().value();
     EXPECT_EQ(found.wrench(), expected.wrench());
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -195,13 +195,14 @@ GraspBox pinch(const Interval& friction, const Interval& weight) {
 TEST(Examples, SingleEndsMoveOneNumber) {
   const GraspBox box = pinch({Rational(1, 2), Rational(3, 5)}, {1, 2});
   const Examples examples(box, NormalLaw::kUnilateral);
-  const std::vector<Place> ends = examples.single_ends();
+  const std::vector<Place> ends = examples.single_ends(examples.numbers().size());
   EXPECT_EQ(ends.size(), 2 * examples.numbers().size());
   for (const Place& end : ends) {
     Rational moved = 0;
     for (const Rational& entry : end) moved += abs(entry);
     EXPECT_EQ(moved, 1);
   }
+  EXPECT_TRUE(examples.single_ends(examples.numbers().size() - 1).empty());
 }
 
 // Friction mu of both pads carries 4 mu: a box is proved stable or not where that says so, and

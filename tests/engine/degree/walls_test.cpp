@@ -189,7 +189,7 @@ TEST(WallRefuters, TreesRefuteWalls) {
   for (int round = 0; round < 20; ++round) {
     const GraspBox box = pinch(random).middle();
     const GraspLaw law(box, NormalLaw::kUnilateral);
-    const Problem problem(box.planar_middle(), NormalLaw::kUnilateral);
+    const Problem problem(loaded_of(box), NormalLaw::kUnilateral);
     const RoundedGrasp grasp = rounded_middle(law);
     const std::vector<NearEquilibrium> found = Newton(grasp).solve_from(1);
     if (found.empty()) continue;

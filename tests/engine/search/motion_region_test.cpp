@@ -121,7 +121,7 @@ LoadedGrasp at_corner(const GraspBox& box, unsigned number) {
     interval = point_interval(number % 2 == 1 ? interval.high : interval.low);
     number /= 2;
   });
-  return corner.planar_middle();
+  return loaded_of(corner);
 }
 
 // A twist that refutes a region for a box does so for every grasp of it. If it does not, it

@@ -29,7 +29,7 @@ constexpr const char* kPinch = R"({"format": "stickslip-grasp/1", "name": "</scr
 /// An answer as a page reads it.
 using Json = nlohmann::ordered_json;
 
-Json answer_about(const std::string& grasp, const PageParts& parts = {},
+Json answer_about(const std::string& grasp, const PageParts& parts = all_page_parts(),
                   const PageLimits& limits = {}, const QuestionText& asked = {}) {
   return Json::parse(
       page_answer(parse_any_grasp(grasp, "test"), asked, parts, limits, "test").dump());
@@ -52,8 +52,7 @@ std::size_t count(const Json& cells, const std::string& kind) {
 }
 
 TEST(PageAnswer, WhatIsNotAskedForIsLeftOut) {
-  const Json answer =
-      answer_about(kPinch, {false, true, false, false, false, false, false, true});
+  const Json answer = answer_about(kPinch, {PagePart::kStates, PagePart::kWarnings});
   EXPECT_TRUE(answer.contains("states"));
   for (const char* part : {"decide", "certificate", "near", "region", "margin", "map",
                            "quality", "lost", "compare"}) {
@@ -68,8 +67,7 @@ TEST(PageAnswer, TheGraspIsOfVersion2AndTheSame) {
           "units": {"length": "m", "force": "N"}, "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
           "contacts": [{"on": [0, "1/2"], "friction": {"min": 0, "max": 1}}],
           "cases": [{"name": "a", "wrench": [0, 1, 2]}]})")}) {
-    const std::string written =
-        answer_about(text, {true, false, false, false, false, false, false, false})["grasp"];
+    const std::string written = answer_about(text, {PagePart::kDecide})["grasp"];
     EXPECT_EQ(written.rfind("{\"format\": \"stickslip-grasp/2\",", 0), 0) << written;
     const auto first = parse_any_grasp(text, "first");
     const auto second = parse_any_grasp(written, "second");
@@ -124,8 +122,8 @@ TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
   limits.limits_verdict = true;
   std::vector<std::array<int, 4>> ring;
   for (int i = 0; i < 100; ++i) ring.push_back({i - 50, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
-  const Json answer = answer_about(
-      grasp_of(ring), {false, false, true, false, false, false, false, true}, limits);
+  const Json answer =
+      answer_about(grasp_of(ring), {PagePart::kRegion, PagePart::kWarnings}, limits);
   EXPECT_TRUE(answer["region"].is_null());
   ASSERT_EQ(answer["messages"].size(), 1U);
   EXPECT_EQ(answer["messages"][0], "region: not known within 0.001 seconds.");
@@ -149,8 +147,7 @@ TEST(PageAnswer, AMarginInSpaceThatIsGivenUpKeepsWhatIsKnown) {
   PageLimits limits;
   for (limits.time = std::chrono::milliseconds(10); answer["margin"].is_null();
        limits.time *= 2) {
-    answer = answer_about(grasp.dump(), {false, false, false, true, false, false, false, true},
-                          limits);
+    answer = answer_about(grasp.dump(), {PagePart::kMargin, PagePart::kWarnings}, limits);
     ASSERT_EQ(answer["messages"].size(), 1U);
   }
   const std::string said = answer["messages"][0];
@@ -179,8 +176,7 @@ constexpr const char* kCube = R"({"format": "stickslip-grasp/2",
 TEST(PageAnswer, ARegionInSpace) {
   PageLimits limits;
   if (test::kSanitized) limits.time = std::chrono::seconds(5);  // of a minute
-  const Json region = answer_about(
-      kCube, {false, false, true, false, false, false, false, false}, limits)["region"];
+  const Json region = answer_about(kCube, {PagePart::kRegion}, limits)["region"];
   EXPECT_EQ(region["plane"]["u"], (Json{"1", "0", "0", "0", "0", "0"}));
   EXPECT_EQ(region["plane"]["v"], (Json{"0", "0", "1", "0", "0", "0"}));
   EXPECT_EQ(region["plane"]["origin"], (Json{"0", "0", "0", "0", "0", "0"}));
@@ -215,8 +211,7 @@ TEST(PageAnswer, ARegionInSpace) {
 TEST(PageAnswer, ARegionInSpaceIsAboutOneGrasp) {
   QuestionText asked;
   asked.uncertain = "friction=1%";
-  const Json answer =
-      answer_about(kCube, {false, false, true, false, false, false, false, false}, {}, asked);
+  const Json answer = answer_about(kCube, {PagePart::kRegion}, {}, asked);
   EXPECT_TRUE(answer["region"].is_null());
   EXPECT_NE(answer["messages"].dump().find("more than one grasp"), std::string::npos);
 }
@@ -227,7 +222,7 @@ TEST(PageAnswer, WhoeverAskedMayBreakItOff) {
   PageLimits limits;
   limits.time = std::chrono::hours(1);
   limits.limits_verdict = true;
-  EXPECT_THROW(answer_about(kPinch, {}, limits), Cancelled);
+  EXPECT_THROW(answer_about(kPinch, all_page_parts(), limits), Cancelled);
 }
 
 TEST(PageReply, NormalsAreSnappedOnRequest) {
@@ -246,7 +241,9 @@ TEST(PageReply, NormalsAreSnappedOnRequest) {
 }
 
 TEST(PageHtml, EveryScriptHasTheNonceAndTheAnswerIsThere) {
-  const Json answer = answer_about(kPinch, {true, true, true, true, false, false, false, true});
+  const Json answer =
+      answer_about(kPinch, {PagePart::kDecide, PagePart::kStates, PagePart::kRegion,
+                            PagePart::kMargin, PagePart::kWarnings});
   const std::string html = page_html(stickslip::Json::parse(answer.dump()), "0123");
   std::size_t scripts = 0;
   for (std::size_t at = html.find("<script"); at != std::string::npos;
@@ -277,9 +274,11 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
   QuestionText asked;
   asked.uncertain = "wrench=ball:1/10:length=2:about=1:0";
   const bool map = !test::kSanitized;  // half a minute each
-  const Json plain = answer_about(kPinch, {true, false, true, true, map, false, false, false});
-  const Json ball =
-      answer_about(kPinch, {true, false, true, true, map, true, false, false}, {}, asked);
+  PageParts parts{PagePart::kDecide, PagePart::kRegion, PagePart::kMargin};
+  if (map) parts.insert(PagePart::kMap);
+  const Json plain = answer_about(kPinch, parts);
+  parts.insert(PagePart::kQuality);
+  const Json ball = answer_about(kPinch, parts, {}, asked);
   EXPECT_EQ(ball["decide"]["box"], true);
   EXPECT_EQ(ball["decide"]["ball"]["radius"], "1/10");
   std::vector<std::string> same{"region", "margin"};
@@ -291,7 +290,7 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
   EXPECT_EQ(ball["quality"]["ball"]["length"], "2");
   // With more than a ball there is more than one grasp in its centre.
   asked.uncertain += ",friction=1%";
-  const Json more = answer_about(kPinch, {}, {}, asked);
+  const Json more = answer_about(kPinch, all_page_parts(), {}, asked);
   for (const char* part : {"region", "margin", "map", "quality", "lost"}) {
     EXPECT_TRUE(more[part].is_null()) << part;
   }
@@ -300,8 +299,7 @@ TEST(PageAnswer, WhatElseThanAVerdictIsSaidOfABallIsAboutTheLoadInItsCentre) {
 // Forces up to 1 across the line of the pads are resisted, and the load is 1/2: so another 1/2
 // is all that there can be.
 TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
-  const Json answer =
-      answer_about(kPinch, {true, false, false, false, false, true, false, false});
+  const Json answer = answer_about(kPinch, {PagePart::kDecide, PagePart::kQuality});
   const Json& quality = answer["quality"];
   EXPECT_EQ(quality["ball"]["length"], "1");
   EXPECT_GT(quality["proved_float"], 0.1);
@@ -313,7 +311,7 @@ TEST(PageAnswer, TheQualityIsBelowWhatIsLeftOfFriction) {
   EXPECT_FALSE(answer["lost"].contains("quality"));
 }
 
-constexpr PageParts kCompare{false, false, false, false, false, false, true, false};
+const PageParts kCompare{PagePart::kCompare};
 
 // A pinch leaves a turn about its line free in space. Its load is friction alone, of half of
 // the normal force that each finger presses with at least.

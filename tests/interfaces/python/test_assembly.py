@@ -193,6 +193,12 @@ def test_one_body_is_a_grasp(in_space):
     assert stickslip.compare(assembly, load, methods=methods[1:2]).load_class == "must move"
     assert stickslip.class_margin(assembly, load, assembly.wrench) == stickslip.class_margin(grasp, load, grasp.wrench)
     assert stickslip.friction_margin(assembly) == stickslip.friction_margin(grasp)
+    assert stickslip.export(assembly) == stickslip.export(grasp)
+    if not in_space:
+        assert stickslip.region(assembly).areas == stickslip.region(grasp).areas != ()
+        assert stickslip.plot_region(assembly) == stickslip.plot_region(grasp)
+        with pytest.raises(InputError, match="several bodies"):  # the proof would be about the file
+            stickslip.region(assembly, certificate=True)
     # The proof is about the file, whose checkers know it as one of several bodies.
     proved = stickslip.compare(assembly, certificate=True)
     assert (proved.methods, proved.load_class) == ((), "may stand")

@@ -42,7 +42,7 @@ TEST(Radius, ProvedIsBelowRefuted) {
     if (!radius.stable) continue;
     const char* verdict = *radius.stable ? "stable" : "unstable";
     if (!needs_enclosure(centre)) {
-      EXPECT_EQ(test::verdict_of(centre.planar_middle(), law), verdict);
+      EXPECT_EQ(test::verdict_of(loaded_of(centre), law), verdict);
     }
     if (radius.proof) {
       EXPECT_STREQ(name_of(radius.proof->verdict), verdict);
@@ -51,9 +51,8 @@ TEST(Radius, ProvedIsBelowRefuted) {
     }
     ASSERT_EQ(radius.refuted.has_value(), radius.example.has_value());
     if (!radius.refuted) continue;
-    EXPECT_TRUE(
-        test::lies_in(radius.example->planar_middle(), box.scaled(centre, *radius.refuted)));
-    EXPECT_EQ(test::verdict_of(radius.example->planar_middle(), law),
+    EXPECT_TRUE(test::lies_in(loaded_of(*radius.example), box.scaled(centre, *radius.refuted)));
+    EXPECT_EQ(test::verdict_of(loaded_of(*radius.example), law),
               *radius.stable ? "unstable" : "stable")
         << describe(about);
     both += radius.proof ? 1 : 0;
@@ -93,9 +92,8 @@ TEST(Radius, LongNumbersAreConfirmedWhereShortOnesSearched) {
   EXPECT_LE(long_reports, 2U);
   const GraspBox proved = box.scaled(centre, radius.proved);
   test::expect_accepted_by_both(test::input_of(test::file_of(proved), {}, *radius.proof));
-  EXPECT_TRUE(
-      test::lies_in(radius.example->planar_middle(), box.scaled(centre, *radius.refuted)));
-  EXPECT_EQ(test::verdict_of(radius.example->planar_middle(), NormalLaw::kUnilateral),
+  EXPECT_TRUE(test::lies_in(loaded_of(*radius.example), box.scaled(centre, *radius.refuted)));
+  EXPECT_EQ(test::verdict_of(loaded_of(*radius.example), NormalLaw::kUnilateral),
             *radius.stable ? "unstable" : "stable");
 }
 

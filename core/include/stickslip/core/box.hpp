@@ -176,8 +176,6 @@ struct GraspBox {
   bool allows(const RationalRow& motion) const;
   /// Returns whether it is in space, whose points have three coordinates.
   bool in_space() const { return mechanism ? mechanism->in_space : wrench.size() == 6; }
-  /// Returns whether it is one body in the plane.
-  bool is_one_planar_body() const { return !mechanism && !in_space(); }
   /// Returns the number of contacts and springs.
   std::size_t elements() const { return contacts.size() + springs.size(); }
   /// Returns how the loaded body moves at the point of the ball: the translation of that point
@@ -221,8 +219,6 @@ struct GraspBox {
   /// Returns the one grasp in the middle of every interval, with the normals n and without a
   /// ball.
   GraspBox middle() const;
-  /// Returns middle() as a LoadedGrasp. Requires one body in the plane.
-  LoadedGrasp planar_middle() const;
 };
 
 /// Calls f with every Interval of a box: those of contacts, then of springs, then of the
@@ -242,8 +238,8 @@ void for_each_number(Box& box, Function f) {
   for (auto& component : box.wrench) f(component);
 }
 
-/// Returns the wrench in the middle of the intervals. Requires a wrench in the plane.
-Wrench planar_middle(const WrenchBox& wrench);
+/// Returns the middle of each interval, as of a wrench.
+RationalRow middle_of(const std::vector<Interval>& intervals);
 
 /// Returns the wrench of the force f at the point p, in the plane or in space: the force and
 /// its torque about the origin. The product of this row with a twist is f.u, where the twist
@@ -268,6 +264,9 @@ GraspBox box_of(const LoadedGrasp& loaded);
 UncertainContact box_of(const Contact& contact);
 WrenchBox box_of(const Wrench& wrench);
 /// \}
+/// Returns the grasp of which box_of() makes this box. Requires one grasp of one body in the
+/// plane; a bound of its motions is lost.
+LoadedGrasp loaded_of(const GraspBox& point);
 
 /// A grasp of any kind with its load, in the plane or in space, of one body or several, as a
 /// file or a question has it. It is a GraspBox, which may be one grasp. One grasp in the plane
@@ -293,9 +292,6 @@ class AnyGrasp {
   /// \}
   /// Returns the single grasp in the plane. Throws ContractError unless it is kept as one.
   const LoadedGrasp& loaded() const;
-  /// Returns the one grasp in the middle, in the plane, however it is kept. Requires one body
-  /// in the plane. O(m).
-  LoadedGrasp planar_middle() const;
   /// Returns the grasp as a box, however it is kept. O(m).
   GraspBox as_box() const { return box() != nullptr ? *box() : box_of(*single()); }
 
@@ -303,8 +299,6 @@ class AnyGrasp {
   bool in_space() const { return box() != nullptr && box()->in_space(); }
   /// Returns the mechanism of several bodies; null if there is one body.
   const Mechanism* mechanism() const;
-  /// Returns whether it is one body in the plane.
-  bool is_one_planar_body() const { return box() == nullptr || box()->is_one_planar_body(); }
   /// Returns whether motions are bounded.
   bool is_bounded() const { return box() != nullptr && box()->is_bounded(); }
   /// Returns whether all numbers of contacts and springs are certain; the load may be

@@ -18,12 +18,12 @@ Answer decide(Question question, const SearchOptions& options,
 /// Returns that the time was over before there was a verdict.
 Undecided out_of_time(const TimeLimit& limit);
 
-/// Returns the answer of a question that was given up for this reason. Throws what problem_of()
-/// throws.
-Answer unanswered(Question question, Undecided why);
-
-/// Decides a question, or answers what is known when the time is over.
-Answer decide_in_time(const Question& question, const SearchOptions& options,
-                      const TimeLimit& limit);
+/// Decides a question, or answers what is known when the time is over. `then` is done with the
+/// answer in what is left of the time. `finishes` does all of it within the limit; without it
+/// TimeLimit::finishes() does. Throws what decide() throws.
+Answer decide_in_time(
+    Question question, const SearchOptions& options, const TimeLimit& limit,
+    const std::function<void(const Answer&)>& then = {},
+    const std::function<bool(const std::function<void()>& work)>& finishes = {});
 
 }  // namespace stickslip

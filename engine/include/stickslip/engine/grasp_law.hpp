@@ -39,9 +39,9 @@ class GraspLaw : public Law {
   const Interval& interval(const ParameterId& id) const;
   /// Returns all parameters, in the order of parameters_of().
   const std::vector<ParameterId>& parameters() const { return parameters_; }
-  /// Returns whether there is one body, and it is in the plane, so that a Problem can be made
-  /// of each grasp.
-  bool is_one_planar_body() const { return one_body_ && !in_space_; }
+  /// Returns the problem of a law of one grasp; nothing in space and of several bodies, which
+  /// have none.
+  std::optional<Problem> problem() const;
   /// Returns the laws of the two parts of the box, below and above a cut. Requires that this is
   /// no margin. Throws ContractError unless low < split.value < high for the parameter's
   /// interval [low, high].

@@ -78,9 +78,6 @@ struct Question {
   /// section 5). That is so where the grasp is kept as a GraspBox. For a LoadedGrasp the
   /// multiples that are resisted are found exactly instead.
   bool has_claims() const { return is_margin() && box() != nullptr; }
-  /// Returns whether there is one body, in the plane. Some functions, such as problem_of(),
-  /// accept no other.
-  bool is_one_planar_body() const { return grasp.is_one_planar_body(); }
   /// Returns the name, units, and outline or surface of the grasp.
   const GraspDescription& description() const { return grasp.description(); }
   /// Returns the grasp of a question about one grasp in the plane. Throws ContractError for any

@@ -25,8 +25,8 @@
 ///   `place` of each. A contact then has `of` and `by`, indices of bodies, null of the ground.
 /// - `decide`: the output of `decide --json --floats`; `certificate`: its text, or null.
 /// - `near`: for a stable verdict that is proved without stating an equilibrium, a motion and
-///   forces near one, for drawing: `twist_float` and `contacts`, as `decide` has them else. It
-///   proves nothing.
+///   forces near one, for drawing: `twist_float`, and of `contacts` `force_float` and `closed`.
+///   It proves nothing.
 /// - `examples`: for a fragile verdict the answers about its two grasps, `stable` and
 ///   `unstable`, with `decide` and the members that it brings; else null, and also if the
 ///   verdict's time is limited.
@@ -52,6 +52,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <set>
 #include <string>
 
 #include "stickslip/core/number_text.hpp"
@@ -64,17 +65,21 @@ inline constexpr std::size_t kMostContactsWithCells = 20;
 inline constexpr std::size_t kMostContactsWithRegion = 100;
 /// \}
 
-/// The parts that are asked for.
-struct PageParts {
-  bool decide = true;    ///< the verdict; brings `certificate`, `near`, `examples`
-  bool states = true;    ///< the sphere of motions
-  bool region = true;    ///< the resisted loads of a plane
-  bool margin = true;    ///< the multiples of the load
-  bool map = true;       ///< verdicts over friction and load
-  bool quality = true;   ///< brings `lost`
-  bool compare = true;   ///< what earlier methods say
-  bool warnings = true;  ///< the model's traps in `decide`; they take longer than the verdict
+/// A part of the object that may be asked for.
+enum class PagePart {
+  kDecide,    ///< the verdict; brings `certificate`, `near`, `examples`
+  kStates,    ///< the sphere of motions
+  kRegion,    ///< the resisted loads of a plane
+  kMargin,    ///< the multiples of the load
+  kMap,       ///< verdicts over friction and load
+  kQuality,   ///< brings `lost`
+  kCompare,   ///< what earlier methods say
+  kWarnings,  ///< the model's traps in `decide`; they take longer than the verdict
 };
+using PageParts = std::set<PagePart>;  ///< the parts that are asked for
+
+/// Returns all parts.
+PageParts all_page_parts();
 
 /// The limits of the work for each part.
 struct PageLimits {

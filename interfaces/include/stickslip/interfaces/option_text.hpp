@@ -25,9 +25,8 @@ Rational accuracy_option(const std::string& value);
 InputError in_options(const InputError& error, const std::string& name);
 
 /// Returns the question of ask(), with errors in the words of the command line; those of a
-/// contact name the grasp `name`. Unless `takes_boxes` is set, it refuses a box of one body in
-/// the plane as problem_of() does, except a margin, and except a grasp that is a box only
-/// because motions are bounded.
+/// contact name the grasp `name`. Unless `takes_boxes` is set, it refuses what
+/// require_one_grasp() does, except a margin and a bound of motions.
 Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes = false);
 

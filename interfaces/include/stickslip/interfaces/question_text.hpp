@@ -25,7 +25,8 @@ struct QuestionText {
 QuestionOptions question_options(const QuestionText& text);
 
 /// Returns the question about a grasp of which only the contacts matter, under no load; a file
-/// of one body alone becomes that of the body. Throws InputError as ask() does, and with the
+/// of one body alone becomes that of the body. One body in the plane is kept as a LoadedGrasp,
+/// whatever the lengths of its normals. Throws InputError as ask() does, and with the
 /// place "grasp" if some number of a contact is an interval.
 Question contacts_alone(GraspFile file);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Pictures of slip states. In the plane: the sphere of motions, cut by the great circles T_i.d = 0
-/// (Haas-Heger et al., RSS 2018, Section IV and Fig. 5).
+/// Pictures of slip states. In the plane: the sphere of motions, cut by the great circles T_i.d
+/// = 0 (Haas-Heger et al., RSS 2018, Section IV and Fig. 5).
 ///
 /// The sphere is drawn as two discs, by Lambert's azimuthal equal-area projection: the
 /// counterclockwise rotations (r > 0) and the clockwise ones. A motion with r != 0 turns the
@@ -37,12 +37,12 @@ std::string plot_states(const Grasp& grasp);
 /// States of more than these are too many to look at.
 inline constexpr std::size_t kMostStatesToDraw = 200;
 
-/// Returns the same picture for the slip states of one body in the plane. Other sets of states,
-/// those in space and those of several bodies, with the default lines of slip, have a row for
-/// each dimension of their motions, the largest on top. Each state is one element of class
-/// "node" with data-state and data-dimension. A line of class "link" goes from a state,
-/// data-from, to each state of one dimension less that its motions tend to, data-to. Throws
-/// InputError if there are more than kMostStatesToDraw states.
+/// Returns the same picture for the slip states of a single grasp in the plane, if it is kept
+/// as one. Other sets of states, those in space and those of several bodies, with the default
+/// lines of slip, have a row for each dimension of their motions, the largest on top. Each
+/// state is one element of class "node" with data-state and data-dimension. A line of class
+/// "link" goes from a state, data-from, to each state of one dimension less that its motions
+/// tend to, data-to. Throws InputError if there are more than kMostStatesToDraw states.
 std::string plot_states(const AnyGrasp& grasp, StateSet set);
 
 }  // namespace stickslip

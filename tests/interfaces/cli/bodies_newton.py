@@ -198,9 +198,9 @@ class Residual:
 
     def __call__(self, x, rounding):
         """max(0, v) is (v + hypot(v, rounding)) / 2, by start, which pulls on contacts that are open."""
-        m, s, q = self.of, len(x), self.across
+        m, s, q, c = self.of, len(x), self.across, self.contacts
         x = x * self.unit
-        z, t = x[:, :m.count], x[:, m.count:].reshape(s, self.contacts, q)
+        z, t = x[:, :m.count], x[:, m.count:].reshape(s, c, q)
         balance = np.tile(m.load, (s, 1))
         slope = np.zeros((s, self.n, self.n))
         for row, k, force, only in m.springs:
@@ -208,31 +208,32 @@ class Residual:
             on = (pull > 0) | (not only) | self.bilateral
             balance += (pull * on)[:, None] * row
             slope[:, :m.count, :m.count] -= on[:, None, None] * k * np.outer(row, row)
-        laws = np.zeros((s, self.contacts * q))
-        for i in range(self.contacts):
+        # Of all contacts at once, by start, contact and direction of slip.
+        v, soft = m.preload - m.stiffness * (z @ m.normal.T), np.maximum(rounding * m.size, 1e-200)[:, None]
+        if self.bilateral:
+            a, closed = v, np.ones((s, c))
+        else:
+            far, sharp = np.hypot(v, soft), (rounding == 0)[:, None]
+            a, closed = np.where(sharp, np.maximum(v, 0), (v + far) / 2), np.where(sharp, v > 0, (1 + v / far) / 2)
+        rubbing, slips = (rows.reshape(c * q, m.count) for rows in (m.rubbing.transpose(0, 2, 1), m.slips))
+        balance += a @ m.pressing + t.reshape(s, c * q) @ rubbing
+        rise = -(m.stiffness * closed)[:, :, None] * m.normal  # of a
+        slope[:, :m.count, :m.count] += m.pressing.T @ rise
+        slope[:, :m.count, m.count:] = rubbing.T
+        r, most = m.stiffness[:, None], m.friction * a
+        u = t - r * (z @ slips.T).reshape(s, c, q)
+        long = np.sqrt(np.sum(u * u, axis=2))
+        free = long > most  # it slips
+        unit = u / np.maximum(long, 1e-300)[:, :, None]
+        laws = t - np.where(free[:, :, None], most[:, :, None] * unit, u)
+        ratio = np.where(free, most / np.maximum(long, 1e-300), 1)
+        by_u = ratio[:, :, None, None] * (np.eye(q) - free[:, :, None, None] * unit[:, :, :, None] * unit[:, :, None, :])
+        for i in range(c):
             at = slice(m.count + i * q, m.count + (i + 1) * q)
-            mine = slice(i * q, (i + 1) * q)
-            k, mu, r = m.stiffness[i], m.friction[i], m.stiffness[i]
-            v, soft = m.preload[i] - k * z @ m.normal[i], np.maximum(rounding * m.size, 1e-200)
-            far = np.hypot(v, soft)
-            a = np.where(rounding == 0, np.maximum(v, 0), (v + far) / 2)
-            closed = np.where(rounding == 0, v > 0, (1 + v / far) / 2)
-            if self.bilateral:
-                a, closed = v, np.ones(s)
-            balance += a[:, None] * m.pressing[i] + t[:, i] @ m.rubbing[i].T
-            rise = -k * closed[:, None] * m.normal[i]  # of a
-            slope[:, :m.count, :m.count] += m.pressing[i][:, None] * rise[:, None, :]
-            slope[:, :m.count, at] += m.rubbing[i]
-            u = t[:, i] - r * z @ m.slips[i].T
-            long = np.linalg.norm(u, axis=1)
-            free = long > mu * a  # it slips
-            unit = u / np.maximum(long, 1e-300)[:, None]
-            laws[:, mine] = t[:, i] - np.where(free[:, None], mu * a[:, None] * unit, u)
-            ratio = np.where(free, mu * a / np.maximum(long, 1e-300), 1)
-            by_u = ratio[:, None, None] * (np.eye(q) - free[:, None, None] * unit[:, :, None] * unit[:, None, :])
-            slope[:, at, at] += np.eye(q) - by_u
-            slope[:, at, :m.count] += r * by_u @ m.slips[i] - (free * mu)[:, None, None] * unit[:, :, None] * rise[:, None, :]
-        total = np.hstack([balance * self.rows, laws / m.size])
+            slope[:, at, at] = np.eye(q) - by_u[:, i]
+        slope[:, m.count:, :m.count] = (r[:, :, None] * by_u @ m.slips - ((free * m.friction)[:, :, None] * unit)[:, :, :, None]
+                                        * rise[:, :, None, :]).reshape(s, c * q, m.count)
+        total = np.hstack([balance * self.rows, laws.reshape(s, c * q) / m.size])
         slope[:, :m.count] *= self.rows[:, None]
         slope[:, m.count:] /= m.size
         return total, slope * self.unit

@@ -203,7 +203,7 @@ class Preload(Case):
             if not least or least > 100:
                 continue
             held += 1
-            answer = self.hold(grasp, "--equal", "none")
+            answer = self.hold(grasp, "--equal", "none", "--accuracy", "9%")
             self.assertLessEqual(F(answer["bound"]), least, grasp)
             self.assertGreaterEqual(F(answer["sum"]), least, grasp)
             self.assertLess(F(answer["sum"]), F(106, 100) * least, grasp)
@@ -216,11 +216,12 @@ class Preload(Case):
         while held < 8:
             grasp, contacts, loads = self.random_grasp(rng)
             least, of_all = (self.by_z3(contacts, loads, balanced) for balanced in (True, False))
+            if least is not None and (not least or least > 100 or not of_all):
+                continue
             found = json.loads(stickslip("preload", self.write("g.json", grasp), "--hold", "--balanced", "--equal", "none",
-                                         "--json")[1])
+                                         "--boxes", "50", "--json")[1])
             if least is None:
                 self.assertIsNone(found["sum"], grasp)
-            if not least or least > 100 or not of_all:
                 continue
             held += 1
             dearer += least > of_all
@@ -319,7 +320,7 @@ class Preload(Case):
         # Little torque; each finger bears half of W and of a load v down, and loses half of a load h across:
         # v + mu h <= mu sum - W, in all directions of a ball.
         ball = ("--uncertain", "wrench=ball:1/2:length=1/1000")
-        answer = self.hold(pinch(2, "1/2", "1/2"), ball=ball)
+        answer = self.hold(pinch(2, "1/2", "1/2"), "--accuracy", "9%", ball=ball)
         squared = F(1, 4) * F(5, 4)  # of R root(1 + mu^2)
         self.assertGreaterEqual((F(answer["sum"]) / 2 - 2) ** 2, squared)
         self.assertLess(F(answer["sum"]), F(106, 100) * F(512, 100))
@@ -418,7 +419,7 @@ class Preload(Case):
         file = self.write("jaws.json", SOFT_JAWS)
         self.assertEqual(self.json("preload", file, "--hold")["sum"], "0")
         # One jaw alone leaves a turn about it free, near which the plane has no proof by degree: more is found to hold.
-        for content, least, words in ((SOFT_JAWS, 1, ("--max-motion", "3,1", "--boxes", "200")),
+        for content, least, words in ((SOFT_JAWS, 1, ("--max-motion", "3,1", "--boxes", "100")),
                                       ({**SOFT_JAWS, "max_motion": [2, 2, 1]}, 2, ("--boxes", "300"))):
             answer = self.hold(content, *words)
             self.assertGreaterEqual(F(answer["sum"]), least)
@@ -442,7 +443,7 @@ class Preload(Case):
         # Preloads of 4 resist 4 along the normals, which moves 2: and a half of it within a bound of 1.
         jaws = self.write("g.json", {**SOFT_JAWS, "wrench": [0, 0, 0], "defaults": {"friction": 1, "stiffness": 1}})
         folder = self.path("proofs")
-        answer = self.json("preload", jaws, "--budget", "4", "--accuracy", "20%", "--boxes", "8", "--max-motion", "1,1",
+        answer = self.json("preload", jaws, "--budget", "4", "--accuracy", "20%", "--boxes", "1", "--max-motion", "1,1",
                            "--certificates", folder)
         self.assertEqual(answer["max_motion"], ["1", "1", "1"])
         self.assertTrue(1 < F(answer["proved"]) <= 2 <= F(answer["not_resisted_at"]), answer)

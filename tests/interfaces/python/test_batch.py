@@ -578,15 +578,28 @@ def test_workers_that_read_something_else(cluster, grasps):
             assert problem in found.error[2] and found.error[3], found
 
 
-def test_usage(tmp_path, grasps):
+def in_process(capfd, *words):
+    """As batch(), without a start of Python; of what ends before any line is decided."""
+    from stickslip.batch import Interruption, main
+    handlers = {number: signal.getsignal(number) for number in Interruption.SIGNALS}
+    try:
+        code = main(list(map(str, words)))
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+    return code, *capfd.readouterr()
+
+
+def test_usage(tmp_path, grasps, capfd):
     def fails(*words, naming, **more):
-        code, out, err = batch(*words, **more)
+        code, out, err = batch(*words, **more) if more else in_process(capfd, *words)
         assert (code, out) == (BAD_INPUT, "")
         assert len(err.splitlines()) == 1 and err.startswith("stickslip: "), err
         for part in naming:
             assert part in err
 
     fails(naming=["GRASPS", "--help"])
+    assert batch() == in_process(capfd)  # as a program
     fails("-", naming=["stickslip batch reads standard input"])
     fails(tmp_path / "none.jsonl", naming=["none.jsonl", "cannot open"])
     fails(tmp_path, naming=["this is a directory"])

@@ -72,7 +72,7 @@ class SyntaxTest(Case):
                 {"twist": twist, "walls": walls, "simplex": walls * 2, "direction": direction, "tree": tree},
                 {"twist": twist, "simplex": walls * 2, "walls": walls, "direction": direction, "tree": tree},
                 *({"twist": twist, shape: rows, "direction": direction, "tree": tree} for shape, rows in (
-                    ("walls", []), ("walls", unit(3) + [X]), ("walls", [[1, 0]]), ("walls", [X, 1]),
+                    ("walls", unit(3) + [X]), ("walls", [[1, 0]]), ("walls", [X, 1]),
                     ("walls", {}), ("simplex", []), ("simplex", [X]), ("simplex", unit(3) + [X, X]),
                     ("simplex", [X, [1]]), ("simplex", None), ("simplexes", [X, X]))),
                 *({**PLATE_PROOF, "direction": direction[:n]} for n in (0, 1, 2))):
@@ -84,7 +84,7 @@ class SyntaxTest(Case):
     def test_margins(self):
         """Claims have all that parts have; segments are parallelepipeds of all motions."""
         asked = ("--direction", "0,0,-1,0,0,0")
-        for shape, rows in (("walls", []), ("walls", unit(6) + unit(6)[:1]), ("simplex", unit(6)[:1]),
+        for shape, rows in (("walls", unit(6) + unit(6)[:1]), ("simplex", unit(6)[:1]),
                             ("simplex", unit(6) + unit(6)[:2])):
             claim = ["stable", 0, 1, {"twist": [0] * 6, shape: rows, "direction": unit(6), "tree": []}]
             proof = certificate(0, [0] * 6, direction=[0, 0, -1, 0, 0, 0], intervals=[claim])

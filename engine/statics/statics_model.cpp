@@ -7,6 +7,7 @@
 #include "few_columns.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
+#include "stickslip/lp/sparse_system.hpp"
 
 namespace stickslip::statics_detail {
 namespace {
@@ -170,15 +171,37 @@ void StaticsModel::find_centres() {
 /// motions that do not move it are of use.
 void StaticsModel::hold_joints(bool springs_hold) {
   size_ = grasp_.wrench.size();
-  const std::size_t joints = size_ - free_;
-  std::vector<RationalRow> rows;
+  // Most springs hold one joint by itself, which then takes no part in what others leave free.
+  std::vector<char> is_held(size_ - free_, 0);
+  std::vector<SparseRow> coupled;
   for (const Spring& spring : grasp_.springs) {
     if (!springs_hold || !is_locked(spring)) continue;
-    rows.emplace_back(spring.row.begin() + static_cast<std::ptrdiff_t>(free_),
-                      spring.row.end());
+    SparseRow row = sparse(spring.row);
+    if (row.size() == 1) {
+      is_held[row.front().first - free_] = 1;
+    } else {
+      coupled.push_back(std::move(row));
+    }
   }
-  if (!rows.empty()) {
-    joints_ = null_space(matrix_of(rows, joints));
+  std::vector<std::size_t> others;
+  std::vector<std::size_t> place(is_held.size());
+  for (std::size_t q = 0; q < is_held.size(); ++q) {
+    place[q] = others.size();
+    if (is_held[q] == 0) others.push_back(q);
+  }
+  if (others.size() < is_held.size() || !coupled.empty()) {
+    std::vector<RationalRow> rows;
+    for (const SparseRow& row : coupled) {
+      RationalRow& on_others = rows.emplace_back(others.size());
+      for (const auto& [j, entry] : row) {
+        if (is_held[j - free_] == 0) on_others[place[j - free_]] = entry;
+      }
+    }
+    joints_.emplace();
+    for (const RationalRow& motion : null_space(matrix_of(rows, others.size()))) {
+      RationalRow& of_all = joints_->emplace_back(is_held.size());
+      for (std::size_t k = 0; k < others.size(); ++k) of_all[others[k]] = motion[k];
+    }
     size_ = free_ + joints_->size();
   }
   std::size_t body = free_ / twist_;
@@ -397,7 +420,7 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
   for (std::size_t i = 0; i < grasp_.contacts.size(); ++i) {
     add_wrench(result[i], grasp_.contacts[i]);
   }
-  std::vector<RationalRow> rows;
+  std::vector<SparseRow> rows;
   std::vector<std::size_t> places;
   for (std::size_t s = 0; s < grasp_.springs.size(); ++s) {
     const Spring& spring = grasp_.springs[s];
@@ -407,13 +430,14 @@ RigidForces StaticsModel::forces_of(const std::vector<ConeForce>& forces,
     } else if (is_constant(spring)) {
       stickslip::add_multiple(left, weight * spring.force.low, sparse(spring.row));
     } else {
-      rows.push_back(spring.row);
+      rows.push_back(sparse(spring.row));
       places.push_back(element);
     }
   }
-  const auto torques = solve_exactly(matrix_of_columns(rows, left.size()), opposite(left));
+  const auto torques = SparseSystem(left.size(), rows).solve(opposite(left));
   require(torques.has_value(), "the springs do not balance what is left");
-  for (std::size_t k = 0; k < places.size(); ++k) result[places[k]].normal = (*torques)[k];
+  const RationalRow each = torques->row();
+  for (std::size_t k = 0; k < places.size(); ++k) result[places[k]].normal = each[k];
   return result;
 }
 

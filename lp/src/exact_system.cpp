@@ -100,6 +100,7 @@ class Elimination {
     const Integer& pivot = at(rank_, rank_);
     for (std::size_t j = rank_ + 1; j < rows_; ++j) {
       const Integer& factor = at(j, rank_);
+      if (factor.is_zero() && pivot == before) continue;  // it stays as it is
       for (std::size_t k = rank_ + 1; k < width(); ++k) {
         mpz_ptr entry = at(j, k).mutable_gmp();
         mpz_mul(entry, entry, pivot.gmp());

@@ -21,23 +21,14 @@
 namespace stickslip {
 namespace {
 
-struct RegionArguments {
+struct RegionArguments : RegionAsked {
   QuestionArguments question;
-  std::string origin;
-  std::string torque;
-  std::string u;
-  std::string v;
   std::size_t mode_limit = 0;
   bool list = false;
   bool asks_class = false;
   std::string certificate;
-  std::size_t node_limit = 0;
-  std::string time_limit;
-  NumberOptions numbers;
   bool svg = false;
   std::string output = "-";
-  std::string within;
-  CellsAsked cells;
 
   /// Refuses options that have no meaning for a grasp of this kind.
   void check(const Question& asked) const {
@@ -66,12 +57,6 @@ struct RegionArguments {
            "give --depth, or --node-limit for each proof");
     refuse(!certificate.empty(), "--certificate", problem,
            "write a proof of each cell with --certificates");
-  }
-
-  RegionCellsArguments in_cells() const {
-    RegionCellsArguments result{origin, torque, u, v, within, cells, time_limit, numbers};
-    result.cells.node_limit = node_limit;
-    return result;
   }
 
   /// Returns the plane, through the load of a case if one is chosen.
@@ -194,7 +179,7 @@ RegionOptions options_of(const RegionArguments& arguments, LongWork& work) {
   options.modes.progress = [&](std::size_t modes) {
     work.say("contact modes: " + std::to_string(modes));
   };
-  options.proof.node_limit = arguments.node_limit;
+  options.proof.node_limit = arguments.cells.node_limit;
   options.proof.progress = [&](const RegionProofWork& so_far) {
     work.say("refuting cell " + std::to_string(so_far.cells) + ", node " +
              std::to_string(so_far.nodes));
@@ -239,8 +224,7 @@ int region(const RegionArguments& arguments) {
   const Question question = arguments.certificate.empty() ? as_one_body(asked) : asked;
   require_one_body(question, "region");
   arguments.check(question);
-  if (is_found_in_cells(question))
-    return answer_region_in_cells(question, arguments.in_cells());
+  if (is_found_in_cells(question)) return answer_region_in_cells(question, arguments);
   const WrenchPlane plane = arguments.plane(question);
   LongWork work("region", time_limit_option(arguments.time_limit));
   const RegionOptions options = options_of(arguments, work);
@@ -271,7 +255,7 @@ int draw_region(const RegionArguments& arguments) {
   require_one_body(question, "region");
   arguments.check(question);
   if (is_found_in_cells(question)) {
-    return draw_region_in_cells(question, arguments.in_cells(), arguments.output);
+    return draw_region_in_cells(question, arguments, arguments.output);
   }
   const WrenchPlane plane = arguments.plane(question);
   LongWork work("region", time_limit_option(arguments.time_limit));
@@ -352,7 +336,7 @@ void add_region_command(Command& app, int& exit_code) {
                    "Cell by cell: write each that is proved there, with its certificate")
       ->type_name("DIR")
       ->excludes(certificate);
-  add_node_limit_option(*command, arguments->node_limit);
+  add_node_limit_option(*command, arguments->cells.node_limit);
   add_time_limit_option(*command, arguments->time_limit);
   arguments->numbers.add_to(*command);
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")

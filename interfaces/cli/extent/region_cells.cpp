@@ -44,26 +44,25 @@ Interval range_of(const std::string& text, const std::string& whole) {
                    "give the ends of s and of t, the lower one first, as in -2:2,0:3/2");
 }
 
-LoadWindow plane_of(const Question& question, const RegionCellsArguments& arguments) {
+LoadWindow plane_of(const Question& question, const RegionAsked& asked) {
   const GraspBox& grasp = *question.box();
   if (!grasp.is_point()) {
     throw InputError("", "GRASP", "some of its numbers are uncertain",
                      "a region is about one grasp: give one number for each");
   }
-  RationalRow load;
-  for (const Interval& w : grasp.wrench) load.push_back(w.low);
+  RationalRow load = middle_of(grasp.wrench);
   RationalRow along_x(load.size());
   RationalRow along_y(load.size());
   along_x[0] = along_y[1] = 1;
-  if (!arguments.torque.empty()) load.back() = rational_at("--torque", arguments.torque);
-  LoadWindow plane = load_window(question, wrench_given("--origin", arguments.origin, load),
-                                 wrench_given("--u", arguments.u, along_x),
-                                 wrench_given("--v", arguments.v, along_y));
+  if (!asked.torque.empty()) load.back() = rational_at("--torque", asked.torque);
+  LoadWindow plane =
+      load_window(question, wrench_given("--origin", asked.origin, load),
+                  wrench_given("--u", asked.u, along_x), wrench_given("--v", asked.v, along_y));
   if (are_parallel(plane.s, plane.t)) {
     throw InputError("", "--u, --v", "they span no plane",
                      "give two wrenches that are not multiples of each other");
   }
-  const std::string& within = arguments.within;
+  const std::string& within = asked.within;
   const std::size_t comma = std::min(within.find(','), within.size());
   for (MapAxis* axis : {&plane.s, &plane.t}) {
     if (within.empty()) continue;
@@ -76,8 +75,8 @@ LoadWindow plane_of(const Question& question, const RegionCellsArguments& argume
 }
 
 std::vector<MapCell> cells_of(const Question& question, const LoadWindow& plane,
-                              const RegionCellsArguments& arguments, LongWork& work) {
-  return proved_cells(plane.grasp, question.law, plane.s, plane.t, arguments.cells, work);
+                              const RegionAsked& asked, LongWork& work) {
+  return proved_cells(plane.grasp, question.law, plane.s, plane.t, asked.cells, work);
 }
 
 void print_text(const Question& question, const LoadWindow& plane,
@@ -106,28 +105,27 @@ std::string picture(const Question& question, const LoadWindow& plane,
 
 }  // namespace
 
-int answer_region_in_cells(const Question& question, const RegionCellsArguments& arguments) {
-  const LoadWindow plane = plane_of(question, arguments);
-  LongWork work("region", time_limit_option(arguments.time_limit));
-  const std::vector<MapCell> cells = cells_of(question, plane, arguments, work);
-  if (arguments.numbers.json) {
+int answer_region_in_cells(const Question& question, const RegionAsked& asked) {
+  const LoadWindow plane = plane_of(question, asked);
+  LongWork work("region", time_limit_option(asked.time_limit));
+  const std::vector<MapCell> cells = cells_of(question, plane, asked, work);
+  if (asked.numbers.json) {
     Json json = region_json(question, plane, cells);
     work.add_ending(json);
-    std::cout << finished(std::move(json), arguments.numbers.floats).dump(1) << '\n';
+    std::cout << finished(std::move(json), asked.numbers.floats).dump(1) << '\n';
   } else {
-    NumberText text(arguments.numbers);
+    NumberText text(asked.numbers);
     print_text(question, plane, cells, text);
     std::cout << work.ending();
   }
   return kDone;
 }
 
-int draw_region_in_cells(const Question& question, const RegionCellsArguments& arguments,
+int draw_region_in_cells(const Question& question, const RegionAsked& asked,
                          const std::string& output) {
-  const LoadWindow plane = plane_of(question, arguments);
-  LongWork work("region", time_limit_option(arguments.time_limit));
-  write_whole_file(output,
-                   picture(question, plane, cells_of(question, plane, arguments, work)));
+  const LoadWindow plane = plane_of(question, asked);
+  LongWork work("region", time_limit_option(asked.time_limit));
+  write_whole_file(output, picture(question, plane, cells_of(question, plane, asked, work)));
   return kDone;
 }
 

@@ -11,8 +11,9 @@
 
 namespace stickslip {
 
-/// The plane ORIGIN + s U + t V, as it was given; an empty text is the default.
-struct RegionCellsArguments {
+/// What is asked about a region, exact or not: the plane ORIGIN + s U + t V, as it was given,
+/// where an empty text is the default; and how its cells are found.
+struct RegionAsked {
   std::string origin;
   std::string torque;
   std::string u;
@@ -29,9 +30,9 @@ inline bool is_found_in_cells(const Question& question) {
 }
 
 /// Answers the question. Returns the exit code.
-int answer_region_in_cells(const Question& question, const RegionCellsArguments& arguments);
+int answer_region_in_cells(const Question& question, const RegionAsked& asked);
 /// Draws the region into a file, or prints the picture. Returns the exit code.
-int draw_region_in_cells(const Question& question, const RegionCellsArguments& arguments,
+int draw_region_in_cells(const Question& question, const RegionAsked& asked,
                          const std::string& output);
 
 }  // namespace stickslip

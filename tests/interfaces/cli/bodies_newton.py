@@ -239,12 +239,17 @@ class Residual:
         return total, slope * self.unit
 
 
+NEAR = 1e-9  # the residual of an equilibrium is at most this times the load and preloads
+
+
 def solve(residual, x, rounding, steps):
     """Levenberg's and Marquardt's variant, each start with a damping of its own; and what is left."""
     damping = np.full(len(x), 1e-3)
     total, slope = residual(x, rounding)
     least = np.sum(total * total, axis=1)
     for _ in range(steps):
+        if np.all(least < (NEAR / 1000) ** 2):
+            break  # all are found
         turned = slope.transpose(0, 2, 1)
         square = turned @ slope
         lift = damping * (1e-3 + np.trace(square, axis1=1, axis2=2) / residual.n)
@@ -257,9 +262,6 @@ def solve(residual, x, rounding, steps):
         slope = np.where(better[:, None, None], steeper, slope)
         damping = np.clip(np.where(better, damping / 5, damping * 4), 1e-13, 1e6)
     return x, np.sqrt(least)
-
-
-NEAR = 1e-9  # the residual of an equilibrium is at most this times the load and preloads
 
 
 def from_random(residual, starts, rng):

@@ -73,15 +73,18 @@ def with_load(content, z, length):
 
 class Qualities(Case):
     def assert_ball(self, content, answer, length, rng, count):
-        """Loads on the border of the proved ball are resisted, and the one that is said not to be is not."""
-        proved = F(answer["proved"])
-        for z in directions(count, len(content["wrench"]), rng):
+        """Loads on the border of the proved ball are resisted, and so is one on the way to that which is said not to be, and is not."""
+        proved, refuted = F(answer["proved"]), F(answer["refuted"])
+        self.assertLess(proved, refuted)
+        size = 2 if len(content["wrench"]) == 3 else 3
+        towards = [(F(a) - F(b)) / refuted / (1 if k < size else length)
+                   for k, (a, b) in enumerate(zip(answer["not_resisted"], content["wrench"]))]
+        for z in [towards, *directions(count, len(content["wrench"]), rng)]:
             there = as_bodies(with_load(content, [proved * x for x in z], length))
             self.assertTrue(finds(there), json.dumps(there))
             self.assertTrue(in_statics(there, outside=True), json.dumps(there))
-        if answer.get("not_resisted"):
-            there = as_bodies({**content, "wrench": answer["not_resisted"]})
-            self.assertFalse(finds(there, 100), json.dumps(there))
+        there = as_bodies({**content, "wrench": answer["not_resisted"]})
+        self.assertFalse(finds(there, 100), json.dumps(there))
 
     def test_in_space(self):
         """Feet on a floor, and the same with one of them on a slope. (Where heights differ, too, a proof takes half a minute.)"""

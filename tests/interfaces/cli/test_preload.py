@@ -420,7 +420,7 @@ class Preload(Case):
         self.assertEqual(self.json("preload", file, "--hold")["sum"], "0")
         # One jaw alone leaves a turn about it free, near which the plane has no proof by degree: more is found to hold.
         for content, least, words in ((SOFT_JAWS, 1, ("--max-motion", "3,1", "--boxes", "100")),
-                                      ({**SOFT_JAWS, "max_motion": [2, 2, 1]}, 2, ("--boxes", "300"))):
+                                      ({**SOFT_JAWS, "max_motion": [2, 2, 1]}, 2, ("--boxes", "200"))):
             answer = self.hold(content, *words)
             self.assertGreaterEqual(F(answer["sum"]), least)
             self.assertTrue(F(9, 10) * least < F(answer["bound"]) <= least, answer)

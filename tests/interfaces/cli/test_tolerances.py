@@ -5,7 +5,7 @@ the body's half size."""
 import os
 import unittest
 
-from test_cli import CORPUS, DONE, Case, read, stickslip
+from test_cli import CHECK, CORPUS, DONE, Case, checkers, read, run, stickslip
 
 GRASPS = os.path.join(CORPUS, "..", "tolerances")
 
@@ -16,13 +16,17 @@ class Tolerances(Case):
 
     def test_all_of_a_box_is_proved_by_twists_that_move(self):
         words = ("--uncertain", "normal=0.035,friction=5%,position=1/60")
-        for name in ("jaws", "jaws-unbalanced", "feet", "corner"):
+        # Two of the proofs go through stickslip-check alone: the other checkers take ten times as long, and judge the other two.
+        for name, judges in (("jaws", [[CHECK]]), ("jaws-unbalanced", [[CHECK]]), ("feet", checkers(None)), ("corner", checkers(None))):
             with self.subTest(name):
                 file = os.path.join(GRASPS, name + ".json")
                 proof = self.path("proof.json")
                 code, _, err = stickslip("decide", file, *words, "--certificate", proof)
                 self.assertEqual(code, DONE, err)
-                self.accepted(file, proof, *words, verdict="stable")
+                for judge in judges:
+                    code, out, err = run(*judge, file, proof, *words)
+                    self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+                    self.assertRegex(out, r"\nverdict +stable")
                 self.assertIn('"moving"', read(proof))
                 self.assertLess(len(read(proof)), 150_000)
 

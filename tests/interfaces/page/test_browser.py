@@ -63,7 +63,7 @@ class Planar(PageTest):
 
     def test_an_unstable_grasp_and_the_twist_that_wins(self):
         self.set_media(prefers_reduced_motion="no-preference")
-        answer = self.open(FIG1, "--wrench", "0,11/10,0")
+        answer = self.open(FIG1, "--wrench", "0,11/10,0", *QUICK)
         self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "unstable")
         self.assertEqual(decide(FIG1, "--wrench", "0,11/10,0")["verdict"], "unstable")
         leaves = [node[1:] for node in json.loads(answer["certificate"])["tree"] if node[0] == "leaf"]
@@ -97,7 +97,7 @@ class Planar(PageTest):
 
     def test_who_asked_for_no_motion_sees_none(self):
         self.set_media(prefers_reduced_motion="reduce")
-        self.open(FIG1, "--wrench", "0,11/10,0")
+        self.open(FIG1, "--wrench", "0,11/10,0", *QUICK)
         self.assertTrue(self.js("return StickslipPage.isPaused()"))
 
     def test_no_outline(self):
@@ -232,7 +232,7 @@ class Loads(PageTest):
     def test_the_region_and_the_present_load(self):
         for wrench, verdict in (("0,9/10,0", "stable"), ("1,3/5,0", "unstable"), ("-5,-2,0", "stable"), ("2,1/5,0", "unstable")):
             with self.subTest(wrench):
-                self.open(FIG1, "--wrench", wrench)
+                self.open(FIG1, "--wrench", wrench, *QUICK)
                 self.assertEqual(decide(FIG1, "--wrench", wrench)["verdict"], verdict)
                 s, t = (float(x) for x in self.find("#region .present").get_attribute("data-load").split(","))
                 self.assertEqual([s, t], [float(Fraction(x)) for x in wrench.split(",")[:2]])
@@ -245,7 +245,7 @@ class Loads(PageTest):
         fig4 = os.path.join(os.path.dirname(FIG1), "fig4.json")
         for width in (375, 1300):
             for grasp, options in ((example("bracket"), ()), (example("more-friction-breaks"), ()),
-                                   (fig4, ("--wrench", "1,1,1/7", "--preload", "0.7654321"))):
+                                   (fig4, ("--wrench", "1,1,1/7", "--preload", "0.7654321", *QUICK))):
                 with self.subTest((grasp, width)):
                     self.set_size(width, 900)
                     self.open(grasp, *options)
@@ -295,7 +295,7 @@ class Loads(PageTest):
 
 class Proofs(PageTest):
     def test_a_true_proof_is_accepted_and_a_false_one_is_not(self):
-        self.open(FIG1, "--wrench", "0,11/10,0")
+        self.open(FIG1, "--wrench", "0,11/10,0", *QUICK)
         self.assertEqual(self.check_proof(), "accepted")
         self.assertIn("ms", self.text("#proof-result"))
         self.js("""const { answer } = StickslipPage;
@@ -494,7 +494,7 @@ class Reading(PageTest):
         self.assertEqual(self.js(colour), dark)
 
     def test_narrow(self):
-        for grasp, options, name in ((FIG1, ("--wrench", "0,11/10,0"), "narrow-unstable"), (example("bracket"), (), "narrow"),
+        for grasp, options, name in ((FIG1, ("--wrench", "0,11/10,0", *QUICK), "narrow-unstable"), (example("bracket"), (), "narrow"),
                                      (example("space-corner"), QUICK, "narrow-space"), (example("bodies-gripper"), QUICK, "narrow-bodies")):
             self.set_size(360, 740)
             self.open(grasp, *options)

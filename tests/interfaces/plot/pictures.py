@@ -77,6 +77,8 @@ class Contact:
             self.normal = tuple(map(exact, entry["normal"]))
         get = lambda key, other: exact(entry.get(key, defaults.get(key, other)))
         self.preload, self.friction = get("preload", 0), get("friction", 0)
+        self.largest = max(map(abs, self.normal))
+        self.length = math.hypot(*(float(n / self.largest) for n in self.normal))  # over that
 
     def slip(self, d):
         """A positive multiple of the slip under the motion d."""
@@ -168,8 +170,7 @@ class Discs:
 
     def slip(self, contact, d):
         """The slip in scene units, a number in about [-1, 1]."""
-        length = math.hypot(*(float(n / max(map(abs, contact.normal))) for n in contact.normal))
-        return float(contact.slip(d) / max(map(abs, contact.normal))) / length
+        return float(contact.slip(d) / contact.largest) / contact.length
 
 
 # Advances of the characters from blank to tilde in thousandths of the size of the font: DejaVu Sans

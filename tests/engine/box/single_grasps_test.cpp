@@ -213,7 +213,7 @@ TEST(BoxProver, ProvesAPinchOrSuspectsParts) {
   const auto prove = [&](const Interval& weight, std::optional<std::size_t>& index) {
     SearchWork work;
     const GraspLaw law(pinch(friction, weight), NormalLaw::kUnilateral);
-    BoxProver prover(law, {1000, 200, 5000, 8, true, true}, work);
+    BoxProver prover(law, {1000, 200, 5000, 8, true, false, true}, work);
     const auto verdict = prover.prove();
     index.reset();
     if (verdict) index = verdict->index();

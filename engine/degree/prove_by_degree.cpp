@@ -248,7 +248,8 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
 }
 
 /// Tries walls around a cloud of equilibria of grasps of the box, with room around it so that
-/// what slips there slips one way, and with leaves whose twists move. A wall that is not
+/// what slips there slips one way, with leaves whose twists move, and, of hands, with an A that
+/// is fitted to forces on the walls. A wall that is not
 /// refuted moves to where doubles see a reason at the point at which it failed.
 std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
   const bool is_verdict = !about_.box->is_family && !about_.box->hull;

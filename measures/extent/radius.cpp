@@ -459,8 +459,8 @@ class RadiusSearch {
       if (result_.proved == high || try_to_prove(high, parts)) return;
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
-      // Where a proof that fails takes long, it is not sought so near to the bound.
-      const bool is_first = !takes_long() && (parts == 0 || result_.proved.is_zero());
+      const bool is_first =
+          effort_.near_bounds_first && (parts == 0 || result_.proved.is_zero());
       if (is_first && try_to_prove(short_middle(near, high), parts)) return;
       // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
@@ -469,7 +469,7 @@ class RadiusSearch {
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
         if (!is_much_open || below <= result_.proved) break;
-        if (takes_long() && percent > 80) continue;
+        if (!effort_.near_bounds_first && percent > 80) continue;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) {
           if (!effort_.retries) high = least_failed;

@@ -137,7 +137,6 @@ class SyntaxTest(Case):
                       ["unstable", 0, None, [["part", "friction", 0, 1]]],
                       ["unstable", 0, None, [["leaf", 0]]], ["stable", 0, 1, ["part", "z", 0, 1]],
                       ["stable", 0, 1, without(CUBE_PROOF, "tree")],
-                      ["stable", 0, 1, {**CUBE_PROOF, "walls": []}],
                       ["stable", 0, 1, {**CUBE_PROOF, "tree": [["part", "friction", 0, 1]]}]):
             self.bad("intervals[0]", certificate(1, PULL, **question, intervals=[claim]))
         claims = certificate(1, PULL, **question, intervals=[])
@@ -150,7 +149,7 @@ class SyntaxTest(Case):
     def test_parts(self):
         proof = stable(1, PULL, [CUBE_PROOF])
         self.assertEqual(self.run_both(PULLED, proof)[0], 1)
-        for key, value in (("twist", [0] * 3), ("walls", []), ("direction", UNIT[:3]),
+        for key, value in (("twist", [0] * 3), ("direction", UNIT[:3]),
                            ("walls", [[1, 0, 0]] * 3), ("direction", [[0] * 5] * 6)):
             self.bad("parts[0]", stable(1, PULL, [{**CUBE_PROOF, key: value}]))
 

@@ -2,6 +2,7 @@
 // Proofs by degree where a body floats, touched by nothing, beside others that are held: it may
 // be anywhere, so equilibria lie side by side, and no body of motions encloses them.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -37,13 +38,14 @@ std::optional<RationalRow> opening(const RoundedGrasp& grasp, const NearEquilibr
   const std::size_t opened = program.add_variable(VariableKind::kFree);
   for (const ContactId id : contacts) {
     const RoundedContact& c = grasp.contacts[id.index()];
+    const double depth = c.separation(near.motion) / c.stiffness;
+    if (!std::isfinite(depth) || !std::isfinite(c.size)) return std::nullopt;
     // v - k' N.z <= -k' |N| t, whatever the unit of N is.
     for (const CornerRow& corner : law.contacts[id.index()].corners) {
       RationalRow row;
       for (const RationalRow& z : along) row.push_back(dot(corner.normal, z));
       row.push_back(-rational_from_double(c.size));
-      program.add_row(std::move(row), Relation::kGreaterEqual,
-                      rational_from_double(c.separation(near.motion) / c.stiffness));
+      program.add_row(std::move(row), Relation::kGreaterEqual, rational_from_double(depth));
     }
   }
   RationalRow only(opened + 1);
@@ -73,7 +75,7 @@ void remove_forces(NearEquilibrium& near, const std::vector<ContactId>& contacts
 }
 
 /// Returns the proof of what is in equilibrium wherever it is, as nothing touches it and there
-/// is no load; nothing if there is one.
+/// is no load; nothing if there is one, or if it is beyond the bound of motions.
 std::optional<DegreeProof> resting_anywhere(const GraspLaw& box, const GraspLaw& middle,
                                             const NearEquilibrium& near) {
   if (!ForceSpan(box).has_loads_of(box)) return std::nullopt;
@@ -82,6 +84,7 @@ std::optional<DegreeProof> resting_anywhere(const GraspLaw& box, const GraspLaw&
     const double d = near.motion[static_cast<Eigen::Index>(j)] / middle.unit(j);
     proof.twist.push_back(rational_from_double(d));
   }
+  if (!box.allows(proof.twist)) return std::nullopt;
   proof.direction.assign(box.motions, RationalRow(box.motions));
   return proof;
 }
@@ -131,14 +134,43 @@ class Renumbering {
   const std::vector<ContactId>& left_out_;
 };
 
+/// Proves the grasps without these contacts, at this motion away from the equilibrium, if the
+/// contacts are open all around.
+std::optional<DegreeProof> prove_without(const std::vector<ContactId>& open,
+                                         const GraspLaw& box, const GraspLaw& middle,
+                                         NearEquilibrium near, const RationalRow& away,
+                                         const DegreeLimits& limits, SearchWork& work) {
+  const GraspLaw others = box.without(open);
+  const GraspLaw middle_of_others = middle.without(open);
+  for (std::size_t j = 0; j < box.motions; ++j) {
+    double& d = near.motion[static_cast<Eigen::Index>(j)];
+    // (The unit of rotations is a distance that all contacts have a part in.)
+    d = (d / middle.unit(j) + to_double(away[j])) * middle_of_others.unit(j);
+  }
+  if (!near.motion.allFinite()) return std::nullopt;
+  remove_forces(near, open);
+  auto proof = ForceSpan(others).rank() == 0
+                   ? resting_anywhere(others, middle_of_others, near)
+                   : prove_by_degree(others, middle_of_others, near, limits, work);
+  if (!proof) return std::nullopt;
+  const BodyReach reach(*proof);
+  const bool are_open = std::all_of(open.begin(), open.end(), [&](ContactId id) {
+    return is_open(box.contacts[id.index()], *proof, reach);
+  });
+  if (!are_open) return std::nullopt;
+  Renumbering(open).renumber(proof->trees);
+  proof->open = open;
+  return proof;
+}
+
 }  // namespace
 
 std::optional<DegreeProof> prove_beside(const GraspLaw& box, const GraspLaw& middle,
-                                        NearEquilibrium near, const DegreeLimits& limits,
+                                        const NearEquilibrium& near, const DegreeLimits& limits,
                                         SearchWork& work) {
   if (box.normal_law == NormalLaw::kBilateral || box.is_family) return std::nullopt;
   const RoundedGrasp grasp = rounded_middle(middle);
-  // Contacts without a force may be left out: those that a motion sees that no other does.
+  // Of the contacts without a force, those are left out that see a motion which no other sees.
   constexpr double kForce = 1e-9;
   std::vector<ContactId> open;
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
@@ -153,29 +185,13 @@ std::optional<DegreeProof> prove_beside(const GraspLaw& box, const GraspLaw& mid
   };
   open.erase(std::remove_if(open.begin(), open.end(), is_blind), open.end());
   if (open.empty()) return std::nullopt;
-  constexpr double kFar = 10;
-  const auto away = opening(grasp, near, middle, open, free, kFar * grasp.reach);
-  if (!away) return std::nullopt;
-  const GraspLaw others = box.without(open);
-  const GraspLaw middle_of_others = middle.without(open);
-  for (std::size_t j = 0; j < box.motions; ++j) {
-    double& d = near.motion[static_cast<Eigen::Index>(j)];
-    // (The unit of rotations is a distance that all contacts have a part in.)
-    d = (d / middle.unit(j) + to_double((*away)[j])) * middle_of_others.unit(j);
+  // A little way off is within more bounds, and a long way leaves more room for what is near.
+  for (const double far : {1.0, 10.0}) {
+    const auto away = opening(grasp, near, middle, open, free, far * grasp.reach);
+    if (!away) return std::nullopt;
+    if (auto proof = prove_without(open, box, middle, near, *away, limits, work)) return proof;
   }
-  remove_forces(near, open);
-  auto proof = free.size() == box.motions
-                   ? resting_anywhere(others, middle_of_others, near)
-                   : prove_by_degree(others, middle_of_others, near, limits, work);
-  if (!proof) return std::nullopt;
-  const BodyReach reach(*proof);
-  const bool are_open = std::all_of(open.begin(), open.end(), [&](ContactId id) {
-    return is_open(box.contacts[id.index()], *proof, reach);
-  });
-  if (!are_open) return std::nullopt;
-  Renumbering(open).renumber(proof->trees);
-  proof->open = std::move(open);
-  return proof;
+  return std::nullopt;
 }
 
 }  // namespace stickslip

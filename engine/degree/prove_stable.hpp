@@ -28,7 +28,7 @@ std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& 
 /// Tries the same where prove_by_degree() fails as a body floats, touched by nothing: about the
 /// grasps without the contacts that it might come to, which are open on all of the body.
 std::optional<DegreeProof> prove_beside(const GraspLaw& box, const GraspLaw& middle,
-                                        NearEquilibrium near, const DegreeLimits& limits,
+                                        const NearEquilibrium& near, const DegreeLimits& limits,
                                         SearchWork& work);
 
 /// Tries the same for one grasp in the plane, around an equilibrium of its own, however many

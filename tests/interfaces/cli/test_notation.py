@@ -136,8 +136,10 @@ class Jaws(Case):
         the proof then; with normals of rational length an equilibrium is stated.
         """
         grasp, snapped, proof = self.write("jaws.json", self.JAWS), self.path("snapped.json"), self.path("proof.json")
-        self.assertEqual(self.json("decide", grasp, "--certificate", proof)["verdict"], "stable")
-        self.accepted(grasp, proof)
+        for words, verdict in (((), "stable"), (("--max-motion", "100,100"), "stable"), (("--max-motion", "30,1"), "unstable")):
+            with self.subTest(words=words):
+                self.assertEqual(self.json("decide", grasp, *words, "--certificate", proof)["verdict"], verdict)
+                self.accepted(grasp, proof, *words)
         self.assertEqual(stickslip("snap", grasp, "-o", snapped)[0], DONE)
         self.assertEqual(self.json("decide", snapped, "--certificate", proof)["verdict"], "stable")
         self.accepted(snapped, proof)

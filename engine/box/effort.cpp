@@ -15,7 +15,6 @@ Effort effort_for(const GraspBox& box) {
     effort.margins_come_soon = !box.ball && !box.is_bounded();
     effort.cuts_boxes = true;
     effort.retries = true;
-    effort.near_bounds_first = true;
     effort.tries_for_ball = 400;
   } else {
     const bool is_wide = !box.is_point();
@@ -30,9 +29,6 @@ Effort effort_for(const GraspBox& box) {
     effort.nodes_of_single = box.ball ? 2000 : 0;
     // A proof of a whole ball takes all nodes that there are: none are left for parts.
     effort.cuts_boxes = !box.ball;
-    // Around a hand a proof that fails takes ten times as long as another.
-    constexpr std::size_t kOfOneBody = 6;
-    effort.near_bounds_first = !box.ball || box.wrench.size() <= kOfOneBody;
     effort.tries_for_ball = 60;
   }
   effort.tries = effort.margins_come_soon ? 3000 : 200;

@@ -38,7 +38,6 @@ struct Effort {
   bool margins_come_soon;  ///< whether margins of single grasps are exact and found soon
   bool cuts_boxes;         ///< whether radii seek proofs of a box in parts, too
   bool retries;            ///< whether radii seek proofs again between a failure and the border
-  bool near_bounds_first;  ///< whether radii seek a proof near the bound before smaller ones
   /// \{ The most changes of preloads that a search for better ones tries: for the least, and
   /// for those that hold the largest ball.
   std::size_t tries;

@@ -318,15 +318,7 @@ NearEquilibrium Newton::at(const Reals& d, double smooth) const {
 
 std::optional<NearEquilibrium> Newton::solve_smoothly(const Reals& start) const {
   constexpr double kFirst = 8;
-  return near_smooth(SmoothNewton(grasp_).settle(start, kFirst));
-}
-
-std::optional<NearEquilibrium> Newton::follow_smoothly(const Reals& from) const {
-  return near_smooth(SmoothNewton(grasp_).follow(from));
-}
-
-/// Returns the equilibrium near the motion of one with smooth laws.
-std::optional<NearEquilibrium> Newton::near_smooth(const std::optional<Reals>& motion) const {
+  const auto motion = SmoothNewton(grasp_).settle(start, kFirst);
   if (!motion) return std::nullopt;
   NearEquilibrium found = at(*motion, SmoothNewton::kLeast * grasp_.reach);
   auto polished = polish(found);

@@ -56,9 +56,6 @@ class Newton {
   /// Starts from an equilibrium of another grasp: returns one of this grasp in the same modes,
   /// or in others; nothing if it was lost.
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
-  /// Starts from the motion of an equilibrium of another grasp: returns one near it by
-  /// SmoothNewton, whose modes are less certain; nothing if it was lost.
-  std::optional<NearEquilibrium> follow_smoothly(const Reals& from) const;
   /// Returns the different equilibria that are found from rest with all closed contacts
   /// sticking, and by solve() from `starts` motions: rest, then fixed pseudo-random ones. If
   /// there are none, and no preloads, searches once more with all contacts pressed at first.
@@ -74,7 +71,6 @@ class Newton {
  private:
   NearEquilibrium at_rest() const;
   NearEquilibrium at(const Reals& d, double smooth) const;
-  std::optional<NearEquilibrium> near_smooth(const std::optional<Reals>& motion) const;
   double pressing(const RoundedContact& contact) const;
   std::optional<NearEquilibrium> change_modes(NearEquilibrium near) const;
   void share_out(NearEquilibrium& near) const;

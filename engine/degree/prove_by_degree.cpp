@@ -25,9 +25,6 @@ constexpr std::size_t kFewDimensions = 3;
 /// The largest rank for parallelepipeds: a wall of one has 2^(rank - 1) vertices, one of a
 /// simplex rank.
 constexpr std::size_t kMostOfParallelepipeds = 6;
-/// The same of walls around the cloud of a ball of loads, as of a hand of four joints: they
-/// prove what simplices do not.
-constexpr std::size_t kMostOfClouds = 7;
 /// \{ The most nodes of a tree that is worth a try.
 constexpr std::size_t kFewNodes = 40;
 constexpr std::size_t kSomeNodes = 300;
@@ -248,21 +245,14 @@ std::optional<DegreeProof> DegreeSearch::prove_by_moves(const NearEquilibrium& n
 }
 
 /// Tries walls around a cloud of equilibria of grasps of the box, with room around it so that
-/// what slips there slips one way, with leaves whose twists move, and, of hands, with an A that
-/// is fitted to forces on the walls. A wall that is not
+/// what slips there slips one way, and with leaves whose twists move. A wall that is not
 /// refuted moves to where doubles see a reason at the point at which it failed.
 std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& near) {
   const bool is_verdict = !about_.box->is_family && !about_.box->hull;
-  // Loads move a hand far, and walls around that take more.
-  const bool is_hand = about_.span.rank() > kMostOfParallelepipeds;
-  if (!is_verdict || about_.span.rank() > kMostOfClouds) return std::nullopt;
-  if (is_hand && !about_.box->ball) return std::nullopt;
+  if (!is_verdict || about_.span.rank() > kMostOfParallelepipeds) return std::nullopt;
   constexpr std::size_t kPlaces = 100;
-  const std::size_t most_pieces = is_hand ? 3500 : 1000;  // else a proof takes a few hundred
-  // Springs answer as A does near them; far off a fit to the forces on the walls is better.
-  const std::vector<Pull> pulls =
-      is_hand ? std::vector{Pull::kFitted, Pull::kAnswer} : std::vector{Pull::kAnswer};
-  if (work_.pieces > most_pieces) return std::nullopt;
+  constexpr std::size_t kMostPieces = 1000;  // a proof takes a few hundred
+  if (work_.pieces > kMostPieces) return std::nullopt;
   const RoundedBox rounded(*about_.box);
   const CloudCoordinates cloud(about_.grasp, about_.span, near,
                                MovingEquilibrium(rounded, near).cloud(kPlaces));
@@ -272,7 +262,7 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
   constexpr double kLeastRoom = 0.12;
   Eigen::VectorXd room = (kRoom * cloud.extent).cwiseMax(kLeastRoom * cloud.press);
   constexpr int kMostGrowths = 6;
-  for (int growth = 0; growth <= kMostGrowths && work_.pieces < most_pieces; ++growth) {
+  for (int growth = 0; growth <= kMostGrowths && work_.pieces <= kMostPieces; ++growth) {
     ++work_.proofs;
     std::vector<double> sizes(room.begin(), room.end());
     std::nth_element(sizes.begin(),
@@ -289,25 +279,14 @@ std::optional<DegreeProof> DegreeSearch::prove_by_cloud(const NearEquilibrium& n
     if (about_.law == NormalLaw::kBilateral && !refuter.all_are_closed(proof)) {
       return std::nullopt;
     }
-    const auto first_open = [&](bool second) -> std::optional<std::size_t> {
-      for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
-        const std::size_t left = most_pieces > work_.pieces ? most_pieces - work_.pieces : 0;
-        if (!refuter.refute(proof, wall, second, left)) return wall;
-      }
-      return std::nullopt;
-    };
-    std::optional<std::size_t> open = first_open(false);
-    if (!open) {
-      const auto second_list = static_cast<std::ptrdiff_t>(proof.trees.size());
-      for (const Pull pull : pulls) {
-        proof.direction = walls.proof(pull, false).direction;
-        proof.trees.erase(proof.trees.begin() + second_list, proof.trees.end());
-        if (rank_of(proof.direction) != about_.span.rank()) continue;
-        open = first_open(true);
-        if (!open) return proof;
-      }
+    std::optional<std::size_t> open;
+    for (std::size_t tree = 0; tree < 2 * proof.wall_count() && !open; ++tree) {
+      const std::size_t wall = tree % proof.wall_count();
+      const std::size_t left = kMostPieces > work_.pieces ? kMostPieces - work_.pieces : 0;
+      if (!refuter.refute(proof, wall, tree >= proof.wall_count(), left)) open = wall;
     }
-    if (!open || refuter.lost_at().size() == 0) return std::nullopt;
+    if (!open) return proof;
+    if (refuter.lost_at().size() == 0) return std::nullopt;
     double best = 0;
     double farther = 1;
     for (const double part : {0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {

@@ -38,13 +38,9 @@ bool LostLoads::contains(const Suspect& load) const {
   return true;
 }
 
-GraspBox LostLoads::grasp_at(const Suspect& load) const {
-  const GraspBox box = box_.scaled(centre_, load.factor);
-  return Examples(box, law_).at(load.place);
-}
-
 bool LostLoads::has_equilibrium(const Suspect& load) const {
-  const GraspBox grasp = grasp_at(load);
+  const GraspBox box = box_.scaled(centre_, load.factor);
+  const GraspBox grasp = Examples(box, law_).at(load.place);
   const RoundedGrasp rounded = rounded_middle(GraspLaw(grasp, law_).middle());
   const Newton newton(rounded);
   std::optional<NearEquilibrium> found = newton.follow(last_);
@@ -54,30 +50,8 @@ bool LostLoads::has_equilibrium(const Suspect& load) const {
     std::vector<NearEquilibrium> all = newton.solve_from(kStarts);
     if (!all.empty()) found = std::move(all.front());
   }
-  if (!found) found = newton.follow_smoothly(last_.motion);
   if (found) last_ = std::move(*found);
   return found.has_value();
-}
-
-bool LostLoads::has_none(const Suspect& load) const {
-  constexpr std::size_t kStarts = 12;
-  const GraspBox grasp = grasp_at(load);
-  return !Newton(rounded_middle(GraspLaw(grasp, law_).middle())).solve_thoroughly(kStarts);
-}
-
-bool LostLoads::move_out(Suspect& load) const {
-  if (has_none(load)) return true;
-  Rational low = load.factor;
-  do {
-    if (!(load.factor < limit_)) return false;
-    low = load.factor;
-    load.factor *= 2;
-  } while (!has_none(load));
-  while (load.factor - low > 2 * accuracy_ * load.factor) {
-    const Rational middle = short_middle(low, load.factor);
-    (has_none({load.place, middle}) ? load.factor : low) = middle;
-  }
-  return load.factor < limit_;
 }
 
 std::optional<Suspect> LostLoads::first_along(const Place& place) const {

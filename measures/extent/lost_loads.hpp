@@ -35,19 +35,12 @@ class LostLoads {
   /// Moves the load along its way to where the equilibrium is first lost, within an eighth of
   /// the accuracy.
   void draw_in(Suspect& load) const;
-  /// Returns true if a search from many motions, which takes long, finds no equilibrium.
-  bool has_none(const Suspect& load) const;
-  /// Moves the load outwards along its way to where a longer search finds no equilibrium
-  /// either: others than the one at the centre may hold it. Returns false if none is lost below
-  /// the limit.
-  bool move_out(Suspect& load) const;
 
  private:
   LostLoads(const GraspBox& centre, const GraspBox& box, NormalLaw law,
             const Rational& accuracy, const Rational& limit, NearEquilibrium at_centre);
 
   bool has_equilibrium(const Suspect& load) const;
-  GraspBox grasp_at(const Suspect& load) const;
 
   const GraspBox& centre_;
   const GraspBox& box_;

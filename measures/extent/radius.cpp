@@ -158,18 +158,13 @@ class RadiusSearch {
     report();
   }
 
+  /// Returns true if the grasp at a place of the box of this factor has the other verdict.
+  /// Remembers it if the factor is smaller than the known one.
   bool differs(const Place& place, const Rational& factor) {
-    return judge(place, factor) == true;
-  }
-
-  /// Returns whether the grasp at a place of the box of this factor has the other verdict;
-  /// nothing if it is undecided. Remembers it if the factor is smaller than the known one.
-  std::optional<bool> judge(const Place& place, const Rational& factor) {
     const GraspBox box = box_.scaled(centre_, factor);
     GraspBox grasp = Examples(box, law_).at(place);
     const std::optional<bool> stable = is_stable(grasp, law_, seeking());
-    if (!stable) return std::nullopt;
-    if (stable == result_.stable) return false;
+    if (!stable || stable == result_.stable) return false;
     if (!result_.refuted || factor < *result_.refuted) {
       result_.refuted = factor;
       result_.example = std::move(grasp);
@@ -278,8 +273,7 @@ class RadiusSearch {
       if (tried++ == kMostTried || descents == kMostDescents) break;
       if (result_.refuted && suspect.factor > 2 * bound()) break;
       lost->draw_in(suspect);
-      if (!lost->move_out(suspect)) continue;
-      if (!confirm(*lost, suspect, 2 * bound())) continue;
+      if (!confirm(suspect, 2 * bound())) continue;
       ++descents;
       descend(*lost, suspect);
     }
@@ -290,7 +284,7 @@ class RadiusSearch {
         Suspect suspect{place, bound() * (1 - options_.accuracy / 4)};
         if (!lost->contains(suspect)) continue;
         lost->draw_in(suspect);
-        if (confirm(*lost, suspect, bound())) descend(*lost, suspect);
+        if (confirm(suspect, bound())) descend(*lost, suspect);
       }
       if (*result_.refuted == before) break;
     }
@@ -316,24 +310,16 @@ class RadiusSearch {
         }
       }
       const bool is_turned = suspect.place != before.place;
-      if (is_turned && suspect.factor < bound() && !confirm(lost, suspect, bound())) {
-        suspect = before;
-      }
+      if (is_turned && suspect.factor < bound() && !confirm(suspect, bound())) suspect = before;
     }
   }
 
-  /// Returns true if the suspect, or another a little beyond it, is decided to be too much. A
-  /// decision takes long, longest of a load that has an equilibrium after all.
-  bool confirm(const LostLoads& lost, const Suspect& suspect, const Rational& most) {
-    bool is_open = false;
+  /// Returns true if the suspect, or another a little beyond it, is decided to be too much.
+  bool confirm(const Suspect& suspect, const Rational& most) {
     for (const Rational& beyond : {Rational(0), Rational(1, 4), Rational(2)}) {
       const Rational factor = suspect.factor * (1 + beyond * options_.accuracy);
       if (!(factor < most)) return false;
-      const bool is_near = beyond < 1;  // to one that may not be decided either
-      if ((is_open && is_near) || !lost.has_none({suspect.place, factor})) continue;
-      const std::optional<bool> known = judge(suspect.place, factor);
-      if (known == true) return true;
-      is_open = !known;
+      if (differs(suspect.place, factor)) return true;
     }
     return false;
   }
@@ -344,9 +330,6 @@ class RadiusSearch {
     if (options.node_limit == 0) options.node_limit = effort_.nodes_of_single;
     return options;
   }
-
-  /// Returns whether each proof and each decision takes long, as of a ball in space.
-  bool takes_long() const { return !effort_.cuts_boxes; }
 
   /// Returns true if a way near that of the nearest load that is too much leads to a nearer
   /// one.
@@ -442,10 +425,7 @@ class RadiusSearch {
 
   bool try_to_prove(const Rational& factor, std::size_t parts) {
     BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
-    if (is_stable(decision.verdict) != result_.stable) {
-      failed_pieces_ += decision.work.pieces;
-      return false;
-    }
+    if (is_stable(decision.verdict) != result_.stable) return false;
     accept(factor, std::move(decision));
     return true;
   }
@@ -459,8 +439,7 @@ class RadiusSearch {
       if (result_.proved == high || try_to_prove(high, parts)) return;
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
-      const bool is_first =
-          effort_.near_bounds_first && (parts == 0 || result_.proved.is_zero());
+      const bool is_first = parts == 0 || result_.proved.is_zero();
       if (is_first && try_to_prove(short_middle(near, high), parts)) return;
       // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
@@ -469,7 +448,6 @@ class RadiusSearch {
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
         if (!is_much_open || below <= result_.proved) break;
-        if (!effort_.near_bounds_first && percent > 80) continue;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) {
           if (!effort_.retries) high = least_failed;
@@ -481,9 +459,6 @@ class RadiusSearch {
     constexpr int kMostSteps = 10;
     for (int step = 0; step < kMostSteps; ++step) {
       if (high - result_.proved <= options_.accuracy * high) return;
-      constexpr std::size_t kMostFailed = 6000;  // takes about as long as all else
-      const bool is_enough = takes_long() && failed_pieces_ > kMostFailed;
-      if (is_enough && !result_.proved.is_zero()) return;
       const Rational middle = short_middle(result_.proved, high);
       if (!try_to_prove(middle, parts)) high = middle;
     }
@@ -500,8 +475,7 @@ class RadiusSearch {
   const std::function<void(const Radius&)>& progress_;
   Effort effort_;
   Radius result_;
-  Place example_place_;            ///< the place of result_.example
-  std::size_t failed_pieces_ = 0;  ///< the pieces of walls in all proofs that failed
+  Place example_place_;  ///< the place of result_.example
 };
 
 }  // namespace

@@ -157,25 +157,27 @@ FAMILIES = {**{f"stack{n}": (stack, n) for n in (2, 3, 4)}, **{f"row{n}": (row, 
 
 def threshold(at):
     """
-    A stable multiple and an unstable one above it. Beside each, by a thousandth, is another verdict, or none within a few hundred
-    nodes: between the two some may be undecided.
+    The largest multiple that is stable, to a thousandth, and one above it: the next, if what is 1 % beyond it is unstable, and else
+    the smallest that is.
     """
-    def verdict(multiple):
-        return decide(at(multiple), "--node-limit", "400")[0]
-
-    def end(low, high, wanted, is_low):
+    def bisected(low, high, verdict):
+        """Where what is below has the verdict, and what is above has not, or the other way round."""
+        below = verdict == "stable"
         while high - low > 1e-3 * high:
             middle = (low + high) / 2
-            low, high = (middle, high) if (verdict(middle) == wanted) == is_low else (low, middle)
-        return low if is_low else high
+            has_it = decide(at(middle), "--node-limit", "1000")[0] == verdict
+            low, high = (middle, high) if has_it == below else (low, middle)
+        return low, high
 
     top = 1
-    while verdict(top) != "unstable":
+    while decide(at(top))[0] != "unstable":
         top *= 2
         if top > 1e3:
             return None
-    low = end(0, top, "stable", True)
-    return low, end(low, top, "unstable", False)
+    low, high = bisected(0, top, "stable")
+    if decide(at(1.01 * high))[0] != "unstable":
+        high = bisected(high, top, "unstable")[1]
+    return low, high
 
 
 def about_thresholds(name, count):

@@ -2915,7 +2915,7 @@ function reach_of({walls, simplex, twist}) {
   const total = (list) => list.reduce((sum, x) => sum.plus(x), ZERO);
   if (!simplex) return motions.map((list) => total(list.map((x) => x.magnitude()))).map((most) => [most.negated(), most]);
   // All rows but one are 1 at a vertex; if that is row k, it is −(the other c) / c_k.
-  const [c] = kernel(walls[0].map((_, j) => walls.map((row) => row[j])));
+  const [c] = kernel(transposed(walls));
   const less = rows.map((_, k) => total(c).over(c[k]));
   return motions.map((list) => [total(list), ...list.map((x, k) => total(list).minus(x.times(less[k])))]);
 }
@@ -2979,17 +2979,18 @@ function check_degree(question, box, part, place, tally, of) {
     return region;
   };
   let {tree} = part;
-  if (part.open !== undefined && part.open.length > 0) {
-    part.open.forEach((i, k) => {
-      if (i >= question.m || (k > 0 && i <= part.open[k - 1])) refuse('degree-open', `contact ${printable(i)} is out of order`);
+  const {open = []} = part;
+  if (open.length > 0) {
+    open.forEach((i, k) => {
+      if (i >= question.m || (k > 0 && i <= open[k - 1])) refuse('degree-open', `contact ${printable(i)} is out of order`);
     });
     if (question.bilateral) refuse('degree-open', 'no contact opens under the bilateral law');
     const across = free_motions(part).reduce((region, z) => region.cut(integral(about(z, ZERO)), {equation: true}), region_on(box, null, false));
-    for (const i of part.open) {
+    for (const i of open) {
       const {rows, spring} = box.contacts[i];
       if (spring || across.generators.some((ray) => pressures(rows, ray)[1] > 0n)) refuse('degree-open', `contact ${i} is a spring, or v may be above 0`);
     }
-    const others = box.contacts.map((_, i) => i).filter((i) => !part.open.includes(i));
+    const others = box.contacts.map((_, i) => i).filter((i) => !open.includes(i));
     [question, box, tree] = [{...question, m: others.length}, box.only(others), tree.map((node) => renumbered(node, others))];
   }
   check_free(question, box, part, refuse);

@@ -3683,14 +3683,15 @@ def check_open(part: DegreeProof, box: Box, cell: Cell, asked: Options, place: s
         if not before < i < len(box.terms):
             raise Rejected("degree-open", f"contact {show(i)} after {show(before)}", place)
         before = i
-    if part.open and asked.law == "bilateral":
+    if not part.open:
+        return
+    if asked.law == "bilateral":
         raise Rejected("degree-open", "no contact opens under the bilateral law", place)
-    if part.open:
-        across = [(cell.about(z), True, False) for z in part.free_motions()]
-        points = [x for x, _ in begin(Root(box, [*cell.cone(cell.multiples), *across])).cone.generators]
-        for i in part.open:
-            if box.terms[i].spring or max(box.terms[i].extremes(points)[1]) > 0:
-                raise Rejected("degree-open", f"contact {i} is a spring, or its v may be above 0", place)
+    across = [(cell.about(z), True, False) for z in part.free_motions()]
+    points = [x for x, _ in begin(Root(box, [*cell.cone(cell.multiples), *across])).cone.generators]
+    for i in part.open:
+        if box.terms[i].spring or max(box.terms[i].extremes(points)[1]) > 0:
+            raise Rejected("degree-open", f"contact {i} is a spring, or its v may be above 0", place)
 
 
 def renumbered(node: Node, others: List[int]) -> Node:

@@ -541,8 +541,8 @@ void refuse_intervals(const std::string& first, bool version2, Intervals interva
   }
   if (intervals == Intervals::kAllowed) return;
   fail_at(first, "the number is uncertain",
-          "stickslip decide, radius and batch answer for all numbers of an interval: give one "
-          "here");
+          "stickslip decide, radius and batch answer for all numbers of an interval: "
+          "give one here");
 }
 
 }  // namespace

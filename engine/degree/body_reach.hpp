@@ -23,8 +23,8 @@ class BodyReach {
  private:
   bool is_simplex_;
   bool is_sound_ = true;
-  /// Of a parallelepiped, how far each row's wall goes alone; of a simplex the ways to its
-  /// vertices.
+  /// The ways to the vertices of a simplex; the edges of a parallelepiped, halved, along each
+  /// of which one row grows alone.
   std::vector<RationalRow> ways_;
 };
 

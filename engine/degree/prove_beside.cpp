@@ -10,6 +10,7 @@
 #include "prove_stable.hpp"
 #include "rounded_box.hpp"
 #include "stickslip/engine/force_span.hpp"
+#include "stickslip/lp/exact_system.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
@@ -58,8 +59,7 @@ std::optional<RationalRow> opening(const RoundedGrasp& grasp, const NearEquilibr
   if (optimal == nullptr || optimal->value.sign() >= 0) return std::nullopt;
   RationalRow motion(law.motions);
   for (std::size_t k = 0; k < along.size(); ++k) {
-    for (std::size_t j = 0; j < motion.size(); ++j)
-      motion[j] += optimal->point[k] * along[k][j];
+    add_multiple(motion, optimal->point[k], along[k]);
   }
   return motion;
 }
@@ -134,35 +134,6 @@ class Renumbering {
   const std::vector<ContactId>& left_out_;
 };
 
-/// Proves the grasps without these contacts, at this motion away from the equilibrium, if the
-/// contacts are open all around.
-std::optional<DegreeProof> prove_without(const std::vector<ContactId>& open,
-                                         const GraspLaw& box, const GraspLaw& middle,
-                                         NearEquilibrium near, const RationalRow& away,
-                                         const DegreeLimits& limits, SearchWork& work) {
-  const GraspLaw others = box.without(open);
-  const GraspLaw middle_of_others = middle.without(open);
-  for (std::size_t j = 0; j < box.motions; ++j) {
-    double& d = near.motion[static_cast<Eigen::Index>(j)];
-    // (The unit of rotations is a distance that all contacts have a part in.)
-    d = (d / middle.unit(j) + to_double(away[j])) * middle_of_others.unit(j);
-  }
-  if (!near.motion.allFinite()) return std::nullopt;
-  remove_forces(near, open);
-  auto proof = ForceSpan(others).rank() == 0
-                   ? resting_anywhere(others, middle_of_others, near)
-                   : prove_by_degree(others, middle_of_others, near, limits, work);
-  if (!proof) return std::nullopt;
-  const BodyReach reach(*proof);
-  const bool are_open = std::all_of(open.begin(), open.end(), [&](ContactId id) {
-    return is_open(box.contacts[id.index()], *proof, reach);
-  });
-  if (!are_open) return std::nullopt;
-  Renumbering(open).renumber(proof->trees);
-  proof->open = open;
-  return proof;
-}
-
 }  // namespace
 
 std::optional<DegreeProof> prove_beside(const GraspLaw& box, const GraspLaw& middle,
@@ -170,7 +141,7 @@ std::optional<DegreeProof> prove_beside(const GraspLaw& box, const GraspLaw& mid
                                         SearchWork& work) {
   if (box.normal_law == NormalLaw::kBilateral || box.is_family) return std::nullopt;
   const RoundedGrasp grasp = rounded_middle(middle);
-  // Of the contacts without a force, those are left out that see a motion which no other sees.
+  // A contact without a force is left out if it sees a motion that no contact with one does.
   constexpr double kForce = 1e-9;
   std::vector<ContactId> open;
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
@@ -185,11 +156,32 @@ std::optional<DegreeProof> prove_beside(const GraspLaw& box, const GraspLaw& mid
   };
   open.erase(std::remove_if(open.begin(), open.end(), is_blind), open.end());
   if (open.empty()) return std::nullopt;
+  const GraspLaw others = box.without(open);
+  const GraspLaw middle_of_others = middle.without(open);
   // A little way off is within more bounds, and a long way leaves more room for what is near.
   for (const double far : {1.0, 10.0}) {
     const auto away = opening(grasp, near, middle, open, free, far * grasp.reach);
     if (!away) return std::nullopt;
-    if (auto proof = prove_without(open, box, middle, near, *away, limits, work)) return proof;
+    NearEquilibrium there = near;
+    for (std::size_t j = 0; j < box.motions; ++j) {
+      double& d = there.motion[static_cast<Eigen::Index>(j)];
+      // (The unit of rotations is a distance that all contacts have a part in.)
+      d = (d / middle.unit(j) + to_double((*away)[j])) * middle_of_others.unit(j);
+    }
+    if (!there.motion.allFinite()) return std::nullopt;
+    remove_forces(there, open);
+    auto proof = free.size() == box.motions
+                     ? resting_anywhere(others, middle_of_others, there)
+                     : prove_by_degree(others, middle_of_others, there, limits, work);
+    if (!proof) continue;
+    const BodyReach reach(*proof);
+    const bool are_open = std::all_of(open.begin(), open.end(), [&](ContactId id) {
+      return is_open(box.contacts[id.index()], *proof, reach);
+    });
+    if (!are_open) continue;
+    Renumbering(open).renumber(proof->trees);
+    proof->open = std::move(open);
+    return proof;
   }
   return std::nullopt;
 }

@@ -133,8 +133,7 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits,
         "margins, and boxes of uncertain numbers, have at most " +
             std::to_string(kMostCoordinates - 2) +
             ", 6 for each body in space or 3 in the plane, and 1 for each joint; of more there "
-            "are "
-            "verdicts about one grasp, and statics");
+            "are verdicts about one grasp, and statics");
   }
   if (box.mechanism) {
     rotates.clear();

@@ -371,14 +371,14 @@ class PageAnswer {
   Json states() const {
     refuse_several(centre());
     if (centre().in_space()) refuse_space();
-    const Grasp grasp = loaded_of(centre().grasp.as_box().middle()).grasp;
-    if (grasp.size() > kMostContactsWithCells) {
-      throw NotToBeHad{"the cells of " + std::to_string(grasp.size()) +
+    const AnyGrasp& grasp = centre().grasp;
+    if (grasp.contacts() > kMostContactsWithCells) {
+      throw NotToBeHad{"the cells of " + std::to_string(grasp.contacts()) +
                        " contacts are too many to show; up to " +
                        std::to_string(kMostContactsWithCells) +
                        " are, and `stickslip states` counts those of any number"};
     }
-    return cells_json(grasp);
+    return cells_json(loaded_of(grasp.as_box().middle()).grasp);
   }
 
   void region(Json& found) const {

@@ -11,8 +11,8 @@
 
 namespace stickslip {
 
-/// What is asked about a region, exact or not: the plane ORIGIN + s U + t V, as it was given,
-/// where an empty text is the default; and how its cells are found.
+/// A question about a region, exact or not: the plane ORIGIN + s U + t V, as it was given, where
+/// an empty text is the default; and how its cells are found.
 struct RegionAsked {
   std::string origin;
   std::string torque;

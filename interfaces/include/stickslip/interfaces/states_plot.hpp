@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Pictures of slip states. In the plane: the sphere of motions, cut by the great circles T_i.d
-/// = 0 (Haas-Heger et al., RSS 2018, Section IV and Fig. 5).
+/// Pictures of slip states. In the plane: the sphere of motions, cut by the great circles
+/// T_i.d = 0 (Haas-Heger et al., RSS 2018, Section IV and Fig. 5).
 ///
 /// The sphere is drawn as two discs, by Lambert's azimuthal equal-area projection: the
 /// counterclockwise rotations (r > 0) and the clockwise ones. A motion with r != 0 turns the

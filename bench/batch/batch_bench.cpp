@@ -5,7 +5,6 @@
 //
 //     batch_bench PROGRAM [--lines N] [--most-lines N]
 //     batch_bench PROGRAM --write FILE --contacts M --lines N
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -17,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "arguments.hpp"
 #include "grasps.hpp"
 #include "limited.hpp"
 #include "loads.hpp"
@@ -152,11 +152,13 @@ class BatchBench {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  CLI::App app("Throughput and memory of stickslip batch");
+  stickslip::bench::Arguments arguments("batch_bench",
+                                        "Throughput and memory of stickslip batch");
+  stickslip::Command& app = arguments.described();
   std::string program;
   std::size_t lines = 2000;
   std::size_t most_lines = 1000000;
-  app.add_option("PROGRAM", program, "stickslip")->required()->check(CLI::ExistingFile);
+  app.add_option("PROGRAM", program, "stickslip")->required();
   app.add_option("--lines", lines, "Lines a file at m = 4; fewer for more contacts")
       ->capture_default_str();
   app.add_option("--most-lines", most_lines, "Longest file that memory is measured on")
@@ -166,7 +168,7 @@ int main(int argc, char** argv) {
   app.add_option("--write", write, "Only write such lines to this file, for cluster_bench.py");
   app.add_option("--contacts", contacts, "Of the lines that are only written")
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = arguments.read(argc, argv)) return *code;
   try {
     if (!write.empty()) {
       stickslip::bench::write_lines(write, stickslip::bench::make_lines(contacts, lines),

@@ -4,7 +4,6 @@
 // itself. Exit code 1 if a proved factor is not below a refuted one.
 //
 //     box_bench [--grasps N, default 20] [--seed S]
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "arguments.hpp"
 #include "random_source.hpp"
 #include "statistics.hpp"
 #include "stickslip/measures/margin.hpp"
@@ -132,11 +132,13 @@ int run(std::size_t grasps, std::uint64_t seed) {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Boxes: how much of the tolerance that can be proved is proved"};
+  stickslip::bench::Arguments arguments(
+      "box_bench", "Boxes: how much of the tolerance that can be proved is proved");
+  stickslip::Command& app = arguments.described();
   std::size_t grasps = 20;
   app.add_option("--grasps", grasps, "for each set of tolerances")->capture_default_str();
   std::uint64_t seed = 1;
   app.add_option("--seed", seed, "of the grasps")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = arguments.read(argc, argv)) return *code;
   return stickslip::bench::run(grasps, seed);
 }

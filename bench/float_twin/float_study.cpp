@@ -2,13 +2,13 @@
 // How often the method in doubles (float_twin.hpp) is wrong, by family and tolerance, with
 // exact truth: what `stickslip crosscheck` says of each of its answers. Prints a Markdown
 // table, as in bench/README.md.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
 #include <string>
 
+#include "arguments.hpp"
 #include "families.hpp"
 #include "float_twin.hpp"
 #include "stickslip/core/grasp_file.hpp"
@@ -103,12 +103,14 @@ int main(int argc, char** argv) {
   std::size_t instances = 240;
   bool quick = false;
   std::string claims_file;
-  CLI::App app("How often the method in doubles is wrong", "float_study");
-  app.add_option("--instances", instances, "Loads in each family")->check(CLI::PositiveNumber);
+  stickslip::bench::Arguments arguments("float_study",
+                                        "How often the method in doubles is wrong");
+  stickslip::Command& app = arguments.described();
+  app.add_option("--instances", instances, "Loads in each family");
   app.add_flag("--quick", quick, "12 loads in each family: for tests");
   app.add_option("--claims", claims_file, "Write every answer for stickslip crosscheck")
       ->type_name("FILE");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = arguments.read(argc, argv)) return *code;
   try {
     return stickslip::bench::run(quick ? 12 : instances, claims_file);
   } catch (const std::exception& error) {

@@ -6,7 +6,6 @@
 //
 // The clock is the process's CPU time over all programs of a size, best of 5 rounds for us and
 // of 2 for QP_solver; building the programs (ours and CGAL's) is not timed.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -15,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "qp_solver.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -162,12 +162,12 @@ void run(const Size& size, std::size_t count) {
 
 int main(int argc, char** argv) {
   using stickslip::bench::Data;
-  CLI::App app("Microseconds per exact linear program, against CGAL's QP_solver.");
+  stickslip::bench::Arguments arguments(
+      "lp_bench", "Microseconds per exact linear program, against CGAL's QP_solver.");
+  stickslip::Command& app = arguments.described();
   std::size_t count = 200;
-  app.add_option("PROGRAMS", count, "Programs of each size")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  app.add_option("PROGRAMS", count, "Programs of each size")->capture_default_str();
+  if (const auto code = arguments.read(argc, argv)) return *code;
   std::printf(
       "%-22s %9s %9s %10s %7s   %5s %5s %7s %10s %5s  feasible\n"
       "%-22s %9s %9s %10s %7s   %5s %5s %7s %10s %5s\n",

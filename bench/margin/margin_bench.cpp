@@ -3,13 +3,13 @@
 // check that, and work. Exit code 1 if the checker rejects one.
 //
 //     margin_bench [largest m, default 100]
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <sstream>
 #include <vector>
 
+#include "arguments.hpp"
 #include "check.hpp"
 #include "grasps.hpp"
 #include "loads.hpp"
@@ -110,10 +110,13 @@ int run(std::size_t largest) {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  CLI::App app("Load margins of generated grasps: time to find, time to check, and work.");
+  stickslip::bench::Arguments arguments(
+      "margin_bench",
+      "Load margins of generated grasps: time to find, time to check, and work.");
+  stickslip::Command& app = arguments.described();
   std::size_t largest = 100;
   app.add_option("LARGEST_M", largest, "Contacts: 10, 100, ... up to this")
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = arguments.read(argc, argv)) return *code;
   return stickslip::bench::run(largest);
 }

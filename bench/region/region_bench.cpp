@@ -5,12 +5,12 @@
 //
 //     region_bench [largest m, default 100] [--pieces M] [--proof M] [--limit SECONDS]
 //                  [--family NAME]
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "child.hpp"
 #include "grasps.hpp"
 #include "limited.hpp"
@@ -141,7 +141,9 @@ int run(std::size_t largest, std::size_t largest_listed, std::size_t largest_pro
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  CLI::App app("Resistible regions of generated grasps: time and work.");
+  stickslip::bench::Arguments arguments(
+      "region_bench", "Resistible regions of generated grasps: time and work.");
+  stickslip::Command& app = arguments.described();
   std::size_t largest = 100;
   std::size_t largest_listed = 16;
   std::size_t largest_proof = 8;
@@ -155,6 +157,6 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--limit", limit, "Seconds for one measurement")->capture_default_str();
   app.add_option("--family", only, "This family alone");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = arguments.read(argc, argv)) return *code;
   return stickslip::bench::run(largest, largest_listed, largest_proof, limit, only);
 }

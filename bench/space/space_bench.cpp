@@ -5,7 +5,6 @@
 //
 //     space_bench [--contacts M, default 4] [--on sphere|box] [--grasps N, default 6]
 //                 [--gap PART, default 0.01] [--digits D] [--seed S] [--node-limit N]
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "random_source.hpp"
 #include "statistics.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -189,20 +189,21 @@ int run(const SpaceBenchOptions& options) {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  CLI::App app{"Verdicts in space near thresholds"};
+  stickslip::bench::Arguments arguments("space_bench", "Verdicts in space near thresholds");
+  stickslip::Command& app = arguments.described();
   stickslip::bench::SpaceBenchOptions options;
-  app.add_option("--contacts", options.contacts)->capture_default_str();
-  app.add_option("--on", options.on)
-      ->check(CLI::IsMember({"sphere", "box"}))
+  app.add_option("--contacts", options.contacts, "of each grasp")->capture_default_str();
+  app.add_option("--on", options.on, "where contacts are")
+      ->choices({"sphere", "box"})
       ->capture_default_str();
-  app.add_option("--grasps", options.grasps)->capture_default_str();
+  app.add_option("--grasps", options.grasps, "how many")->capture_default_str();
   app.add_option("--gap", options.gap, "from the threshold, relative")->capture_default_str();
   app.add_option("--digits", options.digits,
                  "of positions, friction and load beyond small fractions")
-      ->check(CLI::Range(0, 9))
+
       ->capture_default_str();
-  app.add_option("--seed", options.seed)->capture_default_str();
-  app.add_option("--node-limit", options.node_limit)->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  app.add_option("--seed", options.seed, "of the grasps")->capture_default_str();
+  app.add_option("--node-limit", options.node_limit, "of each verdict")->capture_default_str();
+  if (const auto code = arguments.read(argc, argv)) return *code;
   return stickslip::bench::run(options);
 }

@@ -8,13 +8,13 @@
 // Each measurement runs in a process of its own: best processor time of the rounds, and how far
 // the peak of its resident memory lies above what it was before. One thread, unless the row
 // says otherwise.
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "arguments.hpp"
 #include "child.hpp"
 #include "stickslip/arrangement/contact_states.hpp"
 
@@ -142,12 +142,12 @@ void measure(const char* name, const Scene& scene, StateSet set, int rounds) {
 int main(int argc, char** argv) {
   using namespace stickslip;
   using namespace stickslip::bench;
-  CLI::App app("Seconds and memory of slip states and contact modes in space.");
+  stickslip::bench::Arguments arguments(
+      "states_bench", "Seconds and memory of slip states and contact modes in space.");
+  stickslip::Command& app = arguments.described();
   int rounds = 1;
-  app.add_option("ROUNDS", rounds, "Times that each is measured")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  app.add_option("ROUNDS", rounds, "Times that each is measured")->capture_default_str();
+  if (const auto code = arguments.read(argc, argv)) return *code;
   measure("slip, general position", random_scene(6, 2), StateSet::kSlip, rounds);
   measure("slip, general position", random_scene(10, 2), StateSet::kSlip, rounds);
   measure("slip, general position", random_scene(6, 8), StateSet::kSlip, rounds);

@@ -7,13 +7,13 @@
 // Each measurement runs in a process of its own: best elapsed time of the rounds, and how far
 // the peak of its resident memory lies above what it was before. Making
 // the planes is not timed. One thread, unless the row says otherwise.
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <random>
 #include <vector>
 
+#include "arguments.hpp"
 #include "child.hpp"
 #include "stickslip/arrangement/arrangement_structure.hpp"
 #include "stickslip/arrangement/sweep.hpp"
@@ -128,12 +128,12 @@ void at_scale(const char* family, const Planes& planes, int rounds, bool only_co
 
 int main(int argc, char** argv) {
   using namespace stickslip::bench;
-  CLI::App app("Seconds and memory of the sweep, against CGAL's arrangement.");
+  stickslip::bench::Arguments arguments(
+      "sweep_bench", "Seconds and memory of the sweep, against CGAL's arrangement.");
+  stickslip::Command& app = arguments.described();
   int rounds = 3;
-  app.add_option("ROUNDS", rounds, "Times that each is measured")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  app.add_option("ROUNDS", rounds, "Times that each is measured")->capture_default_str();
+  if (const auto code = arguments.read(argc, argv)) return *code;
   against_cgal(rounds);
   at_scale("integers", integer_planes(1000), rounds, false);
   at_scale("doubles", double_planes(1000), rounds, false);

@@ -7,7 +7,6 @@
 // All enumerators of the table do the same task: every slip state in memory. Times are
 // processor time of one thread; those of the table are medians over grasps of the best of
 // three rounds each. Exit code 1 if any count is not what it must be.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -15,6 +14,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "arguments.hpp"
 #include "random_planes.hpp"
 #include "report.hpp"
 #include "statistics.hpp"
@@ -24,7 +24,7 @@
 namespace stickslip::bench {
 namespace {
 
-struct Arguments {
+struct Sizes {
   std::size_t max_paper_m = 9;
   std::size_t max_m = 3000;
   std::string json;
@@ -140,7 +140,7 @@ ScalingRow measure_scaling_row(std::size_t m) {
   return row;
 }
 
-void write_files(const Arguments& arguments, const Report& report) {
+void write_files(const Sizes& arguments, const Report& report) {
   const auto write = [](const std::string& name, const auto& writer) {
     if (name.empty()) return;
     std::ofstream out(name);
@@ -151,7 +151,7 @@ void write_files(const Arguments& arguments, const Report& report) {
   write(arguments.csv, [&](std::ostream& out) { write_csv(report, out); });
 }
 
-void run(const Arguments& arguments) {
+void run(const Sizes& arguments) {
   Report report;
   report.instances = arguments.quick ? 2 : 15;
   const std::size_t max_paper_m =
@@ -173,8 +173,10 @@ void run(const Arguments& arguments) {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  stickslip::bench::Arguments arguments;
-  CLI::App app("Table II of the paper: slip states of m random contacts, counted and timed");
+  stickslip::bench::Sizes arguments;
+  stickslip::bench::Arguments line(
+      "table2", "Table II of the paper: slip states of m random contacts, counted and timed");
+  stickslip::Command& app = line.described();
   app.add_option("--max-paper-m", arguments.max_paper_m,
                  "Largest m of the table, where all three enumerators run")
       ->capture_default_str();
@@ -184,7 +186,7 @@ int main(int argc, char** argv) {
   app.add_option("--csv", arguments.csv, "Also write the numbers to this file as CSV");
   app.add_flag("--quick", arguments.quick,
                "Two grasps for each m, one call each, at most 60 contacts: for the counts");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto code = line.read(argc, argv)) return *code;
   try {
     stickslip::bench::run(arguments);
   } catch (const std::exception& error) {

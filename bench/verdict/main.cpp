@@ -3,18 +3,19 @@
 // other ways to ask the same question, and on families meant to be hard. Prints Markdown
 // tables, as in bench/README.md. Exit code 1 if a verdict, a certificate or a counter is wrong;
 // never for a time.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <string>
 
+#include "arguments.hpp"
 #include "report.hpp"
 
 int main(int argc, char** argv) {
   stickslip::bench::Report report;
   std::string json_file;
   std::string part = "all";
-  CLI::App app("Times and work of verdicts", "verdict_bench");
+  stickslip::bench::Arguments arguments("verdict_bench", "Times and work of verdicts");
+  stickslip::Command& app = arguments.described();
   app.add_flag("--quick", report.quick, "Small sizes, no other solvers: for tests");
   app.add_flag("--verbose", report.verbose, "A line for each instance of the first table");
   app.add_option("--min-m", report.min_contacts, "The least contacts of the first table");
@@ -23,8 +24,8 @@ int main(int argc, char** argv) {
                  "Write each grasp of the first table to a file of this folder");
   app.add_option("--json", json_file, "Write every instance to a file");
   app.add_option("--part", part, "targets, side-by-side, engines, growth or all")
-      ->check(CLI::IsMember({"targets", "side-by-side", "engines", "growth", "all"}));
-  CLI11_PARSE(app, argc, argv);
+      ->choices({"targets", "side-by-side", "engines", "growth", "all"});
+  if (const auto code = arguments.read(argc, argv)) return *code;
   const bool all = part == "all";
   report.large_growth = !all;
   try {

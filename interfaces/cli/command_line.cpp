@@ -172,6 +172,11 @@ CommandOption* Command::add_option(const std::string& names, int& value,
   return keep(parsed_->add_option(names, value, description));
 }
 
+CommandOption* Command::add_option(const std::string& names, double& value,
+                                   const std::string& description) {
+  return keep(parsed_->add_option(names, value, description));
+}
+
 CommandOption* Command::add_flag(const std::string& names, bool& value,
                                  const std::string& description) {
   return keep(parsed_->add_flag(names, value, description));

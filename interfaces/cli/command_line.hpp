@@ -88,6 +88,8 @@ class Command {
                             const std::string& description);
   CommandOption* add_option(const std::string& names, int& value,
                             const std::string& description);
+  CommandOption* add_option(const std::string& names, double& value,
+                            const std::string& description);
   CommandOption* add_flag(const std::string& names, bool& value,
                           const std::string& description);
   /// \}

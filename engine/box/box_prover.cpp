@@ -8,8 +8,8 @@
 #include "engine/degree/exact_witness.hpp"
 #include "engine/degree/prove_stable.hpp"
 #include "engine/motion/dense.hpp"
+#include "engine/search/exact_region.hpp"
 #include "engine/search/law_forces.hpp"
-#include "exact_region.hpp"
 #include "single_grasp.hpp"
 #include "stickslip/engine/force_span.hpp"
 
@@ -196,7 +196,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     search.on_candidate(take);
     if (exactly) {
       search.on_doubt([&](const MotionRegion& region) -> std::optional<TreeNode> {
-        auto found = box_detail::decide_exactly(box, region);
+        auto found = decide_exactly(box, region);
         if (auto* node = std::get_if<TreeNode>(&found)) return std::move(*node);
         witness_ = std::move(std::get<ShareWitness>(found));
         motion_ = witness_->twist;

@@ -129,10 +129,7 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
     decision.bits = bits;
     BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts, is_quick),
                      decision.work);
-    // One body in the plane has exact equilibria of another form, which decide() seeks.
-    if ((box.mechanism || box.in_space()) && box.is_point() && !needs_enclosure(box)) {
-      prover.try_exact_equilibria();
-    }
+    if (box.is_point() && !needs_enclosure(box)) prover.try_exact_equilibria();
     if (auto verdict = prover.prove()) {
       std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
       return decision;

@@ -15,9 +15,6 @@
 
 namespace stickslip {
 
-/// A split by what one contact does.
-using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
-
 /// A set of motions between the planes of its splits. A split makes new ones. For a family in
 /// which only the load grows, cone() has the motions alone, at l = 0: any of them goes with any
 /// multiple.

@@ -367,7 +367,9 @@ void MotionRegion::compute_slips(std::size_t contact) {
       constexpr double kLost = 1e-5;
       if (!law_->contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
         constexpr double kLeast = 1e-100;  // its square does not vanish
-        const double before = std::max(std::sqrt(dot(s, s)), kLeast);
+        double before = std::sqrt(dot(s, s));
+        // What overflowed has no length: any will do.
+        if (!(before > kLeast && before < 1 / kLeast)) before = kLeast;
         const ExactSlip exact = exact_slip(contact, g, c);
         s = law_->contacts[contact].direction_of(exact);
         if (is_zero(s) && exact != ExactSlip{}) s[0] = 1;  // some direction, as it is not 0

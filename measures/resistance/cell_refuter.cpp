@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/planar/region_program.hpp"
+#include "engine/search/exact_region.hpp"
 #include "engine/search/law_forces.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -27,33 +27,11 @@ LoadHull hull_of(const LoadCell& cell, const WrenchPlane& plane) {
   return hull;
 }
 
-/// Returns the points of a region, each with all loads of a hull.
-std::vector<LoadedGenerator> loaded_generators(const MotionRegion& region,
-                                               const LoadHull& hull) {
-  std::vector<LoadedGenerator> result;
-  const auto add = [&](const Row& x, const LoadGenerator& load, const Rational& times) {
-    LoadedGenerator& g = result.emplace_back();
-    for (std::size_t j = 0; j < x.size(); ++j) g.x[j] = Rational(x[j]);
-    for (std::size_t j = 0; j < 3; ++j) g.load[j] = times * load.load[j];
-    for (const Rational& value : load.strict) g.positive.push_back(times * value);
-    g.positive.push_back(g.x[3]);
-  };
-  for (const Row& x : region.points()) {
-    for (const LoadGenerator& corner : hull.corners) {
-      add(x, corner, Rational(x[3]));
-      if (x[3].is_zero()) break;
-    }
-  }
-  for (const LoadGenerator& direction : hull.directions) add(Row(5), direction, 1);
-  return result;
-}
-
 }  // namespace
 
 CellRefuter::CellRefuter(const Problem& problem, const WrenchPlane& plane,
                          const RegionProofOptions& options, RegionProofWork& work)
-    : problem_(problem),
-      plane_(plane),
+    : plane_(plane),
       options_(options),
       work_(work),
       law_(planar_law(problem.with_wrench({}))),
@@ -62,14 +40,10 @@ CellRefuter::CellRefuter(const Problem& problem, const WrenchPlane& plane,
 /// Decides a region by the exact linear program.
 TreeNode CellRefuter::decide(const MotionRegion& region) {
   ++work_.programs;
-  std::vector<std::optional<Sign>> slips;
-  for (std::size_t i = 0; i < problem_.size(); ++i) slips.push_back(region.slip_sign(i));
-  const auto outcome =
-      solve_loaded_region(problem_, slips, loaded_generators(region, *law_.hull));
-  if (const auto* leaf = std::get_if<TwistLeaf>(&outcome)) return *leaf;
-  const auto& point = std::get<RelaxedPoint>(outcome);
-  require(point.broken.has_value(), "a load outside of all pieces is resisted");
-  return std::visit([](const auto& split) { return TreeNode(split); }, *point.broken);
+  auto found = decide_exactly(law_, region);
+  auto* node = std::get_if<TreeNode>(&found);
+  require(node != nullptr, "a load outside of all pieces is resisted");
+  return std::move(*node);
 }
 
 bool CellRefuter::refute(const LoadCell& cell, std::vector<RegionNode>& tree) {

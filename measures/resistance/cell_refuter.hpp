@@ -26,7 +26,6 @@ class CellRefuter {
  private:
   TreeNode decide(const MotionRegion& region);
 
-  const Problem& problem_;
   const WrenchPlane& plane_;
   const RegionProofOptions& options_;
   RegionProofWork& work_;

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "both_checkers.hpp"
-#include "engine/box/exact_region.hpp"
 #include "engine/degree/exact_witness.hpp"
+#include "engine/search/exact_region.hpp"
 #include "engine/search/law_forces.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -137,7 +137,7 @@ TEST(ExactRegions, EndInAProof) {
           if (tree.size() > kMany) return std::nullopt;
           if (!forces.enter(region, depth))
             return LawForces::Branch{TwistLeaf{Row(law.motions)}, {}};
-          auto found = box_detail::decide_exactly(law, region);
+          auto found = decide_exactly(law, region);
           if (auto* node = std::get_if<TreeNode>(&found)) return forces.branch(*node);
           witness = std::move(std::get<ShareWitness>(found));
           return std::nullopt;
@@ -148,6 +148,40 @@ TEST(ExactRegions, EndInAProof) {
     if (witness) body.expect_accepted(Stable{*witness, witness->twist});
   }
   EXPECT_GE(std::min(seen[0], seen[1]), 40);
+}
+
+// A hull of one load, which all generators carry, is decided as the load itself.
+TEST(ExactRegions, AHullOfOneLoadIsThatLoad) {
+  RandomSource random(22);
+  std::array<int, 2> seen{};
+  for (int round = 0; round < 200; ++round) {
+    Body body = planted(random, false);
+    if (random.one_in(2)) body.wrench[static_cast<std::size_t>(round % 3)] += 1;
+    SCOPED_TRACE(body.file());
+    const GraspLaw law = body.law();
+    Law of_hull = law;
+    RationalRow load;
+    for (Interval& component : of_hull.wrench) {
+      load.push_back(component.low);
+      component = Interval{};
+    }
+    of_hull.hull.emplace().corners.push_back({load, {}});
+    of_hull.complete_loads();
+    const auto expected = decide_exactly(law, MotionRegion::root(law));
+    const MotionRegion region = MotionRegion::root(of_hull);
+    const auto found = decide_exactly(of_hull, region);
+    ASSERT_EQ(found.index(), expected.index());
+    if (found.index() == 1) continue;
+    const auto& node = std::get<TreeNode>(found);
+    const auto& other = std::get<TreeNode>(expected);
+    ASSERT_EQ(node.index(), other.index());
+    const auto* leaf = std::get_if<TwistLeaf>(&node);
+    ++seen[leaf != nullptr ? 1 : 0];
+    if (leaf != nullptr) {
+      EXPECT_TRUE(region.is_refuted(leaf->twist, nullptr));
+    }
+  }
+  EXPECT_GE(std::min(seen[0], seen[1]), 20);
 }
 
 // A motion and forces of which modes and doubles are said are found again. Where one mode is

@@ -182,42 +182,6 @@ TEST(RegionProgram, RefutesOrRelaxesARegion) {
   for (const int count : seen) EXPECT_GE(count, 60);
 }
 
-// Loads that generators carry may be any: those of the problem give the same kind of answer.
-TEST(RegionProgram, LoadsOfGeneratorsAreThoseOfTheProblem) {
-  RandomSource random(102);
-  std::array<int, 2> seen{};
-  for (int round = 0; round < 300; ++round) {
-    const Problem problem = random_problem(random);
-    const std::vector<Split> splits = random_splits(random, problem);
-    const Region region = region_of(problem, splits);
-    if (region.is_barred()) continue;
-    std::vector<std::optional<Sign>> slips;
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      slips.push_back(region.slip_sign(problem, ContactId(i)));
-    }
-    std::vector<LoadedGenerator> generators;
-    const Rays rays = rays_of(problem, region);
-    for (const Vector5& x : rays) {
-      generators.push_back({x, coordinates(x[3] * problem.wrench()), {x[3]}});
-    }
-    const auto outcome = solve_loaded_region(problem, slips, generators);
-    const auto expected = solve_region(problem, region, nullptr);
-    ASSERT_EQ(outcome.index(), expected.index());
-    ++seen[outcome.index()];
-    const NaiveRegion naive = naive_of(problem, splits);
-    if (const auto* leaf = std::get_if<TwistLeaf>(&outcome)) {
-      const std::vector<Rational> bounds = naive_bounds(problem, naive, rays, *leaf);
-      for (std::size_t k = 0; k < rays.size(); ++k) {
-        EXPECT_LE(bounds[k], 0);
-        EXPECT_TRUE(bounds[k] < 0 || rays[k][3].is_zero());
-      }
-    } else {
-      expect_relaxed(problem, naive, rays, std::get<RelaxedPoint>(outcome));
-    }
-  }
-  EXPECT_GE(std::min(seen[0], seen[1]), 40);
-}
-
 // Points at both ends satisfy the relaxed system; beyond them, and without them, a leaf says
 // that nothing does.
 TEST(RegionProgram, NothingIsBeyondTheExtentOfMultiples) {

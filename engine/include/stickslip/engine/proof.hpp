@@ -25,6 +25,8 @@ struct SlipSplit {
 struct SeparationSplit {
   ContactId contact;  ///< the contact
 };
+/// A split by what one contact does.
+using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
 /// A cut by a plane. It has two children, plane.x >= 0 and plane.x <= 0, for points x = (d, h,
 /// l).
 struct PlaneCut {

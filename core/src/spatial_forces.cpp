@@ -14,14 +14,16 @@ Vector3 in_three(const RationalRow& a) {
   return {a[0], a[1], a.size() == 3 ? a[2] : Rational(0)};
 }
 
-/// Returns, in space, the twist of the body that is pressed beside the other one. `d` is the
+/// Returns, as in space, the twist of the body that is pressed beside the other one. `d` is the
 /// motion of the one body, or a state.
 RationalRow relative_twist(const GraspBox& grasp, const UncertainContact& c,
                            const RationalRow& d) {
-  if (!grasp.mechanism) return d;
-  RationalRow twist;
-  for (const RationalRow& row : grasp.mechanism->motion_between(c.of, c.by)) {
-    twist.push_back(dot(row, d));
+  RationalRow twist = d;
+  if (grasp.mechanism) {
+    twist.clear();
+    for (const RationalRow& row : grasp.mechanism->motion_between(c.of, c.by)) {
+      twist.push_back(dot(row, d));
+    }
   }
   if (twist.size() == 3) return {twist[0], twist[1], 0, 0, 0, twist[2]};
   return twist;
@@ -96,6 +98,10 @@ RationalRow moment_of(const SpatialForce& force, const UncertainContact& contact
   RationalRow moment = contact.normal;
   for (Rational& entry : moment) entry *= force.moment;
   return moment;
+}
+
+RationalRow vector_in(const GraspBox& grasp, const Vector3& v) {
+  return {v.begin(), v.begin() + (grasp.in_space() ? 3 : 2)};
 }
 
 std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z) {

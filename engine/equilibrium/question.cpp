@@ -159,13 +159,6 @@ void refuse_limits(const AnyGrasp& grasp) {
   }
 }
 
-void require_certain(const Question& question) {
-  if (question.box() == nullptr || question.box()->is_point()) return;
-  throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
-                   "give one number for each; only whether the load is held can be asked of "
-                   "all grasps in a box");
-}
-
 }  // namespace
 
 AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth) {
@@ -222,9 +215,10 @@ Question without_bound(Question question) {
 }
 
 void require_one_grasp(const Question& question) {
-  if (question.box() == nullptr) return;
-  if (question.in_space() || question.mechanism() != nullptr) return require_certain(question);
-  problem_of(question);
+  if (question.box() == nullptr || question.box()->is_point()) return;
+  throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
+                   "give one number for each; only whether the load is held can be asked of "
+                   "all grasps in a box");
 }
 
 Question as_one_body(Question question) {
@@ -256,7 +250,7 @@ Problem problem_of(const Question& question) {
   if (question.in_space()) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }
-  require_certain(question);
+  require_one_grasp(question);
   // A box that is certain has irrational lengths, at which Problem or contact_rows() throws.
   const GraspBox* box = question.box();
   const LoadedGrasp point = box != nullptr ? loaded_of(*box) : question.loaded();

@@ -55,7 +55,7 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
     Question question = ask(std::move(file), options);
     // This is refused while the options are known. Margins of a box are claims.
     if (question.box() != nullptr && !takes_boxes && !question.is_margin()) {
-      require_one_grasp(without_bound(question));
+      require_one_grasp(question);
     }
     return question;
   } catch (const InputError& error) {

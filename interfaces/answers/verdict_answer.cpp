@@ -41,14 +41,11 @@ struct EvidenceJson {
     json["twist"] = number_json(witness.twist);
     Json& contacts = json["contacts"] = Json::array();
     const GraspBox& grasp = *answer.question.box();
-    const auto as_row = [&](const Vector3& f) {
-      return RationalRow(f.begin(), f.begin() + (grasp.in_space() ? 3 : 2));
-    };
     const std::vector<std::string> slips = slips_at(grasp, witness.twist);
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const UncertainContact& contact = grasp.contacts[contacts.size()];
-      contacts.push_back({{"force", number_json(as_row(c.force))},
-                          {"friction", number_json(as_row(c.friction))},
+      contacts.push_back({{"force", number_json(vector_in(grasp, c.force))},
+                          {"friction", number_json(vector_in(grasp, c.friction))},
                           {"slip", slips[contacts.size()]},
                           {"closed", c.normal.sign() > 0}});
       if (contact.torsion.is_zero()) continue;
@@ -116,8 +113,6 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
 std::optional<RationalRow> motion_near(const Answer& answer) {
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   if (stable == nullptr || !std::holds_alternative<StabilityProof>(stable->proof)) return {};
-  const GraspBox& box = *answer.question.box();
-  if (!box.in_space() && !box.mechanism && !box.is_point()) return {};
   return stable->motion;
 }
 

@@ -75,6 +75,10 @@ class BodiesReader {
                                  : mechanism_->bodies[b].mesh.get();
   }
 
+  const std::vector<Polygon>& outline_of(std::size_t b) const {
+    return mechanism_ == nullptr ? grasp_.description.outline : mechanism_->bodies[b].outline;
+  }
+
   InkVector place(const Vector3& p) const {
     return over_size({p[0] - centre_[0], p[1] - centre_[1], p[2] - centre_[2]}, radius_);
   }
@@ -115,8 +119,7 @@ class BodiesReader {
     if (const Mesh* mesh = mesh_of(b)) {
       for (const Vector3& v : mesh->vertices) f(v);
     }
-    if (mechanism_ == nullptr) return;
-    for (const Polygon& polygon : mechanism_->bodies[b].outline) {
+    for (const Polygon& polygon : outline_of(b)) {
       for (const Ring& ring : polygon) {
         for (const Vector2& v : ring) f(Vector3{v.x, v.y, 0});
       }
@@ -134,7 +137,7 @@ class BodiesReader {
     if (!shape.points.empty()) {
       shape.kind = Shape::Kind::kRings;
       std::size_t next = 0;
-      for (const Polygon& polygon : mechanism_->bodies[b].outline) {
+      for (const Polygon& polygon : outline_of(b)) {
         for (const Ring& ring : polygon) {
           shape.parts.emplace_back();
           for (std::size_t k = 0; k < ring.size(); ++k) shape.parts.back().push_back(next++);
@@ -206,19 +209,25 @@ class BodiesReader {
     return w;
   }
 
+  /// \{ Returns the force and the torque of a wrench, whose coordinates come first in the row.
+  Vector3 force_in(const RationalRow& w) const {
+    return {w[0], w[1], question_.in_space() ? w[2] : Rational(0)};
+  }
+  Vector3 torque_in(const RationalRow& w) const {
+    return question_.in_space() ? Vector3{w[3], w[4], w[5]} : Vector3{0, 0, w[2]};
+  }
+  /// \}
+
   void add_loads() {
     const std::vector<Rational> w = load();
     std::vector<std::pair<InkVector, Vector3>> pulls;  // the point and the force of each pull
-    if (mechanism_ == nullptr) pulls.push_back({{}, of_space(w)});
+    if (mechanism_ == nullptr) pulls.push_back({{}, force_in(w)});
     for (std::size_t b = 0; mechanism_ != nullptr && b < bodies(); ++b) {
       if (link_of(b) != nullptr || shapes_[b].points.empty()) continue;
-      const auto first =
-          w.begin() + static_cast<std::ptrdiff_t>(mechanism_->first_coordinate(b));
-      const bool in_space = question_.in_space();
-      const RationalRow at(first, first + (in_space ? 3 : 2));
-      const Vector3 torque =
-          in_space ? Vector3{first[3], first[4], first[5]} : Vector3{0, 0, first[2]};
-      pulls.push_back({point_of_pull(shapes_[b], of_space(at), torque), of_space(at)});
+      const RationalRow own(
+          w.begin() + static_cast<std::ptrdiff_t>(mechanism_->first_coordinate(b)), w.end());
+      pulls.push_back(
+          {point_of_pull(shapes_[b], force_in(own), torque_in(own)), force_in(own)});
     }
     Rational largest = 0;
     for (const auto& [at, pull] : pulls) largest = std::max(largest, size_of(pull));
@@ -262,14 +271,19 @@ class BodiesReader {
 
   /// Describes the load of one body, with the torque about the centre of the scene.
   void describe_load(const std::vector<Rational>& w) {
-    const Vector3 arm = stickslip::cross(centre_, of_space(w));
-    const Vector3 torque{w[3] - arm[0], w[4] - arm[1], w[5] - arm[2]};
-    const std::string text = short_tuple({torque[0], torque[1], torque[2]});
+    const Vector3 arm = stickslip::cross(centre_, force_in(w));
+    Vector3 torque = torque_in(w);
+    for (std::size_t j = 0; j < 3; ++j) torque[j] -= arm[j];
+    const std::string text = question_.in_space()
+                                 ? short_tuple({torque[0], torque[1], torque[2]})
+                                 : short_text(torque[2]);
     if (!size_of(torque).is_zero()) ink_.torque = text;
     for (std::size_t k = 0; k < sides_.size(); ++k) {
       ink_.scenes[k].torque = sides_[k].sign * torque[sides_[k].towards];
     }
-    ink_.describe_load(w, {centre_[0], centre_[1], centre_[2]}, text, question_.law);
+    std::vector<Rational> centre{centre_[0], centre_[1]};
+    if (question_.in_space()) centre.push_back(centre_[2]);
+    ink_.describe_load(w, centre, text, question_.law);
   }
 
   /// Returns the entries of a load or a state of several bodies that are not 0, with their
@@ -350,10 +364,12 @@ class BodiesReader {
 
   /// Returns the motion of a body in space: a shift and a turn about the origin.
   RationalRow twist_of(BodyIndex body, const RationalRow& motion) const {
-    if (mechanism_ == nullptr) return motion;
-    RationalRow twist;
-    for (const RationalRow& row : mechanism_->motion_of(body)) {
-      twist.push_back(stickslip::dot(row, motion));
+    RationalRow twist = motion;
+    if (mechanism_ != nullptr) {
+      twist.clear();
+      for (const RationalRow& row : mechanism_->motion_of(body)) {
+        twist.push_back(stickslip::dot(row, motion));
+      }
     }
     if (twist.size() == 3) return {twist[0], twist[1], 0, 0, 0, twist[2]};
     return twist;
@@ -416,7 +432,7 @@ class BodiesReader {
   const Question& question_;
   const Verdict& verdict_;
   const GraspBox& grasp_;
-  const Mechanism* mechanism_;  ///< null: one body in space
+  const Mechanism* mechanism_;  ///< null: one body
   std::vector<LineOfSight> sides_;
   Vector3 centre_{};
   Rational radius_{1};

@@ -98,7 +98,7 @@ std::vector<InkPoint> planar_cone(const ContactInk& contact, const Rational& fri
 /// radius; 0 if nothing moves.
 Rational enlargement(const Rational& largest, const Rational& radius);
 
-/// \{ Return the ink of one body in the plane; that of one in space or several. Throw as
+/// \{ Return the ink of one planar body whose numbers are rational; that of all others. Throw as
 /// plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
 GraspInk bodies_ink(const Question& question, const Verdict& verdict);

@@ -69,7 +69,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   if (is_exact) {
     Verdict& exact = report.answer.verdict;
     require(!std::holds_alternative<Unstable>(exact), "a refutation of an equilibrium");
-    if (std::holds_alternative<Undecided>(exact) && question.in_space()) {
+    if (std::holds_alternative<Undecided>(exact) && question.box() != nullptr) {
       if (auto stable = verdict_by(question, claim)) exact = std::move(*stable);
     }
   }

@@ -141,18 +141,18 @@ std::vector<RationalRow> vectors_of(const std::vector<RationalRow>& magnitudes,
 
 std::vector<RationalRow> read_forces(const ForceList& magnitudes, const ForceList& vectors,
                                      bool are_vectors, const Question& question) {
-  if (const GraspBox* box = question.box()) {
-    if (!are_vectors) {
-      fail_at(magnitudes.path(),
-              "the grasp is in space, where friction has no single direction for a magnitude "
-              "to be along",
-              "give \"force_vectors\", [fx, fy, fz] in the object frame, in place of "
-              "\"forces\"");
-    }
-    return vectors.checked(box->contacts.size(), 3, kVectorsInSpace);
+  const std::size_t contacts = question.grasp.as_box().contacts.size();
+  if (question.in_space()) {
+    if (are_vectors) return vectors.checked(contacts, 3, kVectorsInSpace);
+    fail_at(magnitudes.path(),
+            "the grasp is in space, where friction has no single direction for a magnitude "
+            "to be along",
+            "give \"force_vectors\", [fx, fy, fz] in the object frame, in place of "
+            "\"forces\"");
   }
-  const Grasp& grasp = question.loaded().grasp;
-  if (are_vectors) return vectors.checked(grasp.size(), 2, kVectors);
+  if (are_vectors) return vectors.checked(contacts, 2, kVectors);
+  const GraspBox* box = question.box();
+  const Grasp grasp = box != nullptr ? loaded_of(*box).grasp : question.loaded().grasp;
   return vectors_of(magnitudes.checked(grasp.size(), 2, kMagnitudes), grasp);
 }
 

@@ -110,7 +110,7 @@ std::optional<NearbyEquilibrium> find_like(const Answer& answer, const Claim& cl
     found.emplace();
     found->twist = *claim.twist;
     found->forces = *claim.forces;
-  } else if (question.in_space()) {
+  } else if (question.box() != nullptr) {
     if (const auto witness = find_spatial_witness_like(question, claim)) {
       found = equilibrium_of(*question.box(), *witness);
     }

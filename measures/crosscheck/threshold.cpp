@@ -218,7 +218,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
 
 ThresholdDistance threshold_distance(const Question& question, bool stable,
                                      const ClaimOptions& options) {
-  if (!question.in_space()) {
+  if (question.box() == nullptr) {
     return threshold_distance(problem_of(question), question.loaded().grasp,
                               options.node_limit);
   }

@@ -263,12 +263,7 @@ class Quadtree {
     if (options_.uncertain.any()) {
       return stickslip::is_stable(prove_box(box, law_, options_.box, 0).verdict);
     }
-    if (box.in_space() || box.mechanism || box.is_bounded()) {
-      return is_stable(box.middle(), law_, options_.box);
-    }
-    // Lengths that are irrational are rounded: a proof of the cell encloses them.
-    const Problem problem = GraspLaw(box, law_).middle().problem().value();
-    return std::holds_alternative<Stable>(branch_and_bound(problem));
+    return is_stable(box.middle(), law_, options_.box);
   }
 
   GraspBox box_of(const Interval& x, const Interval& y) const {

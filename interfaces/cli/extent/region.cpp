@@ -40,16 +40,17 @@ struct RegionArguments : RegionAsked {
       const char* problem = "it is about a region that is found cell by cell";
       const char* remedy =
           "leave it out: in the plane the region is exact, and has no window, unless motions "
-          "are bounded";
+          "are bounded or a preloaded normal has an irrational length";
       refuse(!within.empty(), "--within", problem, remedy);
       refuse(cells.depth != CellsAsked().depth, "--depth", problem, remedy);
       refuse(!cells.certificates.empty(), "--certificates", problem,
              "write one proof of the whole region with --certificate");
       return;
     }
-    const char* problem = asked.in_space()
-                              ? "it is done in the plane only, and the grasp is in space"
-                              : "it is done without a bound on motions only";
+    const char* problem =
+        asked.in_space()     ? "it is done in the plane only, and the grasp is in space"
+        : asked.is_bounded() ? "it is done without a bound on motions only"
+                             : "a preloaded contact has a normal of irrational length";
     refuse(asked.in_space() && !torque.empty(), "--torque", problem,
            "give --origin, a wrench of six numbers");
     refuse(list, "--list", problem, "print the cells with --json");

@@ -26,7 +26,7 @@ struct RegionAsked {
 
 /// Returns true if the region is not found exactly.
 inline bool is_found_in_cells(const Question& question) {
-  return question.in_space() || question.is_bounded();
+  return question.box() != nullptr;
 }
 
 /// Answers the question. Returns the exit code.

@@ -215,7 +215,8 @@ void add_compare_command(Command& app, int& exit_code) {
     try {
       exit_code = compare(*arguments);
     } catch (const InputError& error) {
-      throw in_options(error, error.file());
+      const bool is_in_grasp = error.place().rfind("contacts", 0) == 0;
+      throw in_options(error, is_in_grasp ? arguments->question.name_of_file() : error.file());
     }
   });
 }

@@ -77,15 +77,12 @@ void print_cases_text(const std::vector<WarnedAnswer>& answers, const NumberOpti
     return a.answer.problem.has_value();
   });
   const Answer& answer = exact == answers.end() ? answers.front().answer : exact->answer;
-  const bool has_forces = exact != answers.end() || answer.question.in_space() ||
-                          answer.question.mechanism() != nullptr;
   const std::string& grasp = answer.question.description().name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
-            << (has_forces ? "\nForces and motions, or why there are none: --case NAME.\n"
-                           : "\nWhat is uncertain, and what the verdict means: --case NAME.\n")
+            << "\nForces and motions, or why there are none: --case NAME.\n"
             << text.note() << conventions_text(answer.question)
             << engine_text(answer.engine(), answer.question.law);
   for (const auto& [warning, names] : warnings) {

@@ -53,13 +53,14 @@ struct EquilibriumText {
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;
       const RationalRow& n = grasp.contacts[i].normal;
-      rows.push_back({std::to_string(i), text.root(c.normal, dot(n, n)), text(c.friction),
-                      text(c.force), slips[i], c.normal.sign() > 0 ? "closed" : "open"});
+      rows.push_back({std::to_string(i), text.root(c.normal, dot(n, n)),
+                      text(vector_in(grasp, c.friction)), text(vector_in(grasp, c.force)),
+                      slips[i], c.normal.sign() > 0 ? "closed" : "open"});
     }
     return "  motion d  " + text(witness.twist) + "\n\n" + format_table(rows) + "\n";
   }
   std::string operator()(const StabilityProof& /*proof*/) const {
-    if (!answer.question.in_space() || answer.question.mechanism() != nullptr) return "\n";
+    if (answer.question.mechanism() != nullptr) return "\n";  // states_text() has the motion
     return "  motion d  near " + text(stable.motion) + "\n\n";
   }
 
@@ -74,11 +75,11 @@ struct EquilibriumText {
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;
       const UncertainContact& contact = grasp.contacts[i];
-      const RationalRow force(c.force.begin(), c.force.begin() + (grasp.in_space() ? 3 : 2));
       rows.push_back({std::to_string(i), grasp.mechanism->name_of(contact.of),
                       grasp.mechanism->name_of(contact.by),
-                      text.root(c.normal, dot(contact.normal, contact.normal)), text(force),
-                      slips[i], c.normal.sign() > 0 ? "closed" : "open"});
+                      text.root(c.normal, dot(contact.normal, contact.normal)),
+                      text(vector_in(grasp, c.force)), slips[i],
+                      c.normal.sign() > 0 ? "closed" : "open"});
       if (!is_soft) continue;
       const bool turns = !contact.torsion.is_zero();
       rows.back().insert(rows.back().end() - 2,
@@ -163,7 +164,7 @@ struct Meaning {
                 ? ": near this motion\nnothing touches it, and there is no load.\n"
                 : ": the forces on the walls\naround motions near this one leave no way out "
                   "but an equilibrium inside.\n") +
-           near_text();
+           exact_forces_text();
   }
   std::string operator()(const Unstable& unstable) const {
     if (answer.problem) {
@@ -199,16 +200,12 @@ struct Meaning {
   }
 
  private:
-  /// Returns the text for one grasp in the plane whose exact forces are not known.
-  std::string near_text() const {
-    if (answer.question.in_space() || answer.question.mechanism() != nullptr) return "";
-    const auto motion = motion_near(answer);
-    if (!motion) return "";
-    return "An equilibrium is near the motion d = " + text(*motion) + "." +
-           (enclosed_contacts(*answer.question.box()).empty()
-                ? " Exact forces would have numbers of\nmany digits: --engine "
-                  "branch-and-bound finds them, and the warnings that need them.\n"
-                : "\n");
+  /// Returns how to have the exact forces of one grasp in the plane.
+  std::string exact_forces_text() const {
+    const Question& question = answer.question;
+    if (simplest(*question.box(), question.preload_growth).box() != nullptr) return "";
+    return "Exact forces would have numbers of many digits: --engine branch-and-bound finds "
+           "them, and\nthe warnings that need them.\n";
   }
 };
 

@@ -71,7 +71,7 @@ class Given {
   /// Returns the length by which torques are divided: that given, or what suits the grasp.
   Rational length(const char* remedy) const {
     if (!options_["length"].is_none()) return positive("length", remedy);
-    return characteristic_length(in_box().grasp.as_box());
+    return characteristic_length(about().grasp.as_box());
   }
   /// Returns the shape of a ball of loads.
   LoadBall ball() const {
@@ -90,14 +90,13 @@ class Given {
     options.preload = 0;
     return question_of(grasp, options);
   }
-  Question about() const { return question_about(grasp, asked_); }
-  /// Returns the same for statics, which takes limits of forces.
+  /// Returns the question for statics, which takes limits of forces.
   Question about_statics() const {
     QuestionOptions options = asked_;
     options.takes_limits = true;
     return question_about(grasp, options);
   }
-  Question in_box() const { return question_in_box(grasp, asked_); }
+  Question about() const { return question_about(grasp, asked_); }
 
   const GraspFile& grasp;
 
@@ -149,7 +148,7 @@ Work decide_asked(const Given& given) {
 
 /// Decides a box. Irrational lengths or a bound on motions are enough to make one.
 Work box_asked(const Given& given) {
-  const Question asked = given.in_box();
+  const Question asked = given.about();
   const GraspBox box = asked.grasp.as_box();
   if (box.is_point() && !box.is_bounded() && !needs_enclosure(box)) refuse_certain();
   const auto count = given.as<std::size_t>("samples");
@@ -195,7 +194,7 @@ Work radius_asked(const Given& given) {
   RadiusOptions options;
   options.box = given.search();
   options.accuracy = given.positive("accuracy", kPartOfRadius, true);
-  const Question asked = given.in_box();
+  const Question asked = given.about();
   if (asked.grasp.as_box().is_point()) refuse_certain();
   return [asked, options, limit = given.time()] {
     const GraspBox box = asked.grasp.as_box();
@@ -250,7 +249,7 @@ Work preload_asked(const Given& given) {
     if (!load.is_none()) {
       with_load.wrench = numbers(py::reinterpret_borrow<py::object>(load), 0, "wrench");
     }
-    asked.push_back(question_in_box(given.grasp, with_load));
+    asked.push_back(question_about(given.grasp, with_load));
   }
   const std::vector<GraspBox> of_loads = loads_of(asked, "");
   options.alike = alike_from(given.as<std::string>("equal"), of_loads.front());
@@ -288,7 +287,6 @@ Work map_asked(const Given& given) {
   QuestionOptions certain = given.asked();
   options.uncertain = certain.uncertain;
   certain.uncertain = {};
-  // A map of a grasp in the plane needs rational lengths.
   const Question asked = question_about(given.grasp, certain);
   const GraspBox centre = asked.grasp.as_box();
   const MapAxis x = parse_axis(centre, given.as<std::string>("x"), "x");
@@ -369,7 +367,7 @@ Work margin_by_claims(const Given& given, const Question& question, bool warns) 
 }
 
 Work margin_asked(const Given& given) {
-  const Question question = given.in_box();
+  const Question question = given.about();
   const bool warns = given.as<bool>("warnings");
   if (question.has_claims()) return margin_by_claims(given, question, warns);
   return [question, warns, options = given.search(), limit = given.time()] {
@@ -433,7 +431,7 @@ Work compare_asked(const Given& given) {
                                                : given.inertia(space);
   return [&given, options, space, proves = given.as<bool>("certificate")]() mutable {
     NumberText readable(false);
-    const Question question = space ? given.in_box() : question_of(given.grasp, given.asked());
+    const Question question = space ? given.about() : question_of(given.grasp, given.asked());
     std::optional<RigidVerdict> verdict;
     const Question of_all = without_bound(question);  // classes are about all motions
     const std::optional<RobustnessKind> kind = options.only_robustness();
@@ -592,7 +590,7 @@ Work states_picture_asked(const Given& given) {
 }
 
 Work smtlib_asked(const Given& given) {
-  return [&given] { return Json(smtlib_text(given.in_box())); };
+  return [&given] { return Json(smtlib_text(given.about())); };
 }
 
 /// Returns a page, from words of a command line; a time limit of 0 is none.

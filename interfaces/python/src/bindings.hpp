@@ -87,10 +87,6 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options);
 
 /// Returns the question about a grasp. Throws InputError if the grasp has cases and none is
 /// chosen.
-Question question_in_box(const GraspFile& grasp, const QuestionOptions& options);
-
-/// Returns the question about one grasp of any kind: by question_of() in the plane; in space
-/// and of several bodies lengths may be irrational.
 Question question_about(const GraspFile& grasp, const QuestionOptions& options);
 
 /// Returns the question about states in space that these options give.

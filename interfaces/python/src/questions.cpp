@@ -183,7 +183,7 @@ QuestionOptions question_options(const py::dict& given) {
 }
 
 Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
-  Question question = question_in_box(grasp, options);
+  Question question = question_about(grasp, options);
   try {
     problem_of(without_bound(question));
   } catch (const InputError& error) {
@@ -193,12 +193,6 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
 }
 
 Question question_about(const GraspFile& grasp, const QuestionOptions& options) {
-  return grasp.content.in_space() || grasp.content.mechanism() != nullptr
-             ? question_in_box(grasp, options)
-             : question_of(grasp, options);
-}
-
-Question question_in_box(const GraspFile& grasp, const QuestionOptions& options) {
   if (!options.wrench && !options.direction && !grasp.cases.empty()) {
     refuse_without_case(grasp.cases.front().name);
   }

@@ -186,8 +186,7 @@ def decide(
             drawn at random: ``BoxDecision.samples`` says which share holds.
 
     Raises:
-        InputError: an argument is wrong, there is no load, or a preloaded contact has a normal of
-            irrational length (``Grasp.snap``, or ``uncertain={}``).
+        InputError: an argument is wrong, or there is no load.
     """
     if uncertain is not None:
         one_of("engine", engine, ("auto",))

@@ -283,8 +283,6 @@ class BoxDecision(Answer):
         box = "a fragile box" if self.verdict == "fragile" else "a box"
         file["name"] = f"{self.grasp.name or 'Grasp'}, in the middle of {box}"
         middle = Grasp.from_text(json.dumps(file))
-        if not middle.in_space and not isinstance(middle, Assembly):  # lengths may be irrational
-            middle = middle.snap(SNAPPED_WITHIN).grasp
         return _picture_of(middle, self, "auto")
 
     def _picture(self) -> Optional[Picture]:

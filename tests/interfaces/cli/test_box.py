@@ -285,7 +285,7 @@ class Answers(Case):
         self.assertGreaterEqual(answer["bits"], 128)
         out = stickslip("decide", grasp)[1]
         self.assertIn("have irrational lengths |n|: P/|n| was enclosed to 128 bits", out)
-        self.assertRegex(out, r"An equilibrium is near the motion d = \([^)]*\)\.\n")
+        self.assertRegex(out, r"\n  motion d  near \([^)]*\)\n")
         self.assertEqual(len(answer["near"]), 3)
         self.answer("unstable", grasp, "--wrench", "0,0,100", box=False)
         self.answer("stable", grasp, "--normal-law", "bilateral", box=False)

@@ -965,7 +965,7 @@ class Snap(Case):
                               r"to \(~0.707107, ~0.707107\)\ncontact 1: .*\n~ marks")
 
     def test_then_every_question_has_a_proof(self):
-        self.fails("region", self.grasp, naming=["contacts[0].normal", "stickslip snap GRASP -o FILE"])
+        self.fails("compare", self.grasp, naming=["contacts[0].normal", "stickslip snap GRASP -o FILE"])
         stickslip("snap", self.grasp, "-o", self.snapped)
         for load in ("0,1/10,0", "100,0,0"):
             verdict = self.json("decide", self.snapped, "--wrench", load)["verdict"]
@@ -974,6 +974,30 @@ class Snap(Case):
         proof = self.path("branch-and-bound")
         Certificates.checked(self, 1, self.snapped, proof)
         Certificates.checked(self, 1, self.grasp, proof, "--wrench", "100,0,0")
+
+    def test_regions_and_pictures_need_no_snap(self):
+        """Jaws along a diagonal press with 1 each; friction is 1, and both hold alike. So s (1, -1) + t (1, 1) is resisted
+        where |s| + |t| is at most the root of 2."""
+        jaws = self.write("jaws.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": 1, "preload": 1},
+            "contacts": [{"position": [-1, -1], "normal": [1, 1]}, {"position": [1, 1], "normal": [-1, -1]}]})
+        cells = self.json("region", jaws, "--u", "1,-1,0", "--v", "1,1,0", "--within=0:2,0:2", "--depth", "4")["cells"]
+        share = {"stable": 0, "unstable": 0, "undecided": 0}
+        for cell in cells:
+            (left, right), (low, high) = [map(Fraction, cell[axis]) for axis in "xy"]
+            if cell["verdict"] == "stable":
+                self.assertLess((right + high) ** 2, 2)
+            elif cell["verdict"] == "unstable":
+                self.assertGreater((left + low) ** 2, 2)
+            share[cell["verdict"]] += (right - left) * (high - low)
+        self.assertGreater(share["stable"], Fraction(7, 10))  # of 1
+        self.assertGreater(share["unstable"], Fraction(5, 2))  # of 3
+        self.fails("region", jaws, "--list", naming=["--list", "irrational"])
+        for load, verdict in (("1,-1,0", "stable"), ("2,-2,0", "unstable")):
+            code, out, err = stickslip("plot", "grasp", jaws, "--wrench", load)
+            self.assertEqual((code, err), (DONE, ""))
+            self.assertRegex(out, f"<title>.*{verdict}</title>")
+            self.assertEqual(out.count('data-near="'), 2 if verdict == "stable" else 0)  # a force at each
 
     def test_nothing_to_snap(self):
         code, out, err = stickslip("snap", FIG1, "-o", self.snapped)
@@ -1085,9 +1109,8 @@ class BadInput(Case):
         grasp, snapped = self.write("g.json", content), self.path("snapped.json")
         remedy = "run stickslip snap GRASP -o FILE, and ask about FILE"
         self.assertEqual(stickslip("snap", grasp, "-o", snapped)[0::2], (DONE, ""))
-        for command, *options in (("plot grasp",), ("region",), ("compare",)):
-            self.fails(*command.split(), grasp, *options, naming=[grasp, "contacts[1].normal", remedy])
-            self.assertEqual(stickslip(*command.split(), snapped, *options)[0::2], (DONE, ""))
+        self.fails("compare", grasp, naming=[grasp, "contacts[1].normal", remedy])
+        self.assertEqual(stickslip("compare", snapped)[0::2], (DONE, ""))
         _, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(content) + "\n"))
         decided = json.loads(stickslip("decide", grasp, "--json")[1])
         self.assertEqual(json.loads(out)["verdict"], decided["verdict"])

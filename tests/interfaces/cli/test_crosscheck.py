@@ -94,7 +94,6 @@ class Crosscheck(Claims):
                json.dumps(claim([0, 1, 0], 1, "stable", grasp="no\nwhere.json")),
                json.dumps(claim([0, 1, 0], 1, "stable", forces=[[1, 0]])),
                json.dumps(claim([0, 1, 0], 0, "stable", grasp=DIAGONAL, forces=[[1, 0]])),
-               json.dumps(claim([0, 1, 0], 1, "stable", grasp=DIAGONAL)),
                json.dumps({"grasp": FIG1, "claim": {"verdict": "stable"}, "extra": 1}),
                "\u00e9", "\x00"]
         lines = [line for pair in zip([RIGHT] * len(bad), bad) for line in pair] + ["", RIGHT]
@@ -110,6 +109,23 @@ class Crosscheck(Claims):
         _, text, _ = stickslip("crosscheck", self.path("claims.jsonl"))
         self.assertIn("force_vectors", text)  # the remedy
         self.assertEqual(len(text.splitlines()), len(bad) + 1)
+
+    def test_preloads_along_irrational_normals(self):
+        # Jaws along a diagonal press with 1 each: across it they hold 2, the length of a root of 2 times (1, -1).
+        jaws = {"format": "stickslip-grasp/1", "name": "jaws", "wrench": [0, 0, 0], "defaults": {"friction": 1}, "contacts": [
+            {"position": [-1, -1], "normal": [1, 1]}, {"position": [1, 1], "normal": [-1, -1]}]}
+        half = 0.5 ** 0.5
+        solution = {"twist": [0, 0, 0], "force_vectors": [[half - 0.5, half + 0.5], [-half - 0.5, 0.5 - half]]}
+        lines = [claim([1, -1, 0], 1, "stable", grasp=jaws, **solution), claim(["1.41", "-1.41", 0], 1, "stable", grasp=jaws),
+                 claim(["1.42", "-1.42", 0], 1, "stable", grasp=jaws), claim([1, -1, 0], 1, "stable", grasp=jaws, forces=[[1, 0], [1, 0]])]
+        (near, right, wrong, magnitudes), _ = self.judge(*lines, code=WRONG)
+        self.assertEqual([near["class"], right["class"], wrong["class"]], ["right", "right", "wrong"])
+        self.assertFalse(near["inaccurate"])
+        low, high = map(Fraction, wrong["distance"]["along_load"])
+        self.assertLess((1 - high) * Fraction("1.42"), half * 2)
+        self.assertGreater((1 - low) * Fraction("1.42"), half * 2)
+        self.assertLess(high - low, Fraction(1, 1000))
+        self.assertIn("force_vectors", magnitudes["remedy"])
 
     def test_exact_values(self):
         reports, _ = self.judge(RIGHT, OFF, TIE, WRONG_STABLE, WRONG_UNSTABLE, code=WRONG)

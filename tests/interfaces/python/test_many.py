@@ -168,7 +168,6 @@ def test_dataframe(fig1):
 
 
 def test_errors_name_the_question(fig1):
-    round_grasp = Grasp([[0, 0]], [[1, 1]], 1, preload=1)
     in_space = Grasp([[0, 0, 0]], [[0, 0, 1]], 1, preload=1)
     for call, place in (
             (lambda: decide(fig1, [[0, 1, 0], [0, "x", 0]]), "wrench[1][1]"),
@@ -181,7 +180,6 @@ def test_errors_name_the_question(fig1):
             (lambda: decide(fig1, UP, preload=[1, None]), "preload[1]"),
             (lambda: decide(fig1, WRENCHES, friction=[1, 2]), "wrench, friction"),
             (lambda: decide([fig1, 3], UP), "grasp"),
-            (lambda: decide([fig1, round_grasp], UP), "question 1, contacts[0].normal"),
             (lambda: decide([fig1, fig1], WRENCHES), "grasp, wrench"),
             (lambda: decide(fig1, WRENCHES, warnings=True), "warnings"),
             (lambda: decide(fig1, WRENCHES, engine="best"), "engine"),

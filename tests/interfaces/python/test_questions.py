@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import stickslip
-from stickslip import Grasp, InputError, check, crosscheck, decide, margin, slip_states
+from stickslip import Grasp, InputError, check, crosscheck, decide, margin, plot_grasp, quality, region, slip_states
 
 UP, DOWN = (0, 1, 0), (0, -1, 0)
 
@@ -113,11 +113,16 @@ def test_files_are_read_by_the_checker(fig1, tmp_path):
 def test_preloads_along_irrational_normals():
     grasp = Grasp([[-1, -1], [1, -1], [0, 1]], [[1, 1], [-1, 1], [0, -1]], 1, preload=1,
                   wrench=(0, "1/10", 0))
-    for ask in (decide, lambda g: crosscheck(g, "stable")):
-        with pytest.raises(InputError) as error:
-            ask(grasp)
-        assert error.value.place == "contacts[0].normal"
-        assert error.value.remedy == "ask about grasp.snap().grasp"
+    with pytest.raises(InputError) as error:
+        region(grasp)
+    assert error.value.place == "contacts[0].normal"
+    assert error.value.remedy == "ask about grasp.snap().grasp"
+    decided = decide(grasp)
+    assert (decided.verdict, decided.engine, decided.twist) == ("stable", "intervals", None)
+    assert check(grasp, decided.certificate)
+    assert [crosscheck(grasp, claimed).outcome for claimed in ("stable", "unstable")] == ["right", "wrong"]
+    assert decide(grasp, [(0, "1/10", 0), (100, 0, 0)]).verdict.tolist() == ["stable", "unstable"]
+    assert quality(grasp).proved > 0 and "sticks" in str(plot_grasp(grasp))
     near, nearer = grasp.snap("1/1000").grasp, grasp.snap().grasp
     decision = decide(near)
     assert check(near, decision.certificate)

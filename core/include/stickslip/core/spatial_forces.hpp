@@ -34,6 +34,9 @@ std::vector<SpatialForce> forces_of(
     const GraspBox& grasp, const RationalRow& d,
     const std::vector<std::pair<ContactId, RationalRow>>& shares);
 
+/// Returns a force or slip with as many coordinates as points of the grasp have.
+RationalRow vector_in(const GraspBox& grasp, const Vector3& v);
+
 /// Returns whether some contact has torsion.
 bool has_torsion(const GraspBox& grasp);
 

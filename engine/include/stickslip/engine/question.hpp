@@ -108,9 +108,7 @@ AnyGrasp simplest(GraspBox box, const std::vector<Rational>& growth = {});
 /// - as GraspBox::widened() does for tolerances, and bound_of() for a bound on motions.
 Question ask(GraspFile file, const QuestionOptions& options = {});
 
-/// Throws InputError unless the question is about one grasp. For one body in the plane it
-/// throws whenever problem_of() does, which also refuses bounded motions and irrational
-/// lengths; for all others only if a number is uncertain.
+/// Throws InputError if a number is uncertain, so that the question is about more than one grasp.
 void require_one_grasp(const Question& question);
 
 /// Returns the same question without a bound of motions.

@@ -26,7 +26,7 @@ InputError in_options(const InputError& error, const std::string& name);
 
 /// Returns the question of ask(), with errors in the words of the command line; those of a
 /// contact name the grasp `name`. Unless `takes_boxes` is set, it refuses what
-/// require_one_grasp() does, except a margin and a bound of motions.
+/// require_one_grasp() does, except a margin.
 Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes = false);
 

@@ -24,17 +24,17 @@ void Foresight::expect(Children children) {
   }
 }
 
-void Foresight::sort(std::vector<ContactSplit>& splits) const {
-  const auto chance = [&](const ContactSplit& split) {
+void Foresight::sort(std::vector<SplitChoice>& splits) const {
+  const auto chance = [&](const SplitChoice& split) {
     const Record& record = records_[index_of(split)];
     return record.served / record.tried;
   };
   std::stable_sort(
       splits.begin(), splits.end(),
-      [&](const ContactSplit& a, const ContactSplit& b) { return chance(a) > chance(b); });
+      [&](const SplitChoice& a, const SplitChoice& b) { return chance(a) > chance(b); });
 }
 
-void Foresight::learn(const ContactSplit& split, bool has_served) {
+void Foresight::learn(const SplitChoice& split, bool has_served) {
   Record& record = records_[index_of(split)];
   ++record.tried;
   if (has_served) ++record.served;

@@ -13,7 +13,7 @@
 namespace stickslip::search_detail {
 
 /// A split by the separation or the slip of a contact.
-struct ContactSplit {
+struct SplitChoice {
   bool is_slip = false;
   std::size_t contact = 0;
   std::size_t order = 0;  ///< how many splits break a law more
@@ -36,9 +36,9 @@ class Foresight {
 
   /// Orders splits by how often they left one child at most, those that did most often first;
   /// equals keep their order.
-  void sort(std::vector<ContactSplit>& splits) const;
+  void sort(std::vector<SplitChoice>& splits) const;
   /// Learns whether a split left one child at most.
-  void learn(const ContactSplit& split, bool has_served);
+  void learn(const SplitChoice& split, bool has_served);
 
  private:
   struct Child {
@@ -50,7 +50,7 @@ class Foresight {
     double tried = 2;
   };
 
-  std::size_t index_of(const ContactSplit& split) const {
+  std::size_t index_of(const SplitChoice& split) const {
     return split.contact + (split.is_slip ? records_.size() / 2 : 0);
   }
 

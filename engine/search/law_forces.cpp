@@ -475,7 +475,7 @@ std::optional<LawForces::Branch> LawForces::best_split(const Relaxation& found) 
   constexpr std::size_t kMostTries = 8;
   constexpr std::size_t kManyPoints = 500;  // such a child counts as two
   const bool looks_ahead = law_.motions > kFewMotions;
-  std::vector<ContactSplit> splits;
+  std::vector<SplitChoice> splits;
   for (const bool is_slip : {false, true}) {
     for (const auto& [gap, contact] : is_slip ? found.slips : found.separations) {
       if (gap > kNoticeable * found.energy) splits.push_back({is_slip, contact, splits.size()});
@@ -487,7 +487,7 @@ std::optional<LawForces::Branch> LawForces::best_split(const Relaxation& found) 
   std::pair<std::size_t, std::size_t> least{SIZE_MAX, 0};  // children left, and the order
   std::size_t tries = 0;
   std::vector<std::vector<Row>> slips;  // contacts on one face may slip together
-  for (const ContactSplit& split : splits) {
+  for (const SplitChoice& split : splits) {
     if (looks_ahead && split.is_slip) {
       const CornerRow& row = law_.contacts[split.contact].corners.front();
       auto planes = row.slip_planes(law_.coordinates());

@@ -7,8 +7,8 @@
 namespace stickslip {
 namespace {
 
-using search_detail::ContactSplit;
 using search_detail::Foresight;
+using search_detail::SplitChoice;
 
 /// Returns a result that is told by its twist.
 LawForces::Found found(double number) {
@@ -39,12 +39,12 @@ TEST(Foresight, ChildrenAreMetInPreorder) {
 
 TEST(Foresight, SplitsThatServedComeFirst) {
   Foresight foresight(3);
-  const ContactSplit opens{false, 1, 0};
-  const ContactSplit slips{true, 1, 1};
-  const ContactSplit other{false, 2, 2};
+  const SplitChoice opens{false, 1, 0};
+  const SplitChoice slips{true, 1, 1};
+  const SplitChoice other{false, 2, 2};
   foresight.learn(opens, false);
   foresight.learn(other, true);
-  std::vector<ContactSplit> splits{opens, slips, other};
+  std::vector<SplitChoice> splits{opens, slips, other};
   foresight.sort(splits);
   EXPECT_EQ(splits[0].contact, 2U);
   EXPECT_TRUE(splits[1].is_slip);

@@ -115,6 +115,11 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
       {3e-1, limit, growths, most}, {3e-2, limit, growths, most, true}};
   if (about_.span.rank() > kMostOfParallelepipeds) {
     attempts.pop_back();
+    if (!limits_.is_wide) {
+      // The walls of a simplex go far in some directions: many take a hundred nodes.
+      attempts.insert(attempts.begin() + 4,
+                      {{3e-3, kSomeNodes, 0, most}, {3e-5, kSomeNodes, 0, most}});
+    }
     for (Attempt& attempt : attempts) attempt.is_simplex = true;
   }
   bool is_quick = true;

@@ -18,20 +18,29 @@ bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) c
   const auto used = static_cast<Eigen::Index>(size_);
   Matrix m = Matrix::Ones(used + 1, used + 1);
   m(used, used) = 0;
-  for (std::size_t i = 0; i < size_; ++i) {
-    for (std::size_t j = 0; j < size_; ++j) {
-      m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          dot(points_[i], points_[j]);
-    }
-  }
+  m.topLeftCorner(used, used) = products_.topLeftCorner(used, used);
   const Vector solution = m.partialPivLu().solve(Vector(Vector::Unit(used + 1, used)));
   std::copy_n(solution.data(), size_, weights.begin());
   return solution.allFinite();
 }
 
+/// Fills in the products of the last point in use.
+template <class Point>
+void NearestPointOf<Point>::multiply_last() {
+  const auto last = static_cast<Eigen::Index>(size_) - 1;
+  for (std::size_t k = 0; k < size_; ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    products_(at, last) = products_(last, at) = dot(points_[k], points_[size_ - 1]);
+  }
+}
+
 template <class Point>
 void NearestPointOf<Point>::remove(std::size_t k) {
   --size_;
+  const auto last = static_cast<Eigen::Index>(size_);
+  const auto at = static_cast<Eigen::Index>(k);
+  products_.row(at).head(last + 1) = products_.row(last).head(last + 1);
+  products_.col(at).head(last + 1) = products_.col(last).head(last + 1);
   points_[k] = points_[size_];
   weight_[k] = weight_[size_];
   order_[k] = order_[size_];
@@ -54,6 +63,7 @@ bool NearestPointOf<Point>::add(const Point& point) {
   weight_[size_] = size_ == 0 ? 1.0 : 0.0;
   order_[size_] = added_++;
   ++size_;
+  multiply_last();
   const bool first = size_ == 1;
   const double before = dot(nearest_, nearest_);
   // Each pass removes a point, so there are at most n + 1.

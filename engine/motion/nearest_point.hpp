@@ -45,10 +45,13 @@ class NearestPointOf {
   /// Finds weights of sum 1, of any sign, of the point of least norm in the affine hull.
   /// Returns false if they are not finite.
   bool affine_minimum(std::array<double, kMost>& weights) const;
+  void multiply_last();
   void remove(std::size_t k);
   void update_nearest();
 
   std::array<Point, kMost> points_{};
+  /// Their products, of which those of points in use are set.
+  Eigen::Matrix<double, static_cast<int>(kMost), static_cast<int>(kMost)> products_;
   std::array<double, kMost> weight_{};
   std::array<std::size_t, kMost> order_{};
   std::size_t size_ = 0;

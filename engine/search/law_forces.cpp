@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "allowed_wrenches.hpp"
+#include "foresight.hpp"
 #include "short_plane.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -150,7 +151,10 @@ double LawForces::height(const Relaxation& found) const {
 }
 
 LawForces::LawForces(const Law& law, const PullRule* pull, SearchWork& work)
-    : law_(law), pull_(pull), work_(work) {}
+    : law_(law),
+      pull_(pull),
+      work_(work),
+      foresight_(std::make_unique<Foresight>(law.contacts.size())) {}
 LawForces::~LawForces() = default;
 LawForces::LawForces(LawForces&& other) noexcept = default;
 
@@ -160,8 +164,9 @@ std::size_t LawForces::deepest() const {
   return 2 * law_.contacts.size() + 220;
 }
 
-bool LawForces::enter(const MotionRegion& region, std::size_t /*depth*/) {
+bool LawForces::enter(const MotionRegion& region, std::size_t depth) {
   region_ = &region;
+  foreseen_ = foresight_->enter(depth);
   ++work_.nodes;
   work_.rays += region.points().size();
   work_.pairs += region.pairs();
@@ -175,19 +180,22 @@ bool LawForces::enter(const MotionRegion& region, std::size_t /*depth*/) {
 /// Searches for a twist. `again` asks that wrenches are against it with some to spare, so that
 /// it may be rounded.
 LawForces::Found LawForces::nearest(bool again) {
+  Found found = foreseen_ && !again ? std::move(*foreseen_) : nearest_of(*wrenches_, again);
+  while (!found.separated && wrenches_->are_of_springs(found)) {
+    found = nearest_of(*wrenches_, again);
+  }
+  separated_ = found.separated;
+  return found;
+}
+
+LawForces::Found LawForces::nearest_of(const AllowedWrenches& wrenches, bool again) const {
   Reals start = -law_.growing;
   for (std::size_t j = 0; j < law_.motions; ++j) {
     start[static_cast<Eigen::Index>(j)] -= law_.load[j][0] + law_.load[j][1];
   }
-  wrenches_->lines().project(start);
-  const auto worst = [&](const Reals& y) { return wrenches_->worst(y); };
-  Found found = nearest_wrench(start, worst, again);
-  while (!found.separated && wrenches_->are_of_springs(found)) {
-    wrenches_->lines().project(start);
-    found = nearest_wrench(start, worst, again);
-  }
-  separated_ = found.separated;
-  return found;
+  wrenches.lines().project(start);
+  return nearest_wrench(
+      start, [&](const Reals& y) { return wrenches.worst(y); }, again);
 }
 
 std::optional<Row> LawForces::confirm(const Reals& twist) {
@@ -451,20 +459,64 @@ Relaxation LawForces::relaxed(const Found& found) const {
   return result;
 }
 
-std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) const {
+std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) {
   if (const auto plane = region_->bound_across(found.motion); plane && !only_contacts_) {
     return Branch{PlaneCut{*plane}, region_->halves(*plane)};
   }
+  return best_split(found);
+}
+
+/// Splits where a law is broken noticeably: where it is broken most or, of many coordinates,
+/// where the fewest children are left that are not refuted at once. (Of few, nodes cost less
+/// than looking ahead.)
+std::optional<LawForces::Branch> LawForces::best_split(const Relaxation& found) {
   constexpr double kNoticeable = 1e-12;  // relative to the energy; only chooses between splits
-  for (const auto& [gap, contact] : found.separations) {
-    if (!(gap > kNoticeable * found.energy)) break;
-    if (auto branch = split_separation(found, contact)) return branch;
+  constexpr std::size_t kFewMotions = 12;
+  constexpr std::size_t kMostTries = 8;
+  constexpr std::size_t kManyPoints = 500;  // such a child counts as two
+  const bool looks_ahead = law_.motions > kFewMotions;
+  std::vector<SplitChoice> splits;
+  for (const bool is_slip : {false, true}) {
+    for (const auto& [gap, contact] : is_slip ? found.slips : found.separations) {
+      if (gap > kNoticeable * found.energy) splits.push_back({is_slip, contact, splits.size()});
+    }
   }
-  for (const auto& [gap, contact] : found.slips) {
-    if (!(gap > kNoticeable * found.energy)) break;
-    if (auto branch = split_slip(found, contact)) return branch;
+  if (looks_ahead) foresight_->sort(splits);
+  std::optional<Branch> best;
+  Foresight::Children of_best;
+  std::pair<std::size_t, std::size_t> least{SIZE_MAX, 0};  // children left, and the order
+  std::size_t tries = 0;
+  std::vector<std::vector<Row>> slips;  // contacts on one face may slip together
+  for (const SplitChoice& split : splits) {
+    if (looks_ahead && split.is_slip) {
+      const CornerRow& row = law_.contacts[split.contact].corners.front();
+      auto planes = row.slip_planes(law_.coordinates());
+      if (std::find(slips.begin(), slips.end(), planes) != slips.end()) continue;
+      slips.push_back(std::move(planes));
+    }
+    auto branch = split.is_slip ? split_slip(found, split.contact)
+                                : split_separation(found, split.contact);
+    if (!branch) continue;
+    if (!looks_ahead) return branch;
+    Foresight::Children children;
+    std::size_t left = 0;
+    for (const MotionRegion& child : branch->children) {
+      children.emplace_back();
+      if (child.is_barred()) continue;
+      children.back() = nearest_of(AllowedWrenches(law_, child, pull_), false);
+      if (!children.back()->separated) left += child.points().size() > kManyPoints ? 2 : 1;
+      if (left > least.first) break;
+    }
+    foresight_->learn(split, left <= 1);
+    if (std::pair(left, split.order) < least) {
+      least = {left, split.order};
+      best = std::move(branch);
+      of_best = std::move(children);
+    }
+    if (left <= 1 || ++tries == kMostTries) break;
   }
-  return std::nullopt;
+  foresight_->expect(std::move(of_best));
+  return best;
 }
 
 /// Splits between two generators that take part.

@@ -19,6 +19,7 @@ namespace stickslip {
 namespace search_detail {
 
 class AllowedWrenches;
+class Foresight;
 struct Wedge;
 
 /// A wrench that a region allows at one of its generators, with its forces by contact. If
@@ -78,7 +79,7 @@ class LawForces {
   Relaxation relaxed(const Found& found) const;
   bool escapes(const Relaxation& found);
   std::optional<NearEquilibrium> candidate(const Relaxation& found) const;
-  std::optional<Branch> split(const Relaxation& found) const;
+  std::optional<Branch> split(const Relaxation& found);
   std::optional<Branch> split_anywhere(const Relaxation& found) const;
   Branch branch(const TreeNode& node);
   void keep_to_contacts() { only_contacts_ = true; }
@@ -97,6 +98,8 @@ class LawForces {
                                     bool always = false) const;
   std::optional<Branch> split_wedge(const Relaxation& found,
                                     const search_detail::Wedge& wedge) const;
+  std::optional<Branch> best_split(const Relaxation& found);
+  Found nearest_of(const search_detail::AllowedWrenches& wrenches, bool again) const;
   std::optional<Row> in_few_bits(const Reals& twist);
   double height(const Relaxation& found) const;
 
@@ -111,6 +114,8 @@ class LawForces {
   bool separated_ = false;                ///< a twist was found last
   const MotionRegion* region_ = nullptr;  ///< the region entered last
   std::unique_ptr<search_detail::AllowedWrenches> wrenches_;  ///< the region's wrenches
+  std::unique_ptr<search_detail::Foresight> foresight_;       ///< of nodes to be entered
+  std::optional<Found> foreseen_;  ///< what was found on the region before it was entered
 };
 
 /// A search for trees with the forces of one law.

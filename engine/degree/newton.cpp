@@ -505,7 +505,7 @@ class Starts {
 
 }  // namespace
 
-std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
+std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts, std::size_t enough) const {
   std::vector<NearEquilibrium> result;
   const auto add = [&](NearEquilibrium found) {
     const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
@@ -518,7 +518,7 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
   const NearEquilibrium rest = at_rest();
   if (auto polished = polish(rest)) add(std::move(*polished));
   Starts motions(grasp_);
-  for (std::size_t k = 0; k < starts; ++k) {
+  for (std::size_t k = 0; k < starts && result.size() < enough; ++k) {
     auto found = solve(motions.next());
     if (!found) continue;
     auto polished = polish(*found);
@@ -539,7 +539,7 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
 }
 
 std::optional<NearEquilibrium> Newton::solve_thoroughly(std::size_t starts) const {
-  std::vector<NearEquilibrium> found = solve_from(starts);
+  std::vector<NearEquilibrium> found = solve_from(starts, 1);
   if (!found.empty()) return std::move(found.front());
   Starts motions(grasp_);
   for (std::size_t k = 0; k < starts; ++k) {

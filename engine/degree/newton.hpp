@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -59,8 +60,9 @@ class Newton {
   /// Returns the different equilibria that are found from rest with all closed contacts
   /// sticking, and by solve() from `starts` motions: rest, then fixed pseudo-random ones. If
   /// there are none, and no preloads, searches once more with all contacts pressed at first.
-  /// The modes of some are not certain.
-  std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
+  /// The modes of some are not certain. Ends once there are `enough`.
+  std::vector<NearEquilibrium> solve_from(std::size_t starts,
+                                          std::size_t enough = SIZE_MAX) const;
   /// Returns the first equilibrium that is found by solve_from() and then by solve_smoothly()
   /// from other motions, which takes long where there is none.
   std::optional<NearEquilibrium> solve_thoroughly(std::size_t starts) const;

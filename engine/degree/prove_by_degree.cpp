@@ -122,10 +122,17 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
     }
     for (Attempt& attempt : attempts) attempt.is_simplex = true;
   }
-  bool is_quick = true;
+  const bool is_box = limits_.is_wide && limit > 0;
+  std::size_t before_cloud = 4;  // so many are quick
+  if (is_box && about_.box->ball && !attempts.front().is_simplex) {
+    // Walls that need few nodes are cheaper than a cloud.
+    constexpr std::size_t kMostBefore = 1000;
+    attempts.insert(attempts.begin() + 4, {3e-2, limit, growths, work_.nodes + kMostBefore});
+    before_cloud = 5;
+  }
+  std::size_t tried = 0;
   for (const Attempt& attempt : attempts) {
-    if (limits_.is_wide && limit > 0 && is_quick && attempt.node_limit != kFewNodes) {
-      is_quick = false;
+    if (tried++ == before_cloud && is_box) {
       if (auto proof = prove_by_cloud(near)) return proof;
     }
     if (attempt.node_limit == 0 || (limit == 0 && attempt.size < kLeastQuick)) break;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/box/examples.hpp"
 #include "stickslip/engine/box_verdict.hpp"
@@ -29,9 +30,17 @@ class LostLoads {
   /// Returns true if doubles find no equilibrium at this load, nor a little beyond it (Newton's
   /// method misses one at times).
   bool contains(const Suspect& load) const;
+  /// Returns true if a search from many motions, which takes long, finds none at this load.
+  bool has_none(const Suspect& load) const;
+  /// Makes all that follows search so long: the load may be held far from where others are.
+  void look_longer() { looks_longer_ = true; }
+  bool looks_longer() const { return looks_longer_; }  ///< whether that was called
   /// Returns where on this way from the centre the equilibrium is lost first, up to a factor of
   /// two; nothing if it is not lost below the limit.
   std::optional<Suspect> first_along(const box_detail::Place& place) const;
+  /// Returns some of a few loads at random on the border of the ball with this factor: those at
+  /// which doubles find no equilibrium.
+  std::vector<Suspect> at_random(const Rational& factor) const;
   /// Moves the load along its way to where the equilibrium is first lost, within an eighth of
   /// the accuracy.
   void draw_in(Suspect& load) const;
@@ -48,6 +57,7 @@ class LostLoads {
   Rational accuracy_;
   Rational limit_;
   NearEquilibrium at_centre_;
+  bool looks_longer_ = false;
   mutable NearEquilibrium last_;  ///< the last one found, where the search for the next begins
 };
 

@@ -96,6 +96,10 @@ class RadiusSearch {
     result_.stable = is_stable(centre_, law_, options_.box);
     if (!result_.stable || (options_.only_stable && !*result_.stable)) return result_;
     report();
+    if (box_.ball && !effort_.decides_singles) {
+      auto lost = LostLoads::of(centre_, box_, law_, options_.accuracy, result_.limit);
+      if (lost) lost_.emplace(std::move(*lost));
+    }
     refute();
     ask_whole();
     if (result_.is_on_threshold()) return result_;
@@ -129,6 +133,8 @@ class RadiusSearch {
 
  private:
   static constexpr std::size_t kMostParts = 16;
+  /// So many loads that are held are decided before others are tried.
+  static constexpr std::size_t kMostHeld = 4;
 
   /// Asks decide_box() about the box that was given, if no counterexample in it is known, and
   /// then about smaller ones while two of their grasps differ: a radius knows no less than a
@@ -207,7 +213,8 @@ class RadiusSearch {
         constexpr std::size_t kMostTried = 4;
         if (tried++ == kMostTried) break;
         const Rational near = size * rational_from_double(std::min(1.0, part + 1.0 / 64));
-        if (near < bound() && differs(place, near)) close_in(place, 0, near);
+        if (!(near < bound()) || (lost_ && !lost_->has_none({place, near}))) continue;
+        if (differs(place, near)) close_in(place, 0, near);
       }
       if (size == bound() || !lost.empty()) return;
     }
@@ -238,7 +245,7 @@ class RadiusSearch {
   /// Seeks a load of a ball that is too much, as near as may be, along axes and between them.
   /// Then turns it to where the border is nearer.
   void refute_ball() {
-    if (!effort_.decides_singles && seek_in_doubles()) return;
+    if (lost_) return seek_in_doubles();
     const std::vector<Place> starts = Examples(box_, law_).ball_directions();
     Rational farthest = bound();
     constexpr int kMostSizes = 6;
@@ -254,47 +261,65 @@ class RadiusSearch {
     if (turn_nearby()) turn_to_normals();
   }
 
-  /// Seeks with doubles, which say which load is worth a decision, as decisions take long here.
-  /// Returns false if doubles find no equilibrium of the centre.
-  bool seek_in_doubles() {
-    const auto lost = LostLoads::of(centre_, box_, law_, options_.accuracy, result_.limit);
-    if (!lost) return false;
+  /// Seeks with doubles, which say which load is worth a decision, as decisions take long here:
+  /// along axes and between them, then at random, from far out inwards.
+  void seek_in_doubles() {
     std::vector<Suspect> suspects;
     for (const Place& place : Examples(box_, law_).ball_directions()) {
-      if (auto found = lost->first_along(place)) suspects.push_back(std::move(*found));
+      if (auto found = lost_->first_along(place)) suspects.push_back(std::move(*found));
     }
     std::stable_sort(suspects.begin(), suspects.end(),
                      [](const Suspect& a, const Suspect& b) { return a.factor < b.factor; });
-    constexpr std::size_t kMostTried = 16;
-    constexpr std::size_t kMostDescents = 3;
-    std::size_t tried = 0;
-    std::size_t descents = 0;
-    for (Suspect& suspect : suspects) {
-      if (tried++ == kMostTried || descents == kMostDescents) break;
-      if (result_.refuted && suspect.factor > 2 * bound()) break;
-      lost->draw_in(suspect);
-      if (!confirm(suspect, 2 * bound())) continue;
-      ++descents;
-      descend(*lost, suspect);
+    decide_suspects(std::move(suspects), 3);
+    if (!result_.refuted) {
+      lost_->look_longer();
+      Rational farthest = bound() * (1 - options_.accuracy / 4);
+      constexpr int kMostSizes = 3;
+      for (int size = 0; size < kMostSizes && !result_.refuted; ++size) {
+        decide_suspects(lost_->at_random(farthest), 1);
+        farthest /= 8;
+      }
     }
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds && result_.refuted; ++round) {
       const Rational before = *result_.refuted;
+      std::size_t held = 0;
       for (const Place& place : along_normals()) {
         Suspect suspect{place, bound() * (1 - options_.accuracy / 4)};
-        if (!lost->contains(suspect)) continue;
-        lost->draw_in(suspect);
-        if (confirm(suspect, bound())) descend(*lost, suspect);
+        if (!lost_->contains(suspect)) continue;
+        lost_->draw_in(suspect);
+        if (confirm(suspect, bound())) {
+          descend(suspect);
+        } else if (lost_->looks_longer() && ++held == kMostHeld) {
+          return;
+        }
       }
-      if (*result_.refuted == before) break;
+      if (*result_.refuted == before || lost_->looks_longer()) break;
     }
-    return true;
+  }
+
+  /// Decides loads that doubles find to be too much, drawn in to where that begins, and turns
+  /// so many of those that are to where the border is nearer.
+  void decide_suspects(std::vector<Suspect> suspects, std::size_t most_descents) {
+    constexpr std::size_t kMostTried = 16;
+    std::size_t tried = 0;
+    std::size_t descents = 0;
+    for (Suspect& suspect : suspects) {
+      if (tried++ == kMostTried || descents == most_descents) break;
+      if (tried > kMostHeld && !result_.refuted) break;
+      if (result_.refuted && suspect.factor > 2 * bound()) break;
+      lost_->draw_in(suspect);
+      if (!confirm(suspect, 2 * bound())) continue;
+      ++descents;
+      descend(suspect);
+    }
   }
 
   /// Turns the suspect by smaller and smaller steps to where the border is nearer. A suspect
   /// that is not confirmed is forgotten.
-  void descend(const LostLoads& lost, Suspect suspect) {
-    for (int steps = 2; steps <= 64; steps *= 2) {
+  void descend(Suspect suspect) {
+    const int last = lost_->looks_longer() ? 4 : 64;
+    for (int steps = 2; steps <= last; steps *= 2) {
       const Suspect before = suspect;
       constexpr int kMostRounds = 12;
       bool found = true;
@@ -303,8 +328,8 @@ class RadiusSearch {
         for (const Place& place :
              Examples(box_, law_).turned(suspect.place, Rational(1, steps))) {
           Suspect nearer{place, suspect.factor * (1 - options_.accuracy / 4)};
-          if (!lost.contains(nearer)) continue;
-          lost.draw_in(nearer);
+          if (!lost_->contains(nearer)) continue;
+          lost_->draw_in(nearer);
           suspect = std::move(nearer);
           found = true;
         }
@@ -315,13 +340,22 @@ class RadiusSearch {
   }
 
   /// Returns true if the suspect, or another a little beyond it, is decided to be too much.
+  /// What is farthest comes first: if that is held, so mostly is what is nearer, and decisions
+  /// of loads that are held take longest.
   bool confirm(const Suspect& suspect, const Rational& most) {
-    for (const Rational& beyond : {Rational(0), Rational(1, 4), Rational(2)}) {
-      const Rational factor = suspect.factor * (1 + beyond * options_.accuracy);
-      if (!(factor < most)) return false;
-      if (differs(suspect.place, factor)) return true;
-    }
-    return false;
+    const auto at = [&](const Rational& beyond) {
+      return Rational(suspect.factor * (1 + beyond * options_.accuracy));
+    };
+    const auto is_too_much = [&](const Rational& beyond) {
+      const Rational factor = at(beyond);
+      return factor < most && lost_->has_none({suspect.place, factor}) &&
+             differs(suspect.place, factor);
+    };
+    const Rational farthest = 2;
+    const bool is_confirmed = is_too_much(farthest);
+    if (!is_confirmed && at(farthest) < most) return false;
+    if (is_confirmed && lost_->looks_longer()) return true;
+    return is_too_much(0) || is_too_much(Rational(1, 4)) || is_confirmed;
   }
 
   /// Returns the limits of a decision of one grasp.
@@ -439,11 +473,16 @@ class RadiusSearch {
       if (result_.proved == high || try_to_prove(high, parts)) return;
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
+      // Where proofs that fail take long, what is nearest has one only if a little less does.
+      if (seeks_size()) {
+        const Rational below = short_middle(high * Rational(80, 100), high * Rational(81, 100));
+        if (!try_to_prove(below, parts)) high = below;
+      }
       const bool is_first = parts == 0 || result_.proved.is_zero();
-      if (is_first && try_to_prove(short_middle(near, high), parts)) return;
+      if (is_first && high == bound() && try_to_prove(short_middle(near, high), parts)) return;
       // A smaller box may have no proof though a larger one has. While much is open that is
       // worth the tries.
-      const bool is_much_open = 3 * result_.proved < 2 * bound();
+      const bool is_much_open = 3 * result_.proved < 2 * bound() && !seeks_size();
       Rational least_failed = high;
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
@@ -459,9 +498,23 @@ class RadiusSearch {
     constexpr int kMostSteps = 10;
     for (int step = 0; step < kMostSteps; ++step) {
       if (high - result_.proved <= options_.accuracy * high) return;
-      const Rational middle = short_middle(result_.proved, high);
+      const Rational middle = between(result_.proved, high);
       if (!try_to_prove(middle, parts)) high = middle;
     }
+  }
+
+  /// Returns whether proofs that fail take long, and nobody knows the size of what has one. (Of
+  /// hands some proofs near the bound come soon where smaller balls have none.)
+  bool seeks_size() const { return lost_ && !box_.mechanism; }
+
+  /// Returns a factor between those that are proved and not: if seeks_size(), their geometric
+  /// mean.
+  Rational between(const Rational& proved, const Rational& high) const {
+    constexpr int kFar = 4;
+    if (!seeks_size() || high < kFar * proved) return short_middle(proved, high);
+    const double low = proved.is_zero() ? to_double(high) / 1024 : to_double(proved);
+    const Rational mean = rational_from_double(std::sqrt(low * to_double(high)));
+    return short_middle(mean * Rational(31, 32), mean);
   }
 
   void report() const {
@@ -475,7 +528,8 @@ class RadiusSearch {
   const std::function<void(const Radius&)>& progress_;
   Effort effort_;
   Radius result_;
-  Place example_place_;  ///< the place of result_.example
+  Place example_place_;            ///< the place of result_.example
+  std::optional<LostLoads> lost_;  ///< of a ball where decisions of single grasps take long
 };
 
 }  // namespace

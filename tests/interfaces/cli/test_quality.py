@@ -159,6 +159,14 @@ class Quality(Case):
         self.assertEqual(self.json("decide", file, *ball, "--certificate", proof)["verdict"], "stable")
         self.accepted(file, proof, *ball)
 
+    def test_pads_in_space_have_both_radii(self):
+        # Newton's method loses the equilibrium at loads that are held by others, and the border is between all axes.
+        pads = [((F(99, 100), F(1, 2), F(2, 5)), (-1, F(1, 20), F(-1, 20))), ((F(-19, 20), F(-3, 5), F(1, 2)), (1, 0, F(1, 20))),
+                ((F(21, 20), F(-1, 2), F(-7, 10)), (-1, F(-1, 20), 0)), ((-1, F(3, 5), F(-3, 5)), (1, F(1, 20), F(1, 20)))]
+        answer = self.quality(self.write("g.json", grasp([contact(p, n, friction=F(3, 5), preload=1) for p, n in pads], [0] * 6)),
+                              "--length", 1, "--accuracy", "20%")
+        self.assertLess(F(answer["refuted"]), F(3, 2) * F(answer["proved"]))
+
     def test_loads_of_a_proved_ball_are_resisted(self):
         rng = random.Random(7)
         for _ in range(3):

@@ -124,12 +124,15 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& optio
                   std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects,
                   bool is_quick = false) {
   BoxDecision decision{Undecided{}};
-  const bool may_refine = box.is_point() && effort_for(box).may_refine;
+  const Effort effort = effort_for(box);
+  const bool may_refine = box.is_point() && effort.may_refine;
+  const bool tries_exactly =
+      box.is_point() && !needs_enclosure(box) && box.contacts.size() <= effort.exact_contacts;
   for (unsigned bits = options.bits;; bits *= 2) {
     decision.bits = bits;
     BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts, is_quick),
                      decision.work);
-    if (box.is_point() && !needs_enclosure(box)) prover.try_exact_equilibria();
+    if (tries_exactly) prover.try_exact_equilibria();
     if (auto verdict = prover.prove()) {
       std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
       return decision;

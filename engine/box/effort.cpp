@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "effort.hpp"
 
+#include <cstdint>
+
 namespace stickslip::box_detail {
 
 Effort effort_for(const GraspBox& box) {
@@ -10,6 +12,7 @@ Effort effort_for(const GraspBox& box) {
     effort.walls = 8;
     effort.trees = 8;
     effort.may_refine = true;
+    effort.exact_contacts = 64;  // proofs by degree suit crowds
     effort.single_ends = 12;
     effort.decides_singles = true;
     effort.margins_come_soon = !box.ball && !box.is_bounded();
@@ -25,6 +28,7 @@ Effort effort_for(const GraspBox& box) {
     effort.trees = 4;
     effort.quick_nodes = 100;
     effort.rest_first = true;
+    effort.exact_contacts = SIZE_MAX;
     effort.nodes_of_many = 1000;
     effort.nodes_of_single = box.ball ? 2000 : 0;
     // A proof of a whole ball takes all nodes that there are: none are left for parts.

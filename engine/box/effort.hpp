@@ -27,6 +27,8 @@ struct Effort {
   std::size_t quick_nodes;
   bool rest_first;  ///< whether equilibria near rest are tried before others are sought
   bool may_refine;  ///< whether lengths of one grasp are enclosed in more bits, again and again
+  /// The most contacts of one grasp whose exact equilibria are sought before proofs by degree.
+  std::size_t exact_contacts;
   /// The most numbers of a box for which single grasps at the ends of each are decided.
   std::size_t single_ends;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -189,15 +190,102 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
   return witness;
 }
 
-}  // namespace
-
-std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
+/// Returns an equilibrium with these modes, in numbers as short as will do.
+std::optional<ShareWitness> short_witness(const GraspLaw& model, const NearEquilibrium& near) {
   constexpr int kShort = 20;  // short numbers, for people
   constexpr int kLong = 30;   // near the borders of cones
   for (const bool is_at_rest : {true, false}) {
     for (const int bits : {kShort, kLong}) {
       if (auto witness = witness_in_bits(model, near, bits, is_at_rest)) return witness;
     }
+  }
+  return std::nullopt;
+}
+
+/// Returns the same with some contacts that slip by a rounding, where all that stick in doubles
+/// cannot; nothing if there are none.
+///
+/// Where two contacts on one face stick, one would, were their normals not rounded: its slip
+/// follows from that of the other. By what rounding leaves of it, it slips to a side, with all
+/// its friction; the other takes what that changes, as their friction has one line. Those with
+/// the most friction to spare stick, but for those in `last`, to
+/// which those are added that would have to take more than they can. Doubles say which contacts
+/// slip so, and motions at which the others stick exactly say to which side.
+std::optional<NearEquilibrium> slipping_by_rounding(const GraspLaw& model, NearEquilibrium near,
+                                                    std::vector<std::size_t>& last) {
+  std::vector<std::size_t> sticking;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    if (near.sticks[i] == 0) continue;
+    if (model.contacts[i].slip_dimension() > 1) return std::nullopt;
+    sticking.push_back(i);
+  }
+  const auto most = [&](std::size_t i) { return model.contacts[i].slopes[0] * near.normal[i]; };
+  const auto spare = [&](std::size_t i) { return most(i) - std::fabs(near.friction[i][0]); };
+  const auto slip_row = [&](std::size_t i) -> const Reals& {
+    return model.contacts[i].corners.front().slip_rounded.front();
+  };
+  std::stable_sort(sticking.begin(), sticking.end(),
+                   [&](std::size_t a, std::size_t b) { return spare(a) > spare(b); });
+  std::stable_partition(sticking.begin(), sticking.end(), [&](std::size_t i) {
+    return std::find(last.begin(), last.end(), i) == last.end();
+  });
+  std::vector<std::size_t> free;           // their slips follow from those of no others
+  std::vector<std::size_t> following;      // but for rounding
+  std::vector<Eigen::VectorXd> multiples;  // of the free ones' slips, by following contact
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(model.motions), 0);
+  for (const std::size_t i : sticking) {
+    constexpr double kRounding = 1e-9;  // of the row
+    const Reals& row = slip_row(i);
+    if (!free.empty()) {
+      Eigen::VectorXd parts = least_squares(rows, row);
+      if ((rows * parts - row).norm() < kRounding * row.norm()) {
+        following.push_back(i);
+        multiples.push_back(std::move(parts));
+        continue;
+      }
+    }
+    free.push_back(i);
+    rows.conservativeResize(Eigen::NoChange, rows.cols() + 1);
+    rows.col(rows.cols() - 1) = row;
+  }
+  const std::vector<RationalRow> motions = motions_without_slip(model, free);
+  const Eigen::VectorXd nearest = multiples_near(motions, unscaled(model, near.motion));
+  RationalRow d(model.motions);
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    add_multiple(d, rational_from_double(nearest[static_cast<Eigen::Index>(k)]), motions[k]);
+  }
+  bool slips = false;
+  for (std::size_t k = 0; k < following.size(); ++k) {
+    const std::size_t i = following[k];
+    const int sign = dot(model.contacts[i].corners.front().slip.front(), d).sign();
+    if (sign == 0) continue;
+    slips = true;
+    near.sticks[i] = 0;
+    const double change = near.friction[i][0] + sign * most(i);
+    near.friction[i][0] -= change;
+    for (Eigen::Index j = 0; j < multiples[k].size(); ++j) {
+      near.friction[free[static_cast<std::size_t>(j)]][0] += multiples[k][j] * change;
+    }
+  }
+  if (!slips) return std::nullopt;
+  std::copy_if(free.begin(), free.end(), std::back_inserter(last),
+               [&](std::size_t i) { return spare(i) < 0; });
+  return near;
+}
+
+}  // namespace
+
+std::optional<ShareWitness> exact_witness(const GraspLaw& model, const NearEquilibrium& near) {
+  if (auto witness = short_witness(model, near)) return witness;
+  std::vector<std::size_t> last;
+  constexpr int kMostTries = 4;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    const std::size_t before = last.size();
+    const auto slipping = slipping_by_rounding(model, near, last);
+    if (!slipping) break;
+    if (last.size() > before) continue;  // others slip in place of these
+    if (auto witness = short_witness(model, *slipping)) return witness;
+    break;
   }
   return degree_detail::equilibrium_in_modes(model, near);
 }

@@ -50,7 +50,7 @@ class PlanarProgram {
       : problem_(problem),
         region_(region),
         rays_(region.generators(problem)),
-        program_(loaded_generators(problem, rays_)) {
+        program_(3, loaded_generators(problem, rays_)) {
     const ConeSigns signs(region.cone());
     for (std::size_t i = 0; i < problem.size(); ++i) add_contact(ContactId(i), signs);
   }

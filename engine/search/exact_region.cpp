@@ -56,7 +56,7 @@ std::variant<TreeNode, ShareWitness> decide_exactly(const Law& law,
                                                     const MotionRegion& region) {
   const std::vector<LoadedGenerator> generators =
       law.hull ? points_with_hull(law, region) : points_with_load(law, region);
-  RelaxedRegion program(generators);
+  RelaxedRegion program(law.motions, generators);
   for (std::size_t i = 0; i < law.contacts.size(); ++i) {
     if (region.separation(i) == Separation::kOpen) continue;
     const LawContact& contact = law.contacts[i];

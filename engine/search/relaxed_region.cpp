@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "stickslip/core/error.hpp"
 #include "stickslip/lp/exact_system.hpp"
 
 namespace stickslip {
@@ -20,9 +19,8 @@ void add(LpWork& sum, const LpWork& part) {
 
 }  // namespace
 
-RelaxedRegion::RelaxedRegion(std::vector<LoadedGenerator> generators)
-    : generators_(std::move(generators)) {
-  require(!generators_.empty(), "a region has generators");
+RelaxedRegion::RelaxedRegion(std::size_t motions, std::vector<LoadedGenerator> generators)
+    : motions_(motions), generators_(std::move(generators)) {
   for (const LoadedGenerator& g : generators_) wrenches_.push_back(g.load);
 }
 
@@ -83,6 +81,7 @@ std::vector<Rational> RelaxedRegion::heights() const {
 }
 
 std::variant<RelaxedSum, RationalRow> RelaxedRegion::solve(LpWork& work) {
+  if (generators_.empty()) return RationalRow(motions_);
   std::vector<Rational> sum;
   for (std::size_t k = 0; k < generators_.front().positive.size(); ++k) {
     std::vector<Rational> scale;

@@ -78,7 +78,8 @@ struct RelaxedSum {
 /// The linear program of a region.
 class RelaxedRegion {
  public:
-  explicit RelaxedRegion(std::vector<LoadedGenerator> generators);
+  /// Takes D. A region without generators has no point, and the twist 0 refutes it.
+  RelaxedRegion(std::size_t motions, std::vector<LoadedGenerator> generators);
 
   /// Adds a contact. Contacts that are open on all of the region push nowhere.
   void add(RelaxedContact contact);
@@ -111,7 +112,7 @@ class RelaxedRegion {
     RationalRow wrench;  ///< the sum of the load and all contacts' wrenches
   };
 
-  std::size_t height() const { return wrenches_.front().size(); }  ///< the index of h
+  std::size_t height() const { return motions_; }  ///< the index of h
   void push(const OpenContact& open, std::size_t edge, int sign);
   void push_against(const RationalRow& twist);
   bool add_columns(const RationalRow& twist, const std::vector<Rational>& scale,
@@ -123,6 +124,7 @@ class RelaxedRegion {
   RelaxedSum point(const std::vector<Rational>& weights) const;
   void find_breaches(const std::vector<Rational>& by_generator, RelaxedSum& sum) const;
 
+  std::size_t motions_;
   std::vector<LoadedGenerator> generators_;
   std::vector<RationalRow> wrenches_;  ///< by generator, of the current corner
   std::vector<OpenContact> open_;

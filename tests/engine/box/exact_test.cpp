@@ -9,6 +9,7 @@
 #include "engine/degree/exact_witness.hpp"
 #include "engine/search/exact_region.hpp"
 #include "engine/search/law_forces.hpp"
+#include "engine/search/relaxed_region.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/lp/exact_system.hpp"
@@ -148,6 +149,16 @@ TEST(ExactRegions, EndInAProof) {
     if (witness) body.expect_accepted(Stable{*witness, witness->twist});
   }
   EXPECT_GE(std::min(seen[0], seen[1]), 40);
+}
+
+TEST(ExactRegions, AreRefutedIfTheyAreEmpty) {
+  RelaxedRegion empty(6, {});
+  LpWork work;
+  const auto found = empty.solve(work);
+  ASSERT_TRUE(std::holds_alternative<RationalRow>(found));
+  EXPECT_EQ(std::get<RationalRow>(found), RationalRow(6));
+  EXPECT_TRUE(empty.bounds(RationalRow(6)).empty());
+  EXPECT_FALSE(empty.extreme(1, work));
 }
 
 // A hull of one load, which all generators carry, is decided as the load itself.

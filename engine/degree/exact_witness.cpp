@@ -205,12 +205,12 @@ std::optional<ShareWitness> short_witness(const GraspLaw& model, const NearEquil
 /// Returns the same with some contacts that slip by a rounding, where all that stick in doubles
 /// cannot; nothing if there are none.
 ///
-/// Where two contacts on one face stick, one would, were their normals not rounded: its slip
+/// Two contacts on one face would both stick, were their normals not rounded: the slip of one
 /// follows from that of the other. By what rounding leaves of it, it slips to a side, with all
-/// its friction; the other takes what that changes, as their friction has one line. Those with
-/// the most friction to spare stick, but for those in `last`, to
-/// which those are added that would have to take more than they can. Doubles say which contacts
-/// slip so, and motions at which the others stick exactly say to which side.
+/// its friction; the other takes what that changes, as their friction has one line. The
+/// contacts with the most friction to spare stick, but for those in `last`; `last` gets those
+/// that would have to take more than they can. Doubles say which contacts slip so, and motions
+/// at which the others stick exactly say to which side.
 std::optional<NearEquilibrium> slipping_by_rounding(const GraspLaw& model, NearEquilibrium near,
                                                     std::vector<std::size_t>& last) {
   std::vector<std::size_t> sticking;

@@ -10,10 +10,6 @@
 namespace stickslip {
 namespace {
 
-RationalRow row_of(const Vector3& a) {
-  return {a.begin(), a.end()};
-}
-
 /// Returns the generators with the problem's own loads. The positive functions are the strict
 /// ones of the multiples, and h.
 std::vector<LoadedGenerator> loaded_generators(const Problem& problem,
@@ -25,7 +21,7 @@ std::vector<LoadedGenerator> loaded_generators(const Problem& problem,
   for (const Ray& ray : rays) {
     LoadedGenerator g;
     for (const Integer& entry : ray.x) g.x.emplace_back(entry);
-    g.load = row_of(coordinates(g.x[3] * problem.wrench() + g.x[4] * problem.load_growth()));
+    g.load = row_of(g.x[3] * problem.wrench() + g.x[4] * problem.load_growth());
     if (above_low) g.positive.push_back(g.x[4] - range.low * g.x[3]);
     if (below_high) g.positive.push_back(*range.high * g.x[3] - g.x[4]);
     // h > 0 follows between two finite ends.
@@ -58,7 +54,7 @@ class PlanarProgram {
   /// Applies the rule leaf-bound.
   bool is_refuted_by(const Row& twist) {
     const std::vector<Rational> bounds =
-        program_.bounds(row_of(coordinates(twist_of(vector_of<3>(twist)))));
+        program_.bounds(RationalRow(twist.begin(), twist.end()));
     std::vector<const Ray*> zeros;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       if (bounds[k].sign() > 0) return false;
@@ -68,7 +64,7 @@ class PlanarProgram {
   }
 
   void start_from(const Row& twist) {
-    program_.start_from(row_of(coordinates(twist_of(vector_of<3>(twist)))));
+    program_.start_from(RationalRow(twist.begin(), twist.end()));
   }
 
   std::variant<RelaxedPoint, TwistLeaf> solve(LpWork& work) {
@@ -104,8 +100,8 @@ class PlanarProgram {
     // Without friction both edges of the cone are one: any sign serves.
     added.slip =
         row.friction.is_zero() ? Sign::kPositive : region_.slip_sign(problem_, contact, signs);
-    added.edges = {row_of(coordinates(problem_.edge_wrench(contact, 1))),
-                   row_of(coordinates(problem_.edge_wrench(contact, -1)))};
+    added.edges = {row_of(problem_.edge_wrench(contact, 1)),
+                   row_of(problem_.edge_wrench(contact, -1))};
     added.stiffness = row.stiffness;
     if (added.is_settled()) settled_.emplace_back(contact, -to_int(*added.slip));
     program_.add(std::move(added));

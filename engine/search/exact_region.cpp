@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "relaxed_region.hpp"
-#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {

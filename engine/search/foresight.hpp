@@ -19,11 +19,11 @@ struct SplitChoice {
   std::size_t order = 0;  ///< how many splits break a law more
 };
 
-/// What is known of children that a walk in preorder has not entered yet, and which splits have
-/// served before.
+/// A search's knowledge of children that its walk in preorder has not entered yet, and of the
+/// splits that have served before.
 class Foresight {
  public:
-  /// What was found on each child of a split; nothing where nothing was sought.
+  /// The result on each child of a split; nothing where none was sought.
   using Children = std::vector<std::optional<LawForces::Found>>;
 
   /// Takes the number of contacts.

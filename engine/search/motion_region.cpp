@@ -368,7 +368,7 @@ void MotionRegion::compute_slips(std::size_t contact) {
       if (!law_->contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
         constexpr double kLeast = 1e-100;  // its square does not vanish
         double before = std::sqrt(dot(s, s));
-        // What overflowed has no length: any will do.
+        // A slip that overflowed has no length: any will do.
         if (!(before > kLeast && before < 1 / kLeast)) before = kLeast;
         const ExactSlip exact = exact_slip(contact, g, c);
         s = law_->contacts[contact].direction_of(exact);

@@ -141,7 +141,9 @@ std::vector<RationalRow> vectors_of(const std::vector<RationalRow>& magnitudes,
 
 std::vector<RationalRow> read_forces(const ForceList& magnitudes, const ForceList& vectors,
                                      bool are_vectors, const Question& question) {
-  const std::size_t contacts = question.grasp.as_box().contacts.size();
+  const GraspBox* box = question.box();
+  const std::size_t contacts =
+      box != nullptr ? box->contacts.size() : question.loaded().grasp.size();
   if (question.in_space()) {
     if (are_vectors) return vectors.checked(contacts, 3, kVectorsInSpace);
     fail_at(magnitudes.path(),
@@ -151,8 +153,10 @@ std::vector<RationalRow> read_forces(const ForceList& magnitudes, const ForceLis
             "\"forces\"");
   }
   if (are_vectors) return vectors.checked(contacts, 2, kVectors);
-  const GraspBox* box = question.box();
-  const Grasp grasp = box != nullptr ? loaded_of(*box).grasp : question.loaded().grasp;
+  if (box != nullptr) {
+    return vectors_of(magnitudes.checked(contacts, 2, kMagnitudes), loaded_of(*box).grasp);
+  }
+  const Grasp& grasp = question.loaded().grasp;
   return vectors_of(magnitudes.checked(grasp.size(), 2, kMagnitudes), grasp);
 }
 

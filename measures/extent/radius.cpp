@@ -473,7 +473,8 @@ class RadiusSearch {
       if (result_.proved == high || try_to_prove(high, parts)) return;
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
-      // Where proofs that fail take long, what is nearest has one only if a little less does.
+      // A proof that fails may take long: a factor near the bound is tried only if one a little
+      // below it has a proof.
       if (seeks_size()) {
         const Rational below = short_middle(high * Rational(80, 100), high * Rational(81, 100));
         if (!try_to_prove(below, parts)) high = below;

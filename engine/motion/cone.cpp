@@ -12,17 +12,30 @@
 namespace stickslip {
 namespace {
 
+/// Returns a vector of n zeros.
+template <class Vector>
+Vector zero_of(std::size_t n) {
+  if constexpr (kCoordinates<Vector> == 0) {
+    return Vector(n);
+  } else {
+    return {};
+  }
+}
+
 /// Returns the primitive positive multiple of p * a - q * b.
 template <class Vector>
 Vector combine(const Integer& p, const Vector& a, const Integer& q, const Vector& b) {
-  Vector result = a;
-  for (std::size_t j = 0; j < a.size(); ++j) result[j] = p * a[j] - q * b[j];
+  auto result = zero_of<Vector>(a.size());
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    if (!a[j].is_zero()) result[j] = p * a[j];
+    if (!b[j].is_zero()) result[j] -= q * b[j];
+  }
   return primitive(std::move(result));
 }
 
+/// Returns whether a ray that is not in the plane is kept.
 bool keeps(Side side, int sign) {
-  return sign == 0 || (side == Side::kPositive && sign > 0) ||
-         (side == Side::kNegative && sign < 0);
+  return (side == Side::kPositive && sign > 0) || (side == Side::kNegative && sign < 0);
 }
 
 /// The constraints that are 0 at each ray, one bit for each.
@@ -69,16 +82,6 @@ class TightSets {
   std::vector<std::uint64_t> shared_;  ///< the constraints that the last pair shares
 };
 
-/// Returns a vector of n zeros.
-template <class Vector>
-Vector zero_of(std::size_t n) {
-  if constexpr (kCoordinates<Vector> == 0) {
-    return Vector(n);
-  } else {
-    return {};
-  }
-}
-
 }  // namespace
 
 template <class Vector>
@@ -107,10 +110,10 @@ std::vector<Vector> ConeOf<Vector>::directions() const {
   return result;
 }
 
-/// Cuts along a line on which the plane is not 0; returns false if there is none. The line
-/// becomes a ray (or goes, for kZero), and all else moves along it into the plane.
+/// Looks for a line on which the plane is not 0, and returns false if there is none. Such a line
+/// becomes the last ray, above the plane, and all else moves along it into the plane.
 template <class Vector>
-bool ConeOf<Vector>::cut_along_a_line(const Vector& plane, Side side) {
+bool ConeOf<Vector>::move_along_a_line(const Vector& plane) {
   pairs_ = 0;
   std::size_t chosen = 0;
   while (chosen < lines_.size() && dot(plane, lines_[chosen]).is_zero()) ++chosen;
@@ -122,16 +125,18 @@ bool ConeOf<Vector>::cut_along_a_line(const Vector& plane, Side side) {
     line = negated(line);
     height = -height;
   }
-  for (Vector& other : lines_) other = combine(height, other, dot(plane, other), line);
+  const auto move_into_plane = [&](Vector& x) {
+    const Integer above = dot(plane, x);
+    if (!above.is_zero()) x = combine(height, x, above, line);
+  };
+  for (Vector& other : lines_) move_into_plane(other);
   for (RayOf<Vector>& ray : rays_) {
-    ray.x = combine(height, ray.x, dot(plane, ray.x), line);
+    move_into_plane(ray.x);
     ray.tight.push_back(constraint_count_);
   }
-  if (side != Side::kZero) {
-    std::vector<ConstraintIndex> all_before(constraint_count_);
-    std::iota(all_before.begin(), all_before.end(), ConstraintIndex{0});
-    rays_.push_back({side == Side::kPositive ? line : negated(line), std::move(all_before)});
-  }
+  std::vector<ConstraintIndex> all_before(constraint_count_);
+  std::iota(all_before.begin(), all_before.end(), ConstraintIndex{0});
+  rays_.push_back({std::move(line), std::move(all_before)});
   return true;
 }
 
@@ -166,52 +171,54 @@ std::vector<RayOf<Vector>> ConeOf<Vector>::rays_between(const std::vector<Intege
   return between;
 }
 
-/// Keeps the rays on this side of a plane that is 0 on all lines, and adds those between.
 template <class Vector>
-void ConeOf<Vector>::keep(Side side, const std::vector<Integer>& heights,
-                          std::vector<RayOf<Vector>> between) {
-  for (std::size_t r = 0; r < rays_.size(); ++r) {
-    if (!keeps(side, heights[r].sign())) continue;
-    if (heights[r].is_zero()) rays_[r].tight.push_back(constraint_count_);
-    between.push_back(std::move(rays_[r]));
-  }
-  rays_ = std::move(between);
-  ++constraint_count_;
-}
-
-template <class Vector>
-std::vector<Integer> ConeOf<Vector>::heights_over(const Vector& plane) const {
+std::vector<ConeOf<Vector>> ConeOf<Vector>::split(const Vector& plane,
+                                                  const std::vector<Side>& sides) {
+  const bool is_along_a_line = move_along_a_line(plane);
   std::vector<Integer> heights;
-  heights.reserve(rays_.size());
-  for (const RayOf<Vector>& ray : rays_) heights.push_back(dot(plane, ray.x));
-  return heights;
+  std::vector<RayOf<Vector>> in_plane;  // of those that are new
+  if (!is_along_a_line) {
+    heights.reserve(rays_.size());
+    for (const RayOf<Vector>& ray : rays_) heights.push_back(dot(plane, ray.x));
+    in_plane = rays_between(heights);
+  }
+  const ConstraintIndex constraint = constraint_count_++;
+  std::vector<RayOf<Vector>> rays = std::move(rays_);
+  std::vector<ConeOf> parts;
+  parts.reserve(sides.size());
+  for (const Side side : sides) {
+    const bool is_last = parts.size() + 1 == sides.size();
+    ConeOf& part = parts.emplace_back(is_last ? std::move(*this) : *this);
+    if (is_along_a_line) {
+      part.rays_ = is_last ? std::move(rays) : rays;
+      RayOf<Vector>& ray = part.rays_.back();
+      if (side == Side::kNegative) ray.x = negated(ray.x);
+      if (side == Side::kZero) part.rays_.pop_back();
+      continue;
+    }
+    if (parts.size() > 1) part.pairs_ = 0;
+    part.rays_ = is_last ? std::move(in_plane) : in_plane;
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+      if (heights[r].is_zero()) {
+        part.rays_.push_back(rays[r]);
+        part.rays_.back().tight.push_back(constraint);
+      } else if (keeps(side, heights[r].sign())) {
+        part.rays_.push_back(std::move(rays[r]));  // no other side keeps it
+      }
+    }
+  }
+  return parts;
 }
 
 template <class Vector>
 void ConeOf<Vector>::cut(const Vector& plane, Side side) {
-  if (cut_along_a_line(plane, side)) {
-    ++constraint_count_;
-    return;
-  }
-  const std::vector<Integer> heights = heights_over(plane);
-  keep(side, heights, rays_between(heights));
+  *this = std::move(split(plane, {side}).front());
 }
 
 template <class Vector>
-std::pair<ConeOf<Vector>, ConeOf<Vector>> ConeOf<Vector>::halves(const Vector& plane) const {
-  std::pair<ConeOf, ConeOf> both(*this, *this);
-  if (std::all_of(lines_.begin(), lines_.end(),
-                  [&](const Vector& line) { return dot(plane, line).is_zero(); })) {
-    const std::vector<Integer> heights = heights_over(plane);
-    std::vector<RayOf<Vector>> between = both.first.rays_between(heights);
-    both.second.pairs_ = 0;
-    both.first.keep(Side::kPositive, heights, between);
-    both.second.keep(Side::kNegative, heights, std::move(between));
-  } else {
-    both.first.cut(plane, Side::kPositive);
-    both.second.cut(plane, Side::kNegative);
-  }
-  return both;
+std::vector<ConeOf<Vector>> ConeOf<Vector>::parts(const Vector& plane,
+                                                  const std::vector<Side>& sides) const {
+  return ConeOf(*this).split(plane, sides);
 }
 
 template class ConeOf<IntegerVector5>;

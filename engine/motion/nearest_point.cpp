@@ -1,49 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nearest_point.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace stickslip {
 
+// With G the matrix of the products of the points, weights that are a multiple of u with
+// G u = (1, ..., 1) are those of the point of least norm. G is singular where the affine hull
+// contains the origin. G plus a number at all entries is not, and has the same solution but for
+// a factor (Wolfe, section 6). A point that is added costs one row of its factor.
 template <class Point>
 bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) const {
-  // The weights solve Lagrange's system: the Gram matrix of the points, bordered by ones,
-  // against (0, ..., 0, 1).
-  constexpr int kRows = static_cast<int>(kMost) + 1;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRows, kRows>;
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRows, 1>;
-  const auto used = static_cast<Eigen::Index>(size_);
-  Matrix m = Matrix::Ones(used + 1, used + 1);
-  m(used, used) = 0;
-  m.topLeftCorner(used, used) = products_.topLeftCorner(used, used);
-  const Vector solution = m.partialPivLu().solve(Vector(Vector::Unit(used + 1, used)));
-  std::copy_n(solution.data(), size_, weights.begin());
-  return solution.allFinite();
+  double sum = 0;
+  for (std::size_t k = size_; k-- > 0;) {
+    double entry = halfway_[k];
+    for (std::size_t j = k + 1; j < size_; ++j) entry -= factor_[j][k] * weights[j];
+    weights[k] = entry * factor_[k][k];
+    sum += weights[k];
+  }
+  for (std::size_t k = 0; k < size_; ++k) weights[k] /= sum;
+  return std::all_of(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(size_),
+                     [](double weight) { return std::isfinite(weight); });
 }
 
-/// Fills in the products of the last point in use.
 template <class Point>
-void NearestPointOf<Point>::multiply_last() {
-  const auto last = static_cast<Eigen::Index>(size_) - 1;
-  for (std::size_t k = 0; k < size_; ++k) {
-    const auto at = static_cast<Eigen::Index>(k);
-    products_(at, last) = products_(last, at) = dot(points_[k], points_[size_ - 1]);
+void NearestPointOf<Point>::factorize_from(std::size_t first) {
+  for (std::size_t i = first; i < size_; ++i) {
+    double square = products_[i][i];
+    double rest = 1;
+    for (std::size_t j = 0; j < i; ++j) {
+      double entry = products_[i][j];
+      for (std::size_t k = 0; k < j; ++k) entry -= factor_[i][k] * factor_[j][k];
+      entry *= factor_[j][j];
+      factor_[i][j] = entry;
+      square -= entry * entry;
+      rest -= entry * halfway_[j];
+    }
+    factor_[i][i] = 1 / std::sqrt(square);
+    halfway_[i] = rest * factor_[i][i];
   }
 }
 
 template <class Point>
 void NearestPointOf<Point>::remove(std::size_t k) {
   --size_;
-  const auto last = static_cast<Eigen::Index>(size_);
-  const auto at = static_cast<Eigen::Index>(k);
-  products_.row(at).head(last + 1) = products_.row(last).head(last + 1);
-  products_.col(at).head(last + 1) = products_.col(last).head(last + 1);
+  for (std::size_t j = 0; j < size_; ++j) {
+    products_[k][j] = products_[j][k] = products_[size_][j];
+  }
+  products_[k][k] = products_[size_][size_];
   points_[k] = points_[size_];
   weight_[k] = weight_[size_];
   order_[k] = order_[size_];
+  factorize_from(k);
 }
 
 template <class Point>
@@ -62,8 +72,12 @@ bool NearestPointOf<Point>::add(const Point& point) {
   points_[size_] = point;
   weight_[size_] = size_ == 0 ? 1.0 : 0.0;
   order_[size_] = added_++;
+  if (size_ == 0) shift_ = dot(point, point);
+  for (std::size_t k = 0; k <= size_; ++k) {
+    products_[size_][k] = products_[k][size_] = dot(points_[k], point) + shift_;
+  }
   ++size_;
-  multiply_last();
+  factorize_from(size_ - 1);
   const bool first = size_ == 1;
   const double before = dot(nearest_, nearest_);
   // Each pass removes a point, so there are at most n + 1.

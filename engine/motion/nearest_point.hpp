@@ -45,13 +45,18 @@ class NearestPointOf {
   /// Finds weights of sum 1, of any sign, of the point of least norm in the affine hull.
   /// Returns false if they are not finite.
   bool affine_minimum(std::array<double, kMost>& weights) const;
-  void multiply_last();
+  /// Computes the rows of the factor from this one on.
+  void factorize_from(std::size_t first);
   void remove(std::size_t k);
   void update_nearest();
 
   std::array<Point, kMost> points_{};
-  /// Their products, of which those of points in use are set.
-  Eigen::Matrix<double, static_cast<int>(kMost), static_cast<int>(kMost)> products_;
+  /// The products of two points, and a common number more.
+  std::array<std::array<double, kMost>, kMost> products_;
+  /// The lower triangle L with L L' = products_; its diagonal is inverted.
+  std::array<std::array<double, kMost>, kMost> factor_;
+  std::array<double, kMost> halfway_;  ///< The solution h of L h = (1, ..., 1).
+  double shift_ = 0;                   ///< The common number, which makes the matrix definite.
   std::array<double, kMost> weight_{};
   std::array<std::size_t, kMost> order_{};
   std::size_t size_ = 0;

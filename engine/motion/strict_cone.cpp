@@ -36,13 +36,18 @@ void StrictConeOf<Vector>::cut_to_wall(const ConvexBody& body, std::size_t wall)
 template class StrictConeOf<IntegerVector5>;
 template class StrictConeOf<Row>;
 
-std::pair<StrictCone, StrictCone> StrictCone::halves(const Row& plane) const {
-  auto [above, below] = cone_.halves(plane);
-  std::pair<StrictCone, StrictCone> both(*this, *this);
-  both.second.strict_.push_back(cone_.constraint_count());
-  both.first.cone_ = std::move(above);
-  both.second.cone_ = std::move(below);
-  return both;
+std::vector<StrictCone> StrictCone::parts(const Row& plane,
+                                          const std::vector<StrictSide>& sides) const {
+  std::vector<Side> kept;
+  for (const StrictSide& side : sides) kept.push_back(side.side);
+  std::vector<StrictCone> result;
+  for (ConeOf<Row>& cone : cone_.parts(plane, kept)) {
+    StrictCone& part = result.emplace_back(motions_);
+    part.strict_ = strict_;
+    if (sides[result.size() - 1].strict) part.strict_.push_back(cone_.constraint_count());
+    part.cone_ = std::move(cone);
+  }
+  return result;
 }
 
 /// Lines take nothing away, as all constraints are 0 on them.

@@ -110,19 +110,36 @@ double Actions::normal(std::size_t contact, std::size_t generator) const {
                    : region_.least_separation(contact, generator);
 }
 
-double Actions::work(std::size_t contact, std::size_t generator, bool& acts) const {
+double Actions::work(std::size_t contact, std::size_t generator) const {
   if (region_.separation(contact) == Separation::kOpen) return 0;
-  if (!pairs_[contact]) {
-    const double a = normal(contact, generator);
-    acts = acts || a != 0;
-    return a * all_[contact].alpha;
-  }
+  if (!pairs_[contact]) return normal(contact, generator) * all_[contact].alpha;
   const CornerWork<double>& work = *pairs_[contact]->work;
   const Strongest<double> strongest =
       work.at(height(generator), region_.rises(contact, generator));
   if (strongest.friction == 2) return 0;
-  acts = acts || strongest.bound != 0;
   return strongest.bound / static_cast<double>(work.pairs().corners);
+}
+
+bool Actions::acts(std::size_t contact, std::size_t generator) const {
+  if (region_.separation(contact) == Separation::kOpen) return false;
+  return (pairs_[contact] ? work(contact, generator) : normal(contact, generator)) != 0;
+}
+
+void Actions::add_work(std::size_t contact, std::vector<double>& works) const {
+  if (region_.separation(contact) == Separation::kOpen) return;
+  if (pairs_[contact]) {
+    for (std::size_t g = 0; g < works.size(); ++g) works[g] += work(contact, g);
+    return;
+  }
+  const double alpha = all_[contact].alpha;
+  const bool is_mixed = region_.separation(contact) == Separation::kMixed;
+  if (is_mixed && !(alpha > 0)) return;
+  const double* normals = alpha > 0 ? region_.most_separations(contact)  //
+                                    : region_.least_separations(contact);
+  const double least = is_mixed ? 0 : -HUGE_VAL;
+  for (std::size_t g = 0; g < works.size(); ++g) {
+    works[g] += alpha * std::max(least, normals[g]);
+  }
 }
 
 bool Actions::is_clear(std::size_t contact, double error) const {
@@ -303,10 +320,9 @@ std::optional<bool> AllowedWrenches::are_refuted_by(const Row& exact) const {
     double work = load_at(g, y).dot(y);
     double size =
         std::fabs(x[d + 1]) * law_.growing.cwiseAbs().dot(y.cwiseAbs()) + x[d] * load_size;
-    bool acts = false;
     bool is_idle = x[d] == 0;
     for (std::size_t i = 0; i < m; ++i) {
-      const double here = actions.work(i, g, acts);
+      const double here = actions.work(i, g);
       work += here;
       size += may_certify_ ? alphas[i] * sizes()[g * m + i] : std::fabs(here);
       is_idle = is_idle && actions.is_idle(i, g);
@@ -328,24 +344,41 @@ Reals AllowedWrenches::load_at(std::size_t generator, const Reals& y) const {
 
 std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   const Actions actions(law_, region_, y);
+  const auto d = static_cast<Eigen::Index>(law_.motions);
   // No twist that matters sees what springs do along lines.
   const auto is_left_out = [&](std::size_t contact, std::size_t generator) {
     return law_.contacts[contact].is_spring && lines_.has(generator);
+  };
+  const Reals load = law_.load_at(1, 0, y);
+  const double load_work = load.dot(y);
+  const double growing_work = law_.growing.dot(y);
+  std::vector<double> works;  // by generator
+  for (const Reals& x : region_.generators()) {
+    works.push_back(x[d] * load_work + x[d + 1] * growing_work);
+  }
+  for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+    if (!lines_.empty() && law_.contacts[i].is_spring) {
+      for (std::size_t g = 0; g < works.size(); ++g) {
+        if (!lines_.has(g)) works[g] += actions.work(i, g);
+      }
+    } else {
+      actions.add_work(i, works);
+    }
+  }
+  // A generator where nothing acts is an equilibrium, unless strict functions bar it.
+  const auto is_allowed = [&](std::size_t g) {
+    if (!region_.bars_point(g) || load_at(g, y).squaredNorm() > 0) return true;
+    for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+      if (!is_left_out(i, g) && actions.acts(i, g)) return true;
+    }
+    return false;
   };
   AllowedWrench best;
   best.work = -HUGE_VAL;
   for (std::size_t g = 0; g < scales_.size(); ++g) {
     if (!(scales_[g] > 0)) continue;
-    const Reals load = load_at(g, y);
-    double work = load.dot(y);
-    bool acts = load.squaredNorm() > 0;
-    for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
-      if (is_left_out(i, g)) continue;
-      work += actions.work(i, g, acts);
-    }
-    work /= scales_[g];
-    // A generator where nothing acts is an equilibrium, unless strict functions bar it.
-    if (work > best.work && (acts || !region_.bars_point(g))) {
+    const double work = works[g] / scales_[g];
+    if (work > best.work && is_allowed(g)) {
       best.work = work;
       best.generator = g;
     }

@@ -24,8 +24,12 @@ class Actions {
  public:
   Actions(const Law& law, const MotionRegion& region, const Reals& y);
 
-  /// Returns the most work of a contact at a generator; sets `acts` if its force is not 0.
-  double work(std::size_t contact, std::size_t generator, bool& acts) const;
+  /// Returns the most work of a contact at a generator.
+  double work(std::size_t contact, std::size_t generator) const;
+  /// Adds the most work of a contact at each generator.
+  void add_work(std::size_t contact, std::vector<double>& works) const;
+  /// Returns whether the force that does the most work there is not 0.
+  bool acts(std::size_t contact, std::size_t generator) const;
   /// Returns whether errors of alpha change nothing in which rule bounds the contact.
   bool is_clear(std::size_t contact, double error) const;
   /// Returns whether the contact's force is surely 0 there, by exact zeros and signs.

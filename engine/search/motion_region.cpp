@@ -259,11 +259,28 @@ std::optional<Sign> MotionRegion::slip_sign(std::size_t contact) const {
   return slip(contact, generator, corner)[0] > 0 ? Sign::kPositive : Sign::kNegative;
 }
 
+MotionRegion::MotionRegion(const MotionRegion& parent, StrictCone cone)
+    : StrictCone(std::move(cone)),
+      law_(parent.law_),
+      is_of_wall_(parent.is_of_wall_),
+      strict_slips_(parent.strict_slips_),
+      still_(parent.still_),
+      separations_(parent.separations_.size(), Separation::kMixed),
+      slips_(parent.slips_.size()),
+      exact_sides_(parent.slips_.size()) {}
+
+std::vector<MotionRegion> MotionRegion::children(const Row& plane,
+                                                 const std::vector<StrictSide>& sides) const {
+  std::vector<MotionRegion> children;
+  for (StrictCone& cone : StrictCone::parts(plane, sides)) {
+    children.push_back(MotionRegion(*this, std::move(cone)));
+  }
+  return children;
+}
+
 std::vector<MotionRegion> MotionRegion::halves(const Row& plane) const {
-  auto [above, below] = StrictCone::halves(plane);
-  std::vector<MotionRegion> both(2, *this);
-  static_cast<StrictCone&>(both[0]) = std::move(above);
-  static_cast<StrictCone&>(both[1]) = std::move(below);
+  std::vector<MotionRegion> both =
+      children(plane, {{Side::kPositive, false}, {Side::kNegative, true}});
   for (MotionRegion& region : both) region.update();
   return both;
 }
@@ -271,23 +288,22 @@ std::vector<MotionRegion> MotionRegion::halves(const Row& plane) const {
 std::vector<MotionRegion> MotionRegion::slip_children(std::size_t contact) const {
   const std::vector<Row> planes =
       law_->contacts[contact].corners.front().slip_planes(law_->coordinates());
+  if (planes.size() == 1) {
+    std::vector<MotionRegion> three =
+        children(planes.front(),
+                 {{Side::kPositive, true}, {Side::kZero, false}, {Side::kNegative, true}});
+    three[1].still_[contact] = 1;
+    for (MotionRegion& region : three) region.update();
+    return three;
+  }
   MotionRegion still = *this;
   for (const Row& plane : planes) still.cut(plane, Side::kZero);
   still.still_[contact] = 1;
   still.update();
-  if (planes.size() > 1) {
-    MotionRegion slipping = *this;  // the cone stays as it is, and so do its generators
-    slipping.strict_slips_[contact] = 1;
-    slipping.classify();
-    return {std::move(still), std::move(slipping)};
-  }
-  std::vector<MotionRegion> children(3, *this);
-  children[0].cut(planes.front(), Side::kPositive, true);
-  children[2].cut(planes.front(), Side::kNegative, true);
-  children[0].update();
-  children[2].update();
-  children[1] = std::move(still);
-  return children;
+  MotionRegion slipping = *this;  // the cone stays as it is, and so do its generators
+  slipping.strict_slips_[contact] = 1;
+  slipping.classify();
+  return {std::move(still), std::move(slipping)};
 }
 
 bool MotionRegion::bars_all(const std::vector<std::size_t>& zeros) const {

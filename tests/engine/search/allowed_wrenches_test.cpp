@@ -100,9 +100,8 @@ double most_work(const Law& law, const MotionRegion& region, const Reals& y) {
   const Actions actions(law, region, y);
   double most = -HUGE_VAL;
   for (std::size_t g = 0; g < region.generators().size(); ++g) {
-    bool acts = false;
     double work = 0;
-    for (std::size_t i = 0; i < law.contacts.size(); ++i) work += actions.work(i, g, acts);
+    for (std::size_t i = 0; i < law.contacts.size(); ++i) work += actions.work(i, g);
     most =
         std::max(most, work / region.generators()[g][static_cast<Eigen::Index>(law.motions)]);
   }
@@ -170,9 +169,12 @@ TEST(Actions, ForcesDoTheWorkThatIsSaid) {
     const Actions actions(law, region, y);
     for (std::size_t i = 0; i < law.contacts.size(); ++i) {
       const LawContact& c = law.contacts[i];
+      std::vector<double> works(region.generators().size(), 1);
+      actions.add_work(i, works);
       for (std::size_t g = 0; g < region.generators().size(); ++g) {
-        bool acts = false;
-        const double work = actions.work(i, g, acts);
+        const bool acts = actions.acts(i, g);
+        const double work = actions.work(i, g);
+        EXPECT_NEAR(works[g] - 1, work, 1e-9);
         double normal = 0;
         Double3 friction{};
         Reals wrench = Reals::Zero(static_cast<Eigen::Index>(law.motions));
@@ -216,8 +218,7 @@ TEST(AllowedWrenches, TheWorstDoesTheMostWork) {
     for (std::size_t g = 0; g < region.generators().size(); ++g) {
       const Reals& x = region.generators()[g];
       double work = law.load_at(x[static_cast<Eigen::Index>(law.motions)], 0, y).dot(y);
-      bool acts = false;
-      for (std::size_t i = 0; i < law.contacts.size(); ++i) work += actions.work(i, g, acts);
+      for (std::size_t i = 0; i < law.contacts.size(); ++i) work += actions.work(i, g);
       some_are_positive = some_are_positive || work > 1e-9;
       if (!worst->against && g == worst->generator) {
         EXPECT_EQ(work > 0, worst->work > 0);

@@ -73,16 +73,16 @@ class ConeOf {
   /// side.
   void cut(const Vector& plane, Side side);
 
-  /// Returns the parts with plane.x >= 0 and <= 0, for which this is the next constraint. It
-  /// gives what two cuts would, but computes once what both share. (The pairs are counted in
-  /// the first part.)
-  std::pair<ConeOf, ConeOf> halves(const Vector& plane) const;
+  /// Returns the parts on some sides of a plane, for which this is the next constraint. It
+  /// gives what as many cuts would, but computes once what they share. (The pairs are counted
+  /// in the first part.)
+  std::vector<ConeOf> parts(const Vector& plane, const std::vector<Side>& sides) const;
 
  private:
-  bool cut_along_a_line(const Vector& plane, Side side);
-  std::vector<Integer> heights_over(const Vector& plane) const;
+  /// Leaves nothing of use behind.
+  std::vector<ConeOf> split(const Vector& plane, const std::vector<Side>& sides);
+  bool move_along_a_line(const Vector& plane);
   std::vector<RayOf<Vector>> rays_between(const std::vector<Integer>& heights);
-  void keep(Side side, const std::vector<Integer>& heights, std::vector<RayOf<Vector>> between);
 
   std::size_t dimension_;  ///< the dimension of the space of points
   std::vector<Vector> lines_;

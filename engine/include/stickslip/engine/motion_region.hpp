@@ -83,10 +83,18 @@ class MotionRegion : public StrictCone {
   /// \{ Returns the largest, or the least, v of a contact at a generator, in doubles; exactly 0
   /// where it is 0.
   double most_separation(std::size_t contact, std::size_t generator) const {
-    return high_[contact * generators_.size() + generator];
+    return most_separations(contact)[generator];
   }
   double least_separation(std::size_t contact, std::size_t generator) const {
-    return low_[contact * generators_.size() + generator];
+    return least_separations(contact)[generator];
+  }
+  /// \}
+  /// \{ Returns the same at all generators.
+  const double* most_separations(std::size_t contact) const {
+    return high_.data() + contact * generators_.size();
+  }
+  const double* least_separations(std::size_t contact) const {
+    return low_.data() + contact * generators_.size();
   }
   /// \}
   /// Returns the slip s at a generator and a corner of the geometry, in doubles; exactly 0
@@ -111,6 +119,9 @@ class MotionRegion : public StrictCone {
 
  private:
   MotionRegion(const Law& law, StrictCone cone, bool is_of_wall = false);
+  /// Makes a part of a region, without what update() finds.
+  MotionRegion(const MotionRegion& parent, StrictCone cone);
+  std::vector<MotionRegion> children(const Row& plane, const std::vector<StrictSide>& sides) const;
   static StrictCone whole_family(const Law& law);
   void update();
   bool is_beyond() const;

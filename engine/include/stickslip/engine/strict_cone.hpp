@@ -90,8 +90,13 @@ class StrictCone : public StrictConeOf<Row> {
   explicit StrictCone(std::size_t motions, Multiples multiples = Multiples::kZero)
       : StrictConeOf(multiples, motions + 2), motions_(motions) {}
 
-  /// Returns the parts with plane.x >= 0 and <= 0; in the latter the plane is strict.
-  std::pair<StrictCone, StrictCone> halves(const Row& plane) const;
+  /// A side of a plane to keep, and whether the plane is strict there.
+  struct StrictSide {
+    Side side;
+    bool strict;
+  };
+  /// Returns the parts on these sides of a plane, as that many cuts would.
+  std::vector<StrictCone> parts(const Row& plane, const std::vector<StrictSide>& sides) const;
 
   std::size_t motions() const { return motions_; }  ///< D
   /// Returns the generators: all points are sums of their nonnegative multiples. They are the

@@ -22,6 +22,14 @@ Rational dot(const RationalRow& a, const RationalRow& b) {
   return sum;
 }
 
+SparseRow sparse(const RationalRow& row) {
+  SparseRow result;
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    if (!row[j].is_zero()) result.emplace_back(j, row[j]);
+  }
+  return result;
+}
+
 Rational dot(const SparseRow& a, const RationalRow& b) {
   Rational sum = 0;
   for (const auto& [index, entry] : a) sum += entry * b[index];

@@ -11,6 +11,7 @@
 #include "engine/motion/dense.hpp"
 #include "mode_program.hpp"
 #include "stickslip/lp/exact_system.hpp"
+#include "stickslip/lp/sparse_system.hpp"
 
 namespace stickslip {
 namespace {
@@ -71,51 +72,53 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalRow& rest) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return terms[a].spare > terms[b].spare;
   });
-  std::vector<std::size_t> chosen;
-  std::vector<RationalRow> columns;
-  for (const std::size_t k : order) {
-    columns.push_back(terms[k].wrench);
-    if (rank_of(columns) == chosen.size()) {
-      columns.pop_back();
-      continue;
-    }
-    chosen.push_back(k);
-    if (columns.size() == rest.size()) break;
-  }
-  const std::optional<RationalRow> change =
-      solve_exactly(matrix_of_columns(columns, rest.size()), rest);
+  std::vector<SparseRow> columns;
+  for (const std::size_t k : order) columns.push_back(sparse(terms[k].wrench));
+  const SparseSystem system(rest.size(), columns);
+  const auto change = system.solve(rest);
   if (!change) return false;
-  for (std::size_t k = 0; k < chosen.size(); ++k) terms[chosen[k]].value += (*change)[k];
+  const RationalRow changes = change->row();
+  for (const std::size_t k : system.independent()) terms[order[k]].value += changes[k];
   return true;
 }
 
-/// Returns an equilibrium with friction rounded to these bits. Motions that nothing resists are
-/// at rest, or else where they are in doubles: a body that nothing holds is at rest only if
-/// nothing pushes it there.
+/// Returns whether a contact is closed in doubles.
+bool is_closed(const GraspLaw& model, const NearEquilibrium& near, std::size_t contact) {
+  return model.contacts[contact].is_spring || near.normal[contact] > 0;
+}
+
+/// Returns whether a contact is closed in doubles and has friction.
+bool rubs(const GraspLaw& model, const NearEquilibrium& near, std::size_t contact) {
+  return is_closed(model, near, contact) && !model.contacts[contact].friction.high.is_zero();
+}
+
+/// Returns the contacts that stick in doubles.
+std::vector<std::size_t> sticking_contacts(const GraspLaw& model, const NearEquilibrium& near) {
+  std::vector<std::size_t> sticking;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    if (rubs(model, near, i) && near.sticks[i] != 0) sticking.push_back(i);
+  }
+  return sticking;
+}
+
+/// Returns an equilibrium with friction rounded to these bits. `motions` are a basis of those
+/// that leave all contacts that stick without slip. Motions that nothing resists are at rest,
+/// or else where they are in doubles: a body that nothing holds is at rest only if nothing
+/// pushes it there.
 std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
-                                            const NearEquilibrium& near_one, int bits,
+                                            const NearEquilibrium& near_one,
+                                            const std::vector<RationalRow>& motions, int bits,
                                             bool is_at_rest) {
   const std::size_t m = model.contacts.size();
   std::vector<bool> closed;
-  for (std::size_t i = 0; i < m; ++i) {
-    closed.push_back(model.contacts[i].is_spring || near_one.normal[i] > 0);
-  }
-  std::vector<std::size_t> sticking;
   std::vector<int> slips(m, 0);  // the signs of slips along a line
   for (std::size_t i = 0; i < m; ++i) {
-    const bool rubs = closed[i] && !model.contacts[i].friction.high.is_zero();
-    if (!rubs) continue;
-    if (near_one.sticks[i] != 0) {
-      sticking.push_back(i);
-    } else if (model.contacts[i].slip_dimension() > 1) {
-      return std::nullopt;  // the slip's length is irrational
-    } else {
-      slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
-    }
+    closed.push_back(is_closed(model, near_one, i));
+    if (!rubs(model, near_one, i) || near_one.sticks[i] != 0) continue;
+    slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
   }
-  // The unknowns are multiples of the motions that leave all of these without slip, and the
-  // coordinates of friction at each. All but a few of the latter stay near what they are.
-  const std::vector<RationalRow> motions = motions_without_slip(model, sticking);
+  // The unknowns are multiples of the motions, and the coordinates of friction at each contact
+  // that sticks. All but a few of the latter stay near what they are.
   std::vector<BalanceTerm> terms;
   RationalRow rest;  // the wrench that the values leave to balance
   for (std::size_t j = 0; j < model.motions; ++j) rest.push_back(-model.wrench[j].low);
@@ -143,7 +146,7 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
       add_multiple(rest, -term.value, term.wrench);
     }
   }
-  for (const std::size_t i : sticking) {
+  for (const std::size_t i : sticking_contacts(model, near_one)) {
     const LawContact& c = model.contacts[i];
     const CornerRow& row = c.corners.front();
     const double most = c.slopes[0] * near_one.normal[i];
@@ -194,9 +197,17 @@ std::optional<ShareWitness> witness_in_bits(const GraspLaw& model,
 std::optional<ShareWitness> short_witness(const GraspLaw& model, const NearEquilibrium& near) {
   constexpr int kShort = 20;  // short numbers, for people
   constexpr int kLong = 30;   // near the borders of cones
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const bool slips = rubs(model, near, i) && near.sticks[i] == 0;
+    if (slips && model.contacts[i].slip_dimension() > 1)
+      return std::nullopt;  // by an irrational length
+  }
+  const std::vector<RationalRow> motions =
+      motions_without_slip(model, sticking_contacts(model, near));
   for (const bool is_at_rest : {true, false}) {
     for (const int bits : {kShort, kLong}) {
-      if (auto witness = witness_in_bits(model, near, bits, is_at_rest)) return witness;
+      if (auto witness = witness_in_bits(model, near, motions, bits, is_at_rest))
+        return witness;
     }
   }
   return std::nullopt;

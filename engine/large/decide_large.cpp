@@ -43,10 +43,7 @@ LargeGrasp large_grasp(const GraspBox& grasp) {
   }
   for (const Spring& spring : grasp.springs) {
     if (spring.is_ratchet() || spring.stiffness.low.is_zero()) continue;
-    SparseRow& row = result.springs.emplace_back();
-    for (std::size_t j = 0; j < spring.row.size(); ++j) {
-      if (!spring.row[j].is_zero()) row.emplace_back(j, spring.row[j]);
-    }
+    result.springs.push_back(sparse(spring.row));
     result.spring_law.push_back({spring.force.low, spring.stiffness.low});
   }
   return result;

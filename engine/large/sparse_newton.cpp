@@ -183,22 +183,29 @@ class SmoothGrasp {
   double reach_ = 1;  ///< how far it moves a body
 };
 
-/// Newton's method with friction smooth over slips of one size.
-class Balance {
- public:
-  explicit Balance(const SmoothGrasp& grasp) : grasp_(grasp) {}
+/// A point of the curve of equilibria: a motion, and the logarithm of the size of slips over
+/// which friction is smooth.
+struct CurvePoint {
+  Vector d;
+  double level = 0;
+};
 
-  /// Moves d to where all forces balance; returns whether it could.
-  bool run(Vector& d, double smooth) {
+/// The equilibria as friction becomes less and less smooth. They are one curve that begins where
+/// friction is nearly viscous, and has no end before sizes of 0. It may turn back to larger
+/// sizes for a while, so it is followed by its length (Keller, "Numerical solution of
+/// bifurcation and nonlinear eigenvalue problems", 1977).
+class EquilibriumCurve {
+ public:
+  explicit EquilibriumCurve(const SmoothGrasp& grasp) : grasp_(grasp) {}
+
+  /// Moves d to where all forces balance, at this level; returns whether it could.
+  bool balance(Vector& d, double level) {
     constexpr int kMostSteps = 30;
-    constexpr double kBalanced = 1e-10;
-    constexpr double kRounding = 1e-14;  // part of slips, and so of friction over their size
-    Sparse derivative;
-    Vector f = grasp_.sum(d, smooth, &derivative);
+    const double smooth = std::exp(level);
+    Vector f = grasp_.sum(d, smooth, &derivative_);
     for (int step = 0; step < kMostSteps; ++step) {
-      const double rounding = kRounding * d.norm() / smooth;
-      if (f.norm() <= (kBalanced + rounding) * grasp_.force()) return true;
-      if (!factor(derivative)) return false;
+      if (is_balanced(f, {d, level})) return true;
+      if (!factor()) return false;
       const Vector move = -solver_.solve(f);
       if (!move.allFinite()) return false;
       double part = 1;
@@ -210,53 +217,110 @@ class Balance {
         there = grasp_.sum(next, smooth);
       }
       d = next;
-      f = grasp_.sum(d, smooth, &derivative);
+      f = grasp_.sum(d, smooth, &derivative_);
     }
     return false;
   }
 
-  /// Returns where d goes as the size becomes another, to first order; d if that is not known.
-  Vector ahead(const Vector& d, double smooth, double next) {
-    Sparse derivative;
-    Vector change;
-    grasp_.sum(d, smooth, &derivative, &change);
-    if (!factor(derivative)) return d;
-    const Vector moved = d - (next - smooth) * solver_.solve(change);
-    return moved.allFinite() ? moved : d;
+  /// Follows the curve from a point of it down to a size of slips relative to the motion;
+  /// returns whether that was reached.
+  bool follow(CurvePoint& at, double least) {
+    constexpr int kMostSteps = 3000;
+    constexpr double kLongest = 2;
+    constexpr double kShortest = 1e-5;
+    CurvePoint way = direction(at);
+    if (!way.d.allFinite()) return false;
+    if (way.level > 0) way = {-way.d, -way.level};
+    double length = 1;
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (std::exp(at.level) <= least * at.d.norm()) return true;
+      CurvePoint next{at.d + length * way.d, at.level + length * way.level};
+      if (!correct(next, way)) {
+        length /= 2;
+        if (length < kShortest) return false;
+        continue;
+      }
+      CurvePoint ahead = direction(next);
+      if (!ahead.d.allFinite()) return false;
+      if (product(ahead, way) < 0) ahead = {-ahead.d, -ahead.level};
+      at = std::move(next);
+      way = std::move(ahead);
+      length = std::min(kLongest, 1.5 * length);
+    }
+    return false;
   }
 
  private:
-  bool factor(const Sparse& derivative) {
-    solver_.compute(derivative);
+  bool is_balanced(const Vector& f, const CurvePoint& at) const {
+    constexpr double kBalanced = 1e-10;
+    constexpr double kRounding = 1e-14;  // part of slips, and so of friction over their size
+    const double rounding = kRounding * at.d.norm() / std::exp(at.level);
+    return f.norm() <= (kBalanced + rounding) * grasp_.force();
+  }
+
+  /// Returns the product by which lengths are measured: a motion as large as typical ones is as
+  /// long as a factor of e in the sizes of slips.
+  double product(const CurvePoint& a, const CurvePoint& b) const {
+    const double unit = unit_;
+    return a.d.dot(b.d) / (unit * unit) + a.level * b.level;
+  }
+
+  /// Returns the direction of the curve, of length 1, one way or the other.
+  CurvePoint direction(const CurvePoint& at) {
+    Vector change;
+    const double smooth = std::exp(at.level);
+    grasp_.sum(at.d, smooth, &derivative_, &change);
+    unit_ = std::max(at.d.norm(), 1e-3 * grasp_.reach());
+    if (!factor()) return {Vector::Constant(at.d.size(), NAN), 0};
+    CurvePoint way{-solver_.solve(smooth * change), 1};
+    const double norm = std::sqrt(product(way, way));
+    return {way.d / norm, 1 / norm};
+  }
+
+  /// Moves a point to the curve, across this direction; returns whether it could.
+  bool correct(CurvePoint& at, const CurvePoint& way) {
+    constexpr int kMostSteps = 8;
+    double before = HUGE_VAL;
+    for (int step = 0; step <= kMostSteps; ++step) {
+      const double smooth = std::exp(at.level);
+      Vector change;
+      const Vector f = grasp_.sum(at.d, smooth, &derivative_, &change);
+      if (is_balanced(f, at)) return true;
+      if (!(f.norm() < before) || step == kMostSteps || !factor()) return false;
+      before = step == 0 ? HUGE_VAL : f.norm();
+      const Vector straight = -solver_.solve(f);
+      const Vector along = -solver_.solve(smooth * change);
+      const double level =
+          -product({straight, 0}, way) / product({along, 1}, way);
+      at.d += straight + level * along;
+      at.level += level;
+      if (!at.d.allFinite() || !std::isfinite(at.level)) return false;
+    }
+    return false;
+  }
+
+  bool factor() {
+    solver_.compute(derivative_);
     return solver_.info() == Eigen::Success;
   }
 
   const SmoothGrasp& grasp_;
+  double unit_ = 1;
+  Sparse derivative_;
   Eigen::SparseLU<Sparse> solver_;
 };
 
 /// Returns what is found with contacts that open within `opening`.
 std::optional<LargeProposal> propose(const LargeGrasp& large, double opening) {
   const SmoothGrasp grasp(large, opening);
-  Balance balance(grasp);
+  EquilibriumCurve curve(grasp);
   constexpr double kLargest = 8;
-  constexpr double kSmallest = 1.05;
   constexpr double kLeastSmooth = 1e-7;  // relative to motions
-  Vector d = grasp.rest();
-  double smooth = kLargest * grasp.reach();
-  double factor = kLargest;
-  if (!balance.run(d, smooth)) return std::nullopt;
-  while (smooth > kLeastSmooth * d.norm()) {
-    Vector next = balance.ahead(d, smooth, smooth / factor);
-    if (balance.run(next, smooth / factor)) {
-      d = std::move(next);
-      smooth /= factor;
-      factor = std::min(kLargest, factor * factor);
-      continue;
-    }
-    factor = std::sqrt(factor);
-    if (factor < kSmallest) return std::nullopt;
-  }
+  CurvePoint at{grasp.rest(), std::log(kLargest * grasp.reach())};
+  if (!curve.balance(at.d, at.level)) return std::nullopt;
+  if (!curve.follow(at, kLeastSmooth)) return std::nullopt;
+  const Vector& d = at.d;
+  const double smooth = std::exp(at.level);
   LargeProposal result;
   const auto& cones = large.model.cones();
   for (std::size_t i = 0; i < cones.size(); ++i) {

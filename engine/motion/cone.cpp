@@ -110,8 +110,8 @@ std::vector<Vector> ConeOf<Vector>::directions() const {
   return result;
 }
 
-/// Looks for a line on which the plane is not 0, and returns false if there is none. Such a line
-/// becomes the last ray, above the plane, and all else moves along it into the plane.
+/// Looks for a line on which the plane is not 0, and returns false if there is none. Such a
+/// line becomes the last ray, above the plane, and all else moves along it into the plane.
 template <class Vector>
 bool ConeOf<Vector>::move_along_a_line(const Vector& plane) {
   pairs_ = 0;

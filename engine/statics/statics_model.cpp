@@ -12,15 +12,6 @@
 namespace stickslip::statics_detail {
 namespace {
 
-/// Returns the vector of a few entries that is `row` but for zeros.
-SparseRow sparse(const RationalRow& row) {
-  SparseRow result;
-  for (std::size_t j = 0; j < row.size(); ++j) {
-    if (!row[j].is_zero()) result.emplace_back(j, row[j]);
-  }
-  return result;
-}
-
 /// Subtracts from a translation how a rotation w about the origin moves the point p.
 void take_turn(RationalRow& translation, const RationalRow& rotation, const RationalRow& p) {
   if (p.size() == 2) {

@@ -27,6 +27,8 @@ Integer dot(const Row& a, const Row& b);
 Rational dot(const RationalRow& a, const RationalRow& b);
 Rational dot(const Row& a, const RationalRow& b);
 /// \}
+/// Returns a vector by its entries that are not 0.
+SparseRow sparse(const RationalRow& row);
 /// Returns the product of a vector of few entries and one that has all of these.
 Rational dot(const SparseRow& a, const RationalRow& b);
 /// Adds `factor` times a vector of few entries.
